@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/expression.h"
+
+namespace qvgen::model {
+
+using Vector3 = std::array<Expression, 3>;
+
+/// Constant rotation by an exact angle (radians) about a unit axis.
+struct Turn {
+  Vector3 axis;
+  Expression angle;
+};
+
+/// Constant displacement x -> R x + translation, R = R(turns[0]) R(turns[1]) ...
+struct Displacement {
+  std::vector<Turn> turns;
+  Vector3 translation;
+};
+
+enum class JointType { revolute, prismatic };
+
+struct Limits {
+  Expression lower;  ///< rad or m
+  Expression upper;
+};
+
+/// Inertial parameters of a link in its link frame; absent ones are literal zeros and cost nothing.
+struct Inertia {
+  Expression mass;
+  Vector3 centre_of_mass;
+  /// About the centre of mass: xx, yy, zz, xy, yz, xz.
+  std::array<Expression, 6> inertia;
+};
+
+/// Drive of a joint, reflected to the joint side; absent ones are literal zeros.
+struct Drive {
+  Expression rotor_inertia;
+  Expression viscous_friction;
+  Expression coulomb_friction;
+};
+
+/// One joint with the link that it moves: link frame(i) = link frame(i-1) * before * motion * after,
+/// motion = rotation about `axis` (revolute) or translation along it (prismatic) by `variable`.
+struct Joint {
+  JointType type = JointType::revolute;
+  std::string variable;
+  Displacement before;
+  Vector3 axis;  ///< unit vector
+  Displacement after;
+  std::optional<Limits> limits;
+  Inertia inertia;
+  Drive drive;
+};
+
+/// A named constant of the description: a field of the generated Geometry or Inertia struct.
+struct Parameter {
+  std::string name;
+  std::optional<Expression> default_value;
+};
+
+/// A validated kinematic chain, base to tool. Immutable once a reader has built it.
+struct Robot {
+  std::string name;    ///< a C++ identifier, lower case: the namespace of the generated code
+  std::string title;
+  std::string source;  ///< where the data come from; may be empty
+  std::vector<Parameter> geometry;  ///< in order of first appearance
+  std::vector<Parameter> inertia_parameters;
+  Displacement base;   ///< world -> base of the first joint
+  std::vector<Joint> joints;
+  Displacement tool;   ///< last link frame -> tool
+};
+
+}  // namespace qvgen::model

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <ginac/ginac.h>
+#include <string>
+#include <vector>
+
+#include "symbolic/algebra.h"
+
+namespace qvgen::symbolic {
+
+/// A straight-line derivation: named intermediate results, each in terms of the model's symbols and of earlier
+/// names, and the results. GiNaC flattens nested sums, so whatever is to stay shared must be named.
+class Program {
+ public:
+  struct Step {
+    GiNaC::symbol name;
+    GiNaC::ex value;
+  };
+  struct Output {
+    std::string name;
+    GiNaC::ex value;
+  };
+
+  /// Names a value and returns its symbol; atoms (numbers, symbols, and their negatives) are returned unnamed.
+  GiNaC::ex let(const GiNaC::ex& value);
+  Quaternion let(const Quaternion& value);
+  Vector let(const Vector& value);
+  void output(const std::string& name, const GiNaC::ex& value);
+
+  [[nodiscard]] const std::vector<Step>& steps() const { return steps_; }
+  [[nodiscard]] const std::vector<Output>& outputs() const { return outputs_; }
+  /// Every output written out in the model's symbols alone (may be large).
+  [[nodiscard]] std::vector<Output> expanded() const;
+
+ private:
+  std::vector<Step> steps_;
+  std::vector<Output> outputs_;
+};
+
+}  // namespace qvgen::symbolic
