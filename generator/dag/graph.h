@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "dag/angle.h"
+#include "exact/trigonometry.h"
 #include "exact/number.h"
 
 namespace qvgen::dag {
@@ -32,8 +33,8 @@ struct Node {
 
 /// Hash-consed expression graph. Nodes are appended, never changed; operands precede their users.
 ///
-/// Every builder normalises (constants folded, 0 and 1 gone, nested sums and products of the same kind are
-/// kept as built, operands in structural order, signs pulled out), so that equal structure is equal Edge.
+/// Every builder normalises: constants folded, 0 and 1 gone, like terms collected, operands in structural
+/// order, signs pulled out. Nested sums and products stay as they were built. Equal structure is equal Edge.
 class Graph {
  public:
   Edge constant(const exact::Number& value);
@@ -59,6 +60,15 @@ class Graph {
   [[nodiscard]] bool is_one(Edge edge) const;
 
  private:
+  /// coefficient * base, or coefficient * product of factors where those are given.
+  struct Term {
+    exact::Number coefficient;
+    Edge base;
+    std::vector<Edge> factors;
+  };
+  [[nodiscard]] Term term_of(Edge edge) const;
+  Edge scaled(const exact::Number& coefficient, Edge base);
+  Edge trigonometric(const exact::TrigonometricValue& value);
   Edge intern(Op op, std::uint32_t payload, std::uint64_t payload_key, std::vector<Edge> operands);
   [[nodiscard]] bool precedes(Edge a, Edge b) const;
 

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include "exact/number.h"
+
+#include <cln/float.h>
+#include <cln/integer.h>
+#include <cln/lfloat.h>
+#include <cln/rational_io.h>
+#include <cln/real.h>
+#include <cln/real_io.h>
+#include <numeric>
+#include <sstream>
+#include <stdexcept>
+
+namespace qvgen::exact {
+namespace {
+
+using Terms = std::map<unsigned long, cln::cl_RA>;
+
+struct Square {
+  cln::cl_I root;      ///< largest found integer whose square divides the number
+  unsigned long free;  ///< squarefree rest
+};
+
+/// n = root^2 * free for n > 0, by trial division: radicands of robot descriptions are small.
+Square split_square(cln::cl_I n) {
+  constexpr unsigned long largest_trial = 1UL << 16;
+  cln::cl_I root = 1;
+  cln::cl_I free = 1;
+  for (unsigned long p = 2; p < largest_trial && cln::square(cln::cl_I(p)) <= n; ++p) {
+    while (cln::mod(n, p) == 0) {
+      n = cln::exquo(n, p);
+      if (cln::mod(n, p) == 0) {
+        n = cln::exquo(n, p);
+        root = root * p;
+      } else {
+        free = free * p;
+      }
+    }
+  }
+  cln::cl_I whole_root;
+  if (cln::isqrt(n, &whole_root)) {
+    root = root * whole_root;
+  } else {
+    free = free * n;
+  }
+  if (cln::integer_length(free) > 62) throw std::domain_error("square root of a number with a too large squarefree part");
+  return {root, cln::cl_I_to_ulong(free)};
+}
+
+void add_to(Terms& terms, unsigned long radicand, const cln::cl_RA& coefficient) {
+  const auto [place, inserted] = terms.try_emplace(radicand, coefficient);
+  if (!inserted) place->second = place->second + coefficient;
+  if (cln::zerop(place->second)) terms.erase(place);
+}
+
+/// A prime that divides some radicand but not all alike; radicands are products of small primes.
+unsigned long splitting_prime(const Terms& terms) {
+  for (const auto& [radicand, coefficient] : terms) {
+    if (radicand == 1) continue;
+    for (unsigned long p = 2; p * p <= radicand; ++p)
+      if (radicand % p == 0) return p;
+    return radicand;
+  }
+  return 1;
+}
+
+}  // namespace
+
+Number::Number(const cln::cl_RA& value) {
+  if (!cln::zerop(value)) terms_.emplace(1, value);
+}
+
+Number Number::root(const cln::cl_RA& radicand) {
+  if (cln::minusp(radicand)) throw std::domain_error("square root of a negative number");
+  Number result;
+  if (cln::zerop(radicand)) return result;
+  const cln::cl_I denominator = cln::denominator(radicand);
+  const Square square = split_square(cln::numerator(radicand) * denominator);
+  result.terms_.emplace(square.free, cln::cl_RA(square.root) / denominator);
+  return result;
+}
+
+bool Number::is_one() const { return is_rational() && !is_zero() && terms_.begin()->second == 1; }
+
+bool Number::is_rational() const { return terms_.empty() || (terms_.size() == 1 && terms_.begin()->first == 1); }
+
+cln::cl_RA Number::rational() const {
+  const auto place = terms_.find(1);
+  return place == terms_.end() ? cln::cl_RA(0) : place->second;
+}
+
+namespace {
+/// Value in enough digits that only a true zero looks like one.
+cln::cl_F approximate(const Terms& terms) {
+  const cln::float_format_t digits = cln::float_format(80);
+  cln::cl_F sum = cln::cl_float(0, digits);
+  for (const auto& [radicand, coefficient] : terms)
+    sum = sum + cln::cl_float(coefficient, digits) * cln::sqrt(cln::cl_float(cln::cl_I(radicand), digits));
+  return sum;
+}
+}  // namespace
+
+int Number::sign() const {
+  if (is_zero()) return 0;
+  if (terms_.size() == 1) return cln::minusp(terms_.begin()->second) ? -1 : 1;
+  return cln::minusp(approximate(terms_)) ? -1 : 1;
+}
+
+double Number::to_double() const {
+  if (is_rational()) return cln::double_approx(rational());
+  return cln::double_approx(approximate(terms_));
+}
+
+Number operator+(const Number& a, const Number& b) {
+  Number sum = a;
+  for (const auto& [radicand, coefficient] : b.terms_) add_to(sum.terms_, radicand, coefficient);
+  return sum;
+}
+
+Number Number::operator-() const {
+  Number negative = *this;
+  for (auto& [radicand, coefficient] : negative.terms_) coefficient = -coefficient;
+  return negative;
+}
+
+Number operator-(const Number& a, const Number& b) { return a + (-b); }
+
+Number operator*(const Number& a, const Number& b) {
+  Number product;
+  for (const auto& [ra, ca] : a.terms_) {
+    for (const auto& [rb, cb] : b.terms_) {
+      const unsigned long common = std::gcd(ra, rb);  // sqrt(x g) sqrt(y g) = g sqrt(x y)
+      add_to(product.terms_, (ra / common) * (rb / common), ca * cb * cln::cl_RA(cln::cl_I(common)));
+    }
+  }
+  return product;
+}
+
+Number Number::inverse() const {
+  if (is_zero()) throw std::domain_error("division by zero");
+  if (is_rational()) return Number(cln::recip(rational()));
+  // Multiply by the conjugate that changes the sign of one square root: that root leaves the norm.
+  const unsigned long prime = splitting_prime(terms_);
+  Number conjugate = *this;
+  for (auto& [radicand, coefficient] : conjugate.terms_)
+    if (radicand % prime == 0) coefficient = -coefficient;
+  return conjugate * (*this * conjugate).inverse();
+}
+
+bool operator==(const Number& a, const Number& b) { return a.terms_ == b.terms_; }
+
+std::string to_string(const Number& number) {
+  if (number.is_zero()) return "0";
+  std::ostringstream text;
+  bool first = true;
+  for (const auto& [radicand, coefficient] : number.terms()) {
+    if (!first && !cln::minusp(coefficient)) text << '+';
+    first = false;
+    if (radicand == 1) {
+      text << coefficient;
+    } else {
+      if (coefficient == -1) text << '-';
+      else if (coefficient != 1) text << coefficient << '*';
+      text << "sqrt(" << radicand << ')';
+    }
+  }
+  return text.str();
+}
+
+}  // namespace qvgen::exact

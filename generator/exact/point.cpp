@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "exact/point.h"
+
+#include <cln/integer.h>
+#include <stdexcept>
+
+#include "exact/hash.h"
+#include "exact/trigonometry.h"
+
+namespace qvgen::exact {
+
+
+namespace {
+
+/// Non-zero rational with small numerator and denominator, so that products of many stay short.
+cln::cl_RA small_rational(std::uint64_t bits) {
+  const long numerator = static_cast<long>(bits % 997) - 498;
+  const long denominator = static_cast<long>((bits >> 20) % 61) + 3;
+  return cln::cl_RA(numerator == 0 ? 499 : numerator) / denominator;
+}
+
+}  // namespace
+
+Number ExactPoint::symbol(const std::string& name) const { return small_rational(combine(seed_, hash(name))); }
+
+ExactPoint::Turn ExactPoint::then(const Turn& a, const Turn& b) {
+  return {a.cosine * b.cosine - a.sine * b.sine, a.sine * b.cosine + a.cosine * b.sine};
+}
+
+ExactPoint::Turn ExactPoint::times(Turn base, long count) {
+  if (count < 0) return times({base.cosine, -base.sine}, -count);
+  Turn result;
+  for (; count > 0; count /= 2) {
+    if (count % 2 == 1) result = then(result, base);
+    base = then(base, base);
+  }
+  return result;
+}
+
+ExactPoint::Turn ExactPoint::quarter_of(const std::string& name) const {
+  const cln::cl_RA t = small_rational(combine(seed_, hash("tan(" + name + "/8)"))) / 100;
+  const cln::cl_RA n = 1 + t * t;
+  return {Number((1 - t * t) / n), Number(2 * t / n)};
+}
+
+ExactPoint::Turn ExactPoint::turn(const Angle& angle) const {
+  Turn result;
+  for (const auto& [name, coefficient] : angle.terms) {
+    const cln::cl_RA quarters = coefficient * 4;
+    if (cln::denominator(quarters) != 1) throw std::domain_error("angle " + to_string(angle) + " is no multiple of a quarter");
+    result = then(result, times(quarter_of(name), cln::cl_I_to_long(cln::numerator(quarters))));
+  }
+  if (const auto sine = exact_sine(angle.pi)) return then(result, {*exact_sine(angle.pi + cln::cl_RA(1) / 2), *sine});
+  return then(result, times(quarter_of(to_string(Angle{{}, angle.pi})), 1));
+}
+
+Number ExactPoint::root(const Number& value) const {
+  if (!value.is_rational()) throw std::domain_error("root of an irrational number");
+  return Number::root(value.rational());
+}
+
+Number ExactPoint::arctangent(const Number&, const Number&) const {
+  throw std::domain_error("an arctangent has no rational value");
+}
+
+}  // namespace qvgen::exact
