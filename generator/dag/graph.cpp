@@ -2,6 +2,7 @@
 #include "dag/graph.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 
 #include "exact/hash.h"
@@ -56,9 +57,9 @@ namespace {
 
 template <class T>
 std::uint32_t place_of(std::vector<T>& table, const T& value) {
-  const auto place = std::find(table.begin(), table.end(), value);
-  if (place == table.end()) table.push_back(value);
-  return static_cast<std::uint32_t>(place - table.begin());
+  const auto place = std::find(table.begin(), table.end(), value) - table.begin();
+  if (place == std::ssize(table)) table.push_back(value);
+  return static_cast<std::uint32_t>(place);
 }
 
 }  // namespace
