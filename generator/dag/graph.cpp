@@ -147,6 +147,20 @@ Edge Graph::product(std::vector<Edge> operands) {
   return {intern(Op::product, 0, 0, std::move(kept)).node, negative};
 }
 
+Edge Graph::as_is(Op op, std::vector<Edge> operands) {
+  std::sort(operands.begin(), operands.end(), [this](Edge a, Edge b) { return precedes(a, b); });
+  bool negative = op == Op::sum && operands.front().negative;
+  for (Edge& operand : operands) {
+    if (op == Op::sum) {
+      operand.negative = operand.negative != negative;
+    } else {
+      negative = negative != operand.negative;
+      operand.negative = false;
+    }
+  }
+  return {intern(op, 0, 0, std::move(operands)).node, negative};
+}
+
 Edge Graph::quotient(Edge numerator, Edge denominator) {
   if (is_constant(denominator)) return product({numerator, constant(value_of(denominator).inverse())});
   if (is_zero(numerator)) return numerator;

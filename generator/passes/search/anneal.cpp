@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "passes/search/anneal.h"
+
+#include <array>
+#include <optional>
+
+#include "passes/search/random.h"
+#include "passes/search/selection_state.h"
+
+namespace qvgen::passes::search_detail {
+namespace {
+
+/// Temperature falls by a constant factor from block to block, in integers.
+class Cooling {
+ public:
+  explicit Cooling(const Schedule& schedule) : schedule_(schedule) {
+    const std::int64_t hot = static_cast<std::int64_t>(schedule.hot) << 16U;
+    const std::int64_t cold = static_cast<std::int64_t>(schedule.cold) << 16U;
+    for (factor_ = one; power(factor_, hot) > cold; factor_ -= one / 4096) {
+    }
+    temperature_ = hot;
+  }
+  /// Temperature at a step, in prices.
+  std::int64_t at(std::int64_t step) {
+    const std::int64_t block = step * blocks / schedule_.iterations;
+    for (; block_ < block; ++block_) temperature_ = temperature_ * factor_ / one;
+    return temperature_ >> 16U;
+  }
+
+ private:
+  static constexpr std::int64_t blocks = 256, one = std::int64_t{1} << 20U;
+  static std::int64_t power(std::int64_t factor, std::int64_t value) {
+    for (std::int64_t i = 0; i < blocks; ++i) value = value * factor / one;
+    return value;
+  }
+  Schedule schedule_;
+  std::int64_t factor_ = one, temperature_ = 0, block_ = 0;
+};
+
+/// A step: up to four switches of one class each, tried and taken back together.
+class Step {
+ public:
+  Step(const Network& network, SelectionState& state, Random& random)
+      : network_(network), state_(state), random_(random) {}
+
+  void propose() {
+    const std::uint32_t wanted = 1U + (random_.chance(102) ? 1U : 0U) + (random_.chance(51) ? 1U : 0U) +
+                                 (random_.chance(26) ? 1U : 0U);
+    count_ = 0;
+    for (std::uint32_t i = 0; i < wanted && !state_.candidates().empty(); ++i) change(pick());
+  }
+  bool closes_cycle() {
+    for (std::uint32_t i = 0; i < count_; ++i)
+      if (state_.on_cycle(changes_[i].node)) return true;
+    return false;
+  }
+  void undo() {
+    while (count_ > 0) {
+      const Change& last = changes_[--count_];
+      state_.select(last.node, last.before);
+    }
+  }
+
+ private:
+  struct Change {
+    std::uint32_t node, before;
+  };
+
+  /// Mostly an operand of the class just switched, since what it needs has often never been looked at.
+  std::uint32_t pick() {
+    const auto& candidates = state_.candidates();
+    const std::uint32_t any = candidates[random_.below(static_cast<std::uint32_t>(candidates.size()))];
+    if (count_ == 0 || random_.chance(77)) return any;
+    const Choice& parent = state_.chosen(changes_[count_ - 1].node);
+    if (parent.operand_count == 0) return any;
+    const std::uint32_t operand = parent.operands[random_.below(parent.operand_count)];
+    return network_.choice_count(operand) > 1 ? operand : any;
+  }
+  void change(std::uint32_t node) {
+    const std::uint32_t before = state_.selection()[node];
+    const std::uint32_t count = network_.choice_count(node);
+    changes_[count_++] = {node, before};
+    state_.select(node, (before + 1 + random_.below(count - 1)) % count);
+  }
+
+  const Network& network_;
+  SelectionState& state_;
+  Random& random_;
+  std::array<Change, 4> changes_{};
+  std::uint32_t count_ = 0;
+};
+
+}  // namespace
+
+std::int64_t cost_of(const Network& network, const Selection& selection) {
+  return SelectionState(network, selection).cost();
+}
+
+Selection anneal(const Network& network, const Selection& start, const Schedule& schedule) {
+  SelectionState state(network, start);
+  Random random(schedule.seed);
+  Cooling cooling(schedule);
+  Step step(network, state, random);
+  Selection best = start;
+  std::int64_t best_cost = state.cost();
+  for (std::int64_t i = 0; i < schedule.iterations; ++i) {
+    const std::int64_t before = state.cost();
+    const std::int64_t allowed = (cooling.at(i) * random.exponential()) >> 16U;
+    step.propose();
+    if (state.cost() - before > allowed || step.closes_cycle()) {
+      step.undo();
+    } else if (state.cost() < best_cost) {
+      best_cost = state.cost();
+      best = state.selection();
+    }
+  }
+  return best;
+}
+
+}  // namespace qvgen::passes::search_detail

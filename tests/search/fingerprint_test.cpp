@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "passes/search/fingerprint.h"
+
+#include <array>
+
+#include <gtest/gtest.h>
+
+namespace qvgen::passes::search_detail {
+namespace {
+
+dag::Angle angle(long numerator, long denominator, long pi_numerator = 0, long pi_denominator = 1) {
+  dag::Angle result;
+  if (numerator != 0) result.terms["theta"] = cln::cl_RA(numerator) / denominator;
+  result.pi = cln::cl_RA(pi_numerator) / pi_denominator;
+  return result;
+}
+
+exact::Number root(long radicand) { return exact::Number::root(radicand); }
+
+TEST(Field, InverseAndNegativeAreWhatTheyAreCalled) {
+  const Field a = Field::from(123456789);
+  EXPECT_EQ(a * a.inverse(), Field::from(1));
+  EXPECT_EQ(a + -a, Field());
+  EXPECT_EQ(Field::from(7) * Field::from(6), Field::from(42));
+  EXPECT_EQ(Field::from(7) - Field::from(9), -Field::from(2));
+}
+
+TEST(Field, RootOfUnityHasTheFullOrder) {
+  const Field w = Field::root_of_unity();
+  EXPECT_EQ(w.power(Field::order), Field::from(1));
+  for (const std::uint64_t prime : {2U, 3U, 5U, 7U, 11U, 13U, 17U, 19U, 23U, 29U, 31U, 37U})
+    EXPECT_NE(w.power(Field::order / prime), Field::from(1)) << prime;
+}
+
+TEST(Fingerprint, KeepsTheLawsOfSineAndCosine) {
+  const Fingerprint point(5);
+  const CosineSine half = point.circular(angle(1, 2));
+  const CosineSine full = point.circular(angle(1, 1));
+  EXPECT_EQ(half.cosine * half.cosine + half.sine * half.sine, Field::from(1));
+  EXPECT_EQ(half.cosine * half.cosine - half.sine * half.sine, full.cosine);
+  EXPECT_EQ(half.cosine * half.sine + half.cosine * half.sine, full.sine);
+  const CosineSine turned = point.circular(angle(1, 1, 1, 2));
+  EXPECT_EQ(turned.cosine, -full.sine);
+  EXPECT_EQ(turned.sine, full.cosine);
+}
+
+TEST(Fingerprint, KeepsAngleSumsOfSeveralSymbols) {
+  const Fingerprint point(5);
+  dag::Angle other;
+  other.terms["phi"] = cln::cl_RA(1) / 2;
+  const CosineSine a = point.circular(angle(1, 2));
+  const CosineSine b = point.circular(other);
+  const CosineSine sum = point.circular(angle(1, 2) + other);
+  EXPECT_EQ(sum.cosine, a.cosine * b.cosine - a.sine * b.sine);
+  EXPECT_EQ(sum.sine, a.sine * b.cosine + a.cosine * b.sine);
+}
+
+/// The square roots have to be those that the roots of unity imply, sign included.
+TEST(Fingerprint, AgreesWithTheSquareRootsOfKnownAngles) {
+  Fingerprint point(5);
+  const exact::Number half = exact::Number(1) / exact::Number(2);
+  EXPECT_EQ(point.circular(angle(0, 1, 1, 4)).cosine, point.number(root(2) * half));
+  EXPECT_EQ(point.circular(angle(0, 1, 1, 6)).cosine, point.number(root(3) * half));
+  EXPECT_EQ(point.circular(angle(0, 1, 1, 6)).sine, point.number(half));
+  EXPECT_EQ(point.circular(angle(0, 1, 1, 5)).cosine,
+            point.number((exact::Number(1) + root(5)) * half * half));
+  EXPECT_EQ(point.circular(angle(0, 1, 1, 12)).cosine, point.number((root(6) + root(2)) * half * half));
+}
+
+TEST(Fingerprint, SquareRootsSquareToTheirRadicand) {
+  Fingerprint point(5);
+  for (const long prime : {2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37}) {
+    const Field value = point.number(root(prime));
+    EXPECT_EQ(value * value, Field::from(static_cast<std::uint64_t>(prime))) << prime;
+  }
+}
+
+TEST(Fingerprint, SeparatesSymbolsSeedsAndOpaqueOperations) {
+  const Fingerprint point(5);
+  EXPECT_NE(point.symbol("a"), point.symbol("b"));
+  EXPECT_NE(point.symbol("a"), Fingerprint(6).symbol("a"));
+  const Field a = point.symbol("a");
+  EXPECT_EQ(point.opaque("root", a, a), point.opaque("root", a, a));
+  EXPECT_NE(point.opaque("root", a, a), point.opaque("arctangent", a, a));
+  EXPECT_NE(point.opaque("root", a, a), point.opaque("root", -a, -a));
+}
+
+}  // namespace
+}  // namespace qvgen::passes::search_detail
