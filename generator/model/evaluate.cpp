@@ -22,10 +22,9 @@ cln::cl_R inverse(const cln::cl_R& value, const Expression& where) {
 cln::cl_R root(const cln::cl_R& radicand, const Expression& where) {
   if (vanishes(radicand)) return 0;
   if (cln::minusp(radicand)) throw EvaluationError(Reason::negative_root, to_string(where) + " is negative");
-  if (cln:: instanceof (radicand, cln::cl_RA_ring)) {
-    cln::cl_RA exact;
-    if (cln::sqrtp(cln::the<cln::cl_RA>(radicand), &exact)) return exact;
-  }
+  cln::cl_RA exact;
+  const auto rational = rational_value(radicand);
+  if (rational && cln::sqrtp(*rational, &exact)) return exact;
   return cln::sqrt(cln::cl_float(radicand, format()));
 }
 
@@ -87,8 +86,16 @@ cln::cl_R evaluate(const Expression& e, const Bindings& bindings) {
 
 double to_double(const cln::cl_R& value) { return cln::double_approx(value); }
 
+// clang-format takes `instanceof` for a keyword of another language.
+// clang-format off
+std::optional<cln::cl_RA> rational_value(const cln::cl_R& value) {
+  if (!cln::instanceof(value, cln::cl_RA_ring)) return std::nullopt;
+  return cln::the<cln::cl_RA>(value);
+}
+// clang-format on
+
 bool vanishes(const cln::cl_R& value) {
-  if (cln:: instanceof (value, cln::cl_RA_ring)) return cln::zerop(value);
+  if (rational_value(value)) return cln::zerop(value);
   static const cln::cl_RA threshold = cln::expt(cln::cl_RA(10), -static_cast<long>(evaluation_digits) + 10);
   return cln::abs(value) < threshold;
 }

@@ -28,6 +28,9 @@ double to_double(const cln::cl_R& value);
 /// Zero, or below what the float's digits can tell from zero.
 bool vanishes(const cln::cl_R& value);
 
+/// The value itself if it was computed without rounding.
+std::optional<cln::cl_RA> rational_value(const cln::cl_R& value);
+
 /// The defaults of a robot's parameters; those without one are left out.
 Bindings default_bindings(const Robot& robot);
 

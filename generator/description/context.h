@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "description/reader.h"
+#include "description/source.h"
+
+namespace qvgen::description {
+
+/// What a symbol is used for: it decides which struct of the generated code gets its field.
+enum class Role { geometry, inertia, constant };
+
+struct SymbolUse {
+  std::string name;
+  Place place;
+  Role role = Role::geometry;
+  bool automatic = false;  ///< named by the reader (free inertial parameters)
+};
+
+/// An expression and where it stands.
+struct Entry {
+  model::Expression value;
+  Place place;
+  bool has_unit = false;
+};
+
+struct Variable {
+  std::string name;
+  Place place;
+};
+
+/// What the readers of the parts of one file share: the text, the mistakes so far, the names met so far.
+struct Context {
+  Context(std::string_view text, std::string file, const ReadOptions& read_options)
+      : source(text, std::move(file)), options(read_options) {}
+
+  void error(Place place, std::string message, std::string hint);
+  void warning(Place place, std::string message, std::string hint);
+  [[nodiscard]] Diagnostic diagnostic(Place place, std::string message, std::string hint) const;
+
+  Source source;
+  ReadOptions options;
+  std::vector<Diagnostic> diagnostics;
+  std::vector<SymbolUse> uses;
+  std::vector<Variable> variables;  ///< of the joints, base to tool
+  std::vector<Entry> entries;       ///< every expression of the chain, for checks at the default values
+  std::vector<Place> joint_places;
+};
+
+}  // namespace qvgen::description

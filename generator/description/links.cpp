@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include "description/links.h"
+
+#include <algorithm>
+
+#include "description/frames.h"
+#include "description/names.h"
+#include "model/arithmetic.h"
+#include "model/evaluate.h"
+
+namespace qvgen::description {
+namespace {
+
+using model::Expression;
+
+bool is_free(const Table& table, const std::string& key) {
+  const toml::node* node = table.find(key);
+  return node != nullptr && node->value_exact<std::string>() == "free";
+}
+
+bool read_free(const Table& root, const std::string& key) {
+  if (!root.has(key)) return false;
+  if (is_free(root, key)) return true;
+  root.context().error(root.place_of(key), "'" + key + "' of the whole robot can only be \"free\"",
+                       "write " + key + " = \"free\", or give numbers in each joint");
+  return false;
+}
+
+/// A symbol that the reader names, e.g. I3xy for the product of inertia of link 3.
+Expression free_symbol(const Table& table, const std::string& name) {
+  table.context().uses.push_back({name, table.place(), Role::inertia, true});
+  return Expression::symbol(name);
+}
+
+std::string link_number(const Context& context) { return std::to_string(context.joint_places.size()); }
+
+void read_masses(const Table& table, bool free, model::Inertia& inertia) {
+  const std::string link = link_number(table.context());
+  inertia.mass = entry_or_zero(table, "mass", {Role::inertia}).value;
+  inertia.centre_of_mass = vector_or_zero(table, "centre_of_mass", {Role::inertia});
+  if (!free) return;
+  if (!table.has("mass")) inertia.mass = free_symbol(table, "m" + link);
+  if (table.has("centre_of_mass")) return;
+  for (std::size_t i = 0; i < 3; ++i) {
+    inertia.centre_of_mass.at(i) = free_symbol(table, "c" + link + "xyz"[i]);
+  }
+}
+
+void read_tensor(const Table& table, bool free, model::Inertia& inertia) {
+  if (is_free(table, "inertia") || (free && !table.has("inertia"))) {
+    static constexpr std::array names{"xx", "yy", "zz", "xy", "yz", "xz"};
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      inertia.inertia.at(i) = free_symbol(table, "I" + link_number(table.context()) + names.at(i));
+    }
+    return;
+  }
+  const auto entries = read_entries(table, "inertia", {Role::inertia}, {3, 6},
+                                    "[xx, yy, zz], [xx, yy, zz, xy, yz, xz] or \"free\"");
+  for (std::size_t i = 0; entries && i < entries->size(); ++i) inertia.inertia.at(i) = (*entries)[i].value;
+}
+
+Expression read_drive_entry(const Table& table, const std::string& key, bool free,
+                            const std::string& symbol) {
+  if (!free || table.has(key)) return entry_or_zero(table, key, {Role::inertia}).value;
+  return free_symbol(table, symbol + link_number(table.context()));
+}
+
+void read_drive(const Table& table, bool free, model::Drive& drive) {
+  drive.rotor_inertia = read_drive_entry(table, "rotor_inertia", free, "Ia");
+  drive.viscous_friction = read_drive_entry(table, "viscous_friction", free, "Fv");
+  drive.coulomb_friction = read_drive_entry(table, "coulomb_friction", free, "Fc");
+}
+
+std::optional<model::Limits> read_limits(const Table& table, model::JointType type) {
+  const auto entries = read_entries(table, "limits", {Role::constant}, {2}, "two entries [lower, upper]");
+  if (!entries) return std::nullopt;
+  const Entry& lower = entries->front();
+  const Entry& upper = entries->back();
+  if (type == model::JointType::revolute) {
+    check_angle(table.context(), lower);
+    check_angle(table.context(), upper);
+  }
+  if (!symbols(lower.value).empty() || !symbols(upper.value).empty()) return std::nullopt;
+  const cln::cl_R range = model::evaluate(upper.value) - model::evaluate(lower.value);
+  if (model::vanishes(range) || cln::minusp(range)) {
+    table.context().error(table.place_of("limits"),
+                          "the limits are reversed: the lower is not below the upper",
+                          "write [lower, upper]");
+  }
+  return model::Limits{lower.value, upper.value};
+}
+
+}  // namespace
+
+FreeParameters read_free_parameters(const Table& root) {
+  return {read_free(root, "inertia"), read_free(root, "drives")};
+}
+
+std::vector<std::string> joint_keys(const std::vector<std::string>& more) {
+  std::vector<std::string> keys{"type",          "variable",         "limits",
+                                "mass",          "centre_of_mass",   "inertia",
+                                "rotor_inertia", "viscous_friction", "coulomb_friction"};
+  keys.insert(keys.end(), more.begin(), more.end());
+  return keys;
+}
+
+std::optional<model::JointType> read_joint_type(const Table& table) {
+  const auto text = table.text("type");
+  if (!text) return std::nullopt;
+  if (*text == "revolute") return model::JointType::revolute;
+  if (*text == "prismatic") return model::JointType::prismatic;
+  const std::string near = nearest(*text, {"revolute", "prismatic"});
+  table.context().error(
+      table.place_of("type"), "unknown joint type '" + *text + "'",
+      near.empty() ? "write \"revolute\" or \"prismatic\"" : "did you mean \"" + near + "\"?");
+  return std::nullopt;
+}
+
+std::string read_variable(const Table& table) {
+  const std::string name = table.text("variable").value_or("");
+  if (table.has("variable")) {
+    const Place place = table.place_of("variable");
+    const NameProblem problem = check_identifier(name);
+    const bool is_text = table.find("variable")->is_string();
+    if (is_text && !problem.message.empty()) table.context().error(place, problem.message, problem.hint);
+    table.context().variables.push_back({name, place});
+  } else {
+    table.context().variables.push_back({"", table.place()});
+  }
+  return name;
+}
+
+void read_link(const Table& table, const FreeParameters& free, model::Joint& joint) {
+  joint.limits = read_limits(table, joint.type);
+  read_masses(table, free.inertia, joint.inertia);
+  read_tensor(table, free.inertia, joint.inertia);
+  read_drive(table, free.drives, joint.drive);
+}
+
+}  // namespace qvgen::description

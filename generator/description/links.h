@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "description/entries.h"
+
+namespace qvgen::description {
+
+/// What the whole file says about inertial parameters that a joint leaves out.
+struct FreeParameters {
+  bool inertia = false;
+  bool drives = false;
+};
+FreeParameters read_free_parameters(const Table& root);
+
+/// The keys that a joint has in every form of the description, and `more`.
+std::vector<std::string> joint_keys(const std::vector<std::string>& more);
+/// type (may be absent: nullopt) and variable, limits, inertia, drive.
+std::optional<model::JointType> read_joint_type(const Table& table);
+std::string read_variable(const Table& table);
+void read_link(const Table& table, const FreeParameters& free, model::Joint& joint);
+
+}  // namespace qvgen::description

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "description/names.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <numeric>
+#include <optional>
+
+namespace qvgen::description {
+namespace {
+
+constexpr auto keywords = std::to_array<std::string_view>(
+    {"alignas",     "alignof",  "and",        "and_eq",    "asm",       "auto",         "bitand",
+     "bitor",       "bool",     "break",      "case",      "catch",     "char",         "char16_t",
+     "char32_t",    "char8_t",  "class",      "co_await",  "co_return", "co_yield",     "compl",
+     "concept",     "const",    "const_cast", "consteval", "constexpr", "constinit",    "continue",
+     "decltype",    "default",  "delete",     "do",        "double",    "dynamic_cast", "else",
+     "enum",        "explicit", "export",     "extern",    "false",     "float",        "for",
+     "friend",      "goto",     "if",         "inline",    "int",       "long",         "mutable",
+     "namespace",   "new",      "noexcept",   "not",       "not_eq",    "nullptr",      "operator",
+     "or",          "or_eq",    "private",    "protected", "public",    "register",     "reinterpret_cast",
+     "requires",    "return",   "short",      "signed",    "sizeof",    "static",       "static_assert",
+     "static_cast", "struct",   "switch",     "template",  "this",      "thread_local", "throw",
+     "true",        "try",      "typedef",    "typeid",    "typename",  "union",        "unsigned",
+     "using",       "virtual",  "void",       "volatile",  "wchar_t",   "while",        "xor",
+     "xor_eq"});
+
+/// Names that generated code, or a header that it includes, gives a meaning of its own.
+constexpr auto taken = std::to_array<std::string_view>(
+    {"EOF",   "Eigen", "Geometry", "Inertia",  "JointVector", "NULL",    "Pose",  "Scalar", "Solutions",
+     "acos",  "asin",  "assert",   "atan",     "atan2",       "cos",     "deg",   "dof",    "e",
+     "errno", "fmt",   "g",        "geometry", "gravity",     "inertia", "linux", "links",  "pi",
+     "q",     "qd",    "qdd",      "qvgen",    "rad",         "robots",  "sin",   "sincos", "size_t",
+     "sqrt",  "std",   "tan",      "tau",      "unix"});
+
+bool is_word(std::string_view name) {
+  const auto letter = [](char c) { return c == '_' || std::isalnum(static_cast<unsigned char>(c)) != 0; };
+  return !name.empty() && std::isdigit(static_cast<unsigned char>(name.front())) == 0 &&
+         std::all_of(name.begin(), name.end(), letter);
+}
+
+std::string quoted(std::string_view name) { return "'" + std::string(name) + "'"; }
+
+std::string lower_case(std::string_view name) {
+  std::string result(name);
+  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return result;
+}
+
+/// Levenshtein's distance, row by row; a change of case costs nothing but is no equality either.
+std::size_t edit_distance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, replaced});
+    }
+  }
+  return row.back();
+}
+
+}  // namespace
+
+std::string nearest(std::string_view name, const std::vector<std::string>& candidates) {
+  const std::string wanted = lower_case(name);
+  std::string best;
+  std::size_t best_distance = std::max<std::size_t>(1, wanted.size() / 2) + 1;
+  for (const std::string& candidate : candidates) {
+    const std::size_t distance = edit_distance(wanted, lower_case(candidate));
+    if (distance < best_distance) {
+      best = candidate;
+      best_distance = distance;
+    }
+  }
+  return best;
+}
+
+NameProblem check_identifier(std::string_view name) {
+  if (!is_word(name)) {
+    return {quoted(name) + " is not a C++ name", "use letters, digits and '_', and begin with a letter"};
+  }
+  if (name.front() == '_' || name.find("__") != std::string_view::npos) {
+    return {quoted(name) + " is reserved by C++", "do not begin with '_' and do not use '__'"};
+  }
+  const auto is_name = [&](std::string_view other) { return name == other; };
+  if (std::any_of(keywords.begin(), keywords.end(), is_name)) {
+    return {quoted(name) + " is a C++ keyword", "choose another name, e.g. '" + std::string(name) + "1'"};
+  }
+  if (std::any_of(taken.begin(), taken.end(), is_name)) {
+    return {quoted(name) + " has a meaning in the generated code",
+            "choose another name, e.g. '" + std::string(name) + "1'"};
+  }
+  return {};
+}
+
+NameProblem check_robot_name(std::string_view name) {
+  NameProblem problem = check_identifier(name);
+  if (problem.message.empty() && lower_case(name) != name) {
+    problem = {quoted(name) + " has capital letters", "write '" + lower_case(name) + "'"};
+  }
+  return problem;
+}
+
+}  // namespace qvgen::description

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#include "description/reader.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+#include "description/chain.h"
+#include "description/frames.h"
+#include "description/names.h"
+#include "description/physics.h"
+#include "description/symbols.h"
+#include "model/arithmetic.h"
+
+namespace qvgen::description {
+namespace {
+
+void read_name(const Table& root, model::Robot& robot) {
+  Context& context = root.context();
+  root.require("name", "name = \"...\", the namespace of the generated code");
+  root.require("title", "title = \"...\", one line of text");
+  robot.name = root.text("name").value_or("");
+  robot.title = root.text("title").value_or("");
+  robot.source = root.text("source").value_or("");
+  if (!root.has("name") || !root.find("name")->is_string()) return;
+  const NameProblem problem = check_robot_name(robot.name);
+  if (!problem.message.empty()) context.error(root.place_of("name"), problem.message, problem.hint);
+}
+
+void check_count(const Context& context, const model::Robot& robot, std::vector<Diagnostic>& diagnostics) {
+  if (robot.joints.empty()) {
+    diagnostics.push_back(
+        context.diagnostic({}, "no joints", "add [[joint]] tables, or [[dh]] rows, or [[screw]] axes"));
+  } else if (robot.joints.size() > max_joints) {
+    const std::string limit = std::to_string(max_joints);
+    diagnostics.push_back(context.diagnostic(context.joint_places[max_joints],
+                                             std::to_string(robot.joints.size()) + " joints are too many",
+                                             "a robot has at most " + limit + " joints"));
+  }
+}
+
+/// The one form that the file uses, and no key of another.
+void read_chain(const Table& root, const FreeParameters& free, model::Robot& robot) {
+  struct Form {
+    std::string key;
+    std::string companion;
+    void (*read)(const Table&, const FreeParameters&, model::Robot&);
+  };
+  static const std::vector<Form> forms{
+      {"joint", "", read_joints}, {"dh", "convention", read_dh_table}, {"screw", "home", read_screws}};
+  std::string chosen;
+  for (const Form& form : forms) {
+    if (!root.has(form.key)) {
+      if (!form.companion.empty() && root.has(form.companion)) {
+        root.context().error(root.key_place(form.companion),
+                             "'" + form.companion + "' without [[" + form.key + "]]",
+                             "it belongs to [[" + form.key + "]] tables");
+      }
+    } else if (chosen.empty()) {
+      chosen = form.key;
+      form.read(root, free, robot);
+    } else {
+      root.context().error(root.key_place(form.key), "[[" + form.key + "]] beside [[" + chosen + "]]",
+                           "describe the chain in one form");
+    }
+  }
+}
+
+model::Robot read_robot(const Table& root) {
+  Context& context = root.context();
+  root.allow_only({"name", "title", "source", "symbols", "inertia", "drives", "accept_unphysical_inertia",
+                   "base", "tool", "defaults", "joint", "convention", "dh", "home", "screw"});
+  model::Robot robot;
+  read_name(root, robot);
+  robot.base = read_frame(root, "base");
+  robot.tool = read_frame(root, "tool");
+  read_chain(root, read_free_parameters(root), robot);
+  check_count(context, robot, context.diagnostics);
+  resolve_symbols(root, robot);
+  const bool accept_inertia = root.boolean("accept_unphysical_inertia").value_or(false);
+  if (!context.diagnostics.empty()) return robot;  // what follows computes with values
+  check_default_values(context, robot);
+  if (!accept_inertia) check_inertia(context, robot);
+  return robot;
+}
+
+bool is_blank(std::string_view text) {
+  return std::all_of(text.begin(), text.end(),
+                     [](char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; });
+}
+
+ReadResult failed(const Context& context, Place place, const std::string& message, const std::string& hint) {
+  return {std::nullopt, {context.diagnostic(place, message, hint)}, {}};
+}
+
+ReadResult finished(Context& context, const Table& root, model::Robot robot) {
+  std::stable_sort(context.diagnostics.begin(), context.diagnostics.end(), [](const auto& a, const auto& b) {
+    return Place{a.line, a.column} < Place{b.line, b.column};
+  });
+  ReadResult result;
+  result.name_place = context.diagnostic(root.place_of("name"), "", "");
+  result.diagnostics = std::move(context.diagnostics);
+  const auto is_error = [](const Diagnostic& d) { return d.severity == Diagnostic::error; };
+  if (std::none_of(result.diagnostics.begin(), result.diagnostics.end(), is_error))
+    result.robot = std::move(robot);
+  return result;
+}
+
+}  // namespace
+
+std::string to_string(const Diagnostic& diagnostic) {
+  std::ostringstream text;
+  text << diagnostic.file << ':' << diagnostic.line << ':' << diagnostic.column
+       << (diagnostic.severity == Diagnostic::error ? ": error: " : ": warning: ") << diagnostic.message;
+  if (!diagnostic.hint.empty()) text << "; " << diagnostic.hint;
+  return text.str();
+}
+
+ReadResult read_text(std::string_view text, const std::string& file, const ReadOptions& options) {
+  Context context(text, file, options);
+  if (is_blank(text)) {
+    return failed(context, {}, "the file is empty", "begin with name = \"...\" and add [[joint]] tables");
+  }
+  try {
+    const toml::table document = toml::parse(text);
+    const Table root(context, document, "the file");
+    return finished(context, root, read_robot(root));
+  } catch (const toml::parse_error& error) {
+    return failed(context, begin_of(error.source()), "TOML syntax: " + std::string(error.description()),
+                  "texts and expressions stand in quotes, arrays in [ ], one key = value per line");
+  }
+}
+
+ReadResult read_file(const std::filesystem::path& path, const ReadOptions& options) {
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  if (file) text << file.rdbuf();
+  if (!file || std::filesystem::is_directory(path)) {
+    const Context context("", path.string(), options);
+    const std::string reason = file ? "it is a directory" : std::strerror(errno == 0 ? EIO : errno);
+    return failed(context, {}, "cannot read the file: " + reason, "give the path of a robot description");
+  }
+  return read_text(text.str(), path.string(), options);
+}
+
+std::vector<Diagnostic> check_together(const std::vector<ReadResult>& robots) {
+  std::vector<Diagnostic> diagnostics;
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    for (std::size_t j = 0; robots[i].robot && j < i; ++j) {
+      if (!robots[j].robot || robots[j].robot->name != robots[i].robot->name) continue;
+      Diagnostic clash = robots[i].name_place;
+      clash.message =
+          "the robot name '" + robots[i].robot->name + "' is taken by " + robots[j].name_place.file;
+      clash.hint = "give each robot of a run a name of its own";
+      diagnostics.push_back(clash);
+      break;
+    }
+  }
+  return diagnostics;
+}
+
+}  // namespace qvgen::description

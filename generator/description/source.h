@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <toml++/toml.h>
+
+namespace qvgen::description {
+
+/// A position in the text, counted from 1; columns in characters.
+struct Place {
+  int line = 1;
+  int column = 1;
+  friend auto operator<=>(const Place&, const Place&) = default;
+};
+
+Place begin_of(const toml::source_region& region);
+
+/// The description's text, kept so that numbers can be read as they were written.
+class Source {
+ public:
+  Source(std::string_view text, std::string file);
+  [[nodiscard]] const std::string& file() const { return file_; }
+  /// What stands in a region within one line; empty if it spans several.
+  [[nodiscard]] std::string slice(const toml::source_region& region) const;
+
+ private:
+  std::string file_;
+  std::vector<std::string> lines_;
+};
+
+}  // namespace qvgen::description
