@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
-#include <Eigen/Geometry>
 #include <cmath>
 #include <limits>
 
+#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <qvgen/quaternion.h>
 
 namespace qvgen {
@@ -13,8 +13,8 @@ namespace qvgen {
 /// Position and orientation of a frame: the quaternion/vector pair (q, p) of the thesis (1.9, 1.10).
 ///
 /// Maps a point x given in the moved frame to q x q^-1 + p in the reference frame. The quaternion is unit, in
-/// the Hamilton convention; q and -q are the same orientation. Lengths in metres. A plain aggregate: nothing is
-/// checked or normalised on the way; `is_valid` and `normalised` are there for input from outside.
+/// the Hamilton convention; q and -q are the same orientation. Lengths in metres. A plain aggregate: nothing
+/// is checked or normalised on the way; `is_valid` and `normalised` are there for input from outside.
 ///
 ///     qvgen::Pose<double> tool = puma560::forward_kinematics(q);
 ///     Eigen::Vector3d in_base = tool * Eigen::Vector3d(0, 0, 0.1);
@@ -86,8 +86,8 @@ Scalar linear_distance(const Pose<Scalar>& a, const Pose<Scalar>& b) {
   return (a.position - b.position).norm();
 }
 
-/// How far |q|² of a valid pose may be from 1: 1e-6 for double, so that quaternions typed in with six digits or
-/// rounded to float pass, and a forgotten normalisation does not; for float 1e-4.
+/// How far |q|² of a valid pose may be from 1: 1e-6 for double, so that quaternions typed in with six digits
+/// or rounded to float pass, and a forgotten normalisation does not; for float 1e-4.
 template <class Scalar>
 constexpr Scalar unit_tolerance() {
   return std::numeric_limits<Scalar>::digits > 30 ? Scalar(1e-6) : Scalar(1e-4);

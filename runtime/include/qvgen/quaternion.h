@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
-#include <cmath>
 
 namespace qvgen {
 
@@ -16,8 +17,8 @@ using Matrix3 = Eigen::Matrix<Scalar, 3, 3>;
 
 /// Angle in [0, pi] of the rotation that a unit quaternion stands for; q and -q give the same.
 ///
-/// Twice the arctangent of |vector part| over |scalar part|: accurate to rounding near 0 and near pi, where the
-/// textbook's arccosine loses half of the digits. The length of q cancels, so q need not be exactly unit.
+/// Twice the arctangent of |vector part| over |scalar part|: accurate to rounding near 0 and near pi, where
+/// the textbook's arccosine loses half of the digits. The length of q cancels, so q need not be exactly unit.
 template <class Scalar>
 Scalar rotation_angle(const Quaternion<Scalar>& q) {
   using std::abs;
@@ -33,10 +34,11 @@ Scalar angular_distance(const Quaternion<Scalar>& a, const Quaternion<Scalar>& b
 
 /// Unit quaternion of a rotation matrix; its scalar part is not negative.
 ///
-/// Shepperd's method: the largest of w², x², y², z² (each at least 1/4 for that one) is taken from the diagonal,
-/// the others from it, so that nothing is ever divided by a small number (thesis 1.5-1.8 divide by w, which
-/// fails at half turns). The result is normalised: a matrix that is orthogonal only to rounding gives a unit
-/// quaternion. Not a rotation (NaN, reflection, scaling): the result is meaningless but no undefined behaviour.
+/// Shepperd's method: the largest of w², x², y², z² (each at least 1/4 for that one) is taken from the
+/// diagonal, the others from it, so that nothing is ever divided by a small number (thesis 1.5-1.8 divide by
+/// w, which fails at half turns). The result is normalised: a matrix that is orthogonal only to rounding
+/// gives a unit quaternion. Not a rotation (NaN, reflection, scaling): the result is meaningless but no
+/// undefined behaviour.
 template <class Scalar>
 Quaternion<Scalar> from_rotation_matrix(const Matrix3<Scalar>& r) {
   const Scalar xx = r(0, 0);
@@ -57,10 +59,10 @@ Quaternion<Scalar> from_rotation_matrix(const Matrix3<Scalar>& r) {
   return q;
 }
 
-/// Rotation vector (axis times angle, rad, length in [0, pi]) of a unit quaternion; q and -q give the same,
-/// except at half turns, where both signs of the axis are right.
+/// Logarithm: rotation vector (axis times angle, rad, length in [0, pi]) of a unit quaternion; q and -q give
+/// the same, except at half turns, where both signs of the axis are right.
 template <class Scalar>
-Vector3<Scalar> log(const Quaternion<Scalar>& q) {
+Vector3<Scalar> rotation_vector(const Quaternion<Scalar>& q) {
   using std::abs;
   using std::atan2;
   const Scalar sine = q.vec().norm();
@@ -71,15 +73,15 @@ Vector3<Scalar> log(const Quaternion<Scalar>& q) {
   return (sign * Scalar(2) * atan2(sine, abs(q.w())) / sine) * q.vec();
 }
 
-/// Unit quaternion of a rotation vector (axis times angle, rad, of any length); inverse of `log`.
+/// Exponential: unit quaternion of a rotation vector (axis times angle, rad, of any length).
 template <class Scalar>
-Quaternion<Scalar> exp(const Vector3<Scalar>& rotation_vector) {
+Quaternion<Scalar> from_rotation_vector(const Vector3<Scalar>& rotation) {
   using std::cos;
   using std::sin;
-  const Scalar half = rotation_vector.norm() / Scalar(2);
-  // sin(h)/h = 1 to rounding where h² is below the epsilon; a division by zero is what has to be avoided.
+  const Scalar half = rotation.norm() / Scalar(2);
+  // sin(h) / h is accurate for every h but zero itself.
   const Scalar factor = half > Scalar(0) ? sin(half) / half / Scalar(2) : Scalar(0.5);
-  const Vector3<Scalar> vector = factor * rotation_vector;
+  const Vector3<Scalar> vector = factor * rotation;
   return Quaternion<Scalar>(cos(half), vector.x(), vector.y(), vector.z());
 }
 
