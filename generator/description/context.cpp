@@ -10,6 +10,7 @@ Diagnostic Context::diagnostic(Place place, std::string message, std::string hin
 }
 
 void Context::error(Place place, std::string message, std::string hint) {
+  has_error = true;
   diagnostics.push_back(diagnostic(place, std::move(message), std::move(hint)));
 }
 

@@ -47,6 +47,8 @@ struct Context {
   std::vector<Variable> variables;  ///< of the joints, base to tool
   std::vector<Entry> entries;       ///< every expression of the chain, for checks at the default values
   std::vector<Place> joint_places;
+  bool has_error = false;              ///< warnings apart, even if they count as errors
+  bool has_broken_expression = false;  ///< then some symbols were not seen
 };
 
 }  // namespace qvgen::description

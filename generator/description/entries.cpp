@@ -48,6 +48,7 @@ std::optional<Entry> read_text(Context& context, const toml::node& node, const s
     context.entries.push_back({parsed.value, place, parsed.has_unit});
     return context.entries.back();
   } catch (const ExpressionError& error) {
+    context.has_broken_expression = true;
     context.error(shifted(begin, error.offset, place), error.message, error.hint);
     return std::nullopt;
   }

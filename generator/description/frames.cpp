@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "description/frames.h"
 
+#include <cmath>
+
 #include "model/arithmetic.h"
 #include "model/evaluate.h"
 
@@ -21,6 +23,15 @@ std::optional<model::Vector3> named_axis(Context& context, const toml::node& nod
   return std::nullopt;
 }
 
+/// The root of a sum of squares, exact where the sum is.
+std::string length_text(const cln::cl_R& squared) {
+  const auto exact = model::rational_value(squared);
+  if (!exact) return std::to_string(std::sqrt(model::to_double(squared)));
+  const auto root =
+      model::rational_value(model::evaluate(Expression::make(Expression::Kind::root, {*exact})));
+  return root ? to_string(Expression(*root)) : "sqrt(" + to_string(Expression(*exact)) + ")";
+}
+
 bool check_unit_length(Context& context, Place place, const model::Vector3& axis) {
   cln::cl_R squared = 0;
   for (const Expression& entry : axis) squared = squared + cln::square(model::evaluate(entry));
@@ -29,9 +40,7 @@ bool check_unit_length(Context& context, Place place, const model::Vector3& axis
     return false;
   }
   if (model::vanishes(squared - 1)) return true;
-  std::string length = std::to_string(std::sqrt(model::to_double(squared)));
-  if (const auto exact = model::rational_value(squared))
-    length = "sqrt(" + to_string(Expression(*exact)) + ")";
+  const std::string length = length_text(squared);
   context.error(place, "the axis is not a unit vector: its length is " + length,
                 "divide its entries by " + length);
   return false;

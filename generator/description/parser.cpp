@@ -86,8 +86,8 @@ bool is_zero_everywhere(const Expression& e) {
 
 void require_nonzero(const Expression& e, std::size_t offset) {
   if (is_zero_everywhere(e)) {
-    throw ExpressionError{offset, "division by zero: '" + to_string(e) + "' is 0",
-                          "divide by something else"};
+    const std::string which = e.is_literal_zero() ? "" : ": '" + to_string(e) + "' is 0";
+    throw ExpressionError{offset, "division by zero" + which, "the denominator must differ from 0"};
   }
 }
 

@@ -29,15 +29,16 @@ void read_name(const Table& root, model::Robot& robot) {
   if (!problem.message.empty()) context.error(root.place_of("name"), problem.message, problem.hint);
 }
 
-void check_count(const Context& context, const model::Robot& robot, std::vector<Diagnostic>& diagnostics) {
+void check_count(const Table& root, const model::Robot& robot) {
+  Context& context = root.context();
+  const bool is_hidden = context.has_error && (root.has("joint") || root.has("dh") || root.has("screw"));
   if (robot.joints.empty()) {
-    diagnostics.push_back(
-        context.diagnostic({}, "no joints", "add [[joint]] tables, or [[dh]] rows, or [[screw]] axes"));
+    if (!is_hidden) context.error({}, "no joints", "add [[joint]] tables, or [[dh]] rows, or [[screw]] axes");
   } else if (robot.joints.size() > max_joints) {
     const std::string limit = std::to_string(max_joints);
-    diagnostics.push_back(context.diagnostic(context.joint_places[max_joints],
-                                             std::to_string(robot.joints.size()) + " joints are too many",
-                                             "a robot has at most " + limit + " joints"));
+    context.error(context.joint_places[max_joints],
+                  std::to_string(robot.joints.size()) + " joints are too many",
+                  "a robot has at most " + limit + " joints");
   }
 }
 
@@ -77,12 +78,11 @@ model::Robot read_robot(const Table& root) {
   robot.base = read_frame(root, "base");
   robot.tool = read_frame(root, "tool");
   read_chain(root, read_free_parameters(root), robot);
-  check_count(context, robot, context.diagnostics);
+  check_count(root, robot);
   resolve_symbols(root, robot);
   const bool accept_inertia = root.boolean("accept_unphysical_inertia").value_or(false);
-  if (!context.diagnostics.empty()) return robot;  // what follows computes with values
   check_default_values(context, robot);
-  if (!accept_inertia) check_inertia(context, robot);
+  if (!accept_inertia && !context.has_error) check_inertia(context, robot);
   return robot;
 }
 

@@ -26,7 +26,7 @@ std::vector<Default> read_defaults(const Table& root) {
     const std::string name(key.str());
     const auto entry = read_entry(table->context(), node, {Role::constant}, "the default of '" + name + "'");
     defaults.push_back({name, begin_of(key.source()), {}});
-    if (entry) defaults.back().value = entry->value;
+    if (entry && symbols(entry->value).empty()) defaults.back().value = entry->value;
   }
   return defaults;
 }
@@ -145,7 +145,7 @@ void resolve_symbols(const Table& root, model::Robot& robot) {
   const auto declared = read_declared(root, defaults);
   check_variables(context);
   check_uses(context, declared);
-  if (declared) check_declared(context, *declared);
+  if (declared && !context.has_broken_expression) check_declared(context, *declared);
 
   std::vector<SymbolUse> geometry = uses_of(context, Role::geometry);
   std::stable_sort(geometry.begin(), geometry.end(),
