@@ -35,6 +35,8 @@ bool Graph::precedes(Edge a, Edge b) const {
   const Node& y = nodes_[b.node];
   if (rank(x.op) != rank(y.op)) return rank(x.op) < rank(y.op);
   if (x.op == Op::symbol && x.payload != y.payload) return symbols_[x.payload] < symbols_[y.payload];
+  const bool angles = x.op == Op::sine || x.op == Op::cosine;
+  if (angles && x.payload != y.payload) return to_string(angles_[x.payload]) < to_string(angles_[y.payload]);
   if (x.key != y.key) return x.key < y.key;
   return a.negative < b.negative;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "derive/orientation.h"
 
+#include <algorithm>
+
 #include "derive/turns.h"
 
 namespace qvgen::derive {
@@ -52,6 +54,31 @@ std::string name_of(const Partition& partition) {
   std::string name = "orientation ";
   for (const std::size_t length : partition) name += length == 3 ? "3" : "1";
   return name;
+}
+
+/// Each direction that some turn has, once.
+std::vector<Vector> directions(const std::vector<Turn>& turns) {
+  std::vector<Vector> result;
+  for (const Turn& turn : turns) {
+    const auto same = [&](const Vector& known) { return parallel(known, turn.axis) != 0; };
+    if (std::none_of(result.begin(), result.end(), same)) result.push_back(turn.axis);
+  }
+  return result;
+}
+
+/// More perpendicular turns than this give more terms than other forms have.
+constexpr std::size_t most_perpendicular_turns = 3;
+
+std::vector<OrientationForm> angle_sum_forms(const TurnSequence& sequence) {
+  std::vector<OrientationForm> forms;
+  for (const Vector& axis : directions(sequence.turns)) {
+    const auto product = angle_sum_product(sequence.turns, axis, most_perpendicular_turns);
+    if (!product) continue;
+    const Quaternion home = sequence.home;
+    forms.push_back({"angle sums about direction " + std::to_string(forms.size() + 1),
+                     [=](Program& program) { return program.let(program.let(*product) * home); }});
+  }
+  return forms;
 }
 
 Matrix3 column_turned(const Turn& turn, const Matrix3& m) {
@@ -123,6 +150,7 @@ std::vector<OrientationForm> orientation_forms(const ZeroReferenceChain& chain) 
                        [=](Program& program) { return multiply(program, all, from_left); }});
     }
   }
+  for (OrientationForm& form : angle_sum_forms(sequence)) forms.push_back(std::move(form));
   return forms;
 }
 

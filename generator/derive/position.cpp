@@ -13,38 +13,62 @@ using GiNaC::ex;
 
 namespace {
 
-using Joints = std::vector<ZeroReferenceChain::Joint>;
 /// Names intermediate vectors, or leaves them written out.
 using Name = std::function<Vector(const Vector&)>;
 using Rotate = std::function<Vector(const Turn&, const Vector&)>;
 
-bool extends_group(const Joints& joints, std::size_t i) {
-  return i > 0 && joints[i].type == model::JointType::revolute && joints[i - 1].type == model::JointType::revolute &&
-         parallel(joints[i - 1].axis, joints[i].axis) != 0;
+/// A revolute joint and all that lies between the one before it and itself: constant offsets and prismatic joints.
+struct Pivot {
+  Vector before;
+  Vector axis;
+  ex variable;
+};
+
+struct Pivots {
+  std::vector<Pivot> joints;
+  Vector beyond;  ///< from the last one to the tool
+};
+
+Pivots pivots(const ZeroReferenceChain& chain) {
+  Pivots result;
+  Vector walk;
+  for (const auto& joint : chain.joints) {
+    walk = walk + joint.offset;
+    if (joint.type == model::JointType::prismatic) {
+      walk = walk + symbol(joint.variable) * joint.axis;
+    } else {
+      result.joints.push_back({walk, joint.axis, symbol(joint.variable)});
+      walk = {};
+    }
+  }
+  result.beyond = walk + chain.tool_offset;
+  return result;
 }
 
-/// sum over the group's joints m of R(phi_m) v_m, phi_m the sum of the angles up to m; v_m is the offset to the next
-/// joint, and what comes beyond the group for the last one.
-Vector group_motion(const Joints& joints, std::size_t first, std::size_t last, const Vector& beyond, const Rotate& rotate_by) {
+bool extends_group(const std::vector<Pivot>& joints, std::size_t i) {
+  return i > 0 && parallel(joints[i - 1].axis, joints[i].axis) != 0;
+}
+
+/// sum over the group's joints m of R(phi_m) v_m, phi_m the sum of the angles up to m; v_m leads to the next joint, and
+/// for the last one it is what comes beyond the group.
+Vector group_motion(const std::vector<Pivot>& joints, std::size_t first, std::size_t last, const Vector& beyond,
+                    const Rotate& rotate_by) {
   Vector sum;
   ex angle = 0;
   for (std::size_t m = first; m <= last; ++m) {
-    angle += parallel(joints[first].axis, joints[m].axis) * symbol(joints[m].variable);
-    sum = sum + rotate_by({joints[first].axis, angle}, m == last ? beyond : joints[m + 1].offset);
+    angle += parallel(joints[first].axis, joints[m].axis) * joints[m].variable;
+    sum = sum + rotate_by({joints[first].axis, angle}, m == last ? beyond : joints[m + 1].before);
   }
   return sum;
 }
 
-Vector nested(const ZeroReferenceChain& chain, Vector v, const Rotate& rotate_by, const Name& name) {
-  const Joints& joints = chain.joints;
-  for (std::size_t i = joints.size(); i-- > 0;) {
-    if (joints[i].type == model::JointType::prismatic) {
-      v = name(v + symbol(joints[i].variable) * joints[i].axis + joints[i].offset);
-      continue;
-    }
+Vector nested(const ZeroReferenceChain& chain, const Rotate& rotate_by, const Name& name) {
+  const Pivots all = pivots(chain);
+  Vector v = all.beyond;
+  for (std::size_t i = all.joints.size(); i-- > 0;) {
     const std::size_t last = i;
-    while (extends_group(joints, i)) --i;
-    v = name(group_motion(joints, i, last, v, rotate_by) + joints[i].offset);
+    while (extends_group(all.joints, i)) --i;
+    v = name(group_motion(all.joints, i, last, name(v), rotate_by) + all.joints[i].before);
   }
   return v;
 }
@@ -89,7 +113,7 @@ Vector by_orientation(const ZeroReferenceChain& chain, Program& program, const Q
   // q v q^-1 = v + 2 (w t + axis x t), t = axis x v (thesis, below 1.12)
   const Vector t = program.let(ex(2) * cross(axis, offset));
   const Vector turned_offset = offset + orientation.w * t + cross(axis, t);
-  return program.let(program.let(turned_offset) + nested(arm, {}, HalfAngleTurn(program), name));
+  return program.let(program.let(turned_offset) + nested(arm, HalfAngleTurn(program), name));
 }
 
 }  // namespace
@@ -97,10 +121,10 @@ Vector by_orientation(const ZeroReferenceChain& chain, Program& program, const Q
 std::vector<PositionForm> position_forms(const ZeroReferenceChain& chain) {
   std::vector<PositionForm> forms;
   forms.push_back({"position in full angles", false, [=](Program& program, const Quaternion&) {
-                     return nested(chain, chain.tool_offset, turned, [&](const Vector& v) { return program.let(v); });
+                     return nested(chain, turned, [&](const Vector& v) { return program.let(v); });
                    }});
   forms.push_back({"position in doubled half angles", true, [=](Program& program, const Quaternion&) {
-                     return nested(chain, chain.tool_offset, HalfAngleTurn(program),
+                     return nested(chain, HalfAngleTurn(program),
                                    [&](const Vector& v) { return program.let(v); });
                    }});
   if (!is_zero(chain.tool_offset))
@@ -111,7 +135,7 @@ std::vector<PositionForm> position_forms(const ZeroReferenceChain& chain) {
 }
 
 Vector written_out_position(const ZeroReferenceChain& chain) {
-  const Vector v = nested(chain, chain.tool_offset, turned, [](const Vector& value) { return value; });
+  const Vector v = nested(chain, turned, [](const Vector& value) { return value; });
   return {v.x.expand(), v.y.expand(), v.z.expand()};
 }
 

@@ -63,6 +63,50 @@ Quaternion euler_triple(const Turn& first, const Turn& second, const Turn& third
   return {c * GiNaC::cos(sum), vector.x, vector.y, vector.z};
 }
 
+namespace {
+
+Quaternion plus(const Quaternion& a, const Quaternion& b) { return {a.w + b.w, a.x + b.x, a.y + b.y, a.z + b.z}; }
+Quaternion times(const ex& s, const Quaternion& q) { return {s * q.w, s * q.x, s * q.y, s * q.z}; }
+
+/// One choice (bit k of `sines`: the k-th perpendicular turn gives its sine). q_a(x) b = b q_a(-x) carries all
+/// rotations about the axis to the end.
+Quaternion angle_sum_term(const std::vector<Turn>& turns, const Vector& axis, unsigned sines) {
+  ex coefficient = 1;
+  ex angle = 0;
+  Quaternion units;
+  for (const Turn& turn : turns) {
+    const int sign = parallel(axis, turn.axis);
+    if (sign != 0) {
+      angle += sign * turn.angle;
+      continue;
+    }
+    if ((sines & 1U) != 0) {
+      coefficient *= GiNaC::sin(turn.angle / 2);
+      units = units * Quaternion{0, turn.axis.x, turn.axis.y, turn.axis.z};
+      angle = -angle;
+    } else {
+      coefficient *= GiNaC::cos(turn.angle / 2);
+    }
+    sines >>= 1U;
+  }
+  return times(coefficient, units * rotation(axis, angle));
+}
+
+}  // namespace
+
+std::optional<Quaternion> angle_sum_product(const std::vector<Turn>& turns, const Vector& axis, std::size_t most) {
+  std::size_t across = 0;
+  for (const Turn& turn : turns) {
+    if (parallel(axis, turn.axis) != 0) continue;
+    if (!perpendicular(axis, turn.axis)) return std::nullopt;
+    ++across;
+  }
+  if (across > most) return std::nullopt;
+  Quaternion sum{0, 0, 0, 0};
+  for (unsigned choice = 0; choice < (1U << across); ++choice) sum = plus(sum, angle_sum_term(turns, axis, choice));
+  return sum;
+}
+
 Vector turned(const Turn& turn, const Vector& v) {
   const Vector along = dot(turn.axis, v).expand() * turn.axis;
   const Vector across = v - along;

@@ -29,6 +29,13 @@ bool is_euler_triple(const std::vector<Turn>& turns, std::size_t i);
 /// cos(beta/2) q_a(alpha + gamma) + sin(beta/2) b q_a(gamma - alpha).
 symbolic::Quaternion euler_triple(const Turn& first, const Turn& second, const Turn& third);
 
+/// The whole product in closed form with angle sums about one direction: every turn is about +-axis or about a
+/// perpendicular, so each choice of cosine or sine of the perpendicular turns leaves one rotation about the axis:
+/// sum over the choices of (product of cosines and sines) * (product of unit vectors) * q_axis(sum of +-angles).
+/// Nothing where a turn is oblique to the axis, or more than `most` turns are perpendicular.
+std::optional<symbolic::Quaternion> angle_sum_product(const std::vector<Turn>& turns, const symbolic::Vector& axis,
+                                                      std::size_t most);
+
 /// v turned about the turn's axis, full-angle sine and cosine, components along the axis left alone.
 symbolic::Vector turned(const Turn& turn, const symbolic::Vector& v);
 

@@ -38,7 +38,9 @@ ExactPoint::Turn ExactPoint::times(Turn base, long count) {
 }
 
 ExactPoint::Turn ExactPoint::quarter_of(const std::string& name) const {
-  const cln::cl_RA t = small_rational(combine(seed_, hash("tan(" + name + "/8)"))) / 100;
+  // tan(angle/8) within +-tan(pi/8), so that the angle covers (-pi, pi)
+  const std::uint64_t bits = combine(seed_, hash("tan(" + name + "/8)"));
+  const cln::cl_RA t = cln::cl_RA(static_cast<long>(bits % 835) - 417) / (1009 + static_cast<long>((bits >> 20) % 61));
   const cln::cl_RA n = 1 + t * t;
   return {Number((1 - t * t) / n), Number(2 * t / n)};
 }

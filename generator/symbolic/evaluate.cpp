@@ -36,7 +36,7 @@ void add_angle_term(exact::Angle& angle, const ex& term) {
 ex to_ex(const Number& number) {
   ex sum = 0;
   for (const auto& [radicand, coefficient] : number.terms())
-    sum += GiNaC::numeric(coefficient) * GiNaC::sqrt(GiNaC::numeric(radicand));
+    sum += GiNaC::numeric(coefficient) * GiNaC::sqrt(ex(GiNaC::numeric(radicand)));
   return sum;
 }
 

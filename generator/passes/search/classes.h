@@ -18,8 +18,9 @@ namespace qvgen::passes::search_detail {
 struct Ref {
   std::uint32_t id = 0;
   bool negative = false;
-  Ref operator-() const { return {id, !negative}; }
-  Ref signed_by(bool flip) const { return {id, negative != flip}; }
+  Ref operator-() const { return signed_by(true); }
+  /// Zero, class 0, is its own negative and has one sign only.
+  Ref signed_by(bool flip) const { return {id, id != 0 && negative != flip}; }
   friend bool operator==(const Ref&, const Ref&) = default;
 };
 

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include "application/commands.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fstream>
+
+#include "application/certificate.h"
+#include "application/closed_form.h"
+#include "application/files.h"
+#include "application/pipeline.h"
+#include "description/reader.h"
+
+namespace qvgen::application {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+void print_diagnostics(const std::vector<description::Diagnostic>& diagnostics) {
+  for (const auto& diagnostic : diagnostics) fmt::print(stderr, "{}\n", description::to_string(diagnostic));
+}
+
+bool has_error(const std::vector<description::Diagnostic>& diagnostics) {
+  return std::any_of(diagnostics.begin(), diagnostics.end(),
+                     [](const auto& diagnostic) { return diagnostic.severity == description::Diagnostic::error; });
+}
+
+/// Reads all files and reports all their mistakes; nothing if there is an error in any.
+std::optional<std::vector<model::Robot>> read_robots(const std::vector<fs::path>& paths, bool strict) {
+  std::vector<description::ReadResult> results;
+  for (const fs::path& path : paths) results.push_back(description::read_file(path, {strict}));
+  bool good = true;
+  for (const auto& result : results) {
+    print_diagnostics(result.diagnostics);
+    good = good && !has_error(result.diagnostics) && result.robot.has_value();
+  }
+  const auto clashes = description::check_together(results);
+  print_diagnostics(clashes);
+  if (!good || has_error(clashes)) return std::nullopt;
+  std::vector<model::Robot> robots;
+  for (auto& result : results) robots.push_back(std::move(*result.robot));
+  return robots;
+}
+
+ordered_json read_counts(const fs::path& path) {
+  std::ifstream file(path);
+  if (!file) return ordered_json::object();
+  return ordered_json::parse(file);
+}
+
+/// One line that is rewritten as robots finish; silent where nobody looks.
+class ProgressLine {
+ public:
+  explicit ProgressLine(std::size_t total) : total_(total), visible_(::isatty(STDERR_FILENO) != 0) {}
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+  ~ProgressLine() {
+    if (visible_) fmt::print(stderr, "\r\033[K");
+  }
+  void finished(const std::string& robot) {
+    ++done_;
+    if (!visible_) return;
+    fmt::print(stderr, "\r\033[K[{}/{}] {}", done_, total_, robot);
+    std::fflush(stderr);
+  }
+
+ private:
+  std::size_t total_;
+  std::size_t done_ = 0;
+  bool visible_;
+};
+
+ordered_json only(const ordered_json& counts, const std::vector<model::Robot>& robots) {
+  ordered_json result = ordered_json::object();
+  for (const auto& [name, entry] : counts.items())
+    if (std::any_of(robots.begin(), robots.end(), [&, key = name](const auto& robot) { return robot.name == key; })) result[name] = entry;
+  return result;
+}
+
+}  // namespace
+
+std::vector<fs::path> descriptions_in(const fs::path& folder) {
+  std::vector<fs::path> paths;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().extension() == ".toml") paths.push_back(entry.path());
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+int run_generate(const GenerateArguments& arguments) {
+  const auto robots = read_robots(arguments.descriptions, arguments.strict);
+  if (!robots) return bad_description;
+  std::vector<OutputFile> files;
+  try {
+    ProgressLine line(robots->size());
+    files = generate(*robots, read_counts(arguments.output / "operation_counts.json"), [&](const std::string& robot) { line.finished(robot); });
+  } catch (const CertificateError& error) {
+    fmt::print(stderr, "qvgen: certificate failed, nothing written: {}\n", error.what());
+    return bad_certificate;
+  }
+  const int changed = write_files(arguments.output, files);
+  fmt::print("{}", report(only(read_counts(arguments.output / "operation_counts.json"), *robots), ReportFormat::table));
+  fmt::print(stderr, "{} robots, {} files in {}, {} changed\n", robots->size(), files.size(), arguments.output.string(), changed);
+  return success;
+}
+
+int run_check(const std::vector<fs::path>& descriptions, bool strict) {
+  const auto robots = read_robots(descriptions, strict);
+  if (!robots) return bad_description;
+  for (const model::Robot& robot : *robots) {
+    std::string structure;
+    for (const model::Joint& joint : robot.joints) structure += joint.type == model::JointType::revolute ? 'R' : 'P';
+    fmt::print("{}: {} ({}), {} geometric parameters\n", robot.name, robot.title, structure, robot.geometry.size());
+  }
+  return success;
+}
+
+int run_show(const ShowArguments& arguments) {
+  const auto robots = read_robots({arguments.description}, false);
+  if (!robots) return bad_description;
+  const auto notation = arguments.latex ? emit::Notation::latex : emit::Notation::text;
+  const auto lines = closed_form_lines(robots->front(), notation);
+  if (lines.empty()) {
+    fmt::print(stderr, "qvgen: {} has a constant rotation by a symbolic angle: no closed form in half-angle sums\n", robots->front().name);
+    return failure;
+  }
+  if (arguments.latex) {
+    fmt::print("\\begin{{align*}}\n");
+    for (const std::string& line : lines) {
+      const std::size_t equals = line.find(" = ");
+      fmt::print("{} &= {} \\\\\n", line.substr(0, equals), line.substr(equals + 3));
+    }
+    fmt::print("\\end{{align*}}\n");
+  } else {
+    for (const std::string& line : lines) fmt::print("{}\n", line);
+  }
+  return success;
+}
+
+int run_counts(const fs::path& counts_file, ReportFormat format) {
+  if (!fs::exists(counts_file)) {
+    fmt::print(stderr, "qvgen: no {}: run `qvgen generate` first\n", counts_file.string());
+    return failure;
+  }
+  fmt::print("{}", report(read_counts(counts_file), format));
+  return success;
+}
+
+}  // namespace qvgen::application

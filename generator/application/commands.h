@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "application/report.h"
+
+namespace qvgen::application {
+
+/// Exit codes of the tool.
+enum ExitCode { success = 0, failure = 1, usage_error = 2, bad_description = 3, bad_certificate = 4 };
+
+struct GenerateArguments {
+  std::vector<std::filesystem::path> descriptions;
+  std::filesystem::path output;
+  bool strict = false;
+};
+
+struct ShowArguments {
+  std::filesystem::path description;
+  bool latex = false;
+};
+
+/// Each command prints its results to stdout and messages to stderr, and returns an ExitCode.
+int run_generate(const GenerateArguments& arguments);
+int run_show(const ShowArguments& arguments);
+int run_counts(const std::filesystem::path& counts_file, ReportFormat format);
+int run_check(const std::vector<std::filesystem::path>& descriptions, bool strict);
+
+/// Every *.toml of a folder, sorted by name.
+std::vector<std::filesystem::path> descriptions_in(const std::filesystem::path& folder);
+
+}  // namespace qvgen::application

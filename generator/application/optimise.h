@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "dag/counts.h"
+#include "derive/form.h"
+#include "passes/search/search.h"
+
+namespace qvgen::application {
+
+/// A quantity after derivation, passes and choice, certified.
+struct Optimised {
+  std::string name;
+  dag::Function function;          ///< the cheapest by the cost model: what is emitted
+  dag::OperationCounts counts;     ///< of `function`
+  dag::OperationCounts fewest;     ///< fewest multiplications and additions, sines and cosines given
+  struct FormCounts {
+    std::string name;
+    dag::OperationCounts counts;
+  };
+  std::vector<FormCounts> forms;   ///< each competing form by itself, after the passes
+  int certified_points = 0;        ///< exact points at which `function` equals the definition
+  double largest_error = 0;        ///< see accuracy.h
+};
+
+struct OptimiseOptions {
+  passes::CostModel cost;
+  passes::SearchOptions search;
+  int certificate_points = 4;
+};
+
+/// Lowers the forms to graphs, runs the passes, lets them compete and certifies the winner.
+/// Throws CertificateError if a result differs from the definition: a pass has broken an identity.
+Optimised optimise(const derive::Quantity& quantity, const OptimiseOptions& options = {});
+
+}  // namespace qvgen::application

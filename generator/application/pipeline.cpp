@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include "application/pipeline.h"
+
+#include <map>
+#include <stdexcept>
+
+#include "application/parallel.h"
+#include "application/products/product.h"
+#include "emit/render.h"
+
+namespace qvgen::application {
+namespace {
+
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+OutputFile umbrella_header(const model::Robot& robot) {
+  json parts = json::array();
+  for (const Product& product : all_products()) parts.push_back({{"part", product.part}});
+  return {"include/qvgen/robots/" + robot.name + ".h", emit::render("robot.h", {{"name", robot.name}, {"parts", parts}})};
+}
+
+}  // namespace
+
+RobotOutput generate_robot(const model::Robot& robot) {
+  RobotOutput output{robot.name, {}, ordered_json::object()};
+  try {
+    for (const Product& product : all_products()) product.generate(robot, output);
+  } catch (const std::exception& error) {
+    throw std::runtime_error(robot.name + ": " + error.what());
+  }
+  output.files.push_back(umbrella_header(robot));
+  return output;
+}
+
+std::vector<OutputFile> generate(const std::vector<model::Robot>& robots, const ordered_json& earlier,
+                                 const std::function<void(const std::string&)>& progress) {
+  const auto work = [&](std::size_t i) { return to_text(generate_robot(robots[i])); };
+  const auto done = [&](std::size_t i) { if (progress) progress(robots[i].name); };
+  std::vector<OutputFile> files;
+  std::map<std::string, ordered_json> entries;
+  for (const auto& [robot, entry] : earlier.items()) entries[robot] = entry;
+  for (const std::string& text : in_processes(robots.size(), work, done)) {
+    RobotOutput output = robot_output_from_text(text);
+    entries[output.robot] = output.counts;
+    files.insert(files.end(), output.files.begin(), output.files.end());
+  }
+  ordered_json all = ordered_json::object();
+  for (const auto& [robot, entry] : entries) all[robot] = entry;
+  files.push_back({"operation_counts.json", all.dump(1) + "\n"});
+  files.push_back({"README.md", emit::render("generated_readme.md", json::object())});
+  return files;
+}
+
+}  // namespace qvgen::application

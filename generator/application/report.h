@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace qvgen::application {
+
+enum class ReportFormat { table, csv, json, markdown };
+
+/// The operation counts (the content of operation_counts.json) for people or programs, one line a function.
+std::string report(const nlohmann::ordered_json& counts, ReportFormat format);
+
+}  // namespace qvgen::application

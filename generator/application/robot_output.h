@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace qvgen::application {
+
+/// A file to write, path relative to the output folder.
+struct OutputFile {
+  std::string path;
+  std::string content;
+};
+
+/// What one robot yields: its files and its entry in operation_counts.json.
+struct RobotOutput {
+  std::string robot;
+  std::vector<OutputFile> files;
+  nlohmann::ordered_json counts;
+};
+
+/// To and from text, for the way between processes.
+std::string to_text(const RobotOutput& output);
+RobotOutput robot_output_from_text(const std::string& text);
+
+}  // namespace qvgen::application

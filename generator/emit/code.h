@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "dag/graph.h"
+
+namespace qvgen::emit {
+
+/// How the leaves of a graph are written in the generated function.
+struct Names {
+  std::function<std::string(const std::string& symbol)> symbol;
+  std::function<std::string(const dag::Angle&)> sine;
+  std::function<std::string(const dag::Angle&)> cosine;
+};
+
+/// Straight-line C++: constant temporaries in order of use, then one expression per output.
+struct Code {
+  struct Value {
+    std::string name;
+    std::string expression;
+  };
+  std::vector<Value> temporaries;
+  std::vector<Value> outputs;
+};
+
+/// Writes a function down. A value used more than once, or too long to read inline, becomes a temporary `t0, t1, ...`;
+/// sums are written with a positive term first. The text depends on the graph's structure alone.
+Code cpp_code(const dag::Function& function, const Names& names);
+
+}  // namespace qvgen::emit

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "dag/graph.h"
+
+namespace qvgen::emit {
+
+enum class Notation { text, latex };
+
+/// A value in mathematical notation, sums of products as they stand in the graph: "cos((theta4 + theta6)/2)*..." or
+/// LaTeX with \bar\theta_4 for the half angle of theta4, the thesis's notation.
+std::string formula(const dag::Graph& graph, dag::Edge value, Notation notation);
+
+/// An angle in that notation.
+std::string formula(const dag::Angle& angle, Notation notation);
+
+/// A name: theta4 becomes \theta_4 in LaTeX.
+std::string formula(const std::string& name, Notation notation);
+
+}  // namespace qvgen::emit
