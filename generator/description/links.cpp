@@ -117,7 +117,7 @@ std::optional<model::JointType> read_joint_type(const Table& table) {
 }
 
 std::string read_variable(const Table& table) {
-  const std::string name = table.text("variable").value_or("");
+  std::string name = table.text("variable").value_or("");
   if (table.has("variable")) {
     const Place place = table.place_of("variable");
     const NameProblem problem = check_identifier(name);

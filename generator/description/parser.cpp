@@ -183,7 +183,7 @@ Expression Parser::parenthesised() {
   const std::size_t offset = lexer_.current().offset;
   if (!accept(Kind::open)) unexpected("a '(' was due");
   const Depth guard(depth_, offset);
-  const Expression inner = expression();
+  Expression inner = expression();
   if (!accept(Kind::close)) unexpected("a ')' was due");
   return inner;
 }

@@ -13,7 +13,9 @@ namespace qvgen::description {
 struct Place {
   int line = 1;
   int column = 1;
-  friend auto operator<=>(const Place&, const Place&) = default;
+  friend bool operator<(const Place& a, const Place& b) {
+    return a.line != b.line ? a.line < b.line : a.column < b.column;
+  }
 };
 
 Place begin_of(const toml::source_region& region);

@@ -40,6 +40,7 @@ struct Declared {
 std::optional<std::vector<Declared>> read_declared(const Table& root, const std::vector<Default>& defaults) {
   if (!root.has("symbols") && !root.has("defaults")) return std::nullopt;
   std::vector<Declared> declared;
+  declared.reserve(defaults.size());
   for (const Default& entry : defaults) declared.push_back({entry.name, entry.place});
   const toml::node* node = root.find("symbols");
   if (node == nullptr) return declared;

@@ -75,6 +75,7 @@ std::vector<Term> terms(const Expression& expression) {
 
 Expression sum_of(const std::vector<Term>& terms) {
   std::vector<Expression> operands;
+  operands.reserve(terms.size());
   for (const Term& term : terms) operands.push_back(term.negative ? negate(term.value) : term.value);
   if (operands.empty()) return {};
   return operands.size() == 1 ? operands.front() : Expression::make(Kind::sum, std::move(operands));

@@ -8,8 +8,8 @@
 
 namespace qvgen::model {
 
-Expression::Expression(cln::cl_RA value) {
-  node_ = std::make_shared<const Node>(Node{Kind::number, std::move(value), {}, 1, {}});
+Expression::Expression(const cln::cl_RA& value) {
+  node_ = std::make_shared<const Node>(Node{Kind::number, value, {}, 1, {}});
 }
 
 Expression Expression::pi() {

@@ -17,7 +17,7 @@ class Expression {
   enum class Kind { number, pi, symbol, negate, sum, product, quotient, power, root, sine, cosine };
 
   Expression() : Expression(cln::cl_RA(0)) {}
-  Expression(cln::cl_RA value);  // NOLINT(google-explicit-constructor): numbers are expressions
+  Expression(const cln::cl_RA& value);  // NOLINT(google-explicit-constructor): numbers are expressions
   static Expression pi();
   static Expression symbol(std::string name);
   /// sum, product: any number of operands; quotient: two; negate, root, sine, cosine: one.

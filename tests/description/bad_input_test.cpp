@@ -74,9 +74,9 @@ TEST(BadInput, UnknownKeys) {
 }
 
 TEST(BadInput, MissingKeys) {
+  const std::string name = "add name = \"...\", the namespace of the generated code";
   EXPECT_EQ(report("[[joint]]\n"),
-            lines({"1:1: error: missing key 'name' in the file; add name = \"...\", the namespace of the "
-                   "generated code",
+            lines({"1:1: error: missing key 'name' in the file; " + name,
                    "1:1: error: missing key 'title' in the file; add title = \"...\", one line of text",
                    "1:1: error: missing key 'type' in [[joint]]; add type = \"revolute\" or \"prismatic\"",
                    "1:1: error: missing key 'variable' in [[joint]]; add a name, e.g. variable = \"theta1\"",

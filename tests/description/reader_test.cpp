@@ -9,8 +9,6 @@
 namespace qvgen::description {
 namespace {
 
-using model::Expression;
-
 model::Robot read(const std::string& text) {
   const ReadResult result = read_text("name = \"a\"\ntitle = \"A\"\n" + text, "a.toml");
   for (const auto& diagnostic : result.diagnostics) ADD_FAILURE() << to_string(diagnostic);
