@@ -10,15 +10,28 @@ namespace {
 
 constexpr std::size_t comment_width = 112;
 
-/// Breaks at spaces; continuation lines are indented.
+/// The last place at which a line may end: before a + or - that stands in no parentheses.
+std::size_t last_break(const std::string& text) {
+  std::size_t best = std::string::npos;
+  int depth = 0;
+  for (std::size_t i = 0; i < text.size() && i <= comment_width; ++i) {
+    if (text[i] == '(') ++depth;
+    if (text[i] == ')') --depth;
+    const bool term = depth == 0 && i > 8 && text[i] == ' ' && (text.compare(i, 3, " + ") == 0 || text.compare(i, 3, " - ") == 0);
+    if (term) best = i;
+  }
+  return best;
+}
+
+/// Broken before terms; continuation lines are indented.
 std::vector<std::string> wrapped(const std::string& text) {
   std::vector<std::string> lines;
   std::string rest = text;
   while (rest.size() > comment_width) {
-    const std::size_t space = rest.rfind(' ', comment_width);
-    if (space == std::string::npos || space < 8) break;
-    lines.push_back(rest.substr(0, space));
-    rest = "    " + rest.substr(space + 1);
+    const std::size_t end = last_break(rest);
+    if (end == std::string::npos) break;
+    lines.push_back(rest.substr(0, end));
+    rest = "    " + rest.substr(end + 1);
   }
   lines.push_back(rest);
   return lines;

@@ -71,12 +71,15 @@ class Writer {
     return edge.negative ? "-" + text : text;
   }
 
+  /// A value with its sign; an inline sum takes the sign term by term.
   std::string signed_text(Edge edge) const {
-    return edge.negative ? factor(edge) : text_[edge.node];
+    if (!edge.negative) return text_[edge.node];
+    return is_inline(edge.node, Op::sum) ? sum(graph_.node(edge), true) : factor(edge);
   }
 
-  std::string sum(const dag::Node& node) const {
+  std::string sum(const dag::Node& node, bool negative = false) const {
     std::vector<Edge> terms = node.operands;
+    for (Edge& term : terms) term.negative = term.negative != negative;
     const auto positive = std::find_if(terms.begin(), terms.end(), [](Edge e) { return !e.negative; });
     if (positive != terms.end()) std::rotate(terms.begin(), positive, positive + 1);
     std::string text = factor(terms.front());
