@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+namespace reference {
+
+using Eigen::Isometry3d;
+using Eigen::Matrix3d;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+/// One joint and the link that it moves, in plain numbers:
+/// link frame i = link frame i-1 * before * (motion about or along `axis`) * after.
+struct Joint {
+  bool revolute = true;
+  std::string variable;
+  Isometry3d before = Isometry3d::Identity();
+  Vector3d axis = Vector3d::UnitZ();  ///< unit vector, in the frame after `before`
+  Isometry3d after = Isometry3d::Identity();
+
+  double mass = 0;                             ///< kg
+  Vector3d centre_of_mass = Vector3d::Zero();  ///< m, in the link frame
+  Matrix3d inertia = Matrix3d::Zero();         ///< kg m², about the centre of mass, in the link frame
+  double rotor_inertia = 0;                    ///< kg m² (kg), on the joint's side
+  double viscous_friction = 0;                 ///< N m s (N s/m)
+  double coulomb_friction = 0;                 ///< N m (N)
+
+  double lower = -std::numeric_limits<double>::infinity();  ///< rad or m
+  double upper = std::numeric_limits<double>::infinity();
+};
+
+struct Chain {
+  std::string name;
+  Isometry3d base = Isometry3d::Identity();  ///< world -> base of the first joint
+  std::vector<Joint> joints;
+  Isometry3d tool = Isometry3d::Identity();  ///< last link frame -> tool
+  [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(joints.size()); }
+};
+
+/// Where joint i acts, in the world frame.
+struct JointPlace {
+  Vector3d axis;   ///< direction
+  Vector3d point;  ///< origin of the frame after `before`: on the axis, fixed to the link before
+};
+
+/// The frames of all links in the world frame, then the tool's: n + 1 matrices. q: rad or m.
+std::vector<Isometry3d> frames(const Chain& chain, const VectorXd& q);
+std::vector<JointPlace> joint_places(const Chain& chain, const VectorXd& q);
+
+/// World -> tool, by homogeneous matrices.
+Isometry3d forward_kinematics(const Chain& chain, const VectorXd& q);
+
+/// 6 x n geometric Jacobian at the tool point in the world frame, linear rows first: by cross products.
+MatrixXd jacobian(const Chain& chain, const VectorXd& q);
+
+}  // namespace reference
