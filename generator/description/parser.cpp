@@ -2,7 +2,10 @@
 #include "description/parser.h"
 
 #include <charconv>
+#include <cmath>
 #include <utility>
+
+#include <cln/integer.h>
 
 #include "description/names.h"
 #include "model/arithmetic.h"
@@ -15,6 +18,7 @@ using model::Expression;
 using Kind = Token::Kind;
 
 constexpr long max_power = 64;
+constexpr double max_value_size = 1e5;
 constexpr int max_depth = 200;  // of parentheses and signs: recursion must not reach the end of the stack
 
 /// Counts the recursion while it lasts.
@@ -67,6 +71,17 @@ void Parser::unexpected(const std::string& wanted) const {
   const Token& token = lexer_.current();
   if (token.kind == Kind::end) throw ExpressionError{token.offset, "the expression ends too early", wanted};
   throw ExpressionError{token.offset, "unexpected '" + std::string(token.text) + "'", wanted};
+}
+
+/// Roughly the bits of an expression's exact value, for powers of powers that would fill the memory.
+double value_size(const Expression& e) {
+  if (e.kind() == Expression::Kind::number) {
+    return static_cast<double>(cln::integer_length(cln::numerator(e.number())) +
+                               cln::integer_length(cln::denominator(e.number())));
+  }
+  double size = e.operands().empty() ? 32 : 0;
+  for (const Expression& operand : e.operands()) size += value_size(operand);
+  return e.kind() == Expression::Kind::power ? size * std::abs(static_cast<double>(e.exponent())) : size;
 }
 
 /// Looks at a fixed irregular point: what is zero there is zero everywhere, for all a description may hold.
@@ -160,6 +175,9 @@ Expression Parser::factor() {
 Expression Parser::raised(const Expression& base, std::size_t base_offset) {
   const long power = exponent();
   if (lexer_.current().kind == Kind::power) unexpected("powers of powers need parentheses");
+  if (value_size(base) * std::abs(static_cast<double>(power)) > max_value_size) {
+    throw ExpressionError{base_offset, "the power is too large", "its exact value has more than 100000 bits"};
+  }
   if (power < 0) require_nonzero(base, base_offset);
   return model::raise(base, power);
 }

@@ -101,7 +101,9 @@ TEST(Expression, PointsAtMistakes) {
   EXPECT_EQ(failure("_a"), "0: '_a' is reserved by C++");
 }
 
-TEST(Expression, SurvivesAbsurdNesting) {
+TEST(Expression, SurvivesAbsurdities) {
+  EXPECT_EQ(failure("((9^64)^64)^64"), "0: the power is too large");
+  EXPECT_EQ(failure("1/(((a^64)^64)^64)"), "4: the power is too large");
   EXPECT_EQ(failure(std::string(100000, '(')), "200: the expression is nested too deeply");
   EXPECT_EQ(failure(std::string(100000, '-')), "200: the expression is nested too deeply");
 }
