@@ -25,9 +25,12 @@ struct Optimised {
   double largest_error = 0;        ///< see accuracy.h
 };
 
+/// Annealing steps for functions of some dozen operations. Ten times as many gain less than one percent.
+inline constexpr long small_function_iterations = 50'000;
+
 struct OptimiseOptions {
   passes::CostModel cost;
-  passes::SearchOptions search;
+  passes::SearchOptions search = {.iterations = small_function_iterations};
   int certificate_points = 4;
 };
 
