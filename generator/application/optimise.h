@@ -26,11 +26,15 @@ struct Optimised {
 };
 
 /// Annealing steps for functions of some dozen operations. Ten times as many gain less than one percent.
-inline constexpr long small_function_iterations = 50'000;
+inline passes::SearchOptions small_function_search() {
+  passes::SearchOptions options;
+  options.iterations = 50'000;
+  return options;
+}
 
 struct OptimiseOptions {
   passes::CostModel cost;
-  passes::SearchOptions search = {.iterations = small_function_iterations};
+  passes::SearchOptions search = small_function_search();
   int certificate_points = 4;
 };
 

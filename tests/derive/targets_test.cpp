@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// Bounds on the committed operation counts: what common subexpression elimination on the thesis's corrected formulas
+// gives (multiplications + additions, symbolic constants), sympy's counts of the matrix form, and the rule that a
+// function never computes more sines and cosines than there are revolute joints left after merging parallel neighbours.
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "application/commands.h"
+#include "application/products/counts_json.h"
+#include "derive/turns.h"
+#include "description/reader.h"
+
+namespace {
+
+using namespace qvgen;
+
+nlohmann::ordered_json committed() {
+  std::ifstream file(std::string(QVGEN_SOURCE_DIR) + "/generated/operation_counts.json");
+  return nlohmann::ordered_json::parse(file);
+}
+
+int operations(const nlohmann::ordered_json& counts) {
+  const dag::OperationCounts c = application::counts_from_json(counts);
+  return c.multiplications + c.additions;
+}
+
+TEST(Targets, FewestOperationsOfThePose) {
+  const std::map<std::string, int> most{{"ss", 4},  {"sc", 21}, {"sn", 28}, {"cs", 23}, {"cc", 23}, {"cr", 22}, {"ns", 27}, {"nn", 64},
+                                        {"nr", 33}, {"rc", 52}, {"rn", 30}, {"rr", 43}, {"rs", 11}, {"sr", 24}, {"cn", 26}, {"nc", 35}};
+  const auto counts = committed();
+  for (const auto& [robot, bound] : most)
+    EXPECT_LE(operations(counts.at(robot).at("forward_kinematics").at("fewest_operations")), bound) << robot;
+}
+
+TEST(Targets, MatrixFormIsBelowSympy) {
+  const std::map<std::string, int> sympy{{"puma560", 71 + 36}, {"stanford", 50 + 25}, {"ur5", 84 + 42}, {"iiwa14", 77 + 41}};
+  const auto counts = committed();
+  for (const auto& [robot, bound] : sympy)
+    EXPECT_LT(operations(counts.at(robot).at("homogeneous_transform").at("emitted")), bound) << robot;
+}
+
+TEST(Targets, NoMoreSinesThanMergedJoints) {
+  const auto counts = committed();
+  for (const auto& path : application::descriptions_in(std::string(QVGEN_SOURCE_DIR) + "/generator/robots")) {
+    const auto read = description::read_file(path);
+    const auto chain = derive::zero_reference_chain(*read.robot);
+    if (!chain) continue;
+    int revolute = 0;
+    for (const auto& joint : chain->joints) revolute += joint.type == model::JointType::revolute ? 1 : 0;
+    const int merged = static_cast<int>(derive::turn_sequence(*chain).turns.size());
+    for (const char* function : {"forward_kinematics", "homogeneous_transform"}) {
+      const int used = application::counts_from_json(counts.at(read.robot->name).at(function).at("emitted")).sine_cosines;
+      EXPECT_LE(used, revolute) << read.robot->name << " " << function;
+      EXPECT_GE(used, merged) << read.robot->name << " " << function << ": too few to be right";
+    }
+  }
+}
+
+}  // namespace
