@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+// The tool as its users meet it: exit codes, messages, files.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ToolRun {
+  int code;
+  std::string output;  ///< stdout and stderr
+};
+
+ToolRun run(const std::string& arguments) {
+  const std::string command = std::string(QVGEN_TOOL) + " " + arguments + " 2>&1 </dev/null";
+  FILE* pipe = ::popen(command.c_str(), "r");
+  ToolRun result{-1, {}};
+  char buffer[4096];
+  while (std::size_t size = std::fread(buffer, 1, sizeof buffer, pipe)) result.output.append(buffer, size);
+  const int status = ::pclose(pipe);
+  result.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  return result;
+}
+
+bool has(const ToolRun& result, const std::string& text) { return result.output.find(text) != std::string::npos; }
+
+class CommandLine : public testing::Test {
+ protected:
+  fs::path folder = fs::path(testing::TempDir()) / "qvgen_command_line_test";
+  void SetUp() override {
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+  }
+  void TearDown() override { fs::remove_all(folder); }
+  std::string write(const std::string& name, const std::string& text) {
+    std::ofstream(folder / name) << text;
+    return (folder / name).string();
+  }
+  std::string out() { return (folder / "out").string(); }
+};
+
+const char* const good_arm = R"(name = "my_arm"
+title = "two links"
+[[joint]]
+type = "revolute"
+axis = "+z"
+variable = "theta1"
+link = ["l1", 0, 0]
+[[joint]]
+type = "revolute"
+axis = "+z"
+variable = "theta2"
+link = ["l2", 0, 0]
+)";
+
+TEST_F(CommandLine, HelpShowsExamplesAndExitCodes) {
+  const ToolRun help = run("--help");
+  EXPECT_EQ(help.code, 0);
+  EXPECT_TRUE(has(help, "examples:"));
+  EXPECT_TRUE(has(help, "exit codes:"));
+  EXPECT_EQ(run("generate --help").code, 0);
+}
+
+TEST_F(CommandLine, Version) {
+  const ToolRun version = run("--version");
+  EXPECT_EQ(version.code, 0);
+  EXPECT_EQ(version.output.substr(0, 6), "qvgen ");
+}
+
+TEST_F(CommandLine, WrongArgumentsAreUsageErrors) {
+  EXPECT_EQ(run("").code, 2);
+  EXPECT_EQ(run("fly").code, 2);
+  EXPECT_EQ(run("counts --format pdf").code, 2);
+  EXPECT_EQ(run("generate --no-such-flag").code, 2);
+}
+
+TEST_F(CommandLine, GeneratesARobotFromAnEmptyFolder) {
+  const std::string file = write("my_arm.toml", good_arm);
+  const ToolRun first = run("generate " + file + " --output " + out());
+  EXPECT_EQ(first.code, 0) << first.output;
+  EXPECT_TRUE(has(first, "forward_kinematics"));
+  for (const char* name : {"include/qvgen/robots/my_arm.h", "include/qvgen/robots/my_arm/kinematics.h", "source/my_arm/kinematics.cpp", "operation_counts.json", "README.md"})
+    EXPECT_TRUE(fs::exists(fs::path(out()) / name)) << name;
+  const ToolRun second = run("generate " + file + " --output " + out());
+  EXPECT_TRUE(has(second, " 0 changed")) << second.output;
+}
+
+TEST_F(CommandLine, KeepsTheCountsOfOtherRobots) {
+  const std::string mine = write("my_arm.toml", good_arm);
+  EXPECT_EQ(run("generate " + mine + " rr_planar --output " + out()).code, 0);
+  EXPECT_EQ(run("generate " + mine + " --output " + out()).code, 0);
+  const ToolRun counts = run("counts --format csv --output " + out());
+  EXPECT_TRUE(has(counts, "my_arm,forward_kinematics,"));
+  EXPECT_TRUE(has(counts, "rr_planar,forward_kinematics,"));
+}
+
+TEST_F(CommandLine, MistakesAreReportedAndNothingIsWritten) {
+  const std::string bad = write("bad.toml", "name = \"bad\"\n[[joint]]\ntype = \"revolut\"\naxsi = \"+z\"\nvariable = \"theta1\"\n");
+  const std::string good = write("good.toml", good_arm);
+  const ToolRun result = run("generate " + good + " " + bad + " --output " + out());
+  EXPECT_EQ(result.code, 3);
+  EXPECT_TRUE(has(result, "bad.toml:3:")) << result.output;
+  EXPECT_TRUE(has(result, "bad.toml:4:")) << result.output;
+  EXPECT_FALSE(fs::exists(out()));
+}
+
+TEST_F(CommandLine, CheckSumsUpAGoodFile) {
+  const ToolRun result = run("check " + write("my_arm.toml", good_arm));
+  EXPECT_EQ(result.code, 0);
+  EXPECT_TRUE(has(result, "my_arm: two links (RR), 2 geometric parameters"));
+  EXPECT_EQ(run("check " + (folder / "missing.toml").string()).code, 3);
+}
+
+TEST_F(CommandLine, RobotsOfTheSameNameClash) {
+  const ToolRun result = run("check " + write("a.toml", good_arm) + " " + write("b.toml", good_arm));
+  EXPECT_EQ(result.code, 3);
+  EXPECT_TRUE(has(result, "b.toml:1:")) << result.output;
+}
+
+TEST_F(CommandLine, ShowsTheClosedForm) {
+  const ToolRun text = run("show ss");
+  EXPECT_EQ(text.code, 0);
+  EXPECT_TRUE(has(text, "w = cos((theta4 + theta6)/2)*cos(theta5/2)")) << text.output;
+  const ToolRun latex = run("show ss --latex");
+  EXPECT_TRUE(has(latex, "\\begin{align*}"));
+  EXPECT_TRUE(has(latex, "\\bar{\\theta_{4}}+\\bar{\\theta_{6}}")) << latex.output;
+  EXPECT_EQ(run("show general_6r").code, 1);
+}
+
+TEST_F(CommandLine, CountsNeedAGeneratedFolder) {
+  const ToolRun result = run("counts --output " + out());
+  EXPECT_EQ(result.code, 1);
+  EXPECT_TRUE(has(result, "run `qvgen generate` first"));
+}
+
+TEST_F(CommandLine, SaysWhyItCannotWrite) {
+  const std::string file = write("my_arm.toml", good_arm);
+  const ToolRun result = run("generate " + file + " --output " + file);
+  EXPECT_EQ(result.code, 1);
+  EXPECT_TRUE(has(result, "cannot write")) << result.output;
+}
+
+}  // namespace

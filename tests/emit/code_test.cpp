@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// Golden texts of small functions, and the strictness of templates.
+#include "emit/code.h"
+
+#include <gtest/gtest.h>
+
+#include "emit/builtin_templates.h"
+#include "emit/literal.h"
+#include "emit/render.h"
+
+namespace {
+
+using namespace qvgen;
+using dag::Edge;
+
+const emit::Names names{[](const std::string& symbol) { return "g." + symbol; },
+                        [](const dag::Angle& angle) { return "sin<" + to_string(angle) + ">"; },
+                        [](const dag::Angle& angle) { return "cos<" + to_string(angle) + ">"; }};
+
+class CodeTest : public testing::Test {
+ protected:
+  dag::Function f;
+  dag::Graph& g = f.graph;
+  Edge a = g.symbol("a"), b = g.symbol("b"), c = g.symbol("c");
+
+  std::string text_of(Edge value) {
+    f.outputs = {{"o", value}};
+    const emit::Code code = emit::cpp_code(f, names);
+    std::string text;
+    for (const auto& line : code.temporaries) text += line.name + " = " + line.expression + "; ";
+    return text + code.outputs[0].expression;
+  }
+};
+
+TEST_F(CodeTest, SumsAndProducts) {
+  EXPECT_EQ(text_of(g.sum({a, -b, g.product({b, c})})), "g.a - g.b + g.b * g.c");
+  EXPECT_EQ(text_of(g.product({a, g.sum({b, c})})), "g.a * (g.b + g.c)");
+  EXPECT_EQ(text_of(g.product({g.constant(2), a, a})), "Scalar(2) * g.a * g.a");
+}
+
+TEST_F(CodeTest, Signs) {
+  EXPECT_EQ(text_of(-a), "-g.a");
+  EXPECT_EQ(text_of(-g.sum({a, -b})), "g.b - g.a");
+  EXPECT_EQ(text_of(-g.sum({a, b})), "-g.a - g.b");
+  EXPECT_EQ(text_of(-g.product({a, b})), "-g.a * g.b");
+}
+
+TEST_F(CodeTest, QuotientsRootsArctangents) {
+  EXPECT_EQ(text_of(g.quotient(g.sum({a, b}), g.product({b, c}))), "(g.a + g.b) / (g.b * g.c)");
+  EXPECT_EQ(text_of(g.root(g.sum({a, b}))), "sqrt(g.a + g.b)");
+  EXPECT_EQ(text_of(g.arctangent(-a, b)), "atan2(-g.a, g.b)");
+}
+
+TEST_F(CodeTest, SharedValuesGetNames) {
+  const Edge shared = g.sum({a, b});
+  EXPECT_EQ(text_of(g.quotient(g.product({shared, shared}), c)), "t0 = g.a + g.b; t0 * t0 / g.c");
+}
+
+TEST_F(CodeTest, LongExpressionsAreCut) {
+  Edge value = a;
+  for (int i = 0; i < 20; ++i) value = g.sum({g.product({value, b}), c});
+  f.outputs = {{"o", value}};
+  const emit::Code code = emit::cpp_code(f, names);
+  EXPECT_FALSE(code.temporaries.empty());
+  for (const auto& line : code.temporaries) EXPECT_LT(line.expression.size(), 60U);
+}
+
+TEST_F(CodeTest, AnglesAreTheCallersText) {
+  EXPECT_EQ(text_of(g.product({a, g.sine(dag::Angle{{{"theta1", cln::cl_RA(1) / 2}}, 0})})), "g.a * sin<theta1/2>");
+}
+
+TEST(Literal, IsTheShortestTextOfTheNearestDouble) {
+  EXPECT_EQ(emit::literal(exact::Number(cln::cl_RA(4318) / 10000)), "0.4318");
+  EXPECT_EQ(emit::literal(exact::Number(2)), "2");
+  EXPECT_EQ(emit::literal(exact::Number::root(2)), "1.4142135623730951");
+  EXPECT_EQ(emit::literal(exact::Number(cln::cl_RA(1) / 3)), "0.3333333333333333");
+}
+
+TEST(Render, FillsTemplatesWithoutEscaping) {
+  const std::string text = emit::render("robot.h", {{"name", "a<b"}, {"parts", {{{"part", "kinematics"}}}}});
+  EXPECT_NE(text.find("#include <qvgen/robots/a<b/kinematics.h>"), std::string::npos);
+}
+
+TEST(Render, MissingKeyIsAnError) {
+  try {
+    emit::render("robot.h", {{"parts", {{{"part", "kinematics"}}}}});
+    FAIL() << "no error";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(), "template robot.h: no value for the key name");
+  }
+  EXPECT_THROW(emit::render("no such template", {}), std::invalid_argument);
+}
+
+TEST(Render, EveryTemplateIsBuiltIn) { EXPECT_TRUE(emit::builtin_templates().count("kinematics.h")); }
+
+}  // namespace

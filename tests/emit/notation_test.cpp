@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include "emit/notation.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace qvgen;
+using emit::Notation;
+
+dag::Angle half_sum() { return {{{"theta4", cln::cl_RA(1) / 2}, {"theta6", cln::cl_RA(-1) / 2}}, 0}; }
+
+TEST(Notation, AnglesInTextAndInTheThesisHalfAngles) {
+  EXPECT_EQ(emit::formula(half_sum(), Notation::text), "(theta4 - theta6)/2");
+  EXPECT_EQ(emit::formula(half_sum(), Notation::latex), "\\bar{\\theta_{4}}-\\bar{\\theta_{6}}");
+  EXPECT_EQ(emit::formula(dag::Angle{{{"theta1", 1}}, 0}, Notation::latex), "\\theta_{1}");
+}
+
+TEST(Notation, NamesAndNumbers) {
+  EXPECT_EQ(emit::formula(std::string("d2"), Notation::latex), "d_{2}");
+  EXPECT_EQ(emit::formula(std::string("h"), Notation::latex), "h");
+  EXPECT_EQ(emit::formula(std::string("RL4"), Notation::latex), "\\mathrm{RL}_{4}");
+  dag::Graph g;
+  const exact::Number number = exact::Number(cln::cl_RA(1) / 2) * exact::Number::root(2);
+  EXPECT_EQ(emit::formula(g, g.constant(number), Notation::latex), "1/2*\\sqrt{2}");
+  EXPECT_EQ(emit::formula(g, g.constant(exact::Number(cln::cl_RA(-3) / 2)), Notation::latex), "-\\tfrac{3}{2}");
+}
+
+TEST(Notation, SumsAndProducts) {
+  dag::Graph g;
+  const dag::Edge a = g.symbol("a1");
+  const dag::Edge b = g.symbol("b");
+  const dag::Edge s = g.sine(half_sum());
+  EXPECT_EQ(emit::formula(g, g.sum({-g.product({a, s}), b}), Notation::text), "b - a1*sin((theta4 - theta6)/2)");
+  EXPECT_EQ(emit::formula(g, -g.sum({a, b}), Notation::text), "-a1 - b");
+  EXPECT_EQ(emit::formula(g, g.product({a, g.sum({b, g.constant(1)})}), Notation::latex), "a_{1} (1 + b)");
+  EXPECT_EQ(emit::formula(g, g.quotient(a, b), Notation::latex), "\\frac{a_{1}}{b}");
+}
+
+}  // namespace
