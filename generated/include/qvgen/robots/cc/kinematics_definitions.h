@@ -40,18 +40,18 @@ inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar
                                        [[maybe_unused]] const Angles& angles,
                                        [[maybe_unused]] const BasicGeometry<Scalar>& g) {
   [[maybe_unused]] const auto& [s, c] = angles;
-  const Scalar t0 = s[4] * s[1];
-  const Scalar t1 = c[2] * c[1];
-  const Scalar t2 = c[1] * s[2];
-  const Scalar t3 = c[4] * s[1];
+  const Scalar t0 = s[2] * s[1];
+  const Scalar t1 = c[3] * c[1];
+  const Scalar t2 = c[1] * s[3];
+  const Scalar t3 = c[2] * s[1];
   const Scalar t4 = g.l1 * s[0];
   const Scalar t5 = g.d4 * s[2];
   const Scalar t6 = s[0] * t4 - c[2] * t5;
   const Scalar t7 = g.d4 - Scalar(2) * (c[0] * t4 + s[2] * t5);
-  return {Eigen::Quaternion<Scalar>(c[3] * t1 - s[2] * t0,
-                                    s[3] * t2 + c[2] * t3,
-                                    s[2] * t3 - s[3] * t1,
-                                    c[2] * t0 + c[3] * t2),
+  return {Eigen::Quaternion<Scalar>(c[2] * t1 - s[4] * t0,
+                                    s[2] * t2 + c[4] * t3,
+                                    c[4] * t0 - c[2] * t2,
+                                    s[4] * t3 + s[2] * t1),
           Eigen::Matrix<Scalar, 3, 1>(g.l1 - (t6 + t6),
                                       -t7,
                                       q[1])};

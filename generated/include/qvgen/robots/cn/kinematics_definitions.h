@@ -48,28 +48,28 @@ inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar
                                        [[maybe_unused]] const Angles& angles,
                                        [[maybe_unused]] const BasicGeometry<Scalar>& g) {
   [[maybe_unused]] const auto& [s, c] = angles;
-  const Scalar t0 = c[0] + c[0];
-  const Scalar t1 = Scalar(1) - c[0] * t0;
-  const Scalar t2 = s[0] * t0;
-  const Scalar t3 = s[4] * t1 + c[4] * t2;
-  const Scalar t4 = s[1] * s[2];
-  const Scalar t5 = c[1] * c[2];
-  const Scalar t6 = t3 * t4 - s[4] * t5;
-  const Scalar t7 = s[4] * t2 - c[4] * t1;
-  const Scalar t8 = c[4] * t5 - t4 * t7;
-  const Scalar t9 = c[1] * s[2];
-  const Scalar t10 = c[2] * s[1];
-  const Scalar t11 = c[4] * t9 + t10 * t7;
-  const Scalar t12 = t3 * t10 + s[4] * t9;
-  const Scalar t13 = s[1] + s[1];
-  const Scalar t14 = g.d4 * c[1] * t13;
-  return {Eigen::Quaternion<Scalar>(c[3] * t8 - s[3] * t6,
-                                    -s[3] * t11 - c[3] * t12,
-                                    c[3] * t11 - s[3] * t12,
-                                    -c[3] * t6 - s[3] * t8),
-          Eigen::Matrix<Scalar, 3, 1>(g.h1 - (g.l1 * t2 - t1 * t14),
-                                      -t2 * t14 - g.l1 * t1,
-                                      (q[0] + g.d4 * s[1] * t13) - g.d4)};
+  const Scalar t0 = c[1] * c[2];
+  const Scalar t1 = Scalar(1) - Scalar(2) * s[0] * s[0];
+  const Scalar t2 = c[0] * s[0];
+  const Scalar t3 = Scalar(2) * t2;
+  const Scalar t4 = s[1] * (c[4] * t1 + s[4] * t3);
+  const Scalar t5 = c[4] * t0 - s[2] * t4;
+  const Scalar t6 = s[1] * (c[4] * t3 - s[4] * t1);
+  const Scalar t7 = s[2] * t6 - s[4] * t0;
+  const Scalar t8 = c[1] * s[2];
+  const Scalar t9 = c[4] * t8 + c[2] * t4;
+  const Scalar t10 = c[2] * t6 + s[4] * t8;
+  const Scalar t11 = g.d4 * c[1] * s[1];
+  const Scalar t12 = g.h1 - Scalar(2) * (t11 * t1 + g.l1 * t2);
+  const Scalar t13 = t11 * t3;
+  const Scalar t14 = q[0] - g.d4 * (Scalar(1) - s[1] * Scalar(2) * s[1]);
+  return {Eigen::Quaternion<Scalar>(c[3] * t5 - s[3] * t7,
+                                    -s[3] * t9 - c[3] * t10,
+                                    c[3] * t9 - s[3] * t10,
+                                    -c[3] * t7 - s[3] * t5),
+          Eigen::Matrix<Scalar, 3, 1>(t12,
+                                      -t13 - (t13 - g.l1 * t1),
+                                      t14)};
 }
 
 template <class Scalar, class Angles>

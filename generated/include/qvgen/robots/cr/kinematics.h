@@ -11,7 +11,7 @@
 
 namespace qvgen::robots::cr {
 
-/// Sines and cosines that forward_kinematics needs, of the angles theta1, theta3/2, theta5/2, theta6/2, (theta1 + theta4)/2.
+/// Sines and cosines that forward_kinematics needs, of the angles theta3/2, theta5/2, theta6/2, (theta1 + theta4)/2, (theta1 - theta4)/2.
 template <class Scalar>
 struct PoseAngles {
   std::array<Scalar, 5> sine;

@@ -40,15 +40,15 @@ inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar
   const Scalar t1 = s[3] * s[1];
   const Scalar t2 = c[1] * s[2];
   const Scalar t3 = c[3] * s[1];
-  const Scalar t4 = s[0] + s[0];
-  const Scalar t5 = c[0] * t4;
-  const Scalar t6 = Scalar(1) - s[0] * t4;
+  const Scalar t4 = c[0] + c[0];
+  const Scalar t5 = s[0] * t4;
+  const Scalar t6 = Scalar(1) - c[0] * t4;
   return {Eigen::Quaternion<Scalar>(c[0] * t0 - s[0] * t1,
                                     s[0] * t2 + c[0] * t3,
                                     s[0] * t3 - c[0] * t2,
                                     s[0] * t0 + c[0] * t1),
-          Eigen::Matrix<Scalar, 3, 1>(q[2] * t5 + g.l1 * t6,
-                                      g.l1 * t5 - q[2] * t6,
+          Eigen::Matrix<Scalar, 3, 1>(q[2] * t5 - g.l1 * t6,
+                                      g.l1 * t5 + q[2] * t6,
                                       q[1])};
 }
 

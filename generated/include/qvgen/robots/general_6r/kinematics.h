@@ -33,8 +33,8 @@ TransformAngles<Scalar> transform_angles(const JointVector<Scalar>& q, const Bas
 
 /// Pose of the tool in the world frame: unit quaternion and position (m), by quaternion/vector pairs (thesis 1.12).
 ///
-/// 155 multiplications, 102 additions, 11 sine/cosine pairs. Equal to the plain product of the joints' pairs at 4 random
-/// exact points, tolerance zero; largest rounding error found 15.17 ulp.
+/// 154 multiplications, 103 additions, 11 sine/cosine pairs. Equal to the plain product of the joints' pairs at 4 random
+/// exact points, tolerance zero; largest rounding error found 14.81 ulp.
 ///
 /// NaN or infinite joint variables give NaN. No heap, no exceptions.
 template <class Scalar>
@@ -46,7 +46,7 @@ Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const PoseAngles<S
 
 /// Pose of the tool in the world frame as a homogeneous transformation: rotation matrix and position (m).
 ///
-/// 164 multiplications, 119 additions, 11 sine/cosine pairs. Equal to the plain product of the joints' pairs at 4 random
+/// 168 multiplications, 116 additions, 11 sine/cosine pairs. Equal to the plain product of the joints' pairs at 4 random
 /// exact points, tolerance zero; largest rounding error found 15.96 ulp.
 ///
 /// NaN or infinite joint variables give NaN. No heap, no exceptions.

@@ -10,9 +10,9 @@ namespace qvgen::robots::iiwa14 {
 
 template <class Scalar>
 PoseAngles<Scalar> pose_angles([[maybe_unused]] const JointVector<Scalar>& q, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  [[maybe_unused]] const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[1], Scalar(0.5) * q[2], Scalar(0.5) * q[3], Scalar(0.5) * q[4], Scalar(0.5) * q[6], Scalar(0.5) * (q[0] - q[2]), Scalar(0.5) * (q[3] + q[5]));
-  return { { angles.sine[0], angles.sine[1], angles.sine[2], angles.sine[3], angles.sine[4], angles.sine[5], angles.sine[6] },
-           { angles.cosine[0], angles.cosine[1], angles.cosine[2], angles.cosine[3], angles.cosine[4], angles.cosine[5], angles.cosine[6] }};
+  [[maybe_unused]] const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[1], Scalar(0.5) * q[3], Scalar(0.5) * q[4], Scalar(0.5) * q[6], Scalar(0.5) * (q[0] + q[2]), Scalar(0.5) * (q[3] + q[5]), Scalar(0.5) * (q[3] - q[5]));
+  return { { angles.sine[0], angles.sine[1], angles.sine[2], angles.sine[3], angles.sine[4], angles.sine[5], angles.sine[6], angles.sine[7] },
+           { angles.cosine[0], angles.cosine[1], angles.cosine[2], angles.cosine[3], angles.cosine[4], angles.cosine[5], angles.cosine[6], angles.cosine[7] }};
 }
 
 template <class Scalar>
@@ -88,59 +88,57 @@ inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar
                                        [[maybe_unused]] const Angles& angles,
                                        [[maybe_unused]] const BasicGeometry<Scalar>& g) {
   [[maybe_unused]] const auto& [s, c] = angles;
-  const Scalar t0 = c[1] * s[5] + c[5] * s[1];
-  const Scalar t1 = s[1] * t0;
-  const Scalar t2 = (c[5] - t1) - t1;
-  const Scalar t3 = c[0] * t2;
-  const Scalar t4 = Scalar(2) * c[2];
-  const Scalar t5 = Scalar(1) - c[2] * t4;
-  const Scalar t6 = s[2] * t4;
-  const Scalar t7 = c[3] * (c[6] * t5 - s[6] * t6);
-  const Scalar t8 = s[5] * s[0];
+  const Scalar t0 = c[3] * s[7];
+  const Scalar t1 = c[0] * s[5] - c[5] * s[0];
+  const Scalar t2 = s[5] * s[0] + c[5] * c[0];
+  const Scalar t3 = s[0] * t1 + c[0] * t2;
+  const Scalar t4 = s[1] * t3;
+  const Scalar t5 = c[6] * s[3];
+  const Scalar t6 = c[1] * s[5];
+  const Scalar t7 = c[5] * c[1];
+  const Scalar t8 = c[7] * c[3];
   const Scalar t9 = s[6] * s[3];
-  const Scalar t10 = c[6] * t6 + s[6] * t5;
-  const Scalar t11 = c[3] * t10;
-  const Scalar t12 = c[5] * s[0];
-  const Scalar t13 = c[6] * s[3];
-  const Scalar t14 = c[1] * t0;
-  const Scalar t15 = (s[5] - t14) - t14;
-  const Scalar t16 = c[0] * t15;
-  const Scalar t17 = t8 * t9 - (t11 * t12 + t13 * t16);
-  const Scalar t18 = t3 * t7 + t17;
-  const Scalar t19 = (t8 * t11 + t9 * t12) + t3 * t13;
-  const Scalar t20 = t7 * t16 + t19;
-  const Scalar t21 = (t3 * t9 + t11 * t16) - t7 * t8;
-  const Scalar t22 = t13 * t12 - t21;
-  const Scalar t23 = (t16 * t9 - t3 * t11) + t8 * t13;
-  const Scalar t24 = t23 - t7 * t12;
-  const Scalar t25 = Scalar(2) * c[0];
-  const Scalar t26 = Scalar(1) - c[0] * t25;
-  const Scalar t27 = c[5] * t2;
-  const Scalar t28 = s[5] * t15;
-  const Scalar t29 = t27 - t28;
-  const Scalar t30 = s[6] * t10;
-  const Scalar t31 = Scalar(0.4) + Scalar(0.126) * (t30 - (t5 - t30));
-  const Scalar t32 = c[2] * s[2];
-  const Scalar t33 = c[6] * t10 - t32;
-  const Scalar t34 = t33 * (Scalar(1) - Scalar(2) * s[3] * s[3]);
-  const Scalar t35 = t6 * t31 - Scalar(0.252) * t5 * t34;
-  const Scalar t36 = t33 * c[3] * s[3];
-  const Scalar t37 = c[1] * s[1];
-  const Scalar t38 = t29 * t35 - Scalar(1.008) * t36 * t37;
-  const Scalar t39 = s[0] * t25;
-  const Scalar t40 = t5 * t31 - (Scalar(0.42) - Scalar(0.504) * t32 * t34);
-  const Scalar t41 = t26 * t38 - t39 * t40;
-  const Scalar t42 = t27 + t28;
-  const Scalar t43 = Scalar(2) * (t37 + s[5] * t2);
-  const Scalar t44 = t37 * t35;
-  const Scalar t45 = (t44 + t44) + Scalar(0.504) * t36 * t29;
-  return {Eigen::Quaternion<Scalar>(-c[4] * t18 - s[4] * t20,
-                                    c[4] * t22 + s[4] * t24,
-                                    c[4] * t24 - s[4] * t22,
-                                    c[4] * t20 - s[4] * t18),
-          Eigen::Matrix<Scalar, 3, 1>(t41 * t42 + t43 * t45,
-                                      t43 * t41 - t42 * t45,
-                                      t39 * t38 + (Scalar(0.36) + t26 * t40))};
+  const Scalar t10 = s[0] * t2 - c[0] * t1;
+  const Scalar t11 = s[1] * t10;
+  const Scalar t12 = (t5 * t6 - t7 * t8) + t9 * t11;
+  const Scalar t13 = t0 * t4 - t12;
+  const Scalar t14 = (t8 * t6 + t5 * t7) + t0 * t11;
+  const Scalar t15 = t14 + t4 * t9;
+  const Scalar t16 = (t5 * t4 - t8 * t11) + (t0 * t6 - t9 * t7);
+  const Scalar t17 = t0 * t7 - (t4 * t8 + t5 * t11);
+  const Scalar t18 = t9 * t6 + t17;
+  const Scalar t19 = c[5] * t3;
+  const Scalar t20 = s[5] * t10;
+  const Scalar t21 = t19 - t20;
+  const Scalar t22 = c[2] * s[2];
+  const Scalar t23 = c[7] * s[6] - t22;
+  const Scalar t24 = t23 * (Scalar(1) - Scalar(2) * s[3] * s[3]);
+  const Scalar t25 = s[6] * s[7];
+  const Scalar t26 = c[6] * c[7];
+  const Scalar t27 = t25 - t26;
+  const Scalar t28 = Scalar(0.4) + Scalar(0.126) * (t25 + t26);
+  const Scalar t29 = Scalar(0.42) + (Scalar(0.504) * t22 * t24 - t27 * t28);
+  const Scalar t30 = c[1] * s[1];
+  const Scalar t31 = t29 * t30;
+  const Scalar t32 = s[1] * s[1] - c[1] * c[1];
+  const Scalar t33 = t19 + t20;
+  const Scalar t34 = Scalar(0.252) * t24 * t27 + Scalar(2) * t22 * t28;
+  const Scalar t35 = t23 * c[3] * s[3];
+  const Scalar t36 = t2 * t1;
+  const Scalar t37 = t33 * t34 + Scalar(1.008) * t35 * t36;
+  const Scalar t38 = (t31 + t31) + t32 * t37;
+  const Scalar t39 = c[0] * s[0];
+  const Scalar t40 = t39 + t39;
+  const Scalar t41 = t34 * t36;
+  const Scalar t42 = (t41 + t41) - Scalar(0.504) * t33 * t35;
+  const Scalar t43 = t37 * t30;
+  return {Eigen::Quaternion<Scalar>(c[4] * t13 - s[4] * t15,
+                                    c[4] * t16 - s[4] * t18,
+                                    -s[4] * t16 - c[4] * t18,
+                                    c[4] * t15 + s[4] * t13),
+          Eigen::Matrix<Scalar, 3, 1>(t21 * t38 + t40 * t42,
+                                      t40 * t38 - t21 * t42,
+                                      (t43 + t43) + (Scalar(0.36) - t29 * t32))};
 }
 
 template <class Scalar, class Angles>
@@ -201,7 +199,7 @@ inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
 
 template <class Scalar>
 Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g) {
-  return detail::forward_kinematics<Scalar>(q, sines_and_cosines<Scalar>(Scalar(0.5) * q[1], Scalar(0.5) * q[2], Scalar(0.5) * q[3], Scalar(0.5) * q[4], Scalar(0.5) * q[6], Scalar(0.5) * (q[0] - q[2]), Scalar(0.5) * (q[3] + q[5])), g);
+  return detail::forward_kinematics<Scalar>(q, sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[1], Scalar(0.5) * q[3], Scalar(0.5) * q[4], Scalar(0.5) * q[6], Scalar(0.5) * (q[0] + q[2]), Scalar(0.5) * (q[3] + q[5]), Scalar(0.5) * (q[3] - q[5])), g);
 }
 
 template <class Scalar>

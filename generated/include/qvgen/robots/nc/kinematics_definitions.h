@@ -10,7 +10,7 @@ namespace qvgen::robots::nc {
 
 template <class Scalar>
 PoseAngles<Scalar> pose_angles([[maybe_unused]] const JointVector<Scalar>& q, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  [[maybe_unused]] const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0], q[1], Scalar(0.5) * q[4], Scalar(0.5) * (q[1] + q[3] + q[5]), Scalar(0.5) * (q[1] + q[3] - q[5]));
+  [[maybe_unused]] const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[1], Scalar(0.5) * q[4], Scalar(0.5) * (q[1] + q[3] + q[5]), Scalar(0.5) * (q[1] + q[3] - q[5]));
   return { { angles.sine[0], angles.sine[1], angles.sine[2], angles.sine[3], angles.sine[4] },
            { angles.cosine[0], angles.cosine[1], angles.cosine[2], angles.cosine[3], angles.cosine[4] }};
 }
@@ -44,18 +44,19 @@ inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar
   const Scalar t1 = c[3] * c[2];
   const Scalar t2 = c[4] * s[2];
   const Scalar t3 = c[2] * s[3];
-  const Scalar t4 = c[0] + c[0];
-  const Scalar t5 = s[0] * t4;
-  const Scalar t6 = q[2] + (g.d2 + g.d4);
-  const Scalar t7 = g.l2 * c[1];
-  const Scalar t8 = Scalar(1) - c[0] * t4;
+  const Scalar t4 = s[1] + s[1];
+  const Scalar t5 = g.l2 * (Scalar(1) - s[1] * t4);
+  const Scalar t6 = Scalar(2) * c[0];
+  const Scalar t7 = Scalar(1) - c[0] * t6;
+  const Scalar t8 = q[2] + (g.d2 + g.d4);
+  const Scalar t9 = s[0] * t6;
   return {Eigen::Quaternion<Scalar>(c[0] * t1 - s[0] * t0,
                                     c[0] * t2 + s[0] * t3,
                                     s[0] * t2 - c[0] * t3,
                                     c[0] * t0 + s[0] * t1),
-          Eigen::Matrix<Scalar, 3, 1>(t5 * t6 - t7 * t8,
-                                      t7 * t5 + t6 * t8,
-                                      g.h1 + g.l2 * s[1])};
+          Eigen::Matrix<Scalar, 3, 1>(t8 * t9 - t5 * t7,
+                                      t5 * t9 + t8 * t7,
+                                      g.h1 + t4 * g.l2 * c[1])};
 }
 
 template <class Scalar, class Angles>
@@ -96,7 +97,7 @@ inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
 
 template <class Scalar>
 Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g) {
-  return detail::forward_kinematics<Scalar>(q, sines_and_cosines<Scalar>(Scalar(0.5) * q[0], q[1], Scalar(0.5) * q[4], Scalar(0.5) * (q[1] + q[3] + q[5]), Scalar(0.5) * (q[1] + q[3] - q[5])), g);
+  return detail::forward_kinematics<Scalar>(q, sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[1], Scalar(0.5) * q[4], Scalar(0.5) * (q[1] + q[3] + q[5]), Scalar(0.5) * (q[1] + q[3] - q[5])), g);
 }
 
 template <class Scalar>

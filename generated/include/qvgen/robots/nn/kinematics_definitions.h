@@ -67,26 +67,28 @@ inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar
   const Scalar t14 = s[4] * t4 + c[4] * t9;
   const Scalar t15 = s[4] * t11 + c[4] * t12;
   const Scalar t16 = g.d4 * t7;
-  const Scalar t17 = c[0] * c[1];
-  const Scalar t18 = c[0] * s[1];
+  const Scalar t17 = c[1] * s[0];
+  const Scalar t18 = s[0] * s[1];
   const Scalar t19 = g.l2 * t18;
-  const Scalar t20 = g.l1 * s[0];
-  const Scalar t21 = g.d4 * t8;
-  const Scalar t22 = s[0] * s[1];
-  const Scalar t23 = g.l2 * t22;
-  const Scalar t24 = (t17 * t19 - c[0] * t20) + (t2 * t21 - c[1] * s[0] * t23);
-  const Scalar t25 = t17 * t23;
-  const Scalar t26 = (g.d4 + g.l1) - Scalar(2) * (s[0] * t20 - t25);
-  const Scalar t27 = Scalar(2) * (t25 - (t7 * t16 + t8 * t21));
-  const Scalar t28 = g.h1 + Scalar(2) * (t2 * t16 - t22 * t23);
-  const Scalar t29 = (g.l2 + t28) + Scalar(2) * (t3 * t21 - t18 * t19);
+  const Scalar t20 = g.d4 * t8;
+  const Scalar t21 = g.l1 * s[0];
+  const Scalar t22 = t17 * t19 - (t2 * t20 - c[0] * t21);
+  const Scalar t23 = c[0] * s[1];
+  const Scalar t24 = g.l2 * t23;
+  const Scalar t25 = t3 * t16 + (t22 - c[0] * c[1] * t24);
+  const Scalar t26 = t24 * t17;
+  const Scalar t27 = s[0] * t21 - t26;
+  const Scalar t28 = (t7 * t16 - t26) + t8 * t20;
+  const Scalar t29 = ((g.d4 + g.l1) - (t27 + t27)) - (t28 + t28);
+  const Scalar t30 = t2 * t16 - t18 * t19;
+  const Scalar t31 = ((t30 + t30) + (g.h1 + g.l2)) + Scalar(2) * (t3 * t20 - t23 * t24);
   return {Eigen::Quaternion<Scalar>(s[5] * t13 - c[5] * t10,
                                     c[5] * t14 + s[5] * t15,
                                     c[5] * t13 + s[5] * t10,
                                     c[5] * t15 - s[5] * t14),
-          Eigen::Matrix<Scalar, 3, 1>(Scalar(2) * (t3 * t16 - t24),
-                                      -t26 - t27,
-                                      t29)};
+          Eigen::Matrix<Scalar, 3, 1>(t25 + t25,
+                                      -t29,
+                                      t31)};
 }
 
 template <class Scalar, class Angles>

@@ -36,18 +36,18 @@ inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar
                                        [[maybe_unused]] const Angles& angles,
                                        [[maybe_unused]] const BasicGeometry<Scalar>& g) {
   [[maybe_unused]] const auto& [s, c] = angles;
-  const Scalar t0 = q[2] * s[1];
-  const Scalar t1 = Scalar(2) * c[1] * t0;
-  const Scalar t2 = Scalar(2) * c[0];
-  const Scalar t3 = Scalar(1) - c[0] * t2;
-  const Scalar t4 = s[0] * t2;
+  const Scalar t0 = c[0] + c[0];
+  const Scalar t1 = s[0] * t0;
+  const Scalar t2 = Scalar(1) - c[0] * t0;
+  const Scalar t3 = Scalar(2) * s[1];
+  const Scalar t4 = q[2] * c[1] * t3;
   return {Eigen::Quaternion<Scalar>(c[0] * c[1],
                                     s[0] * s[1],
                                     -c[0] * s[1],
                                     c[1] * s[0]),
-          Eigen::Matrix<Scalar, 3, 1>(t1 * t3 + g.d2 * t4,
-                                      g.d2 * t3 - t1 * t4,
-                                      g.h1 + (q[2] - Scalar(2) * s[1] * t0))};
+          Eigen::Matrix<Scalar, 3, 1>(g.d2 * t1 + t2 * t4,
+                                      g.d2 * t2 - t1 * t4,
+                                      (q[2] + g.h1) - t3 * q[2] * s[1])};
 }
 
 template <class Scalar, class Angles>

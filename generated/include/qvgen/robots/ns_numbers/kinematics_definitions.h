@@ -36,19 +36,19 @@ inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar
                                        [[maybe_unused]] const Angles& angles,
                                        [[maybe_unused]] const BasicGeometry<Scalar>& g) {
   [[maybe_unused]] const auto& [s, c] = angles;
-  const Scalar t0 = s[0] + s[0];
-  const Scalar t1 = c[0] * t0;
-  const Scalar t2 = Scalar(1) - s[0] * t0;
-  const Scalar t3 = Scalar(0.4) + q[2];
-  const Scalar t4 = Scalar(2) * s[1];
-  const Scalar t5 = c[1] * t3 * t4;
+  const Scalar t0 = Scalar(0.4) + q[2];
+  const Scalar t1 = c[1] + c[1];
+  const Scalar t2 = s[1] * t0 * t1;
+  const Scalar t3 = c[0] + c[0];
+  const Scalar t4 = Scalar(1) - c[0] * t3;
+  const Scalar t5 = s[0] * t3;
   return {Eigen::Quaternion<Scalar>(c[0] * c[1],
                                     s[0] * s[1],
                                     -c[0] * s[1],
                                     c[1] * s[0]),
-          Eigen::Matrix<Scalar, 3, 1>(Scalar(0.2) * t1 - t2 * t5,
-                                      -t5 * t1 - Scalar(0.2) * t2,
-                                      Scalar(0.5) + (Scalar(1) - s[1] * t4) * t3)};
+          Eigen::Matrix<Scalar, 3, 1>(t2 * t4 + Scalar(0.2) * t5,
+                                      Scalar(0.2) * t4 - t5 * t2,
+                                      Scalar(0.5) - t0 * (Scalar(1) - c[1] * t1))};
 }
 
 template <class Scalar, class Angles>

@@ -10,7 +10,7 @@ namespace qvgen::robots::planar_3r {
 
 template <class Scalar>
 PoseAngles<Scalar> pose_angles([[maybe_unused]] const JointVector<Scalar>& q, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  [[maybe_unused]] const auto angles = sines_and_cosines<Scalar>(q[0], Scalar(0.5) * (q[0] + q[1]), Scalar(0.5) * (q[0] + q[1] + q[2]));
+  [[maybe_unused]] const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * (q[0] + q[1]), Scalar(0.5) * (q[0] + q[1] + q[2]));
   return { { angles.sine[0], angles.sine[1], angles.sine[2] },
            { angles.cosine[0], angles.cosine[1], angles.cosine[2] }};
 }
@@ -36,17 +36,18 @@ inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar
                                        [[maybe_unused]] const Angles& angles,
                                        [[maybe_unused]] const BasicGeometry<Scalar>& g) {
   [[maybe_unused]] const auto& [s, c] = angles;
-  const Scalar t0 = g.l2 * s[1];
-  const Scalar t1 = g.l3 * s[2];
-  const Scalar t2 = s[1] * t0 + s[2] * t1;
-  const Scalar t3 = (g.l3 + g.l1 * c[0]) + (g.l2 - (t2 + t2));
-  const Scalar t4 = Scalar(2) * c[1] * t0 + (g.l1 * s[0] + t1 * (c[2] + c[2]));
+  const Scalar t0 = g.l1 * s[0];
+  const Scalar t1 = g.l2 * s[1];
+  const Scalar t2 = g.l3 * s[2];
+  const Scalar t3 = g.l2 - Scalar(2) * (s[1] * t1 + s[2] * t2);
+  const Scalar t4 = (g.l1 + (g.l3 - Scalar(2) * s[0] * t0)) + t3;
+  const Scalar t5 = (c[1] * t1 + c[0] * t0) + c[2] * t2;
   return {Eigen::Quaternion<Scalar>(c[2],
                                     Scalar(0),
                                     Scalar(0),
                                     s[2]),
-          Eigen::Matrix<Scalar, 3, 1>(t3,
-                                      t4,
+          Eigen::Matrix<Scalar, 3, 1>(t4,
+                                      t5 + t5,
                                       Scalar(0))};
 }
 
@@ -78,7 +79,7 @@ inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
 
 template <class Scalar>
 Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g) {
-  return detail::forward_kinematics<Scalar>(q, sines_and_cosines<Scalar>(q[0], Scalar(0.5) * (q[0] + q[1]), Scalar(0.5) * (q[0] + q[1] + q[2])), g);
+  return detail::forward_kinematics<Scalar>(q, sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * (q[0] + q[1]), Scalar(0.5) * (q[0] + q[1] + q[2])), g);
 }
 
 template <class Scalar>

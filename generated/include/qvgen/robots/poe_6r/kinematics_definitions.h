@@ -10,7 +10,7 @@ namespace qvgen::robots::poe_6r {
 
 template <class Scalar>
 PoseAngles<Scalar> pose_angles([[maybe_unused]] const JointVector<Scalar>& q, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  [[maybe_unused]] const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[1], Scalar(0.5) * q[3], Scalar(0.5) * q[5], q[1] + q[2], Scalar(0.5) * (q[1] + q[2] - q[4]));
+  [[maybe_unused]] const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0], q[1], Scalar(0.5) * q[3], Scalar(0.5) * q[5], Scalar(0.5) * (q[1] + q[2]), Scalar(0.5) * (q[1] + q[2] - q[4]));
   return { { angles.sine[0], angles.sine[1], angles.sine[2], angles.sine[3], angles.sine[4], angles.sine[5] },
            { angles.cosine[0], angles.cosine[1], angles.cosine[2], angles.cosine[3], angles.cosine[4], angles.cosine[5] }};
 }
@@ -53,35 +53,38 @@ inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar
                                        [[maybe_unused]] const Angles& angles,
                                        [[maybe_unused]] const BasicGeometry<Scalar>& g) {
   [[maybe_unused]] const auto& [s, c] = angles;
-  const Scalar t0 = c[3] * s[2];
-  const Scalar t1 = c[2] * (c[5] * s[4] - c[4] * s[5]);
-  const Scalar t2 = s[5] * t0 + s[3] * t1;
-  const Scalar t3 = c[2] * (c[5] * c[4] + s[5] * s[4]);
-  const Scalar t4 = s[2] * s[3];
-  const Scalar t5 = c[3] * t3 - c[5] * t4;
-  const Scalar t6 = s[0] * t2 + c[0] * t5;
-  const Scalar t7 = c[3] * t1 - s[5] * t4;
-  const Scalar t8 = c[5] * t0 + s[3] * t3;
-  const Scalar t9 = s[0] * t7 - c[0] * t8;
-  const Scalar t10 = s[0] * t8 + c[0] * t7;
-  const Scalar t11 = c[0] * t2 - s[0] * t5;
-  const Scalar t12 = Scalar(2) * c[1];
-  const Scalar t13 = (g.a3 * s[4] + g.d2 * c[4]) + g.a2 * s[1] * t12;
-  const Scalar t14 = g.d1 + t13;
-  const Scalar t15 = c[0] * c[0];
-  const Scalar t16 = g.d3 * t10;
-  const Scalar t17 = g.d3 * t11;
-  const Scalar t18 = (g.d3 - t14 * (Scalar(1) - (t15 + t15))) - Scalar(2) * (t16 * t10 + t11 * t17);
-  const Scalar t19 = (t16 * t9 + t17 * t6) - t14 * c[0] * s[0];
-  const Scalar t20 = Scalar(2) * t17 * t9 + (g.a1 + g.a3 * c[4]);
-  const Scalar t21 = t20 - (g.d2 * s[4] + Scalar(2) * t16 * t6);
-  return {Eigen::Quaternion<Scalar>(t6,
-                                    -t9,
-                                    t10,
-                                    -t11),
-          Eigen::Matrix<Scalar, 3, 1>(t18,
-                                      -t19 - t19,
-                                      t21 - g.a2 * (Scalar(1) - c[1] * t12))};
+  const Scalar t0 = s[4] * s[4];
+  const Scalar t1 = Scalar(1) - (t0 + t0);
+  const Scalar t2 = c[4] * s[4];
+  const Scalar t3 = Scalar(2) * t2;
+  const Scalar t4 = c[2] * (c[5] * t1 + s[5] * t3);
+  const Scalar t5 = s[5] * s[2];
+  const Scalar t6 = c[0] * t4 + s[0] * t5;
+  const Scalar t7 = c[5] * s[2];
+  const Scalar t8 = c[2] * (s[5] * t1 - c[5] * t3);
+  const Scalar t9 = c[0] * t7 + s[0] * t8;
+  const Scalar t10 = c[3] * t6 - s[3] * t9;
+  const Scalar t11 = s[3] * t6 + c[3] * t9;
+  const Scalar t12 = c[0] * t8 - s[0] * t7;
+  const Scalar t13 = s[0] * t4 - c[0] * t5;
+  const Scalar t14 = c[3] * t12 - s[3] * t13;
+  const Scalar t15 = c[3] * t13 + s[3] * t12;
+  const Scalar t16 = s[0] * s[0];
+  const Scalar t17 = g.d2 * t1 + ((g.d1 + g.a2 * s[1]) + g.a3 * t3);
+  const Scalar t18 = g.d3 * t15;
+  const Scalar t19 = g.d3 * t14;
+  const Scalar t20 = t18 * t15 + t19 * t14;
+  const Scalar t21 = (Scalar(1) - (t16 + t16)) * t17 - (t20 + t20);
+  const Scalar t22 = (t18 * t10 - t19 * t11) + c[0] * s[0] * t17;
+  const Scalar t23 = Scalar(2) * t18 * t11 + (g.a1 + g.a2 * c[1]);
+  const Scalar t24 = Scalar(2) * (g.d2 * t2 - t19 * t10) - (g.a3 * t1 + t23);
+  return {Eigen::Quaternion<Scalar>(t10,
+                                    t11,
+                                    -t14,
+                                    t15),
+          Eigen::Matrix<Scalar, 3, 1>(g.d3 + t21,
+                                      Scalar(2) * t22,
+                                      -t24)};
 }
 
 template <class Scalar, class Angles>
@@ -107,8 +110,8 @@ inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
   const Scalar t15 = s[0] * t7 - c[0] * t10;
   const Scalar t16 = g.d2 + g.d3 * c[3];
   const Scalar t17 = g.a3 - g.d3 * t0;
-  const Scalar t18 = c[5] * t16 + (g.d1 + (s[5] * t17 + g.a2 * s[1]));
-  const Scalar t19 = c[5] * t17 + (g.a1 - (s[5] * t16 - g.a2 * c[1]));
+  const Scalar t18 = ((g.d1 + c[5] * t16) + g.a2 * s[1]) + s[5] * t17;
+  const Scalar t19 = c[5] * t17 - (s[5] * t16 - (g.a1 + g.a2 * c[1]));
   Eigen::Transform<Scalar, 3, Eigen::Isometry> tool;
   tool(0, 0) = -t4;
   tool(0, 1) = t5 * t11 + t13 * t14;
@@ -130,7 +133,7 @@ inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
 
 template <class Scalar>
 Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g) {
-  return detail::forward_kinematics<Scalar>(q, sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[1], Scalar(0.5) * q[3], Scalar(0.5) * q[5], q[1] + q[2], Scalar(0.5) * (q[1] + q[2] - q[4])), g);
+  return detail::forward_kinematics<Scalar>(q, sines_and_cosines<Scalar>(Scalar(0.5) * q[0], q[1], Scalar(0.5) * q[3], Scalar(0.5) * q[5], Scalar(0.5) * (q[1] + q[2]), Scalar(0.5) * (q[1] + q[2] - q[4])), g);
 }
 
 template <class Scalar>

@@ -63,16 +63,16 @@ inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar
   const Scalar t10 = c[2] * (c[5] * s[4] - c[4] * s[5]);
   const Scalar t11 = t5 - t6;
   const Scalar t12 = Scalar(0.4318) * (c[1] - s[4]) + Scalar(0.0203) * c[4];
-  const Scalar t13 = Scalar(2) * c[0];
-  const Scalar t14 = Scalar(1) - c[0] * t13;
-  const Scalar t15 = s[0] * t13;
-  const Scalar t16 = Scalar(0.0203) * s[4] + (Scalar(0.672) + Scalar(0.4318) * (c[4] + s[1]));
+  const Scalar t13 = Scalar(2) * s[0];
+  const Scalar t14 = Scalar(1) - s[0] * t13;
+  const Scalar t15 = c[0] * t13;
+  const Scalar t16 = (Scalar(0.672) + Scalar(0.0203) * s[4]) + Scalar(0.4318) * (c[4] + s[1]);
   return {Eigen::Quaternion<Scalar>(-t0 * t3 - t4 * t7,
                                     t10 * t11 - t8 * t9,
                                     -t10 * t8 - t9 * t11,
                                     t0 * t7 - t4 * t3),
-          Eigen::Matrix<Scalar, 3, 1>(Scalar(0.15005) * t15 - t12 * t14,
-                                      t12 * t15 + Scalar(0.15005) * t14,
+          Eigen::Matrix<Scalar, 3, 1>(t12 * t14 + Scalar(0.15005) * t15,
+                                      t12 * t15 - Scalar(0.15005) * t14,
                                       t16)};
 }
 
@@ -83,30 +83,30 @@ inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
   [[maybe_unused]] const auto& [s, c] = angles;
   const Scalar t0 = c[3] * s[4];
   const Scalar t1 = c[2] * t0 + c[4] * s[2];
-  const Scalar t2 = s[3] * s[4];
-  const Scalar t3 = s[5] * t1 + c[5] * t2;
-  const Scalar t4 = c[2] * s[3];
-  const Scalar t5 = c[5] * t4 + c[3] * s[5];
-  const Scalar t6 = s[2] * s[3];
-  const Scalar t7 = s[0] * t5 + c[0] * t6;
-  const Scalar t8 = c[5] * t1 - s[5] * t2;
-  const Scalar t9 = s[2] * t0 - c[2] * c[4];
-  const Scalar t10 = s[0] * t8 + c[0] * t9;
-  const Scalar t11 = s[5] * t4 - c[5] * c[3];
-  const Scalar t12 = s[0] * t9 - c[0] * t8;
-  const Scalar t13 = c[0] * t5 - s[0] * t6;
+  const Scalar t2 = c[5] * s[3];
+  const Scalar t3 = s[5] * t1 + s[4] * t2;
+  const Scalar t4 = c[2] * t2 + c[3] * s[5];
+  const Scalar t5 = s[2] * s[3];
+  const Scalar t6 = s[0] * t4 + c[0] * t5;
+  const Scalar t7 = s[5] * s[3];
+  const Scalar t8 = c[5] * c[3] - c[2] * t7;
+  const Scalar t9 = s[4] * t7 - c[5] * t1;
+  const Scalar t10 = s[2] * t0 - c[2] * c[4];
+  const Scalar t11 = s[0] * t9 - c[0] * t10;
+  const Scalar t12 = s[0] * t10 + c[0] * t9;
+  const Scalar t13 = c[0] * t4 - s[0] * t5;
   const Scalar t14 = Scalar(0.4318) * (c[1] - s[5]) + Scalar(0.0203) * c[5];
-  const Scalar t15 = (Scalar(0.672) + Scalar(0.0203) * s[5]) + Scalar(0.4318) * (c[5] + s[1]);
+  const Scalar t15 = Scalar(0.672) + (Scalar(0.4318) * (c[5] + s[1]) + Scalar(0.0203) * s[5]);
   Eigen::Transform<Scalar, 3, Eigen::Isometry> tool;
-  tool(0, 0) = t10 * t11 - t3 * t7;
+  tool(0, 0) = t8 * t11 - t3 * t6;
   tool(0, 1) = t12;
   tool(0, 2) = -t13;
-  tool(1, 0) = t11 * t12 + t3 * t13;
-  tool(1, 1) = -t10;
-  tool(1, 2) = -t7;
-  tool(2, 0) = -t7 * t12 - t10 * t13;
+  tool(1, 0) = t3 * t13 - t12 * t8;
+  tool(1, 1) = t11;
+  tool(1, 2) = -t6;
+  tool(2, 0) = t11 * t13 - t12 * t6;
   tool(2, 1) = -t3;
-  tool(2, 2) = -t11;
+  tool(2, 2) = t8;
   tool(0, 3) = c[0] * t14 + Scalar(0.15005) * s[0];
   tool(1, 3) = s[0] * t14 - Scalar(0.15005) * c[0];
   tool(2, 3) = t15;

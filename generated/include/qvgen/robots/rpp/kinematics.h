@@ -33,8 +33,8 @@ TransformAngles<Scalar> transform_angles(const JointVector<Scalar>& q, const Bas
 
 /// Pose of the tool in the world frame: unit quaternion and position (m), by quaternion/vector pairs (thesis 1.12).
 ///
-/// 8 multiplications, 4 additions, 1 sine/cosine pair. Equal to the plain product of the joints' pairs at 4 random
-/// exact points, tolerance zero; largest rounding error found 3.12 ulp.
+/// 9 multiplications, 3 additions, 1 sine/cosine pair. Equal to the plain product of the joints' pairs at 4 random
+/// exact points, tolerance zero; largest rounding error found 3.4 ulp.
 ///
 /// NaN or infinite joint variables give NaN. No heap, no exceptions.
 template <class Scalar>

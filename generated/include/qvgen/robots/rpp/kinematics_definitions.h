@@ -38,15 +38,15 @@ inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar
   [[maybe_unused]] const auto& [s, c] = angles;
   const Scalar t0 = Scalar(0.7071067811865476) * c[0];
   const Scalar t1 = Scalar(0.7071067811865476) * s[0];
-  const Scalar t2 = s[0] + s[0];
-  const Scalar t3 = c[0] * t2;
-  const Scalar t4 = Scalar(1) - s[0] * t2;
+  const Scalar t2 = Scalar(2) * c[0];
+  const Scalar t3 = Scalar(1) - c[0] * t2;
+  const Scalar t4 = s[0] * t2;
   return {Eigen::Quaternion<Scalar>(t0,
                                     t0,
                                     t1,
                                     t1),
-          Eigen::Matrix<Scalar, 3, 1>(q[2] * t3 + g.l1 * t4,
-                                      g.l1 * t3 - q[2] * t4,
+          Eigen::Matrix<Scalar, 3, 1>(q[2] * t4 - g.l1 * t3,
+                                      q[2] * t3 + g.l1 * t4,
                                       q[1])};
 }
 

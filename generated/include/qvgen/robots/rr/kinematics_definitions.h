@@ -56,17 +56,16 @@ inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar
   const Scalar t5 = s[0] * t3 + c[0] * t4;
   const Scalar t6 = c[0] * t0 + s[0] * t1;
   const Scalar t7 = s[0] * t4 - c[0] * t3;
-  const Scalar t8 = q[1] - g.d4 * (s[3] * s[4] - c[3] * c[4]);
-  const Scalar t9 = g.l2 + t8;
-  const Scalar t10 = s[0] + s[0];
-  const Scalar t11 = g.h1 - g.d4 * (c[4] * s[3] + c[3] * s[4]);
+  const Scalar t8 = (q[1] + g.l2) - g.d4 * (s[3] * s[4] - c[3] * c[4]);
+  const Scalar t9 = Scalar(2) * s[0];
+  const Scalar t10 = g.h1 - g.d4 * (c[4] * s[3] + c[3] * s[4]);
   return {Eigen::Quaternion<Scalar>(s[2] * t2 + c[2] * t5,
                                     c[2] * t6 + s[2] * t7,
                                     c[2] * t2 - s[2] * t5,
                                     c[2] * t7 - s[2] * t6),
-          Eigen::Matrix<Scalar, 3, 1>(c[0] * t9 * t10,
-                                      -(Scalar(1) - s[0] * t10) * t9,
-                                      t11)};
+          Eigen::Matrix<Scalar, 3, 1>(t8 * c[0] * t9,
+                                      -t8 * (Scalar(1) - s[0] * t9),
+                                      t10)};
 }
 
 template <class Scalar, class Angles>

@@ -36,19 +36,19 @@ inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar
                                        [[maybe_unused]] const Angles& angles,
                                        [[maybe_unused]] const BasicGeometry<Scalar>& g) {
   [[maybe_unused]] const auto& [s, c] = angles;
-  const Scalar t0 = Scalar(2) * s[0];
-  const Scalar t1 = c[0] * t0;
-  const Scalar t2 = Scalar(2) * s[1];
+  const Scalar t0 = Scalar(2) * c[0];
+  const Scalar t1 = s[0] * t0;
+  const Scalar t2 = s[1] + s[1];
   const Scalar t3 = q[2] + g.l2;
-  const Scalar t4 = c[1] * t2 * t3;
-  const Scalar t5 = Scalar(1) - s[0] * t0;
+  const Scalar t4 = t2 * c[1] * t3;
+  const Scalar t5 = Scalar(1) - c[0] * t0;
   return {Eigen::Quaternion<Scalar>(c[0] * c[1],
                                     s[0] * s[1],
                                     -c[0] * s[1],
                                     c[1] * s[0]),
-          Eigen::Matrix<Scalar, 3, 1>(g.d2 * t1 - t4 * t5,
-                                      -t4 * t1 - g.d2 * t5,
-                                      g.h1 + (Scalar(1) - s[1] * t2) * t3)};
+          Eigen::Matrix<Scalar, 3, 1>(g.d2 * t1 + t4 * t5,
+                                      g.d2 * t5 - t4 * t1,
+                                      g.h1 + t3 * (Scalar(1) - s[1] * t2))};
 }
 
 template <class Scalar, class Angles>

@@ -40,19 +40,19 @@ inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar
   const Scalar t1 = c[2] * c[0];
   const Scalar t2 = c[2] * s[0];
   const Scalar t3 = c[0] * s[2];
-  const Scalar t4 = Scalar(2) * c[0];
-  const Scalar t5 = Scalar(1) - c[0] * t4;
-  const Scalar t6 = s[2] + s[2];
-  const Scalar t7 = g.l2 * c[1] + g.l3 * (Scalar(1) - s[2] * t6);
-  const Scalar t8 = s[0] * t4;
-  const Scalar t9 = g.l2 * s[1] - (g.h1 - g.l3 * c[2] * t6);
+  const Scalar t4 = s[0] + s[0];
+  const Scalar t5 = c[0] * t4;
+  const Scalar t6 = Scalar(1) - s[0] * t4;
+  const Scalar t7 = s[2] + s[2];
+  const Scalar t8 = g.l2 * c[1] + g.l3 * (Scalar(1) - s[2] * t7);
+  const Scalar t9 = g.h1 - (g.l2 * s[1] + g.l3 * c[2] * t7);
   return {Eigen::Quaternion<Scalar>(-Scalar(0.7071067811865476) * (t0 - t1),
                                     -Scalar(0.7071067811865476) * (t0 + t1),
                                     -Scalar(0.7071067811865476) * (t2 - t3),
                                     Scalar(0.7071067811865476) * (t2 + t3)),
-          Eigen::Matrix<Scalar, 3, 1>(-t5 * t7 - g.d2 * t8,
-                                      t8 * t7 - g.d2 * t5,
-                                      -t9)};
+          Eigen::Matrix<Scalar, 3, 1>(t6 * t8 - g.d2 * t5,
+                                      g.d2 * t6 + t5 * t8,
+                                      t9)};
 }
 
 template <class Scalar, class Angles>

@@ -46,8 +46,8 @@ Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const PoseAngles<S
 
 /// Pose of the tool in the world frame as a homogeneous transformation: rotation matrix and position (m).
 ///
-/// 16 multiplications, 7 additions, 5 sine/cosine pairs. Equal to the plain product of the joints' pairs at 4 random
-/// exact points, tolerance zero; largest rounding error found 1.79 ulp.
+/// 17 multiplications, 7 additions, 5 sine/cosine pairs. Equal to the plain product of the joints' pairs at 4 random
+/// exact points, tolerance zero; largest rounding error found 2.53 ulp.
 ///
 /// NaN or infinite joint variables give NaN. No heap, no exceptions.
 template <class Scalar>

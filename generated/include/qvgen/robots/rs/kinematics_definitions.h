@@ -51,19 +51,21 @@ inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
     [[maybe_unused]] const JointVector<Scalar>& q, [[maybe_unused]] const Angles& angles,
     [[maybe_unused]] const BasicGeometry<Scalar>& g) {
   [[maybe_unused]] const auto& [s, c] = angles;
-  const Scalar t0 = c[4] * c[2];
-  const Scalar t1 = s[4] * s[2];
-  const Scalar t2 = c[2] * s[4];
-  const Scalar t3 = c[4] * s[2];
+  const Scalar t0 = c[1] * s[4];
+  const Scalar t1 = c[4] * c[2] + s[2] * t0;
+  const Scalar t2 = s[1] * s[2];
+  const Scalar t3 = s[4] * s[1];
+  const Scalar t4 = c[4] * s[2] - c[2] * t0;
+  const Scalar t5 = c[2] * s[1];
   Eigen::Transform<Scalar, 3, Eigen::Isometry> tool;
-  tool(0, 0) = c[1] * t0 + t1;
-  tool(0, 1) = c[1] * t3 - t2;
+  tool(0, 0) = c[1] * t1 + t2 * t3;
+  tool(0, 1) = c[1] * t4 - t3 * t5;
   tool(0, 2) = -c[4] * s[1];
-  tool(1, 0) = c[1] * t2 - t3;
-  tool(1, 1) = c[1] * t1 + t0;
-  tool(1, 2) = -s[4] * s[1];
-  tool(2, 0) = c[2] * s[1];
-  tool(2, 1) = s[1] * s[2];
+  tool(1, 0) = -t4;
+  tool(1, 1) = t1;
+  tool(1, 2) = -t3;
+  tool(2, 0) = t5;
+  tool(2, 1) = t2;
   tool(2, 2) = c[1];
   tool(0, 3) = g.l1 * c[0] + g.l2 * c[3];
   tool(1, 3) = g.l2 * s[3] + g.l1 * s[0];

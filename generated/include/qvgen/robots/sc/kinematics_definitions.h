@@ -47,7 +47,7 @@ inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar
                                     -s[0] * t2 - s[2] * t0),
           Eigen::Matrix<Scalar, 3, 1>(-c[0] * t4,
                                       q[1] + g.l1,
-                                      (q[0] + s[0] * t4) - g.d4)};
+                                      q[0] - (g.d4 - s[0] * t4))};
 }
 
 template <class Scalar, class Angles>

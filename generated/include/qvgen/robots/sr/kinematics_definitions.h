@@ -46,14 +46,14 @@ inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar
   const Scalar t3 = c[2] * s[1];
   const Scalar t4 = g.d4 * s[2];
   const Scalar t5 = g.l2 * s[0];
-  const Scalar t6 = g.l2 + Scalar(2) * (c[2] * t4 - s[0] * t5);
-  const Scalar t7 = s[2] * t4 + c[0] * t5;
+  const Scalar t6 = Scalar(2) * (c[2] * t4 - s[0] * t5) + (g.l1 + g.l2);
+  const Scalar t7 = g.d4 - Scalar(2) * (s[2] * t4 + c[0] * t5);
   return {Eigen::Quaternion<Scalar>(c[2] * t1 - s[4] * t0,
                                     s[2] * t2 + c[4] * t3,
                                     c[4] * t0 - c[2] * t2,
                                     s[4] * t3 + s[2] * t1),
-          Eigen::Matrix<Scalar, 3, 1>(g.l1 + t6,
-                                      (t7 + t7) - g.d4,
+          Eigen::Matrix<Scalar, 3, 1>(t6,
+                                      -t7,
                                       q[0])};
 }
 
