@@ -64,6 +64,6 @@ TEST_P(RandomRobots, DeriveToTheReferencePose) {
     EXPECT_NEAR(m[i], expected.linear()(static_cast<Eigen::Index>(i / 3), static_cast<Eigen::Index>(i % 3)), 1e-13) << text;
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, RandomRobots, testing::Range(1U, 61U));
+INSTANTIATE_TEST_SUITE_P(Seeds, RandomRobots, testing::Range(1U, 41U));
 
 }  // namespace

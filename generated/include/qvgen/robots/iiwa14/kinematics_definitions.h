@@ -10,9 +10,9 @@ namespace qvgen::robots::iiwa14 {
 
 template <class Scalar>
 PoseAngles<Scalar> pose_angles([[maybe_unused]] const JointVector<Scalar>& q, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  [[maybe_unused]] const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[1], Scalar(0.5) * q[3], Scalar(0.5) * q[4], Scalar(0.5) * q[6], Scalar(0.5) * (q[0] + q[2]), Scalar(0.5) * (q[3] + q[5]), Scalar(0.5) * (q[3] - q[5]));
-  return { { angles.sine[0], angles.sine[1], angles.sine[2], angles.sine[3], angles.sine[4], angles.sine[5], angles.sine[6], angles.sine[7] },
-           { angles.cosine[0], angles.cosine[1], angles.cosine[2], angles.cosine[3], angles.cosine[4], angles.cosine[5], angles.cosine[6], angles.cosine[7] }};
+  [[maybe_unused]] const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[1], Scalar(0.5) * q[2], Scalar(0.5) * q[3], Scalar(0.5) * q[4], Scalar(0.5) * q[5], Scalar(0.5) * q[6]);
+  return { { angles.sine[0], angles.sine[1], angles.sine[2], angles.sine[3], angles.sine[4], angles.sine[5], angles.sine[6] },
+           { angles.cosine[0], angles.cosine[1], angles.cosine[2], angles.cosine[3], angles.cosine[4], angles.cosine[5], angles.cosine[6] }};
 }
 
 template <class Scalar>
@@ -88,57 +88,80 @@ inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar
                                        [[maybe_unused]] const Angles& angles,
                                        [[maybe_unused]] const BasicGeometry<Scalar>& g) {
   [[maybe_unused]] const auto& [s, c] = angles;
-  const Scalar t0 = c[3] * s[7];
-  const Scalar t1 = c[0] * s[5] - c[5] * s[0];
-  const Scalar t2 = s[5] * s[0] + c[5] * c[0];
-  const Scalar t3 = s[0] * t1 + c[0] * t2;
-  const Scalar t4 = s[1] * t3;
-  const Scalar t5 = c[6] * s[3];
-  const Scalar t6 = c[1] * s[5];
-  const Scalar t7 = c[5] * c[1];
-  const Scalar t8 = c[7] * c[3];
-  const Scalar t9 = s[6] * s[3];
-  const Scalar t10 = s[0] * t2 - c[0] * t1;
-  const Scalar t11 = s[1] * t10;
-  const Scalar t12 = (t5 * t6 - t7 * t8) + t9 * t11;
-  const Scalar t13 = t0 * t4 - t12;
-  const Scalar t14 = (t8 * t6 + t5 * t7) + t0 * t11;
-  const Scalar t15 = t14 + t4 * t9;
-  const Scalar t16 = (t5 * t4 - t8 * t11) + (t0 * t6 - t9 * t7);
-  const Scalar t17 = t0 * t7 - (t4 * t8 + t5 * t11);
-  const Scalar t18 = t9 * t6 + t17;
-  const Scalar t19 = c[5] * t3;
-  const Scalar t20 = s[5] * t10;
-  const Scalar t21 = t19 - t20;
-  const Scalar t22 = c[2] * s[2];
-  const Scalar t23 = c[7] * s[6] - t22;
-  const Scalar t24 = t23 * (Scalar(1) - Scalar(2) * s[3] * s[3]);
-  const Scalar t25 = s[6] * s[7];
-  const Scalar t26 = c[6] * c[7];
-  const Scalar t27 = t25 - t26;
-  const Scalar t28 = Scalar(0.4) + Scalar(0.126) * (t25 + t26);
-  const Scalar t29 = Scalar(0.42) + (Scalar(0.504) * t22 * t24 - t27 * t28);
-  const Scalar t30 = c[1] * s[1];
-  const Scalar t31 = t29 * t30;
-  const Scalar t32 = s[1] * s[1] - c[1] * c[1];
-  const Scalar t33 = t19 + t20;
-  const Scalar t34 = Scalar(0.252) * t24 * t27 + Scalar(2) * t22 * t28;
-  const Scalar t35 = t23 * c[3] * s[3];
-  const Scalar t36 = t2 * t1;
-  const Scalar t37 = t33 * t34 + Scalar(1.008) * t35 * t36;
-  const Scalar t38 = (t31 + t31) + t32 * t37;
-  const Scalar t39 = c[0] * s[0];
-  const Scalar t40 = t39 + t39;
-  const Scalar t41 = t34 * t36;
-  const Scalar t42 = (t41 + t41) - Scalar(0.504) * t33 * t35;
-  const Scalar t43 = t37 * t30;
-  return {Eigen::Quaternion<Scalar>(c[4] * t13 - s[4] * t15,
-                                    c[4] * t16 - s[4] * t18,
-                                    -s[4] * t16 - c[4] * t18,
-                                    c[4] * t15 + s[4] * t13),
-          Eigen::Matrix<Scalar, 3, 1>(t21 * t38 + t40 * t42,
-                                      t40 * t38 - t21 * t42,
-                                      (t43 + t43) + (Scalar(0.36) - t29 * t32))};
+  const Scalar t0 = s[0] * s[2];
+  const Scalar t1 = c[0] * c[2];
+  const Scalar t2 = c[1] * (t0 - t1);
+  const Scalar t3 = c[0] * s[1];
+  const Scalar t4 = s[0] * s[1];
+  const Scalar t5 = s[2] * t3 - c[2] * t4;
+  const Scalar t6 = Scalar(0.7071067811865476) * (t2 + t5);
+  const Scalar t7 = s[1] * (t0 + t1);
+  const Scalar t8 = c[1] * s[0];
+  const Scalar t9 = c[0] * c[1];
+  const Scalar t10 = c[2] * t8 + s[2] * t9;
+  const Scalar t11 = Scalar(0.7071067811865476) * (t7 - t10);
+  const Scalar t12 = s[3] * t6 + c[3] * t11;
+  const Scalar t13 = Scalar(0.7071067811865476) * t12;
+  const Scalar t14 = Scalar(0.7071067811865476) * (t7 + t10);
+  const Scalar t15 = Scalar(0.7071067811865476) * (t2 - t5);
+  const Scalar t16 = c[3] * t14 + s[3] * t15;
+  const Scalar t17 = Scalar(0.7071067811865476) * t16;
+  const Scalar t18 = t13 + t17;
+  const Scalar t19 = s[3] * t14 - c[3] * t15;
+  const Scalar t20 = s[3] * t11 - c[3] * t6;
+  const Scalar t21 = Scalar(0.7071067811865476) * (t19 - t20);
+  const Scalar t22 = c[4] * t18 - s[4] * t21;
+  const Scalar t23 = Scalar(0.7071067811865476) * (t19 + t20);
+  const Scalar t24 = t13 - t17;
+  const Scalar t25 = s[4] * t23 - c[4] * t24;
+  const Scalar t26 = Scalar(0.7071067811865476) * (t22 - t25);
+  const Scalar t27 = s[4] * t24 + c[4] * t23;
+  const Scalar t28 = s[4] * t18 + c[4] * t21;
+  const Scalar t29 = Scalar(0.7071067811865476) * (t27 - t28);
+  const Scalar t30 = s[5] * t26 - c[5] * t29;
+  const Scalar t31 = Scalar(0.7071067811865476) * (t22 + t25);
+  const Scalar t32 = Scalar(0.7071067811865476) * (t27 + t28);
+  const Scalar t33 = s[5] * t31 - c[5] * t32;
+  const Scalar t34 = Scalar(0.7071067811865476) * (t30 + t33);
+  const Scalar t35 = c[5] * t26 + s[5] * t29;
+  const Scalar t36 = s[5] * t32 + c[5] * t31;
+  const Scalar t37 = Scalar(0.7071067811865476) * (t35 - t36);
+  const Scalar t38 = c[6] * t34 - s[6] * t37;
+  const Scalar t39 = Scalar(0.7071067811865476) * (t30 - t33);
+  const Scalar t40 = Scalar(0.7071067811865476) * (t35 + t36);
+  const Scalar t41 = c[6] * t39 + s[6] * t40;
+  const Scalar t42 = c[6] * t40 - s[6] * t39;
+  const Scalar t43 = c[6] * t37 + s[6] * t34;
+  const Scalar t44 = t43 * t41;
+  const Scalar t45 = Scalar(0.09) * t44 + Scalar(0.431) * (t7 * t2 - t28 * t25);
+  const Scalar t46 = t42 * t38;
+  const Scalar t47 = t9 - t4;
+  const Scalar t48 = Scalar(0.7071067811865476) * Scalar(0.7071067811865476) * t47;
+  const Scalar t49 = t3 + t8;
+  const Scalar t50 = Scalar(0.162) * (t44 + t46) + (Scalar(0.09) * t46 - Scalar(0.409) * t48 * t49);
+  const Scalar t51 = t9 + t4;
+  const Scalar t52 = t3 - t8;
+  const Scalar t53 = Scalar(0.7071067811865476) * Scalar(0.7071067811865476) * t52;
+  const Scalar t54 = Scalar(0.409) * t51 * t53 + Scalar(0.431) * (t27 * t22 + t5 * t10);
+  const Scalar t55 = ((Scalar(0.369) * t12 * t20 - t45) - t50) + (Scalar(0.369) * t19 * t16 + t54);
+  const Scalar t56 = (Scalar(0.47) - Scalar(0.431) * t27 * t28) - Scalar(0.409) * t48 * t47;
+  const Scalar t57 = Scalar(0.162) * t33 * t33 + Scalar(0.369) * t19 * t19;
+  const Scalar t58 = (t57 - Scalar(0.431) * t2 * t5) + Scalar(0.409) * t53 * t52;
+  const Scalar t59 = Scalar(0.431) * (t7 * t10 + t22 * t25) - Scalar(0.369) * t12 * t12;
+  const Scalar t60 = t56 - (t58 + (Scalar(0.162) * t35 * t35 - t59));
+  const Scalar t61 = Scalar(0.09) * (t42 * t43 - t38 * t41) - t60;
+  const Scalar t62 = (Scalar(0.836) - Scalar(0.369) * t12 * t16) - Scalar(0.431) * t5 * t5;
+  const Scalar t63 = Scalar(0.431) * (t22 * t22 + t7 * t7) + Scalar(0.09) * (t42 * t42 + t41 * t41);
+  const Scalar t64 = Scalar(0.431) * t28 * t28 + Scalar(0.409) * (t53 * t49 - t51 * t48);
+  const Scalar t65 = Scalar(0.369) * t19 * t20 - (t64 - Scalar(0.162) * t30 * t33);
+  const Scalar t66 = ((t62 - Scalar(0.162) * t35 * t36) - t63) + t65;
+  return {Eigen::Quaternion<Scalar>(-t38,
+                                    t41,
+                                    t42,
+                                    -t43),
+          Eigen::Matrix<Scalar, 3, 1>(t55,
+                                      -t61,
+                                      t66)};
 }
 
 template <class Scalar, class Angles>
@@ -199,7 +222,7 @@ inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
 
 template <class Scalar>
 Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g) {
-  return detail::forward_kinematics<Scalar>(q, sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[1], Scalar(0.5) * q[3], Scalar(0.5) * q[4], Scalar(0.5) * q[6], Scalar(0.5) * (q[0] + q[2]), Scalar(0.5) * (q[3] + q[5]), Scalar(0.5) * (q[3] - q[5])), g);
+  return detail::forward_kinematics<Scalar>(q, sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[1], Scalar(0.5) * q[2], Scalar(0.5) * q[3], Scalar(0.5) * q[4], Scalar(0.5) * q[5], Scalar(0.5) * q[6]), g);
 }
 
 template <class Scalar>
