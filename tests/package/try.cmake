@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-# cmake -DWAY=find_package|add_subdirectory -DQVGEN=source -DWORK=folder -DGENERATOR=... -DCXX=... -P try.cmake
+# cmake -DWAY=find_package|add_subdirectory -DQVGEN=source -DBUILD=build -DWORK=folder -DGENERATOR=... -DCXX=...
+#       -DFLAGS=... -P try.cmake
 
 # run(WHAT command...): fails the test with the command's output.
 function(run what)
@@ -16,19 +17,30 @@ file(MAKE_DIRECTORY ${WORK}/no_packages)
 set(ENV{PKG_CONFIG_LIBDIR} ${WORK}/no_packages)
 set(ENV{PKG_CONFIG_PATH} "")
 
-set(common -G ${GENERATOR} -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=${CXX}
-           -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER})
+find_program(ccache ccache)
+if(ccache)
+  set(ENV{CMAKE_CXX_COMPILER_LAUNCHER} ${ccache})
+endif()
+# The flags of the build, so that a library with sanitizers meets a consumer with them.
+set(common -G ${GENERATOR} -DCMAKE_CXX_COMPILER=${CXX} "-DCMAKE_CXX_FLAGS=${FLAGS}")
 
 if(WAY STREQUAL "find_package")
-  # QVGEN_GENERATOR is not said: without GiNaC it has to be off by itself.
-  run("configuring qvgen" ${CMAKE_COMMAND} -S ${QVGEN} -B ${WORK}/qvgen ${common} -DQVGEN_TESTS=OFF)
-  run("building qvgen" ${CMAKE_COMMAND} --build ${WORK}/qvgen --parallel 2)
-  run("installing qvgen" ${CMAKE_COMMAND} --install ${WORK}/qvgen --prefix ${WORK}/prefix)
-  # An installation is moved about and must not remember where it was built.
-  file(REMOVE_RECURSE ${WORK}/qvgen)
+  run("installing qvgen" ${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
+  # An installation may be moved, and must not remember where it was built.
   file(RENAME ${WORK}/prefix ${WORK}/moved)
+  file(GLOB_RECURSE scripts ${WORK}/moved/*.cmake)
+  foreach(script ${scripts})
+    file(READ ${script} text)
+    foreach(folder ${QVGEN} ${BUILD} ${WORK})
+      string(FIND "${text}" ${folder} place)
+      if(NOT place EQUAL -1)
+        message(FATAL_ERROR "${script} mentions ${folder}")
+      endif()
+    endforeach()
+  endforeach()
   list(APPEND common -DCMAKE_PREFIX_PATH=${WORK}/moved)
 else()
+  # QVGEN_GENERATOR is not said: without GiNaC it has to be off by itself.
   list(APPEND common -DQVGEN_FOLDER=${QVGEN})
 endif()
 

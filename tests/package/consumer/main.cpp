@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include <cmath>
 #include <cstdio>
+
+#include <qvgen/robots/puma560.h>
 
 #include "parts.h"
 
-#if __has_include(<qvgen/robots/puma560.h>)
-#include <qvgen/robots/puma560.h>
+namespace {
 
 bool robots_work() {
   namespace arm = qvgen::robots::puma560;
@@ -14,12 +14,8 @@ bool robots_work() {
   std::printf("puma560 at 0.3: %.6f %.6f %.6f\n", tool.position.x(), tool.position.y(), tool.position.z());
   return is_valid(tool);
 }
-#else
-bool robots_work() {
-  std::puts("no generated robots yet");
-  return true;
-}
-#endif
+
+}  // namespace
 
 int main() {
   bool good = runtime_works() && robots_work();
