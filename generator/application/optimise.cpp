@@ -15,6 +15,12 @@ passes::CostModel operations_only(passes::CostModel cost) {
   return cost;
 }
 
+/// Without the outputs that are only suggestions to the search.
+dag::Function results_only(dag::Function function) {
+  std::erase_if(function.outputs, [](const dag::Output& output) { return output.name.front() == passes::suggestion; });
+  return function;
+}
+
 }  // namespace
 
 Optimised optimise(const derive::Quantity& quantity, const OptimiseOptions& options) {
@@ -22,16 +28,19 @@ Optimised optimise(const derive::Quantity& quantity, const OptimiseOptions& opti
   result.name = quantity.name;
   std::vector<dag::Function> forms;
   for (const derive::Form& form : quantity.forms) {
-    forms.push_back(passes::simplify(dag::import(form.program)));
-    result.forms.push_back({form.name, dag::count(forms.back(), options.search.is_free_symbol)});
+    forms.push_back(dag::import(form.program));
+    if (options.simplify_forms) forms.back() = passes::simplify(forms.back());
+    result.forms.push_back({form.name, dag::count(results_only(forms.back()), options.search.is_free_symbol)});
   }
   result.function = passes::search(forms, options.cost, options.search);
   result.counts = dag::count(result.function, options.search.is_free_symbol);
+  result.fewest = result.counts;
+  certify(result.function, quantity.definition, options.certificate_points, quantity.name);
+  result.certified_points = options.certificate_points;
+  if (!options.also_fewest) return result;
   const dag::Function fewest = passes::search(forms, operations_only(options.cost), options.search);
   result.fewest = dag::count(fewest, options.search.is_free_symbol);
   certify(fewest, quantity.definition, options.certificate_points, quantity.name);
-  certify(result.function, quantity.definition, options.certificate_points, quantity.name);
-  result.certified_points = options.certificate_points;
   return result;
 }
 

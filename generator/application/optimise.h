@@ -36,6 +36,11 @@ struct OptimiseOptions {
   passes::CostModel cost;
   passes::SearchOptions search = small_function_search();
   int certificate_points = 4;
+  /// Look also for the fewest multiplications and additions with sines and cosines for nothing (a second search).
+  bool also_fewest = true;
+  /// Run the passes on each form by itself before the search: counts of the forms mean something, and forms that
+  /// share little gain by it. For large functions whose forms share much the search does as well without.
+  bool simplify_forms = true;
 };
 
 /// Lowers the forms to graphs, runs the passes, lets them compete and certifies the winner.

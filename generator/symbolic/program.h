@@ -27,6 +27,8 @@ class Program {
   Quaternion let(const Quaternion& value);
   Vector let(const Vector& value);
   void output(const std::string& name, const GiNaC::ex& value);
+  /// Takes over a step of another program that began as a copy of this one.
+  void append(const Step& step) { steps_.push_back(step); }
 
   [[nodiscard]] const std::vector<Step>& steps() const { return steps_; }
   [[nodiscard]] const std::vector<Output>& outputs() const { return outputs_; }

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "application/products/product.h"
 
+#include "application/products/jacobian.h"
 #include "application/products/kinematics.h"
 #include "application/products/model_header.h"
 
 namespace qvgen::application {
 
 const std::vector<Product>& all_products() {
-  static const std::vector<Product> products{{"model", generate_model_header}, {"kinematics", generate_kinematics}};
+  static const std::vector<Product> products{{"model", generate_model_header}, {"kinematics", generate_kinematics}, {"jacobian", generate_jacobian}};
   return products;
 }
 

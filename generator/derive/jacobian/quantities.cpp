@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+#include "derive/jacobian/quantities.h"
+
+#include "derive/forward_kinematics.h"
+#include "derive/jacobian/forms.h"
+#include "derive/jacobian/rates.h"
+#include "derive/orientation.h"
+#include "symbolic/model.h"
+
+namespace qvgen::derive {
+
+using namespace symbolic;
+using GiNaC::ex;
+
+std::string twist_entry(std::size_t row) { return (row < 3 ? "v" : "w") + std::to_string(row % 3 + 1); }
+std::string jacobian_entry(std::size_t row, std::size_t column) {
+  return twist_entry(row) + "_" + std::to_string(column + 1);
+}
+
+namespace {
+
+std::array<ex, 6> entries(const Twist& t) {
+  return {t.linear.x, t.linear.y, t.linear.z, t.angular.x, t.angular.y, t.angular.z};
+}
+
+void output(Program& program, const Columns& columns) {
+  for (std::size_t row = 0; row < 6; ++row)
+    for (std::size_t j = 0; j < columns.size(); ++j) program.output(jacobian_entry(row, j), entries(columns[j])[row]);
+}
+
+void output(Program& program, const Twist& twist) {
+  for (std::size_t row = 0; row < 6; ++row) program.output(twist_entry(row), entries(twist)[row]);
+}
+
+Program program_of(const ColumnsForm& form) {
+  Program program;
+  output(program, form.build(program));
+  return program;
+}
+
+Columns plain_columns(const model::Robot& robot, Program& program) { return plain_jacobian(robot, program).columns; }
+
+GiNaC::exmap seeds(const model::Robot& robot) {
+  GiNaC::exmap result;
+  for (const model::Joint& joint : robot.joints) result[symbol(joint.variable)] = symbol(rate_name(joint.variable));
+  return result;
+}
+
+Twist times_rates(const model::Robot& robot, const Columns& columns) {
+  Twist sum;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const ex rate = symbol(rate_name(robot.joints[i].variable));
+    sum = {sum.linear + rate * columns[i].linear, sum.angular + rate * columns[i].angular};
+  }
+  return sum;
+}
+
+Columns plain_column_rates(const model::Robot& robot, Program& program) {
+  const Columns columns = plain_columns(robot, program);
+  const Rates rate(program, seeds(robot));
+  Columns rates;
+  for (const Twist& column : columns) rates.push_back({rate(column.linear), rate(column.angular)});
+  return rates;
+}
+
+void add_forms(Quantity& quantity, const std::vector<ColumnsForm>& forms) {
+  for (const ColumnsForm& form : forms) quantity.forms.push_back({form.name, program_of(form)});
+}
+
+/// One form for each frame in the middle.
+template <class Build>
+void add_forms_by_frames(Quantity& quantity, const model::Robot& robot, const Build& build) {
+  for (std::size_t middle = 0; middle < frame_count(robot); ++middle) {
+    Program program;
+    output(program, build(program, middle));
+    quantity.forms.push_back({"by way of frame " + std::to_string(middle), program});
+  }
+}
+
+Program plain_tool_jacobian(const model::Robot& robot) {
+  Program program;
+  const PlainJacobian plain = plain_jacobian(robot, program);
+  Columns columns;
+  for (const Twist& column : plain.columns)
+    columns.push_back({rotate(inverse(plain.tool.q), column.linear), rotate(inverse(plain.tool.q), column.angular)});
+  output(program, columns);
+  return program;
+}
+
+void output(Program& program, const Matrix3& r, const Vector& p, const std::string& prefix) {
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) program.output(prefix + "r" + std::to_string(i + 1) + std::to_string(j + 1), r[i][j]);
+  program.output(prefix + "px", p.x);
+  program.output(prefix + "py", p.y);
+  program.output(prefix + "pz", p.z);
+}
+
+/// Every way to the columns, each beside another form of the rotation matrix. With a prefix of '?' the
+/// matrix and the position are only suggestions: axes of the joints are among the matrix's intermediate results.
+std::vector<Form> forms_with_orientation(const model::Robot& robot, const std::string& prefix) {
+  const auto chain = zero_reference_chain(robot);
+  const auto columns = columns_by_frames(robot, Target::base);
+  std::vector<MatrixForm> matrices;
+  if (chain) matrices = matrix_forms(*chain);
+  else matrices.push_back({"axes turned", [=](Program& program) { return orientation_by_frames(program, robot); }});
+  std::vector<Form> forms;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const MatrixForm& matrix = matrices[i * matrices.size() / columns.size()];
+    const ColumnsForm& way = columns[i];
+    Program program;
+    const Linkage arm = linkage(robot);
+    const Vector position = Frames(program, arm).position().value;
+    output(program, matrix.build(program), position, prefix);
+    output(program, way.build(program));
+    forms.push_back({matrix.name + ", columns " + way.name, program});
+  }
+  return forms;
+}
+
+}  // namespace
+
+Quantity jacobian(const model::Robot& robot) {
+  Quantity quantity{"jacobian", {}, {}};
+  output(quantity.definition, plain_columns(robot, quantity.definition));
+  quantity.forms = forms_with_orientation(robot, "?");
+  return quantity;
+}
+
+std::vector<Form> jacobian_methods(const model::Robot& robot) {
+  std::vector<Form> methods;
+  for (const ColumnsForm& method : textbook_methods(robot)) methods.push_back({method.name, program_of(method)});
+  return methods;
+}
+
+Quantity tool_jacobian(const model::Robot& robot) {
+  Quantity quantity{"tool_jacobian", {}, plain_tool_jacobian(robot)};
+  add_forms(quantity, columns_by_frames(robot, Target::tool));
+  return quantity;
+}
+
+Quantity jacobian_at(const model::Robot& robot) {
+  Quantity quantity = jacobian(with_free_tool_point(robot));
+  quantity.name = "jacobian_at";
+  return quantity;
+}
+
+Quantity transform_and_jacobian(const model::Robot& robot) {
+  Quantity quantity{"forward_kinematics_and_jacobian", forms_with_orientation(robot, ""), {}};
+  const PlainJacobian plain = plain_jacobian(robot, quantity.definition);
+  output(quantity.definition, to_matrix(plain.tool.q), plain.tool.p, "");
+  output(quantity.definition, plain.columns);
+  return quantity;
+}
+
+Quantity velocity(const model::Robot& robot) {
+  Quantity quantity{"velocity", {}, {}};
+  output(quantity.definition, times_rates(robot, plain_columns(robot, quantity.definition)));
+  add_forms_by_frames(quantity, robot, [&](Program& program, std::size_t middle) {
+    const MovingTwist twist = twist_by_frames(program, robot, middle, false);
+    return Twist{twist.linear.value, twist.angular.value};
+  });
+  Program program;
+  const Vector linear = position_in_motion(program, robot).rate;
+  output(program, Twist{linear, twist_by_frames(program, robot, 0, false).angular.value});
+  quantity.forms.push_back({"derivative of the position", program});
+  return quantity;
+}
+
+Quantity jacobian_rate(const model::Robot& robot) {
+  Quantity quantity{"jacobian_dot", {}, {}};
+  output(quantity.definition, plain_column_rates(robot, quantity.definition));
+  add_forms_by_frames(quantity, robot, [&](Program& program, std::size_t middle) {
+    return column_rates_by_frames(program, robot, middle);
+  });
+  return quantity;
+}
+
+Quantity acceleration_bias(const model::Robot& robot) {
+  Quantity quantity{"jacobian_dot_times_qd", {}, {}};
+  output(quantity.definition, times_rates(robot, plain_column_rates(robot, quantity.definition)));
+  add_forms_by_frames(quantity, robot, [&](Program& program, std::size_t middle) {
+    const MovingTwist twist = twist_by_frames(program, robot, middle, true);
+    return Twist{twist.linear.rate, twist.angular.rate};
+  });
+  Program program;
+  const Vector linear = position_in_motion(program, robot).second;
+  output(program, Twist{linear, twist_by_frames(program, robot, 0, true).angular.rate});
+  quantity.forms.push_back({"second derivative of the position", program});
+  return quantity;
+}
+
+}  // namespace qvgen::derive

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Geometry>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace qvgen::test {
+
+/// The generated functions of one robot behind one type; geometry is that of the defaults.
+struct RobotUnderTest {
+  using Vector = Eigen::VectorXd;
+  using Matrix = Eigen::MatrixXd;
+  std::string name;
+  int dof = 0;
+  std::function<Matrix(const Vector& q)> jacobian;
+  std::function<Matrix(const Vector& q)> jacobian_in_float;
+  std::function<Matrix(const Vector& q)> jacobian_with_angles_given;
+  std::function<Matrix(const Vector& q)> tool_jacobian;
+  std::function<Matrix(const Vector& q, const Eigen::Vector3d& point)> jacobian_at;
+  std::function<std::pair<Eigen::Isometry3d, Matrix>(const Vector& q)> both;
+  std::function<Vector(const Vector& q, const Vector& qd)> velocity;
+  std::function<Matrix(const Vector& q, const Vector& qd)> jacobian_dot;
+  std::function<Vector(const Vector& q, const Vector& qd)> jacobian_dot_times_qd;
+  std::size_t angle_count = 0;
+};
+
+inline std::vector<RobotUnderTest>& robots() {
+  static std::vector<RobotUnderTest> all;
+  return all;
+}
+
+inline bool add_robot(RobotUnderTest robot) {
+  robots().push_back(std::move(robot));
+  return true;
+}
+
+}  // namespace qvgen::test
