@@ -5,3 +5,4 @@
 
 #include <qvgen/robots/cc/model.h>
 #include <qvgen/robots/cc/kinematics.h>
+#include <qvgen/robots/cc/jacobian.h>

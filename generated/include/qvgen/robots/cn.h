@@ -5,3 +5,4 @@
 
 #include <qvgen/robots/cn/model.h>
 #include <qvgen/robots/cn/kinematics.h>
+#include <qvgen/robots/cn/jacobian.h>

@@ -5,3 +5,4 @@
 
 #include <qvgen/robots/cr/model.h>
 #include <qvgen/robots/cr/kinematics.h>
+#include <qvgen/robots/cr/jacobian.h>

@@ -5,3 +5,4 @@
 
 #include <qvgen/robots/cs/model.h>
 #include <qvgen/robots/cs/kinematics.h>
+#include <qvgen/robots/cs/jacobian.h>

@@ -5,3 +5,4 @@
 
 #include <qvgen/robots/irb6640/model.h>
 #include <qvgen/robots/irb6640/kinematics.h>
+#include <qvgen/robots/irb6640/jacobian.h>

@@ -5,3 +5,4 @@
 
 #include <qvgen/robots/nc/model.h>
 #include <qvgen/robots/nc/kinematics.h>
+#include <qvgen/robots/nc/jacobian.h>

@@ -5,3 +5,4 @@
 
 #include <qvgen/robots/nn/model.h>
 #include <qvgen/robots/nn/kinematics.h>
+#include <qvgen/robots/nn/jacobian.h>

@@ -5,3 +5,4 @@
 
 #include <qvgen/robots/nr/model.h>
 #include <qvgen/robots/nr/kinematics.h>
+#include <qvgen/robots/nr/jacobian.h>

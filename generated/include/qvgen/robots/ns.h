@@ -5,3 +5,4 @@
 
 #include <qvgen/robots/ns/model.h>
 #include <qvgen/robots/ns/kinematics.h>
+#include <qvgen/robots/ns/jacobian.h>

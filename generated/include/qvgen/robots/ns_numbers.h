@@ -5,3 +5,4 @@
 
 #include <qvgen/robots/ns_numbers/model.h>
 #include <qvgen/robots/ns_numbers/kinematics.h>
+#include <qvgen/robots/ns_numbers/jacobian.h>

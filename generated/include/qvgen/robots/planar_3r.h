@@ -5,3 +5,4 @@
 
 #include <qvgen/robots/planar_3r/model.h>
 #include <qvgen/robots/planar_3r/kinematics.h>
+#include <qvgen/robots/planar_3r/jacobian.h>

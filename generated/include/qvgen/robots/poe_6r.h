@@ -5,3 +5,4 @@
 
 #include <qvgen/robots/poe_6r/model.h>
 #include <qvgen/robots/poe_6r/kinematics.h>
+#include <qvgen/robots/poe_6r/jacobian.h>

@@ -5,3 +5,4 @@
 
 #include <qvgen/robots/rc/model.h>
 #include <qvgen/robots/rc/kinematics.h>
+#include <qvgen/robots/rc/jacobian.h>

@@ -5,3 +5,4 @@
 
 #include <qvgen/robots/rn/model.h>
 #include <qvgen/robots/rn/kinematics.h>
+#include <qvgen/robots/rn/jacobian.h>

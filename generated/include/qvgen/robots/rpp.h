@@ -5,3 +5,4 @@
 
 #include <qvgen/robots/rpp/model.h>
 #include <qvgen/robots/rpp/kinematics.h>
+#include <qvgen/robots/rpp/jacobian.h>

@@ -5,3 +5,4 @@
 
 #include <qvgen/robots/rr/model.h>
 #include <qvgen/robots/rr/kinematics.h>
+#include <qvgen/robots/rr/jacobian.h>

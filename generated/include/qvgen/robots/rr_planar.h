@@ -5,3 +5,4 @@
 
 #include <qvgen/robots/rr_planar/model.h>
 #include <qvgen/robots/rr_planar/kinematics.h>
+#include <qvgen/robots/rr_planar/jacobian.h>

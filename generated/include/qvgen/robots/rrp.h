@@ -5,3 +5,4 @@
 
 #include <qvgen/robots/rrp/model.h>
 #include <qvgen/robots/rrp/kinematics.h>
+#include <qvgen/robots/rrp/jacobian.h>

@@ -5,3 +5,4 @@
 
 #include <qvgen/robots/rrr/model.h>
 #include <qvgen/robots/rrr/kinematics.h>
+#include <qvgen/robots/rrr/jacobian.h>

@@ -5,3 +5,4 @@
 
 #include <qvgen/robots/rs/model.h>
 #include <qvgen/robots/rs/kinematics.h>
+#include <qvgen/robots/rs/jacobian.h>

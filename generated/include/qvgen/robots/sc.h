@@ -5,3 +5,4 @@
 
 #include <qvgen/robots/sc/model.h>
 #include <qvgen/robots/sc/kinematics.h>
+#include <qvgen/robots/sc/jacobian.h>

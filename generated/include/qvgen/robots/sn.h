@@ -5,3 +5,4 @@
 
 #include <qvgen/robots/sn/model.h>
 #include <qvgen/robots/sn/kinematics.h>
+#include <qvgen/robots/sn/jacobian.h>

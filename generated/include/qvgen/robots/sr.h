@@ -5,3 +5,4 @@
 
 #include <qvgen/robots/sr/model.h>
 #include <qvgen/robots/sr/kinematics.h>
+#include <qvgen/robots/sr/jacobian.h>

@@ -5,3 +5,4 @@
 
 #include <qvgen/robots/ss/model.h>
 #include <qvgen/robots/ss/kinematics.h>
+#include <qvgen/robots/ss/jacobian.h>

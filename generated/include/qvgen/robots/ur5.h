@@ -5,3 +5,4 @@
 
 #include <qvgen/robots/ur5/model.h>
 #include <qvgen/robots/ur5/kinematics.h>
+#include <qvgen/robots/ur5/jacobian.h>
