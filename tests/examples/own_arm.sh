@@ -1,0 +1,13 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# own_arm.sh TOOL SOURCE COMPILER DESCRIPTION OUTPUT: the README's own arm, as its reader would go about it.
+set -eu
+tool=$1 source=$2 compiler=$3 description=$4 output=$5
+rm -rf "$output"
+"$tool" check "$description"
+"$tool" generate "$description" --output "$output"
+"$tool" show "$description" --latex
+for file in "$output"/source/my_arm/*.cpp; do
+  "$compiler" -std=c++17 -Wall -Wextra -Wconversion -Wshadow -Werror -fsyntax-only \
+    -I "$output/include" -I "$source/runtime/include" -isystem /usr/include/eigen3 "$file"
+done
