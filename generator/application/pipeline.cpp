@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "application/pipeline.h"
 
+#include <algorithm>
 #include <map>
 #include <stdexcept>
 
@@ -14,9 +15,14 @@ namespace {
 using nlohmann::json;
 using nlohmann::ordered_json;
 
-OutputFile umbrella_header(const model::Robot& robot) {
+/// Includes the headers that the products have made for this robot: not every robot has every part.
+OutputFile umbrella_header(const model::Robot& robot, const std::vector<OutputFile>& files) {
   json parts = json::array();
-  for (const Product& product : all_products()) parts.push_back({{"part", product.part}});
+  for (const Product& product : all_products()) {
+    const std::string header = "include/qvgen/robots/" + robot.name + "/" + product.part + ".h";
+    const auto is_header = [&](const OutputFile& file) { return file.path == header; };
+    if (std::any_of(files.begin(), files.end(), is_header)) parts.push_back({{"part", product.part}});
+  }
   return {"include/qvgen/robots/" + robot.name + ".h", emit::render("robot.h", {{"name", robot.name}, {"parts", parts}})};
 }
 
@@ -29,7 +35,7 @@ RobotOutput generate_robot(const model::Robot& robot) {
   } catch (const std::exception& error) {
     throw std::runtime_error(robot.name + ": " + error.what());
   }
-  output.files.push_back(umbrella_header(robot));
+  output.files.push_back(umbrella_header(robot, output.files));
   return output;
 }
 

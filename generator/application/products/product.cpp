@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "application/products/product.h"
 
+#include "application/products/dynamics.h"
 #include "application/products/jacobian.h"
 #include "application/products/kinematics.h"
 #include "application/products/model_header.h"
@@ -8,7 +9,10 @@
 namespace qvgen::application {
 
 const std::vector<Product>& all_products() {
-  static const std::vector<Product> products{{"model", generate_model_header}, {"kinematics", generate_kinematics}, {"jacobian", generate_jacobian}};
+  static const std::vector<Product> products{{"model", generate_model_header},
+                                             {"kinematics", generate_kinematics},
+                                             {"jacobian", generate_jacobian},
+                                             {"dynamics", generate_dynamics_product}};
   return products;
 }
 

@@ -34,6 +34,27 @@ void factor_sum(Classes& classes, const Definition& sum) {
     }
 }
 
+/// factor * (free * rest), if the class is such a product.
+std::optional<Ref> absorbed(Classes& classes, Ref factor, Ref into) {
+  for (const Definition& d : of_kind(classes[into.id], dag::Op::product))
+    for (const auto& [free, rest] : {std::pair{d.a, d.b}, std::pair{d.b, d.a}})
+      if (classes[free.id].free)
+        return classes.product(classes.product(factor, free), rest).signed_by(into.negative != d.negative);
+  return std::nullopt;
+}
+
+/// Other ways to multiply by a free factor; none unless it meets another one on its way in.
+void push_inward(Classes& classes, Ref factor, Ref into) {
+  absorbed(classes, factor, into);
+  for (const Definition& sum : of_kind(classes[into.id], dag::Op::sum)) {
+    const auto left = absorbed(classes, factor, sum.a);
+    const auto right = absorbed(classes, factor, sum.b);
+    if (!left && !right) continue;
+    classes.sum(left ? *left : classes.product(factor, sum.a),
+                right ? *right : classes.product(factor, sum.b));
+  }
+}
+
 struct Circle {
   Ref cosine, sine;
 };
@@ -93,6 +114,16 @@ void factor(Classes& classes, std::uint32_t limit) {
   for (std::uint32_t id = 0; id < before && classes.size() < limit; ++id) {
     if (classes[id].free) continue;
     for (const Definition& sum : of_kind(classes[id], dag::Op::sum)) factor_sum(classes, sum);
+  }
+}
+
+void gather_free_factors(Classes& classes, std::uint32_t limit) {
+  const std::uint32_t before = classes.size();
+  for (std::uint32_t id = 0; id < before && classes.size() < limit; ++id) {
+    if (classes[id].free) continue;
+    for (const Definition& product : of_kind(classes[id], dag::Op::product))
+      for (const auto& [factor, rest] : {std::pair{product.a, product.b}, std::pair{product.b, product.a}})
+        if (classes[factor.id].free && !classes[rest.id].free) push_inward(classes, factor, rest);
   }
 }
 

@@ -14,6 +14,9 @@ void relate_angles(Classes& classes, const AngleTable& angles, const Fingerprint
 /// other use.
 void factor(Classes& classes, std::uint32_t limit);
 
+/// f (g x) = (f g) x and f (g x + y) = (f g) x + f y for free f and g: the product f g costs nothing.
+void gather_free_factors(Classes& classes, std::uint32_t limit);
+
 /// 1/b as a class where several quotients have the denominator b.
 void share_reciprocals(Classes& classes);
 

@@ -63,6 +63,8 @@ class Search {
     classes_.propagate_free();
     factor(classes_, options_.limit);
     classes_.propagate_free();
+    gather_free_factors(classes_, options_.limit);
+    classes_.propagate_free();
     if (options_.closure) close(classes_);
     classes_.propagate_free();
   }

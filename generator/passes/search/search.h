@@ -18,7 +18,7 @@ struct SearchOptions {
   /// Independent anneals among which the steps are divided; the cheapest result counts.
   int restarts = 2;
   /// Arithmetic on free symbols and numbers alone costs nothing: it is done once, in a set-up function.
-  std::function<bool(const std::string&)> is_free_symbol;
+  std::function<bool(const std::string&)> is_free_symbol = {};
   /// Look for relations between all pairs of values (quadratic in their number).
   bool closure = true;
   /// No new values are tried beyond this number of them.

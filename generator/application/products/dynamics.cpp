@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "application/products/dynamics.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "application/accuracy.h"
+#include "application/dynamics_derivatives.h"
+#include "application/products/counts_json.h"
+#include "application/products/dynamics_code.h"
+#include "application/products/leaf_names.h"
+#include "emit/render.h"
+#include "model/evaluate.h"
+
+namespace qvgen::application {
+namespace {
+
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+constexpr int accuracy_points = 50;
+
+ordered_json entry_of(const DynamicsFunction& function) {
+  ordered_json entry{{"emitted", to_json(function.counts)},
+                     {"set_up", to_json(function.constant_counts)},
+                     {"certified_points", function.certified_points},
+                     {"choices", function.choices}};
+  if (function.largest_error > 0) entry["largest_error_ulp"] = std::round(function.largest_error * 100) / 100;
+  return entry;
+}
+
+void measure(const model::Robot& robot, DynamicsFunction& function) {
+  OutputGroup all;
+  for (const dag::Output& output : function.function.outputs) all.push_back(output.name);
+  if (const auto with_numbers = with_default_values(robot, function))
+    function.largest_error = largest_error_in_ulps(*with_numbers, {all}, accuracy_points);
+}
+
+std::vector<DynamicsFunction> all_functions(const model::Robot& robot) {
+  std::vector<DynamicsFunction> functions;
+  for (const DynamicsQuantity& quantity : dynamics_quantities()) {
+    functions.push_back(generate_dynamics(robot, quantity));
+    measure(robot, functions.back());
+  }
+  return functions;
+}
+
+json parameters_of(const model::Robot& robot) {
+  json list = json::array();
+  for (const model::Parameter& parameter : robot.inertia_parameters) {
+    std::string value = "0";
+    if (parameter.default_value)
+      value = fmt::format(
+          "{}", model::to_double(model::evaluate(*parameter.default_value, model::default_bindings(robot))));
+    const bool last = &parameter == &robot.inertia_parameters.back();
+    list.push_back({{"name", parameter.name}, {"default", value}, {"last", last}});
+  }
+  return list;
+}
+
+bool has_defaults(const model::Robot& robot) {
+  for (const model::Parameter& parameter : robot.inertia_parameters)
+    if (parameter.default_value) return true;
+  return false;
+}
+
+/// dynamics_derivatives.h and its definitions and source.
+void add_derivatives(const model::Robot& robot, const DynamicsFunction& inverse_dynamics,
+                     const std::vector<dag::Angle>& angles, RobotOutput& output) {
+  DynamicsFunction function = inverse_dynamics_derivatives(robot, inverse_dynamics);
+  measure(robot, function);
+  const auto values_for = [&](const std::string& scalar) {
+    return dynamics_values(robot, function, dynamics_interface(function.name), angles, scalar);
+  };
+  json values = values_for("Scalar");
+  values["name"] = robot.name;
+  values["sines_cosines"] = sines_cosines_code(angles, leaf_names(robot, angles), "DynamicsAngles");
+  values["instances"] = json::array();
+  for (const char* scalar : {"double", "float"}) {
+    json instance = values_for(scalar);
+    instance["scalar"] = scalar;
+    values["instances"].push_back(instance);
+  }
+  const std::string headers = "include/qvgen/robots/" + robot.name + "/";
+  output.files.push_back(
+      {headers + "dynamics_derivatives.h", emit::render("dynamics_derivatives.h", values)});
+  output.files.push_back({headers + "dynamics_derivatives_definitions.h",
+                          emit::render("dynamics_derivatives_definitions.h", values)});
+  output.files.push_back({"source/" + robot.name + "/dynamics_derivatives.cpp",
+                          emit::render("dynamics_derivatives.cpp", values)});
+  output.counts[function.name] = entry_of(function);
+}
+
+}  // namespace
+
+void generate_dynamics_product(const model::Robot& robot, RobotOutput& output) {
+  if (!has_inertia(robot)) return;
+  const std::vector<DynamicsFunction> functions = all_functions(robot);
+  const auto angles = angles_of(functions);
+  const emit::Names names = leaf_names(robot, angles);
+  const auto values_for = [&](const std::string& scalar) {
+    json list = json::array();
+    for (const DynamicsFunction& function : functions)
+      list.push_back(dynamics_values(robot, function, dynamics_interface(function.name), angles, scalar));
+    return list;
+  };
+  json values{{"name", robot.name},
+              {"parameters", parameters_of(robot)},
+              {"parameter_count", robot.inertia_parameters.size()},
+              {"has_parameters", !robot.inertia_parameters.empty()},
+              {"has_defaults", has_defaults(robot)},
+              {"angles", angle_values(angles, names)},
+              {"angle_count", angles.size()},
+              {"sines_cosines", sines_cosines_code(angles, names, "DynamicsAngles")},
+              {"functions", values_for("Scalar")},
+              {"instances", json::array()}};
+  for (const char* scalar : {"double", "float"})
+    values["instances"].push_back({{"scalar", scalar}, {"functions", values_for(scalar)}});
+  const std::string headers = "include/qvgen/robots/" + robot.name + "/";
+  output.files.push_back({headers + "dynamics.h", emit::render("dynamics.h", values)});
+  output.files.push_back(
+      {headers + "dynamics_definitions.h", emit::render("dynamics_definitions.h", values)});
+  output.files.push_back({"source/" + robot.name + "/dynamics.cpp", emit::render("dynamics.cpp", values)});
+  for (const DynamicsFunction& function : functions) output.counts[function.name] = entry_of(function);
+  add_derivatives(robot, functions.front(), angles, output);
+}
+
+}  // namespace qvgen::application

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+#include "application/products/dynamics_code.h"
+
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+
+#include "application/products/counts_json.h"
+#include "application/products/leaf_names.h"
+#include "emit/literal.h"
+
+namespace qvgen::application {
+namespace {
+
+using nlohmann::json;
+
+std::string camel_case(const std::string& name) {
+  std::string result;
+  bool upper = true;
+  for (const char c : name) {
+    if (c != '_') result += upper ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
+    upper = c == '_';
+  }
+  return result;
+}
+
+std::string replaced(std::string text, const std::string& what, const std::string& with) {
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + with.size()))
+    text.replace(at, what.size(), with);
+  return text;
+}
+
+/// tau3 -> result[2], m1_2 -> result(0, 1) = result(1, 0), energy -> result, and q1_2, v1_2 -> by_position,
+/// by_rate(0, 1) of a result that is a struct.
+std::string place_of(const std::string& output, bool in_struct) {
+  const auto digits = output.find_first_of("0123456789");
+  if (digits == std::string::npos) return "result";
+  const auto bar = output.find('_');
+  const int row = std::stoi(output.substr(digits)) - 1;
+  if (bar == std::string::npos) return (in_struct ? "result.torque[" : "result[") + std::to_string(row) + "]";
+  const int column = std::stoi(output.substr(bar + 1)) - 1;
+  const std::string matrix = !in_struct              ? "result"
+                             : output.front() == 'q' ? "result.by_position"
+                                                     : "result.by_rate";
+  const auto entry = [&](int i, int k) {
+    return matrix + "(" + std::to_string(i) + ", " + std::to_string(k) + ")";
+  };
+  return in_struct || row == column ? entry(row, column) : entry(row, column) + " = " + entry(column, row);
+}
+
+/// Constants as the code writes them: numbers in place, the others by their place in the set-up function's
+/// array.
+struct Constants {
+  std::map<std::string, std::string> text;
+  dag::Function stored;
+};
+
+Constants constants_of(const DynamicsFunction& function) {
+  Constants result;
+  result.stored.graph = function.constants.graph;
+  for (const dag::Output& output : function.constants.outputs) {
+    if (function.constants.graph.is_constant(output.value)) {
+      result.text[output.name] =
+          "Scalar(" + emit::literal(function.constants.graph.value_of(output.value)) + ")";
+    } else {
+      result.text[output.name] = "k[" + std::to_string(result.stored.outputs.size()) + "]";
+      result.stored.outputs.push_back(output);
+    }
+  }
+  return result;
+}
+
+json list_of(const std::vector<emit::Code::Value>& values, bool in_struct = false) {
+  json list = json::array();
+  for (const auto& value : values)
+    list.push_back({{"name", value.name},
+                    {"expression", value.expression},
+                    {"place", place_of(value.name, in_struct)},
+                    {"last", &value == &values.back()}});
+  return list;
+}
+
+emit::Names names_of(const model::Robot& robot, const std::vector<dag::Angle>& angles,
+                     const std::map<std::string, std::string>& constants) {
+  std::map<std::string, std::string> known = constants;
+  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
+    const std::string& variable = robot.joints[i].variable;
+    const std::string index = "[" + std::to_string(i) + "]";
+    known[derive::dynamics::velocity_of(variable)] = "qd" + index;
+    known[derive::dynamics::acceleration_of(variable)] = "qdd" + index;
+    known[derive::dynamics::force_of(variable)] = "torque" + index;
+  }
+  return leaf_names(robot, angles, [known](const std::string& name) { return known.at(name); });
+}
+
+/// In the set-up function, sines and cosines are of constant angles.
+emit::Names set_up_names(const model::Robot& robot) {
+  std::map<std::string, std::string> known{{derive::dynamics::gravity_symbol, "gravity"}};
+  for (const model::Parameter& parameter : robot.inertia_parameters)
+    known[parameter.name] = "inertia." + parameter.name;
+  emit::Names names = leaf_names(robot, {}, [known](const std::string& name) { return known.at(name); });
+  const emit::Names leaves = names;
+  names.sine = [leaves](const dag::Angle& angle) { return "sin(" + angle_code(angle, leaves) + ")"; };
+  names.cosine = [leaves](const dag::Angle& angle) { return "cos(" + angle_code(angle, leaves) + ")"; };
+  return names;
+}
+
+std::string doc_of(const DynamicsFunction& function, const DynamicsInterface& interface) {
+  std::string text =
+      "/// " + replaced(interface.summary, "\n", "\n/// ") + "\n///\n/// " + describe(function.counts);
+  text += ". Set-up: " + describe(function.constant_counts) +
+          ".\n/// Equal to the plain Newton-Euler recursion at " + std::to_string(function.certified_points) +
+          " random exact points, tolerance zero.";
+  if (!function.unit.empty())
+    text += "\n/// The unit of length is " + function.unit + ", which must not be zero.";
+  if (function.largest_error > 0)
+    text += "\n/// Largest rounding error found " +
+            json(std::round(function.largest_error * 100) / 100).dump() + " ulp of the largest component.";
+  return text;
+}
+
+std::string joined(const std::vector<std::string>& items, const std::string& before,
+                   const std::string& after) {
+  std::string text;
+  for (const std::string& item : items)
+    text += (text.empty() ? "" : ", ") + before + (after.empty() ? "" : after + item);
+  return text;
+}
+
+}  // namespace
+
+std::vector<dag::Angle> angles_of(const std::vector<DynamicsFunction>& functions) {
+  std::map<std::string, dag::Angle> found;
+  for (const DynamicsFunction& function : functions)
+    for (const dag::Angle& angle : angles_of(function.function)) found.emplace(to_string(angle), angle);
+  std::vector<dag::Angle> angles;
+  for (const auto& [text, angle] : found) angles.push_back(angle);
+  std::stable_sort(angles.begin(), angles.end(),
+                   [](const auto& a, const auto& b) { return a.terms.size() < b.terms.size(); });
+  return angles;
+}
+
+json dynamics_values(const model::Robot& robot, const DynamicsFunction& function,
+                     const DynamicsInterface& interface, const std::vector<dag::Angle>& angles,
+                     const std::string& scalar) {
+  const Constants constants = constants_of(function);
+  const emit::Code code = emit::cpp_code(function.function, names_of(robot, angles, constants.text));
+  const emit::Code set_up = emit::cpp_code(constants.stored, set_up_names(robot));
+  const std::string vector = "const JointVector<" + scalar + ">&";
+  std::string unused;
+  for (const std::string& name : interface.arguments)
+    unused += (unused.empty() ? "" : ", ") + ("[[maybe_unused]] " + vector + " " + name);
+  std::string arguments;
+  for (const std::string& name : interface.arguments) arguments += (arguments.empty() ? "" : ", ") + name;
+  const std::string gravity =
+      interface.has_gravity ? ",\n    [[maybe_unused]] std::type_identity_t<Scalar> gravity" : "";
+  return {{"function", function.name},
+          {"doc", doc_of(function, interface)},
+          {"type", replaced(interface.type, "{scalar}", scalar)},
+          {"parameters", joined(interface.arguments, vector, " ")},
+          {"unused_parameters", unused},
+          {"types", joined(interface.arguments, vector, "")},
+          {"arguments", arguments},
+          {"gravity_default",
+           interface.has_gravity ? ", std::type_identity_t<Scalar> gravity = Scalar(9.80665)" : ""},
+          {"gravity_parameter", gravity},
+          {"gravity_argument", interface.has_gravity ? ", gravity" : ""},
+          {"gravity_type", interface.has_gravity ? ", " + scalar : ""},
+          {"constants", camel_case(function.name) + "Constants"},
+          {"constant_count", constants.stored.outputs.size()},
+          {"set_up", list_of(set_up.temporaries)},
+          {"stored", list_of(set_up.outputs)},
+          {"temporaries", list_of(code.temporaries)},
+          {"statements", list_of(code.outputs, interface.in_struct)}};
+}
+
+DynamicsInterface dynamics_interface(const std::string& name) {
+  const std::string vector = "JointVector<{scalar}>";
+  const std::string matrix = "Eigen::Matrix<{scalar}, dof, dof>";
+  static const std::map<std::string, DynamicsInterface> known = {
+      {"inverse_dynamics",
+       {{"q", "qd", "qdd"},
+        vector,
+        true,
+        "Joint forces for a motion: Newton-Euler recursion in base parameters (thesis 5.1-5.15)."}},
+      {"gravity_torque", {{"q"}, vector, true, "Joint forces that hold the robot against gravity at rest."}},
+      {"coriolis_torque",
+       {{"q", "qd"},
+        vector,
+        false,
+        "Joint forces that come from the joint rates alone, C(q, qd) qd, with viscous friction."}},
+      {"mass_matrix",
+       {{"q"},
+        matrix,
+        false,
+        "Symmetric, positive definite M(q), by composite bodies in base parameters; rotors included."}},
+      {"forward_dynamics",
+       {{"q", "qd", "torque"},
+        vector,
+        true,
+        "Joint accelerations for given joint forces: M qdd = torque - C qd - gravity, by M = U D U^T."}},
+      {"kinetic_energy", {{"q", "qd"}, "{scalar}", false, "qd^T M qd / 2, J."}},
+      {"potential_energy",
+       {{"q"}, "{scalar}", true, "Sum of m g z over the links, z of the centre of mass in the world, J."}},
+      {"inverse_dynamics_derivatives",
+       {{"q", "qd", "qdd"},
+        "InverseDynamicsDerivatives<{scalar}>",
+        true,
+        "Joint forces for a motion, and their derivatives by q and qd; the one by qdd is mass_matrix.",
+        true}},
+  };
+  return known.at(name);
+}
+
+}  // namespace qvgen::application

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "derive/dynamics/base_parameters.h"
+
+namespace qvgen::derive::dynamics {
+namespace {
+
+/// The part of the link's inertia that may as well belong to the link before.
+PseudoInertia movable(const Link& link) {
+  PseudoInertia part;
+  if (link.motion == Motion::none) return link.inertia;
+  if (link.motion == Motion::revolute) {
+    part.at(2, 2) = link.inertia.at(2, 2);
+    part.at(2, 3) = link.inertia.at(2, 3);
+    part.at(3, 3) = link.inertia.at(3, 3);
+    return part;
+  }
+  for (std::size_t row = 0; row < 3; ++row)
+    for (std::size_t column = row; column < 3; ++column) part.at(row, column) = link.inertia.at(row, column);
+  return part;
+}
+
+/// Seen from the link before, at joint position zero (of a movable part it does not matter which).
+PseudoInertia seen_from_before(const Link& link, PseudoInertia inertia, dag::Graph& graph) {
+  inertia = shifted(inertia, 2, link.d);
+  if (link.motion != Motion::revolute) inertia = rotated(inertia, 2, circle(link.angle, graph));
+  inertia = rotated(inertia, 0, circle(link.alpha, graph));
+  return shifted(inertia, {link.a, link.b, Scalar()});
+}
+
+void give_inward(Chain& chain, dag::Graph& graph, std::size_t j) {
+  Link& link = chain.links[j];
+  const PseudoInertia part = movable(link);
+  link.inertia = link.inertia - part;
+  if (j > 0) chain.links[j - 1].inertia = chain.links[j - 1].inertia + seen_from_before(link, part, graph);
+}
+
+}  // namespace
+
+void regroup(Chain& chain, dag::Graph& graph) {
+  for (std::size_t j = chain.links.size(); j-- > 0;) give_inward(chain, graph, j);
+}
+
+void shift_mass(Chain& chain, dag::Graph& graph, std::size_t j, std::size_t k) {
+  PseudoInertia unit;
+  unit.at(3, 3) = Scalar(graph, graph.constant(1));
+  const Link& link = chain.links[j];
+  const PseudoInertia before = seen_from_before(link, unit, graph);
+  const Scalar mass = chain.links[j - 1].inertia.at(k, 3) / before.at(k, 3);
+  PseudoInertia point;
+  point.at(3, 3) = mass;
+  chain.links[j - 1].inertia = chain.links[j - 1].inertia - seen_from_before(link, point, graph);
+  chain.links[j].inertia = chain.links[j].inertia + point;
+  for (std::size_t i = j; i-- > 0;) give_inward(chain, graph, i);
+}
+
+}  // namespace qvgen::derive::dynamics

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+#include "derive/dynamics/chain.h"
+
+#include <optional>
+#include <stdexcept>
+
+#include <cln/integer.h>
+
+#include "derive/dynamics/turn_word.h"
+
+namespace qvgen::derive::dynamics {
+namespace {
+
+using exact::Angle;
+
+Vector3 rotated(const TurnWord& word, Vector3 v, dag::Graph& graph) {
+  for (auto turn = word.rbegin(); turn != word.rend(); ++turn)
+    v = rotate(turn->axis, circle(turn->angle, graph), v);
+  return v;
+}
+
+PseudoInertia rotated(const TurnWord& word, PseudoInertia inertia, dag::Graph& graph) {
+  for (auto turn = word.rbegin(); turn != word.rend(); ++turn)
+    inertia = rotated(inertia, turn->axis, circle(turn->angle, graph));
+  return inertia;
+}
+
+Vector3 to_vector(const model::Vector3& v, dag::Graph& graph) {
+  return {to_scalar(v[0], graph), to_scalar(v[1], graph), to_scalar(v[2], graph)};
+}
+
+bool is_multiple_of_half_turn(const Angle& angle) {
+  return angle.terms.empty() && cln::denominator(angle.pi) == 1;
+}
+
+bool is_odd_quarter(const Angle& angle) { return angle.terms.empty() && cln::denominator(angle.pi) == 2; }
+
+Angle quarter(long count) { return {{}, cln::cl_RA(count) / 2}; }
+
+/// The constant way from one joint frame (z along its axis) to the next: Rz(phi) T(0,0,d) T(a,b,0) Rx(alpha)
+/// T(0,0,d_next) and the rest of the rotation, which begins with a turn about z.
+struct Passage {
+  Angle phi, alpha;
+  TurnWord rest;
+  Scalar a, b, d, next_d;
+};
+
+Angle take(TurnWord& word, std::size_t axis) {
+  if (word.empty() || word.front().axis != axis) return {};
+  const Angle angle = word.front().angle;
+  word.erase(word.begin());
+  return angle;
+}
+
+/// Moves the origins along the two axes to the feet of their common normal where that needs no division.
+Passage make_passage(TurnWord word, const Vector3& t, dag::Graph& graph) {
+  Passage passage;
+  word = reduced(std::move(word));
+  passage.phi = take(word, 2);
+  passage.alpha = take(word, 0);
+  Vector3 offset = unrotate(2, circle(passage.phi, graph), t);
+  if (is_multiple_of_half_turn(passage.alpha)) {
+    if (offset[0].is_zero() && !offset[1].is_zero()) {
+      passage.phi = passage.phi + quarter(1);
+      const bool flipped = cln::oddp(cln::numerator(passage.alpha.pi));
+      word = reduced(TurnWord{{2, quarter(flipped ? 1 : -1)}} * word);
+      offset = {offset[1], -offset[0], offset[2]};
+    }
+    passage.next_d = circle(passage.alpha, graph).cosine * offset[2];
+    offset[2] = Scalar();
+  } else if (is_odd_quarter(passage.alpha)) {
+    passage.next_d = -circle(passage.alpha, graph).sine * offset[1];
+    offset[1] = Scalar();
+  }
+  passage.a = offset[0];
+  passage.b = offset[1];
+  passage.d = offset[2];
+  passage.rest = std::move(word);
+  return passage;
+}
+
+class ChainBuilder {
+ public:
+  ChainBuilder(const model::Robot& robot, dag::Graph& graph) : robot_(robot), graph_(graph) {}
+
+  Chain build() {
+    if (robot_.joints.empty()) throw std::domain_error("dynamics: no joints");
+    const model::Joint& first = robot_.joints.front();
+    TurnWord word = to_word(robot_.base.turns) * to_word(first.before.turns) * from_z_to(first.axis);
+    Passage passage = make_passage(std::move(word), {}, graph_);
+    chain_.up =
+        unrotate(2, circle(passage.phi, graph_), {Scalar(), Scalar(), Scalar(graph_, graph_.constant(1))});
+    const Vector3 start =
+        rotated(to_word(robot_.base.turns), to_vector(first.before.translation, graph_), graph_);
+    chain_.height = to_scalar(robot_.base.translation[2], graph_) + start[2];
+    for (std::size_t j = 0; j < robot_.joints.size(); ++j) {
+      arrive(j, std::move(passage));
+      passage = j + 1 < robot_.joints.size() ? passage_behind(j) : last_passage();
+      leave(j, passage);
+    }
+    return std::move(chain_);
+  }
+
+ private:
+  Passage passage_behind(std::size_t j) {
+    const model::Joint& here = robot_.joints[j];
+    const model::Joint& next = robot_.joints[j + 1];
+    const TurnWord back = inverse(from_z_to(here.axis));
+    const TurnWord after = to_word(here.after.turns);
+    const Vector3 offset = to_vector(here.after.translation, graph_) +
+                           rotated(after, to_vector(next.before.translation, graph_), graph_);
+    return make_passage(back * after * to_word(next.before.turns) * from_z_to(next.axis),
+                        rotated(back, offset, graph_), graph_);
+  }
+
+  /// Behind the last joint its frame is free along its axis: the remaining offset goes into the inertia.
+  Passage last_passage() const {
+    Passage passage;
+    passage.d = -chain_.links.back().d;
+    return passage;
+  }
+
+  /// Links up to joint j; more than one if the passage has turns left over.
+  void arrive(std::size_t j, Passage passage) {
+    Link link;
+    link.joint = j;
+    link.alpha = passage.alpha;
+    link.a = passage.a;
+    link.b = passage.b;
+    link.d = passage.next_d;
+    link.angle = take(passage.rest, 2);
+    while (!passage.rest.empty()) {
+      chain_.links.push_back(link);
+      link = Link();
+      link.joint = j;
+      link.alpha = take(passage.rest, 0);
+      link.angle = take(passage.rest, 2);
+    }
+    const model::Joint& joint = robot_.joints[j];
+    link.variable = joint.variable;
+    link.rotor = to_scalar(joint.drive.rotor_inertia, graph_);
+    link.viscous = to_scalar(joint.drive.viscous_friction, graph_);
+    link.motion = joint.type == model::JointType::revolute ? Motion::revolute : Motion::prismatic;
+    if (link.motion == Motion::revolute) link.angle = link.angle + Angle{{{joint.variable, 1}}, 0};
+    chain_.links.push_back(link);
+  }
+
+  /// Turns the frame of the link by phi about its axis and moves it along by d, and takes the inertia there.
+  void leave(std::size_t j, const Passage& passage) {
+    const model::Joint& joint = robot_.joints[j];
+    Link& link = chain_.links.back();
+    link.angle = link.angle + passage.phi;
+    link.d = link.d + passage.d;
+    const TurnWord back = inverse(from_z_to(joint.axis));
+    PseudoInertia inertia =
+        rotated(to_word(joint.after.turns), from_description(joint.inertia, graph_), graph_);
+    inertia = shifted(inertia, to_vector(joint.after.translation, graph_));
+    inertia = rotated(TurnWord{{2, cln::cl_RA(-1) * passage.phi}} * back, inertia, graph_);
+    link.inertia = shifted(inertia, 2, -passage.d);
+  }
+
+  const model::Robot& robot_;
+  dag::Graph& graph_;
+  Chain chain_;
+};
+
+}  // namespace
+
+Chain make_chain(const model::Robot& robot, dag::Graph& graph) { return ChainBuilder(robot, graph).build(); }
+
+Circle circle(const Angle& angle, dag::Graph& graph) {
+  return {Scalar(graph, graph.cosine(angle)), Scalar(graph, graph.sine(angle))};
+}
+
+Scalar to_scalar(const model::Expression& expression, dag::Graph& graph) {
+  using Kind = model::Expression::Kind;
+  const auto operand = [&](std::size_t i) { return to_scalar(expression.operands()[i], graph); };
+  const auto one = [&] { return Scalar(graph, graph.constant(1)); };
+  switch (expression.kind()) {
+    case Kind::number:
+      return {graph, graph.constant(exact::Number(expression.number()))};
+    case Kind::pi:
+      return {graph, graph.symbol("pi")};
+    case Kind::symbol:
+      return {graph, graph.symbol(expression.name())};
+    case Kind::negate:
+      return -operand(0);
+    case Kind::quotient:
+      return operand(0) / operand(1);
+    case Kind::root:
+      return {graph, graph.root(operand(0).in(graph))};
+    case Kind::sine:
+      return circle(to_angle(expression.operands()[0]), graph).sine;
+    case Kind::cosine:
+      return circle(to_angle(expression.operands()[0]), graph).cosine;
+    default:
+      break;
+  }
+  const std::size_t count = expression.operands().size();
+  Scalar result = expression.kind() == Kind::sum ? Scalar() : one();
+  if (expression.kind() == Kind::power) {
+    const long exponent = expression.exponent();
+    for (long i = 0; i < std::abs(exponent); ++i) result = result * operand(0);
+    return exponent < 0 ? one() / result : result;
+  }
+  for (std::size_t i = 0; i < count; ++i)
+    result = expression.kind() == Kind::sum ? result + operand(i) : result * operand(i);
+  return result;
+}
+
+}  // namespace qvgen::derive::dynamics

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "derive/dynamics/pseudo_inertia.h"
+#include "derive/dynamics/scalar.h"
+#include "exact/angle.h"
+#include "model/robot.h"
+
+namespace qvgen::derive::dynamics {
+
+enum class Motion { revolute, prismatic, none };
+
+/// A joint with its link, all frames z-aligned (Khalil and Kleinfinger 1986):
+/// frame(j) = frame(j-1) * T(a, b, 0) * Rx(alpha) * Rz(angle) * T(0, 0, d), the variable added to `angle` or
+/// to d. b is zero wherever the common normal of neighbouring axes is a coordinate axis away. Where two axes
+/// need more turns than x z, links without mass or motion stand between.
+struct Link {
+  Motion motion = Motion::none;
+  std::string variable;
+  std::size_t joint = 0;  ///< index in the robot; of links without motion, of the joint behind
+  exact::Angle alpha;
+  exact::Angle angle;  ///< the joint variable included
+  Scalar a, b, d;
+  PseudoInertia inertia;  ///< in frame(j)
+  Scalar rotor, viscous;  ///< inertia and friction of the drive, on the joint's side
+};
+
+/// A robot in those frames. Lengths and inertias are exact expressions of the description's symbols.
+struct Chain {
+  std::vector<Link> links;
+  /// Unit vector against gravity (+z of the world) in the frame that link 0 starts from.
+  Vector3 up;
+  Scalar height;  ///< of that frame's origin in the world
+};
+
+Chain make_chain(const model::Robot& robot, dag::Graph& graph);
+
+/// A description's expression as a graph; pi outside of an angle stands as a symbol of that name.
+Scalar to_scalar(const model::Expression& expression, dag::Graph& graph);
+
+Circle circle(const exact::Angle& angle, dag::Graph& graph);
+
+}  // namespace qvgen::derive::dynamics

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "dag/graph.h"
+#include "derive/dynamics/parametrisation.h"
+#include "model/robot.h"
+
+namespace qvgen::derive::dynamics {
+
+/// Symbols of a joint's rate, acceleration and generalised force: theta1', theta1'', theta1!.
+std::string velocity_of(const std::string& variable);
+std::string acceleration_of(const std::string& variable);
+std::string force_of(const std::string& variable);
+
+/// What a formulation leaves to choose before the search.
+struct Choices {
+  Gauge gauge;
+  bool last_link_unrotated = true;  ///< the last link's frame does not turn: its parameters do
+  /// Links whose wrench is offered in the frame before their joint's rotation as well.
+  std::set<std::size_t> unrotated = {1};
+};
+
+/// A quantity in terms of joint variables and constants, with suggestions for the search among its outputs.
+struct Formulation {
+  dag::Function function;   ///< in joint variables, their derivatives and constants "$0", ...
+  dag::Function constants;  ///< the constants in the description's symbols
+};
+
+/// Which generalised forces: of the whole motion, of gravity alone (at rest), of velocities alone, or of both
+/// of these (all that does not depend on the accelerations).
+enum class Effects { all, gravity, velocity, bias };
+
+/// Outputs tau1 ... taun: the Newton-Euler recursion in pseudo-inertia base parameters.
+///
+/// Of the acceleration of a body it propagates U = [w'] + [w][w] (Newton-Euler: v' of a point r is U r), and
+/// of that mainly the column U z, which neighbouring links share (inverse of thesis 5.2-5.4); with it
+///   force   f = U h + m v',
+///   moment  n = (U Sigma's antisymmetric part) + h x v'
+/// replace thesis 5.6-5.13.
+Formulation inverse_dynamics(const model::Robot& robot, const Choices& choices,
+                             Effects effects = Effects::all);
+
+/// Outputs m11, m12, ... (upper triangle, row by row): composite bodies (Walker and Orin 1982, Featherstone
+/// 1987) in pseudo-inertia form.
+Formulation mass_matrix(const model::Robot& robot, const Choices& choices);
+
+/// Outputs qdd1 ...: M^-1 (force - bias), by M = U D U^T from the last joint inward, without a square root.
+Formulation forward_dynamics(const model::Robot& robot, const Choices& choices);
+
+/// Output "energy": q' M q' / 2.
+Formulation kinetic_energy(const model::Robot& robot, const Choices& choices);
+
+/// Output "energy": gravity times the first moment of all links along the world's z.
+Formulation potential_energy(const model::Robot& robot, const Choices& choices);
+
+}  // namespace qvgen::derive::dynamics

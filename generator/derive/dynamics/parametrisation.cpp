@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "derive/dynamics/parametrisation.h"
+
+#include "dag/evaluate.h"
+#include "derive/dynamics/base_parameters.h"
+#include "exact/point.h"
+
+namespace qvgen::derive::dynamics {
+namespace {
+
+using exact::Number;
+
+/// Gives every distinct value a symbol of the target graph.
+class Naming {
+ public:
+  Naming(dag::Graph source, std::vector<dag::Edge> values, dag::Graph& target) : target_(target) {
+    dag::Function all{std::move(source), {}};
+    for (const dag::Edge value : values) all.outputs.push_back({"", value});
+    constexpr std::uint64_t seed = 0x5eed;
+    values_ = dag::evaluate<Number>(all, exact::ExactPoint(seed));
+    constants_.graph = std::move(all.graph);
+    edges_ = std::move(values);
+  }
+
+  Scalar name(std::size_t index) {
+    const Number& value = values_[index];
+    if (value.is_zero()) return {};
+    if (value.is_one() || (-value).is_one()) return {target_, target_.constant(value)};
+    const bool negative = value.sign() < 0;
+    const auto [place, inserted] =
+        known_.try_emplace(to_string(negative ? -value : value), "$" + std::to_string(known_.size()));
+    if (inserted) constants_.outputs.push_back({place->second, negative ? -edges_[index] : edges_[index]});
+    const Scalar symbol(target_, target_.symbol(place->second));
+    return negative ? -symbol : symbol;
+  }
+  dag::Function take() { return std::move(constants_); }
+
+ private:
+  dag::Graph& target_;
+  dag::Function constants_;
+  std::vector<dag::Edge> edges_;
+  std::vector<Number> values_;
+  std::map<std::string, std::string> known_;
+};
+
+/// All constants of a chain, in a fixed order.
+std::vector<Scalar*> constants_of(Parametrisation& p) {
+  std::vector<Scalar*> result = {&p.gravity[0], &p.gravity[1], &p.gravity[2],
+                                 &p.height,     &p.unit,       &p.per_unit};
+  for (Link& link : p.chain.links) {
+    for (Scalar* value : {&link.a, &link.b, &link.d, &link.rotor, &link.viscous}) result.push_back(value);
+    for (std::size_t row = 0; row < 4; ++row)
+      for (std::size_t column = row; column < 4; ++column) result.push_back(&link.inertia.at(row, column));
+  }
+  return result;
+}
+
+/// Lengths divided by the unit, first moments times it, masses times its square: forces per unit, moments
+/// unchanged.
+void rescale(Chain& chain, const Scalar& unit) {
+  for (Link& link : chain.links) {
+    for (Scalar* length : {&link.a, &link.b, &link.d}) *length = *length / unit;
+    for (std::size_t k = 0; k < 3; ++k) link.inertia.at(k, 3) = link.inertia.at(k, 3) * unit;
+    link.inertia.at(3, 3) = link.inertia.at(3, 3) * unit * unit;
+  }
+}
+
+}  // namespace
+
+bool is_constant_symbol(const std::string& name) { return name.front() == '$'; }
+
+std::vector<Scalar> unit_candidates(const Chain& chain) {
+  std::vector<Scalar> result;
+  for (const Link& link : chain.links)
+    for (const Scalar& length : {link.a, link.b, link.d})
+      if (!length.is_zero()) result.push_back(length);
+  return result;
+}
+
+std::vector<std::pair<std::size_t, std::size_t>> mass_shifts(const model::Robot& robot) {
+  dag::Graph graph;
+  const Chain chain = make_chain(robot, graph);
+  std::vector<std::pair<std::size_t, std::size_t>> result;
+  for (std::size_t j = 1; j < chain.links.size(); ++j) {
+    const Link& link = chain.links[j];
+    if (link.motion != Motion::revolute) continue;
+    if (!link.a.is_zero()) result.emplace_back(j, 0);
+    const bool sideways =
+        !link.b.is_zero() || (!link.d.is_zero() && !circle(link.alpha, graph).sine.is_zero());
+    if (sideways) result.emplace_back(j, 1);
+  }
+  return result;
+}
+
+Parametrisation parametrise(const model::Robot& robot, const Gauge& gauge, dag::Graph& graph) {
+  dag::Graph source;
+  Parametrisation result;
+  Chain& chain = result.chain;
+  chain = make_chain(robot, source);
+  if (!gauge.standard) regroup(chain, source);
+  for (const auto& [link, component] : gauge.masses) shift_mass(chain, source, link, component);
+  const Scalar one(source, source.constant(1));
+  result.unit = gauge.unit ? unit_candidates(chain)[*gauge.unit] : one;
+  if (gauge.unit) rescale(chain, result.unit);
+  result.gravity = (Scalar(source, source.symbol(gravity_symbol)) / result.unit) * chain.up;
+  result.per_unit = one / result.unit;
+  result.height =
+      (Scalar(source, source.symbol(gravity_symbol)) / result.unit) * (chain.height / result.unit);
+
+  const auto places = constants_of(result);
+  std::vector<dag::Edge> edges;
+  for (const Scalar* place : places) edges.push_back(place->in(source));
+  Naming naming(std::move(source), std::move(edges), graph);
+  for (std::size_t i = 0; i < places.size(); ++i) *places[i] = naming.name(i);
+  chain.up = {};
+  chain.height = {};
+  result.constants = naming.take();
+  return result;
+}
+
+}  // namespace qvgen::derive::dynamics

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "derive/dynamics/chain.h"
+
+namespace qvgen::derive::dynamics {
+
+/// Which of several equivalent descriptions of the same robot a formulation starts from.
+struct Gauge {
+  /// Length that becomes the unit of length: its products cost nothing. Index into unit_candidates().
+  std::optional<std::size_t> unit;
+  /// Link -> component of the first moment of the link before that a shifted mass makes vanish.
+  std::map<std::size_t, std::size_t> masses;
+  /// The links' own inertias, nothing regrouped: for what is not the same in base parameters (potential
+  /// energy).
+  bool standard = false;
+};
+
+/// A robot whose constants are symbols, ready for a recursion, and what those symbols stand for.
+///
+/// Arithmetic on constants alone is done once, so every distinct constant of the chain is one symbol "$0",
+/// "$1", ...
+/// ("free" for the counting rule; no description can use such a name). Zeros, ones and equal or opposite
+/// values are recognised by their exact value at a random point, so that the structure of the numbers is used
+/// too.
+struct Parametrisation {
+  Chain chain;      ///< in the graph given to parametrise(); symbols are the constants
+  Vector3 gravity;  ///< base acceleration (against gravity) in the frame before link 0, in units of length
+  Scalar height;    ///< of that frame times gravity, in units of length squared
+  Scalar unit, per_unit;    ///< the unit of length and its inverse; one if none was chosen
+  dag::Function constants;  ///< outputs "$0", ... in terms of the description's symbols and `gravity_symbol`
+};
+
+inline constexpr const char* gravity_symbol = "gravity";
+bool is_constant_symbol(const std::string& name);
+
+/// The lengths that may serve as the unit: nonzero a, b, d of the links.
+std::vector<Scalar> unit_candidates(const Chain& chain);
+
+/// The shifts of a mass (see shift_mass) that make sense for a robot: link and component, the offset not
+/// zero.
+std::vector<std::pair<std::size_t, std::size_t>> mass_shifts(const model::Robot& robot);
+
+Parametrisation parametrise(const model::Robot& robot, const Gauge& gauge, dag::Graph& graph);
+
+}  // namespace qvgen::derive::dynamics

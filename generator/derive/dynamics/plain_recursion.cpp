@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: MIT
+#include "derive/dynamics/plain_recursion.h"
+
+#include <cstdlib>
+
+#include "derive/dynamics/formulation.h"
+#include "derive/dynamics/turn_word.h"
+
+namespace qvgen::derive::dynamics {
+namespace {
+
+using exact::Number;
+using Vector = std::array<Number, 3>;
+using Matrix = std::array<Vector, 3>;
+
+Vector operator+(const Vector& a, const Vector& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
+Vector operator*(const Number& s, const Vector& v) { return {s * v[0], s * v[1], s * v[2]}; }
+Number dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Vector cross(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+Vector operator*(const Matrix& m, const Vector& v) { return {dot(m[0], v), dot(m[1], v), dot(m[2], v)}; }
+Matrix transpose(const Matrix& m) {
+  Matrix t;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 3; ++k) t[i][k] = m[k][i];
+  return t;
+}
+Matrix operator*(const Matrix& a, const Matrix& b) {
+  const Matrix columns = transpose(b);
+  Matrix product;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 3; ++k) product[i][k] = dot(a[i], columns[k]);
+  return product;
+}
+Matrix identity() { return {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}; }
+
+}  // namespace
+
+PlainRecursion::PlainRecursion(const model::Robot& robot, const exact::ExactPoint& point, std::size_t moved,
+                               const cln::cl_RA& by)
+    : point_(point) {
+  base_ = frame_of(robot.base);
+  for (const model::Joint& joint : robot.joints) {
+    Link link;
+    link.revolute = joint.type == model::JointType::revolute;
+    link.variable = joint.variable;
+    link.before = frame_of(joint.before);
+    link.after = frame_of(joint.after);
+    link.axis = vector_of(joint.axis);
+    const cln::cl_RA shift = links_.size() == moved ? by : cln::cl_RA(0);
+    link.motion = {identity(), {}};
+    if (link.revolute)
+      link.motion.rotation = rotation(link.axis, {{{joint.variable, 1}}, shift});
+    else
+      link.motion.position = (point.symbol(joint.variable) + Number(shift)) * link.axis;
+    link.mass = number_of(joint.inertia.mass);
+    link.rotor = number_of(joint.drive.rotor_inertia);
+    link.viscous = number_of(joint.drive.viscous_friction);
+    link.centre = vector_of(joint.inertia.centre_of_mass);
+    std::array<Number, 6> i;
+    for (std::size_t k = 0; k < 6; ++k) i[k] = number_of(joint.inertia.inertia[k]);
+    link.inertia = {{{i[0], i[3], i[5]}, {i[3], i[1], i[4]}, {i[5], i[4], i[2]}}};
+    links_.push_back(link);
+  }
+}
+
+Number PlainRecursion::number_of(const model::Expression& expression) const {
+  using Kind = model::Expression::Kind;
+  const auto operand = [&](std::size_t i) { return number_of(expression.operands()[i]); };
+  switch (expression.kind()) {
+    case Kind::number:
+      return Number(expression.number());
+    case Kind::pi:
+      return point_.symbol("pi");
+    case Kind::symbol:
+      return point_.symbol(expression.name());
+    case Kind::negate:
+      return -operand(0);
+    case Kind::quotient:
+      return operand(0) / operand(1);
+    case Kind::root:
+      return point_.root(operand(0));
+    case Kind::sine:
+      return point_.sine(to_angle(expression.operands()[0]));
+    case Kind::cosine:
+      return point_.cosine(to_angle(expression.operands()[0]));
+    default:
+      break;
+  }
+  Number result = expression.kind() == Kind::sum ? 0 : 1;
+  if (expression.kind() == Kind::power) {
+    for (long i = 0; i < std::labs(expression.exponent()); ++i) result = result * operand(0);
+    return expression.exponent() < 0 ? result.inverse() : result;
+  }
+  for (std::size_t i = 0; i < expression.operands().size(); ++i)
+    result = expression.kind() == Kind::sum ? result + operand(i) : result * operand(i);
+  return result;
+}
+
+Vector PlainRecursion::vector_of(const model::Vector3& v) const {
+  return {number_of(v[0]), number_of(v[1]), number_of(v[2])};
+}
+
+/// Rodrigues' formula, the matrix of the thesis's unit quaternion [cos(angle/2), sin(angle/2) axis] (1.3).
+Matrix PlainRecursion::rotation(const Vector& axis, const exact::Angle& angle) const {
+  const Number c = point_.cosine(angle), s = point_.sine(angle);
+  Matrix result;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vector e = identity()[k];
+    result[k] = c * e + s * cross(axis, e) + ((Number(1) - c) * dot(axis, e)) * axis;
+  }
+  return transpose(result);
+}
+
+PlainRecursion::Frame PlainRecursion::frame_of(const model::Displacement& displacement) const {
+  Frame frame{identity(), vector_of(displacement.translation)};
+  for (const model::Turn& turn : displacement.turns)
+    frame.rotation = frame.rotation * rotation(vector_of(turn.axis), to_angle(turn.angle));
+  return frame;
+}
+
+PlainRecursion::Values PlainRecursion::rates() const {
+  Values values;
+  for (const Link& link : links_) values.push_back(point_.symbol(velocity_of(link.variable)));
+  return values;
+}
+
+PlainRecursion::Values PlainRecursion::accelerations() const {
+  Values values;
+  for (const Link& link : links_) values.push_back(point_.symbol(acceleration_of(link.variable)));
+  return values;
+}
+
+PlainRecursion::Values PlainRecursion::forces() const {
+  Values values;
+  for (const Link& link : links_) values.push_back(point_.symbol(force_of(link.variable)));
+  return values;
+}
+
+std::vector<PlainRecursion::Frame> PlainRecursion::link_frames() const {
+  std::vector<Frame> frames;
+  Frame at = base_;
+  for (const Link& link : links_) {
+    for (const Frame* step : {&link.before, &link.motion, &link.after})
+      at = {at.rotation * step->rotation, at.position + at.rotation * step->position};
+    frames.push_back(at);
+  }
+  return frames;
+}
+
+/// Everything in the world frame: 5.2-5.5 for the motion, 5.6-5.9 for force and moment, 5.10-5.15 inward.
+PlainRecursion::Values PlainRecursion::inverse_dynamics(const Values& rates, const Values& accelerations,
+                                                        const Number& gravity) const {
+  const std::vector<Frame> frames = link_frames();
+  const std::size_t n = links_.size();
+  std::vector<Vector> axes(n), origins(n), force(n), moment(n), centres(n);
+  Vector w{}, dw{}, a{0, 0, gravity}, origin = base_.position;
+  Matrix rotation = base_.rotation;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Link& link = links_[i];
+    const auto moved_to = [&](const Vector& point) {
+      const Vector lever = point + Number(-1) * origin;
+      a = a + cross(dw, lever) + cross(w, cross(w, lever));
+      origin = point;
+    };
+    const Vector joint_origin = origin + rotation * link.before.position;
+    rotation = rotation * link.before.rotation;
+    axes[i] = rotation * link.axis;
+    moved_to(joint_origin);
+    if (link.revolute) {
+      dw = dw + accelerations[i] * axes[i] + cross(w, rates[i] * axes[i]);
+      w = w + rates[i] * axes[i];
+    } else {
+      moved_to(joint_origin + rotation * link.motion.position);
+      a = a + accelerations[i] * axes[i] + Number(2) * cross(w, rates[i] * axes[i]);
+    }
+    origins[i] = origin;
+    moved_to(frames[i].position);
+    rotation = frames[i].rotation;
+    const Vector lever = rotation * link.centre;
+    centres[i] = origin + lever;
+    force[i] = link.mass * (a + cross(dw, lever) + cross(w, cross(w, lever)));
+    const Matrix inertia = rotation * link.inertia * transpose(rotation);
+    moment[i] = inertia * dw + cross(w, inertia * w);
+  }
+  Values torques(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    Vector f{}, m{};
+    for (std::size_t k = i; k < n; ++k) {
+      f = f + force[k];
+      m = m + moment[k] + cross(centres[k] + Number(-1) * origins[i], force[k]);
+    }
+    torques[i] = dot(axes[i], links_[i].revolute ? m : f) + links_[i].rotor * accelerations[i] +
+                 links_[i].viscous * rates[i];
+  }
+  return torques;
+}
+
+std::vector<PlainRecursion::Values> PlainRecursion::mass_matrix() const {
+  std::vector<Values> matrix(links_.size(), Values(links_.size()));
+  for (std::size_t k = 0; k < links_.size(); ++k) {
+    Values unit(links_.size());
+    unit[k] = 1;
+    const Values column = inverse_dynamics(Values(links_.size()), unit, 0);
+    for (std::size_t i = 0; i < links_.size(); ++i) matrix[i][k] = column[i];
+  }
+  return matrix;
+}
+
+Number PlainRecursion::kinetic_energy(const Values& rates) const {
+  const std::vector<Frame> frames = link_frames();
+  Vector w{}, v{}, origin = base_.position;
+  Matrix rotation = base_.rotation;
+  Number twice = 0;
+  for (std::size_t i = 0; i < links_.size(); ++i) {
+    const Link& link = links_[i];
+    const Vector joint_origin = origin + rotation * link.before.position;
+    const Vector axis = rotation * (link.before.rotation * link.axis);
+    v = v + cross(w, joint_origin + Number(-1) * origin);
+    if (link.revolute)
+      w = w + rates[i] * axis;
+    else
+      v = v + rates[i] * axis;
+    v = v + cross(w, frames[i].position + Number(-1) * joint_origin);
+    origin = frames[i].position;
+    rotation = frames[i].rotation;
+    const Vector centre_velocity = v + cross(w, rotation * link.centre);
+    const Vector local = transpose(rotation) * w;
+    twice = twice + link.mass * dot(centre_velocity, centre_velocity) + dot(local, link.inertia * local) +
+            link.rotor * rates[i] * rates[i];
+  }
+  return twice / Number(2);
+}
+
+Number PlainRecursion::potential_energy(const Number& gravity) const {
+  const std::vector<Frame> frames = link_frames();
+  Number sum = 0;
+  for (std::size_t i = 0; i < links_.size(); ++i)
+    sum = sum + links_[i].mass * (frames[i].position + frames[i].rotation * links_[i].centre)[2];
+  return gravity * sum;
+}
+
+}  // namespace qvgen::derive::dynamics

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include "derive/dynamics/turn_word.h"
+
+#include <algorithm>
+#include <optional>
+#include <stdexcept>
+
+#include <cln/integer.h>
+
+namespace qvgen::derive::dynamics {
+namespace {
+
+using exact::Angle;
+using Kind = model::Expression::Kind;
+
+Angle quarter_turns(long count) { return {{}, cln::cl_RA(count) / 2}; }
+
+Turn turn(std::size_t axis, long quarters) { return {axis, quarter_turns(quarters)}; }
+
+Angle negative(const Angle& angle) { return cln::cl_RA(-1) * angle; }
+
+/// The angle as a multiple of pi/2 in 0..3, if it is one.
+std::optional<long> quarters(const Angle& angle) {
+  const cln::cl_RA count = angle.pi * 2;
+  if (!angle.terms.empty() || cln::denominator(count) != 1) return std::nullopt;
+  return cln::cl_I_to_long(cln::mod(cln::numerator(count), 4));
+}
+
+bool is(const Turn& turn, long wanted) { return quarters(turn.angle) == wanted; }
+
+std::optional<std::pair<std::size_t, long>> signed_axis(const model::Vector3& axis) {
+  std::optional<std::pair<std::size_t, long>> result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (axis[i].is_literal_zero()) continue;
+    if (result || axis[i].kind() != Kind::number || cln::abs(axis[i].number()) != 1) return std::nullopt;
+    result = {i, cln::plusp(axis[i].number()) ? 1 : -1};
+  }
+  return result;
+}
+
+bool drop_identity(TurnWord& word) {
+  const auto place = std::find_if(word.begin(), word.end(), [](const Turn& t) { return is(t, 0); });
+  if (place == word.end()) return false;
+  word.erase(place);
+  return true;
+}
+
+bool merge_neighbours(TurnWord& word) {
+  for (std::size_t i = 0; i + 1 < word.size(); ++i) {
+    if (word[i].axis != word[i + 1].axis) continue;
+    word[i].angle = word[i].angle + word[i + 1].angle;
+    word.erase(word.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+    return true;
+  }
+  return false;
+}
+
+/// A half turn about a passes a turn about b by changing its sign, so that the turns about a on both sides
+/// meet.
+bool pass_half_turn(TurnWord& word) {
+  for (std::size_t i = 0; i + 2 < word.size(); ++i) {
+    if (is(word[i + 2], 2)) {
+      word[i].angle = word[i].angle + word[i + 2].angle;
+      word[i + 1].angle = negative(word[i + 1].angle);
+      word.erase(word.begin() + static_cast<std::ptrdiff_t>(i) + 2);
+      return true;
+    }
+    if (is(word[i], 2)) {
+      word[i + 2].angle = word[i + 2].angle + word[i].angle;
+      word[i + 1].angle = negative(word[i + 1].angle);
+      word.erase(word.begin() + static_cast<std::ptrdiff_t>(i));
+      return true;
+    }
+    if (is(word[i + 1], 2)) {
+      word[i + 2].angle = word[i + 2].angle + negative(word[i].angle);
+      word.erase(word.begin() + static_cast<std::ptrdiff_t>(i));
+      return true;
+    }
+  }
+  return false;
+}
+
+/// x(+-pi/2) z(gamma) x(-+pi/2) is a rotation by gamma about -+y, z(pi/2) x(..) z(-pi/2); with equal signs a
+/// half turn about x remains.
+bool turn_between_quarters(TurnWord& word) {
+  for (std::size_t i = 0; i + 2 < word.size(); ++i) {
+    const auto first = quarters(word[i].angle);
+    const auto last = quarters(word[i + 2].angle);
+    if (word[i].axis != 0 || !first || !last || *first % 2 == 0 || *last % 2 == 0) continue;
+    const Angle gamma = word[i + 1].angle;
+    // x(pi/2) z(g) x(-pi/2) turns about x(pi/2) z = -y by g.
+    TurnWord about_y = {turn(2, 1), {0, *first == 1 ? negative(gamma) : gamma}, turn(2, -1)};
+    if (*first == *last) about_y.push_back(turn(0, 2));
+    word.erase(word.begin() + static_cast<std::ptrdiff_t>(i),
+               word.begin() + static_cast<std::ptrdiff_t>(i) + 3);
+    word.insert(word.begin() + static_cast<std::ptrdiff_t>(i), about_y.begin(), about_y.end());
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+TurnWord from_z_to(const model::Vector3& axis) {
+  const auto known = signed_axis(axis);
+  if (!known) throw std::domain_error("dynamics: the axis of a joint or turn is not a coordinate axis");
+  const auto [index, sign] = *known;
+  if (index == 0) return {turn(2, sign), turn(0, 1)};
+  if (index == 1) return {turn(0, -sign)};
+  return sign > 0 ? TurnWord{} : TurnWord{turn(0, 2)};
+}
+
+TurnWord to_word(const std::vector<model::Turn>& turns) {
+  TurnWord word;
+  for (const model::Turn& t : turns) {
+    const TurnWord frame = from_z_to(t.axis);
+    word = word * frame * TurnWord{{2, to_angle(t.angle)}} * inverse(frame);
+  }
+  return word;
+}
+
+TurnWord inverse(const TurnWord& word) {
+  TurnWord result(word.rbegin(), word.rend());
+  for (Turn& t : result) t.angle = negative(t.angle);
+  return result;
+}
+
+TurnWord operator*(TurnWord a, const TurnWord& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+TurnWord reduced(TurnWord word) {
+  while (drop_identity(word) || merge_neighbours(word) || pass_half_turn(word) ||
+         turn_between_quarters(word)) {
+  }
+  return word;
+}
+
+exact::Angle to_angle(const model::Expression& expression) {
+  const auto& operands = expression.operands();
+  const auto refuse = [&]() -> Angle {
+    throw std::domain_error("dynamics: angle " + to_string(expression) + " is not linear");
+  };
+  const auto number = [](const model::Expression& e) -> std::optional<cln::cl_RA> {
+    if (e.kind() == Kind::number) return e.number();
+    if (e.kind() == Kind::negate && e.operands()[0].kind() == Kind::number) return -e.operands()[0].number();
+    return std::nullopt;
+  };
+  switch (expression.kind()) {
+    case Kind::number:
+      return cln::zerop(expression.number()) ? Angle{} : refuse();
+    case Kind::pi:
+      return {{}, 1};
+    case Kind::symbol:
+      return {{{expression.name(), 1}}, 0};
+    case Kind::negate:
+      return negative(to_angle(operands[0]));
+    case Kind::sum: {
+      Angle sum;
+      for (const auto& operand : operands) sum = sum + to_angle(operand);
+      return sum;
+    }
+    case Kind::product: {
+      if (operands.size() != 2) return refuse();
+      if (const auto factor = number(operands[0])) return *factor * to_angle(operands[1]);
+      if (const auto factor = number(operands[1])) return *factor * to_angle(operands[0]);
+      return refuse();
+    }
+    case Kind::quotient: {
+      const auto divisor = number(operands[1]);
+      return divisor ? (1 / *divisor) * to_angle(operands[0]) : refuse();
+    }
+    default:
+      return refuse();
+  }
+}
+
+}  // namespace qvgen::derive::dynamics

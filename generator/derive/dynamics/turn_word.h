@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "exact/angle.h"
+#include "model/robot.h"
+
+namespace qvgen::derive::dynamics {
+
+/// Elementary rotation about the x axis (0) or the z axis (2).
+struct Turn {
+  std::size_t axis = 2;
+  exact::Angle angle;
+};
+
+/// Product of elementary rotations, first to last.
+using TurnWord = std::vector<Turn>;
+
+/// A rotation that takes +z to the axis; throws std::domain_error unless it is +-x, +-y or +-z.
+TurnWord from_z_to(const model::Vector3& axis);
+TurnWord to_word(const std::vector<model::Turn>& turns);
+TurnWord inverse(const TurnWord& word);
+TurnWord operator*(TurnWord a, const TurnWord& b);
+
+/// Equal rotation with as few turns as right angles and half turns allow; two axes at a right angle or
+/// parallel, with whatever in between, come out as z x z at most (Khalil and Kleinfinger 1986).
+TurnWord reduced(TurnWord word);
+
+/// The angle of a description: linear in symbols and pi; throws std::domain_error otherwise.
+exact::Angle to_angle(const model::Expression& expression);
+
+}  // namespace qvgen::derive::dynamics
