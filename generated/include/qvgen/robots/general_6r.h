@@ -6,3 +6,4 @@
 #include <qvgen/robots/general_6r/model.h>
 #include <qvgen/robots/general_6r/kinematics.h>
 #include <qvgen/robots/general_6r/jacobian.h>
+#include <qvgen/robots/general_6r/dynamics.h>

@@ -6,3 +6,4 @@
 #include <qvgen/robots/iiwa14/model.h>
 #include <qvgen/robots/iiwa14/kinematics.h>
 #include <qvgen/robots/iiwa14/jacobian.h>
+#include <qvgen/robots/iiwa14/dynamics.h>

@@ -6,3 +6,4 @@
 #include <qvgen/robots/ns_numbers/model.h>
 #include <qvgen/robots/ns_numbers/kinematics.h>
 #include <qvgen/robots/ns_numbers/jacobian.h>
+#include <qvgen/robots/ns_numbers/dynamics.h>

@@ -6,3 +6,4 @@
 #include <qvgen/robots/puma560/model.h>
 #include <qvgen/robots/puma560/kinematics.h>
 #include <qvgen/robots/puma560/jacobian.h>
+#include <qvgen/robots/puma560/dynamics.h>

@@ -6,3 +6,4 @@
 #include <qvgen/robots/stanford/model.h>
 #include <qvgen/robots/stanford/kinematics.h>
 #include <qvgen/robots/stanford/jacobian.h>
+#include <qvgen/robots/stanford/dynamics.h>

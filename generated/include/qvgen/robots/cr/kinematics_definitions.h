@@ -60,18 +60,16 @@ inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar
   const Scalar t9 = c[3] * t7 + s[3] * t8;
   const Scalar t10 = s[3] * t3 - c[3] * t2;
   const Scalar t11 = s[3] * t7 - c[3] * t8;
-  const Scalar t12 = g.d4 * s[1];
-  const Scalar t13 = c[1] * t12;
-  const Scalar t14 = g.l2 - (t13 + t13);
-  const Scalar t15 = c[0] + c[0];
-  const Scalar t16 = s[1] * t12;
+  const Scalar t12 = s[0] + s[0];
+  const Scalar t13 = Scalar(2) * s[1];
+  const Scalar t14 = g.l2 - g.d4 * c[1] * t13;
   return {Eigen::Quaternion<Scalar>(c[4] * t9 - s[4] * t4,
                                     c[4] * t10 - s[4] * t11,
                                     s[4] * t10 + c[4] * t11,
                                     -s[4] * t9 - c[4] * t4),
-          Eigen::Matrix<Scalar, 3, 1>(-t14 * (Scalar(1) - c[0] * t15),
-                                      t15 * s[0] * t14,
-                                      (t16 + t16) + (q[1] - g.d4))};
+          Eigen::Matrix<Scalar, 3, 1>((Scalar(1) - s[0] * t12) * t14,
+                                      c[0] * t14 * t12,
+                                      q[1] - (g.d4 - g.d4 * s[1] * t13))};
 }
 
 template <class Scalar, class Angles>

@@ -90,78 +90,75 @@ inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar
   [[maybe_unused]] const auto& [s, c] = angles;
   const Scalar t0 = s[0] * s[2];
   const Scalar t1 = c[0] * c[2];
-  const Scalar t2 = c[1] * (t0 - t1);
-  const Scalar t3 = c[0] * s[1];
-  const Scalar t4 = s[0] * s[1];
-  const Scalar t5 = s[2] * t3 - c[2] * t4;
-  const Scalar t6 = Scalar(0.7071067811865476) * (t2 + t5);
-  const Scalar t7 = s[1] * (t0 + t1);
-  const Scalar t8 = c[1] * s[0];
-  const Scalar t9 = c[0] * c[1];
-  const Scalar t10 = c[2] * t8 + s[2] * t9;
-  const Scalar t11 = Scalar(0.7071067811865476) * (t7 - t10);
-  const Scalar t12 = s[3] * t6 + c[3] * t11;
-  const Scalar t13 = Scalar(0.7071067811865476) * t12;
-  const Scalar t14 = Scalar(0.7071067811865476) * (t7 + t10);
-  const Scalar t15 = Scalar(0.7071067811865476) * (t2 - t5);
-  const Scalar t16 = c[3] * t14 + s[3] * t15;
-  const Scalar t17 = Scalar(0.7071067811865476) * t16;
-  const Scalar t18 = t13 + t17;
-  const Scalar t19 = s[3] * t14 - c[3] * t15;
-  const Scalar t20 = s[3] * t11 - c[3] * t6;
-  const Scalar t21 = Scalar(0.7071067811865476) * (t19 - t20);
-  const Scalar t22 = c[4] * t18 - s[4] * t21;
-  const Scalar t23 = Scalar(0.7071067811865476) * (t19 + t20);
-  const Scalar t24 = t13 - t17;
-  const Scalar t25 = s[4] * t23 - c[4] * t24;
-  const Scalar t26 = Scalar(0.7071067811865476) * (t22 - t25);
-  const Scalar t27 = s[4] * t24 + c[4] * t23;
-  const Scalar t28 = s[4] * t18 + c[4] * t21;
-  const Scalar t29 = Scalar(0.7071067811865476) * (t27 - t28);
-  const Scalar t30 = s[5] * t26 - c[5] * t29;
-  const Scalar t31 = Scalar(0.7071067811865476) * (t22 + t25);
-  const Scalar t32 = Scalar(0.7071067811865476) * (t27 + t28);
-  const Scalar t33 = s[5] * t31 - c[5] * t32;
-  const Scalar t34 = Scalar(0.7071067811865476) * (t30 + t33);
-  const Scalar t35 = c[5] * t26 + s[5] * t29;
-  const Scalar t36 = s[5] * t32 + c[5] * t31;
-  const Scalar t37 = Scalar(0.7071067811865476) * (t35 - t36);
-  const Scalar t38 = c[6] * t34 - s[6] * t37;
-  const Scalar t39 = Scalar(0.7071067811865476) * (t30 - t33);
-  const Scalar t40 = Scalar(0.7071067811865476) * (t35 + t36);
-  const Scalar t41 = c[6] * t39 + s[6] * t40;
-  const Scalar t42 = c[6] * t40 - s[6] * t39;
-  const Scalar t43 = c[6] * t37 + s[6] * t34;
-  const Scalar t44 = t43 * t41;
-  const Scalar t45 = Scalar(0.09) * t44 + Scalar(0.431) * (t7 * t2 - t28 * t25);
-  const Scalar t46 = t42 * t38;
-  const Scalar t47 = t9 - t4;
-  const Scalar t48 = Scalar(0.7071067811865476) * Scalar(0.7071067811865476) * t47;
-  const Scalar t49 = t3 + t8;
-  const Scalar t50 = Scalar(0.162) * (t44 + t46) + (Scalar(0.09) * t46 - Scalar(0.409) * t48 * t49);
-  const Scalar t51 = t9 + t4;
-  const Scalar t52 = t3 - t8;
-  const Scalar t53 = Scalar(0.7071067811865476) * Scalar(0.7071067811865476) * t52;
-  const Scalar t54 = Scalar(0.409) * t51 * t53 + Scalar(0.431) * (t27 * t22 + t5 * t10);
-  const Scalar t55 = ((Scalar(0.369) * t12 * t20 - t45) - t50) + (Scalar(0.369) * t19 * t16 + t54);
-  const Scalar t56 = (Scalar(0.47) - Scalar(0.431) * t27 * t28) - Scalar(0.409) * t48 * t47;
-  const Scalar t57 = Scalar(0.162) * t33 * t33 + Scalar(0.369) * t19 * t19;
-  const Scalar t58 = (t57 - Scalar(0.431) * t2 * t5) + Scalar(0.409) * t53 * t52;
-  const Scalar t59 = Scalar(0.431) * (t7 * t10 + t22 * t25) - Scalar(0.369) * t12 * t12;
-  const Scalar t60 = t56 - (t58 + (Scalar(0.162) * t35 * t35 - t59));
-  const Scalar t61 = Scalar(0.09) * (t42 * t43 - t38 * t41) - t60;
-  const Scalar t62 = (Scalar(0.836) - Scalar(0.369) * t12 * t16) - Scalar(0.431) * t5 * t5;
-  const Scalar t63 = Scalar(0.431) * (t22 * t22 + t7 * t7) + Scalar(0.09) * (t42 * t42 + t41 * t41);
-  const Scalar t64 = Scalar(0.431) * t28 * t28 + Scalar(0.409) * (t53 * t49 - t51 * t48);
-  const Scalar t65 = Scalar(0.369) * t19 * t20 - (t64 - Scalar(0.162) * t30 * t33);
-  const Scalar t66 = ((t62 - Scalar(0.162) * t35 * t36) - t63) + t65;
-  return {Eigen::Quaternion<Scalar>(-t38,
-                                    t41,
-                                    t42,
-                                    -t43),
-          Eigen::Matrix<Scalar, 3, 1>(t55,
-                                      -t61,
-                                      t66)};
+  const Scalar t2 = s[1] * (t0 + t1);
+  const Scalar t3 = c[1] * (c[2] * s[0] + c[0] * s[2]);
+  const Scalar t4 = Scalar(0.7071067811865476) * (t2 + t3);
+  const Scalar t5 = c[1] * (t0 - t1);
+  const Scalar t6 = c[0] * s[1];
+  const Scalar t7 = s[0] * s[1];
+  const Scalar t8 = s[2] * t6 - c[2] * t7;
+  const Scalar t9 = Scalar(0.7071067811865476) * (t5 - t8);
+  const Scalar t10 = s[3] * t4 - c[3] * t9;
+  const Scalar t11 = Scalar(0.7071067811865476) * (t2 - t3);
+  const Scalar t12 = Scalar(0.7071067811865476) * (t5 + t8);
+  const Scalar t13 = s[3] * t11 - c[3] * t12;
+  const Scalar t14 = Scalar(0.7071067811865476) * (t10 - t13);
+  const Scalar t15 = c[3] * t4 + s[3] * t9;
+  const Scalar t16 = s[3] * t12 + c[3] * t11;
+  const Scalar t17 = Scalar(0.7071067811865476) * (t15 + t16);
+  const Scalar t18 = s[4] * t14 - c[4] * t17;
+  const Scalar t19 = Scalar(0.7071067811865476) * (t15 - t16);
+  const Scalar t20 = Scalar(0.7071067811865476) * (t10 + t13);
+  const Scalar t21 = c[4] * t19 + s[4] * t20;
+  const Scalar t22 = Scalar(0.7071067811865476) * (t18 + t21);
+  const Scalar t23 = c[4] * t14 + s[4] * t17;
+  const Scalar t24 = Scalar(0.7071067811865476) * t23;
+  const Scalar t25 = s[4] * t19 - c[4] * t20;
+  const Scalar t26 = Scalar(0.7071067811865476) * t25;
+  const Scalar t27 = t24 + t26;
+  const Scalar t28 = s[5] * t22 - c[5] * t27;
+  const Scalar t29 = t24 - t26;
+  const Scalar t30 = Scalar(0.7071067811865476) * (t18 - t21);
+  const Scalar t31 = c[5] * t29 + s[5] * t30;
+  const Scalar t32 = Scalar(0.7071067811865476) * (t28 + t31);
+  const Scalar t33 = s[5] * t29 - c[5] * t30;
+  const Scalar t34 = s[5] * t27 + c[5] * t22;
+  const Scalar t35 = Scalar(0.7071067811865476) * (t33 + t34);
+  const Scalar t36 = c[6] * t32 - s[6] * t35;
+  const Scalar t37 = Scalar(0.7071067811865476) * (t33 - t34);
+  const Scalar t38 = Scalar(0.7071067811865476) * (t28 - t31);
+  const Scalar t39 = s[6] * t37 - c[6] * t38;
+  const Scalar t40 = s[6] * t38 + c[6] * t37;
+  const Scalar t41 = c[6] * t35 + s[6] * t32;
+  const Scalar t42 = Scalar(0.369) * t10 * t15 + Scalar(0.431) * (t25 * t18 + t8 * t3);
+  const Scalar t43 = c[0] * c[1] - t7;
+  const Scalar t44 = Scalar(0.5) * t43;
+  const Scalar t45 = c[1] * s[0];
+  const Scalar t46 = t6 - t45;
+  const Scalar t47 = t39 * t41;
+  const Scalar t48 = Scalar(0.09) * t47 + Scalar(0.431) * (t23 * t21 - t2 * t5);
+  const Scalar t49 = (t42 + Scalar(0.409) * (t7 + t44) * t46) + (Scalar(0.369) * t13 * t16 + t48);
+  const Scalar t50 = t36 * t40;
+  const Scalar t51 = Scalar(0.409) * t44 * (t6 + t45) + (Scalar(0.09) * t50 + Scalar(0.162) * (t47 + t50));
+  const Scalar t52 = (Scalar(0.47) + Scalar(0.431) * t23 * t25) - Scalar(0.409) * t43 * t44;
+  const Scalar t53 = Scalar(0.369) * t10 * t10 + Scalar(0.162) * t31 * t31;
+  const Scalar t54 = (t53 - Scalar(0.431) * t5 * t8) + Scalar(0.409) * Scalar(0.5) * t46 * t46;
+  const Scalar t55 = Scalar(0.369) * t16 * t16 - Scalar(0.431) * (t2 * t3 - t18 * t21);
+  const Scalar t56 = t52 - (t54 + (t55 + Scalar(0.162) * t34 * t34));
+  const Scalar t57 = Scalar(0.09) * (t40 * t41 - t39 * t36) + t56;
+  const Scalar t58 = t8 * t8;
+  const Scalar t59 = Scalar(0.431) * t58 - (Scalar(0.836) + Scalar(0.162) * t33 * t34);
+  const Scalar t60 = s[1] * s[1];
+  const Scalar t61 = Scalar(0.09) * (t39 * t39 + t40 * t40) - Scalar(0.431) * ((t58 - t60) - t18 * t18);
+  const Scalar t62 = Scalar(0.162) * t28 * t31 + Scalar(0.409) * (Scalar(0.5) - t60);
+  const Scalar t63 = (t61 + (Scalar(0.431) * t23 * t23 - t62)) - Scalar(0.369) * t10 * t13;
+  return {Eigen::Quaternion<Scalar>(t36,
+                                    t39,
+                                    t40,
+                                    t41),
+          Eigen::Matrix<Scalar, 3, 1>(t49 + t51,
+                                      t57,
+                                      -(Scalar(0.369) * t15 * t16 + t59) - t63)};
 }
 
 template <class Scalar, class Angles>

@@ -54,33 +54,33 @@ inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar
                                        [[maybe_unused]] const Angles& angles,
                                        [[maybe_unused]] const BasicGeometry<Scalar>& g) {
   [[maybe_unused]] const auto& [s, c] = angles;
-  const Scalar t0 = s[5] * s[2];
-  const Scalar t1 = c[4] + c[4];
-  const Scalar t2 = s[4] * t1;
-  const Scalar t3 = Scalar(1) - c[4] * t1;
+  const Scalar t0 = c[5] * s[2];
+  const Scalar t1 = Scalar(2) * s[4];
+  const Scalar t2 = Scalar(1) - s[4] * t1;
+  const Scalar t3 = c[4] * t1;
   const Scalar t4 = c[2] * (s[5] * t2 - c[5] * t3);
-  const Scalar t5 = s[0] * t0 + c[0] * t4;
-  const Scalar t6 = c[5] * s[2];
-  const Scalar t7 = c[2] * (s[5] * t3 + c[5] * t2);
-  const Scalar t8 = c[0] * t6 - s[0] * t7;
-  const Scalar t9 = c[3] * t5 - s[3] * t8;
-  const Scalar t10 = c[3] * t8 + s[3] * t5;
-  const Scalar t11 = s[0] * t4 - c[0] * t0;
-  const Scalar t12 = s[0] * t6 + c[0] * t7;
-  const Scalar t13 = s[3] * t11 + c[3] * t12;
-  const Scalar t14 = c[3] * t11 - s[3] * t12;
-  const Scalar t15 = s[0] + s[0];
-  const Scalar t16 = (Scalar(2.15) * c[1] * s[1] - Scalar(1.1425) * t3) + Scalar(0.2) * t2;
-  const Scalar t17 = Scalar(0.32) + t16;
+  const Scalar t5 = c[0] * t0 + s[0] * t4;
+  const Scalar t6 = s[5] * s[2];
+  const Scalar t7 = c[2] * (c[5] * t2 + s[5] * t3);
+  const Scalar t8 = s[0] * t6 + c[0] * t7;
+  const Scalar t9 = s[3] * t5 - c[3] * t8;
+  const Scalar t10 = c[3] * t5 + s[3] * t8;
+  const Scalar t11 = c[0] * t4 - s[0] * t0;
+  const Scalar t12 = s[0] * t7 - c[0] * t6;
+  const Scalar t13 = c[3] * t11 - s[3] * t12;
+  const Scalar t14 = c[3] * t12 + s[3] * t11;
+  const Scalar t15 = Scalar(2) * c[0];
+  const Scalar t16 = (Scalar(0.32) + Scalar(2.15) * c[1] * s[1]) + Scalar(1.1425) * t2;
+  const Scalar t17 = t16 + Scalar(0.2) * t3;
   const Scalar t18 = Scalar(0.2) - Scalar(0.4) * (t13 * t13 + t14 * t14);
-  const Scalar t19 = c[0] * t17 * t15 + Scalar(0.4) * (t13 * t10 + t9 * t14);
-  const Scalar t20 = Scalar(0.78) - Scalar(1.075) * (Scalar(1) - c[1] * Scalar(2) * c[1]);
-  const Scalar t21 = Scalar(0.4) * (t13 * t9 - t14 * t10) + (Scalar(1.1425) * t2 + (Scalar(0.2) * t3 - t20));
-  return {Eigen::Quaternion<Scalar>(t9,
+  const Scalar t19 = s[0] * t15 * t17 - Scalar(0.4) * (t14 * t9 + t13 * t10);
+  const Scalar t20 = (Scalar(0.78) + (Scalar(1.075) - Scalar(2.15) * s[1] * s[1])) + (Scalar(0.2) * t2 - Scalar(1.1425) * t3);
+  const Scalar t21 = Scalar(0.4) * (t13 * t9 - t10 * t14) - t20;
+  return {Eigen::Quaternion<Scalar>(-t9,
                                     t10,
-                                    t13,
+                                    -t13,
                                     t14),
-          Eigen::Matrix<Scalar, 3, 1>((Scalar(1) - s[0] * t15) * t17 + t18,
+          Eigen::Matrix<Scalar, 3, 1>(t18 - (Scalar(1) - c[0] * t15) * t17,
                                       t19,
                                       -t21)};
 }

@@ -43,7 +43,7 @@ JacobianAngles<Scalar> jacobian_angles(const JointVector<Scalar>& q, const Basic
 /// Jacobian of the tool point in the base frame: the twist of the tool is `jacobian(q) * qd` (m/s, rad/s); linear rows
 /// first (Jacobian lecture, section 5.4: iteration, cross products and differentiation all give it).
 ///
-/// 12 multiplications, 3 additions, 2 sine/cosine pairs. Certified at 3 points; largest rounding error found 1.15 ulp.
+/// 10 multiplications, 3 additions, 2 sine/cosine pairs. Certified at 3 points; largest rounding error found 1.13 ulp.
 template <class Scalar>
 Jacobian<Scalar> jacobian(const JointVector<Scalar>& q,
     const BasicGeometry<Scalar>& g = {});
@@ -55,7 +55,7 @@ Jacobian<Scalar> jacobian(const JointVector<Scalar>& q,
 /// Pose of the tool in the world frame as a homogeneous transformation, and `jacobian`, with all that they share
 /// computed once.
 ///
-/// 14 multiplications, 4 additions, 2 sine/cosine pairs. Certified at 3 points; largest rounding error found 1.74 ulp.
+/// 12 multiplications, 4 additions, 2 sine/cosine pairs. Certified at 3 points; largest rounding error found 1.15 ulp.
 template <class Scalar>
 TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointVector<Scalar>& q,
     const BasicGeometry<Scalar>& g = {});
@@ -99,7 +99,7 @@ Twist<Scalar> velocity(const JointVector<Scalar>& q, const JointVector<Scalar>& 
 
 /// Derivative of `jacobian` by time at the joint rates qd.
 ///
-/// 27 multiplications, 11 additions, 2 sine/cosine pairs. Certified at 3 points; largest rounding error found 1.93 ulp.
+/// 26 multiplications, 11 additions, 2 sine/cosine pairs. Certified at 3 points; largest rounding error found 1.69 ulp.
 template <class Scalar>
 Jacobian<Scalar> jacobian_dot(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const BasicGeometry<Scalar>& g = {});

@@ -38,9 +38,9 @@ inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar
   [[maybe_unused]] const auto& [s, c] = angles;
   const Scalar t0 = Scalar(2) * c[0];
   const Scalar t1 = s[0] * t0;
-  const Scalar t2 = s[1] + s[1];
-  const Scalar t3 = q[2] + g.l2;
-  const Scalar t4 = t2 * c[1] * t3;
+  const Scalar t2 = q[2] + g.l2;
+  const Scalar t3 = c[1] + c[1];
+  const Scalar t4 = s[1] * t2 * t3;
   const Scalar t5 = Scalar(1) - c[0] * t0;
   return {Eigen::Quaternion<Scalar>(c[0] * c[1],
                                     s[0] * s[1],
@@ -48,7 +48,7 @@ inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar
                                     c[1] * s[0]),
           Eigen::Matrix<Scalar, 3, 1>(g.d2 * t1 + t4 * t5,
                                       g.d2 * t5 - t4 * t1,
-                                      g.h1 + t3 * (Scalar(1) - s[1] * t2))};
+                                      g.h1 - t2 * (Scalar(1) - c[1] * t3))};
 }
 
 template <class Scalar, class Angles>

@@ -33,8 +33,8 @@ TransformAngles<Scalar> transform_angles(const JointVector<Scalar>& q, const Bas
 
 /// Pose of the tool in the world frame: unit quaternion and position (m), by quaternion/vector pairs (thesis 1.12).
 ///
-/// 37 multiplications, 17 additions, 6 sine/cosine pairs. Equal to the plain product of the joints' pairs at 4 random
-/// exact points, tolerance zero; largest rounding error found 15.89 ulp.
+/// 38 multiplications, 16 additions, 6 sine/cosine pairs. Equal to the plain product of the joints' pairs at 4 random
+/// exact points, tolerance zero; largest rounding error found 10.99 ulp.
 ///
 /// NaN or infinite joint variables give NaN. No heap, no exceptions.
 template <class Scalar>

@@ -48,30 +48,28 @@ inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar
                                        [[maybe_unused]] const Angles& angles,
                                        [[maybe_unused]] const BasicGeometry<Scalar>& g) {
   [[maybe_unused]] const auto& [s, c] = angles;
-  const Scalar t0 = s[5] * s[2];
-  const Scalar t1 = c[5] * c[2];
-  const Scalar t2 = s[0] + s[0];
-  const Scalar t3 = Scalar(1) - s[0] * t2;
-  const Scalar t4 = c[0] * t2;
-  const Scalar t5 = c[4] * t3 + s[4] * t4;
-  const Scalar t6 = c[4] * t0 - t1 * t5;
-  const Scalar t7 = s[4] * t3 - c[4] * t4;
-  const Scalar t8 = s[4] * t0 + t7 * t1;
-  const Scalar t9 = c[5] * s[2];
-  const Scalar t10 = c[2] * s[5];
-  const Scalar t11 = t9 * t5 + c[4] * t10;
-  const Scalar t12 = t7 * t9 - s[4] * t10;
-  const Scalar t13 = g.RL4 * s[5];
-  const Scalar t14 = Scalar(2) * c[1];
-  const Scalar t15 = t13 * (c[5] + c[5]) + g.D3 * (Scalar(1) - c[1] * t14);
-  const Scalar t16 = (g.RL4 - Scalar(2) * s[5] * t13) + t14 * g.D3 * s[1];
-  return {Eigen::Quaternion<Scalar>(s[3] * t8 - c[3] * t6,
-                                    -s[3] * t11 - c[3] * t12,
-                                    s[3] * t12 - c[3] * t11,
-                                    -s[3] * t6 - c[3] * t8),
-          Eigen::Matrix<Scalar, 3, 1>(-t3 * t15,
-                                      -t15 * t4,
-                                      t16)};
+  const Scalar t0 = Scalar(2) * s[0];
+  const Scalar t1 = Scalar(1) - s[0] * t0;
+  const Scalar t2 = c[0] * t0;
+  const Scalar t3 = c[5] * (c[4] * t1 + s[4] * t2);
+  const Scalar t4 = s[5] * s[2];
+  const Scalar t5 = c[2] * t3 - c[4] * t4;
+  const Scalar t6 = c[5] * (c[4] * t2 - s[4] * t1);
+  const Scalar t7 = s[4] * t4 - c[2] * t6;
+  const Scalar t8 = c[2] * s[5];
+  const Scalar t9 = s[2] * t3 + c[4] * t8;
+  const Scalar t10 = s[2] * t6 + s[4] * t8;
+  const Scalar t11 = c[1] + c[1];
+  const Scalar t12 = Scalar(2) * s[5];
+  const Scalar t13 = g.D3 * (Scalar(1) - c[1] * t11) + g.RL4 * c[5] * t12;
+  const Scalar t14 = (g.RL4 - g.RL4 * s[5] * t12) + g.D3 * s[1] * t11;
+  return {Eigen::Quaternion<Scalar>(c[3] * t5 + s[3] * t7,
+                                    c[3] * t10 - s[3] * t9,
+                                    -s[3] * t10 - c[3] * t9,
+                                    s[3] * t5 - c[3] * t7),
+          Eigen::Matrix<Scalar, 3, 1>(-t13 * t1,
+                                      -t13 * t2,
+                                      t14)};
 }
 
 template <class Scalar, class Angles>

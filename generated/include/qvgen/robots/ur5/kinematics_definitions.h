@@ -10,7 +10,7 @@ namespace qvgen::robots::ur5 {
 
 template <class Scalar>
 PoseAngles<Scalar> pose_angles([[maybe_unused]] const JointVector<Scalar>& q, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  [[maybe_unused]] const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[1], Scalar(0.5) * q[5], Scalar(0.5) * (q[0] - q[4]), Scalar(0.5) * (q[1] + q[2]), Scalar(0.5) * (q[1] + q[2] + q[3]));
+  [[maybe_unused]] const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[1], Scalar(0.5) * q[5], Scalar(0.5) * (q[0] + q[4]), Scalar(0.5) * (q[1] + q[2]), Scalar(0.5) * (q[1] + q[2] + q[3]));
   return { { angles.sine[0], angles.sine[1], angles.sine[2], angles.sine[3], angles.sine[4], angles.sine[5] },
            { angles.cosine[0], angles.cosine[1], angles.cosine[2], angles.cosine[3], angles.cosine[4], angles.cosine[5] }};
 }
@@ -53,35 +53,34 @@ inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar
                                        [[maybe_unused]] const Angles& angles,
                                        [[maybe_unused]] const BasicGeometry<Scalar>& g) {
   [[maybe_unused]] const auto& [s, c] = angles;
-  const Scalar t0 = Scalar(0.7071067811865476) * c[5] * s[3];
+  const Scalar t0 = s[3] * s[5];
   const Scalar t1 = c[0] + c[0];
   const Scalar t2 = s[0] * t1;
   const Scalar t3 = Scalar(1) - c[0] * t1;
-  const Scalar t4 = Scalar(0.7071067811865476) * s[5] * (s[3] * t2 - c[3] * t3);
-  const Scalar t5 = t0 + t4;
-  const Scalar t6 = c[3] * c[5];
-  const Scalar t7 = s[5] * (c[3] * t2 + s[3] * t3);
-  const Scalar t8 = Scalar(0.7071067811865476) * (t6 - t7);
-  const Scalar t9 = s[2] * t5 - c[2] * t8;
-  const Scalar t10 = t0 - t4;
-  const Scalar t11 = Scalar(0.7071067811865476) * (t6 + t7);
-  const Scalar t12 = s[2] * t10 + c[2] * t11;
-  const Scalar t13 = s[2] * t11 - c[2] * t10;
-  const Scalar t14 = s[2] * t8 + c[2] * t5;
-  const Scalar t15 = Scalar(0.425) * (Scalar(1) - c[1] * Scalar(2) * c[1]) + Scalar(0.39225) * (s[4] * s[4] - c[4] * c[4]);
-  const Scalar t16 = t15 + Scalar(0.1893) * c[5] * s[5];
-  const Scalar t17 = Scalar(0.1646) * (t14 * t12 + t9 * t13) - t16 * t3;
-  const Scalar t18 = (t2 * t16 + Scalar(0.10915) * t3) + Scalar(0.1646) * (t9 * t12 - t14 * t13);
-  const Scalar t19 = Scalar(0.85) * c[1] * s[1] + Scalar(0.1646) * t13 * t13;
-  const Scalar t20 = Scalar(0.1646) * t12 * t12 - ((Scalar(0.171459) - Scalar(0.7845) * c[4] * s[4]) - t19);
-  const Scalar t21 = t20 - Scalar(0.09465) * (Scalar(1) - Scalar(2) * c[5] * c[5]);
+  const Scalar t4 = c[5] * (c[3] * t2 + s[3] * t3);
+  const Scalar t5 = Scalar(0.7071067811865476) * (c[2] * t0 + s[2] * t4);
+  const Scalar t6 = c[3] * s[5];
+  const Scalar t7 = c[5] * (c[3] * t3 - s[3] * t2);
+  const Scalar t8 = Scalar(0.7071067811865476) * (s[2] * t6 + c[2] * t7);
+  const Scalar t9 = t5 + t8;
+  const Scalar t10 = t5 - t8;
+  const Scalar t11 = s[2] * t7 - c[2] * t6;
+  const Scalar t12 = s[2] * t0 - c[2] * t4;
+  const Scalar t13 = Scalar(0.7071067811865476) * (t11 - t12);
+  const Scalar t14 = Scalar(0.7071067811865476) * (t11 + t12);
+  const Scalar t15 = Scalar(0.1893) * c[5] * s[5] - (Scalar(0.425) - Scalar(0.85) * s[1] * s[1]);
+  const Scalar t16 = (Scalar(0.39225) - Scalar(0.7845) * s[4] * s[4]) - t15;
+  const Scalar t17 = Scalar(0.1646) * (t9 * t13 + t10 * t14) - t16 * t3;
+  const Scalar t18 = t2 * t16 + Scalar(0.1646) * (t13 * t14 - t9 * t10);
+  const Scalar t19 = Scalar(0.7845) * c[4] * s[4] + (Scalar(0.09465) - Scalar(0.1893) * s[5] * s[5]);
+  const Scalar t20 = Scalar(0.85) * c[1] * s[1] - (Scalar(0.171459) - Scalar(0.1646) * t13 * t13);
   return {Eigen::Quaternion<Scalar>(-t9,
-                                    t12,
-                                    -t13,
-                                    t14),
-          Eigen::Matrix<Scalar, 3, 1>(t17 + Scalar(0.10915) * t2,
-                                      t18,
-                                      -t21)};
+                                    t10,
+                                    t13,
+                                    -t14),
+          Eigen::Matrix<Scalar, 3, 1>(Scalar(0.10915) * t2 - t17,
+                                      Scalar(0.10915) * t3 - t18,
+                                      -t19 - (t20 + Scalar(0.1646) * t10 * t10))};
 }
 
 template <class Scalar, class Angles>
@@ -124,7 +123,7 @@ inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
 
 template <class Scalar>
 Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g) {
-  return detail::forward_kinematics<Scalar>(q, sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[1], Scalar(0.5) * q[5], Scalar(0.5) * (q[0] - q[4]), Scalar(0.5) * (q[1] + q[2]), Scalar(0.5) * (q[1] + q[2] + q[3])), g);
+  return detail::forward_kinematics<Scalar>(q, sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[1], Scalar(0.5) * q[5], Scalar(0.5) * (q[0] + q[4]), Scalar(0.5) * (q[1] + q[2]), Scalar(0.5) * (q[1] + q[2] + q[3])), g);
 }
 
 template <class Scalar>
