@@ -63,7 +63,9 @@ Quantity forward_kinematics(const model::Robot& robot) {
   Quantity quantity{"forward_kinematics", {{"pair product", plain_pose(robot)}}, plain_pose(robot)};
   const auto chain = zero_reference_chain(robot);
   if (!chain) return quantity;
-  // Orientation and position share little, so each is varied with the other's first form.
+  // Orientation and position share little but the angles: each orientation is joined with the position in full angles,
+  // which has the fewest operations, and with the one in half angles, which needs no further sines; the other forms of
+  // the position with the first orientation.
   const auto orientations = orientation_forms(*chain);
   const auto positions = position_forms(*chain);
   const auto add = [&](const OrientationForm& orientation, const PositionForm& position) {
@@ -73,7 +75,8 @@ Quantity forward_kinematics(const model::Robot& robot) {
     quantity.forms.push_back({orientation.name + ", " + position.name, program});
   };
   for (const PositionForm& position : positions) add(orientations.front(), position);
-  for (std::size_t i = 1; i < orientations.size(); ++i) add(orientations[i], positions.front());
+  for (std::size_t i = 1; i < orientations.size(); ++i)
+    for (std::size_t j = 0; j < 2; ++j) add(orientations[i], positions[j]);
   return quantity;
 }
 

@@ -10,7 +10,7 @@ namespace qvgen::robots::cr {
 
 template <class Scalar>
 PoseAngles<Scalar> pose_angles([[maybe_unused]] const JointVector<Scalar>& q, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  [[maybe_unused]] const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[2], Scalar(0.5) * q[3], Scalar(0.5) * q[4], Scalar(0.5) * q[5]);
+  [[maybe_unused]] const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[2], Scalar(0.5) * q[4], Scalar(0.5) * (q[3] + q[5]), Scalar(0.5) * (q[3] - q[5]));
   return { { angles.sine[0], angles.sine[1], angles.sine[2], angles.sine[3], angles.sine[4] },
            { angles.cosine[0], angles.cosine[1], angles.cosine[2], angles.cosine[3], angles.cosine[4] }};
 }
@@ -48,28 +48,25 @@ inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar
                                        [[maybe_unused]] const Angles& angles,
                                        [[maybe_unused]] const BasicGeometry<Scalar>& g) {
   [[maybe_unused]] const auto& [s, c] = angles;
-  const Scalar t0 = c[0] * s[2];
-  const Scalar t1 = c[2] * s[0];
-  const Scalar t2 = s[1] * (t0 + t1);
-  const Scalar t3 = c[1] * (t0 - t1);
-  const Scalar t4 = s[3] * t2 + c[3] * t3;
-  const Scalar t5 = s[0] * s[2];
-  const Scalar t6 = c[0] * c[2];
-  const Scalar t7 = c[1] * (t5 + t6);
-  const Scalar t8 = s[1] * (t5 - t6);
-  const Scalar t9 = c[3] * t7 + s[3] * t8;
-  const Scalar t10 = s[3] * t3 - c[3] * t2;
-  const Scalar t11 = s[3] * t7 - c[3] * t8;
-  const Scalar t12 = s[0] + s[0];
-  const Scalar t13 = Scalar(2) * s[1];
-  const Scalar t14 = g.l2 - g.d4 * c[1] * t13;
-  return {Eigen::Quaternion<Scalar>(c[4] * t9 - s[4] * t4,
-                                    c[4] * t10 - s[4] * t11,
-                                    s[4] * t10 + c[4] * t11,
-                                    -s[4] * t9 - c[4] * t4),
-          Eigen::Matrix<Scalar, 3, 1>((Scalar(1) - s[0] * t12) * t14,
-                                      c[0] * t14 * t12,
-                                      q[1] - (g.d4 - g.d4 * s[1] * t13))};
+  const Scalar t0 = s[1] * s[2];
+  const Scalar t1 = c[1] * c[2];
+  const Scalar t2 = s[4] * t0 + s[3] * t1;
+  const Scalar t3 = c[3] * t1 - c[4] * t0;
+  const Scalar t4 = c[2] * s[1];
+  const Scalar t5 = c[1] * s[2];
+  const Scalar t6 = c[3] * t4 + c[4] * t5;
+  const Scalar t7 = s[4] * t5 - s[3] * t4;
+  const Scalar t8 = Scalar(2) * s[0];
+  const Scalar t9 = g.d4 * s[1];
+  const Scalar t10 = c[1] * t9;
+  const Scalar t11 = g.l2 - (t10 + t10);
+  return {Eigen::Quaternion<Scalar>(s[0] * t2 + c[0] * t3,
+                                    c[0] * t7 - s[0] * t6,
+                                    c[0] * t6 + s[0] * t7,
+                                    s[0] * t3 - c[0] * t2),
+          Eigen::Matrix<Scalar, 3, 1>((Scalar(1) - s[0] * t8) * t11,
+                                      t11 * c[0] * t8,
+                                      t9 * (s[1] + s[1]) + (q[1] - g.d4))};
 }
 
 template <class Scalar, class Angles>
@@ -113,7 +110,7 @@ inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
 
 template <class Scalar>
 Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g) {
-  return detail::forward_kinematics<Scalar>(q, sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[2], Scalar(0.5) * q[3], Scalar(0.5) * q[4], Scalar(0.5) * q[5]), g);
+  return detail::forward_kinematics<Scalar>(q, sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[2], Scalar(0.5) * q[4], Scalar(0.5) * (q[3] + q[5]), Scalar(0.5) * (q[3] - q[5])), g);
 }
 
 template <class Scalar>

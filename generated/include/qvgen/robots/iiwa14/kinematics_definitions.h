@@ -90,75 +90,53 @@ inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar
   [[maybe_unused]] const auto& [s, c] = angles;
   const Scalar t0 = s[0] * s[2];
   const Scalar t1 = c[0] * c[2];
-  const Scalar t2 = s[1] * (t0 + t1);
-  const Scalar t3 = c[1] * (c[2] * s[0] + c[0] * s[2]);
-  const Scalar t4 = Scalar(0.7071067811865476) * (t2 + t3);
-  const Scalar t5 = c[1] * (t0 - t1);
-  const Scalar t6 = c[0] * s[1];
-  const Scalar t7 = s[0] * s[1];
-  const Scalar t8 = s[2] * t6 - c[2] * t7;
-  const Scalar t9 = Scalar(0.7071067811865476) * (t5 - t8);
-  const Scalar t10 = s[3] * t4 - c[3] * t9;
-  const Scalar t11 = Scalar(0.7071067811865476) * (t2 - t3);
-  const Scalar t12 = Scalar(0.7071067811865476) * (t5 + t8);
-  const Scalar t13 = s[3] * t11 - c[3] * t12;
-  const Scalar t14 = Scalar(0.7071067811865476) * (t10 - t13);
-  const Scalar t15 = c[3] * t4 + s[3] * t9;
-  const Scalar t16 = s[3] * t12 + c[3] * t11;
-  const Scalar t17 = Scalar(0.7071067811865476) * (t15 + t16);
-  const Scalar t18 = s[4] * t14 - c[4] * t17;
-  const Scalar t19 = Scalar(0.7071067811865476) * (t15 - t16);
-  const Scalar t20 = Scalar(0.7071067811865476) * (t10 + t13);
-  const Scalar t21 = c[4] * t19 + s[4] * t20;
-  const Scalar t22 = Scalar(0.7071067811865476) * (t18 + t21);
-  const Scalar t23 = c[4] * t14 + s[4] * t17;
-  const Scalar t24 = Scalar(0.7071067811865476) * t23;
-  const Scalar t25 = s[4] * t19 - c[4] * t20;
-  const Scalar t26 = Scalar(0.7071067811865476) * t25;
-  const Scalar t27 = t24 + t26;
-  const Scalar t28 = s[5] * t22 - c[5] * t27;
-  const Scalar t29 = t24 - t26;
-  const Scalar t30 = Scalar(0.7071067811865476) * (t18 - t21);
-  const Scalar t31 = c[5] * t29 + s[5] * t30;
-  const Scalar t32 = Scalar(0.7071067811865476) * (t28 + t31);
-  const Scalar t33 = s[5] * t29 - c[5] * t30;
-  const Scalar t34 = s[5] * t27 + c[5] * t22;
-  const Scalar t35 = Scalar(0.7071067811865476) * (t33 + t34);
-  const Scalar t36 = c[6] * t32 - s[6] * t35;
-  const Scalar t37 = Scalar(0.7071067811865476) * (t33 - t34);
-  const Scalar t38 = Scalar(0.7071067811865476) * (t28 - t31);
-  const Scalar t39 = s[6] * t37 - c[6] * t38;
-  const Scalar t40 = s[6] * t38 + c[6] * t37;
-  const Scalar t41 = c[6] * t35 + s[6] * t32;
-  const Scalar t42 = Scalar(0.369) * t10 * t15 + Scalar(0.431) * (t25 * t18 + t8 * t3);
-  const Scalar t43 = c[0] * c[1] - t7;
-  const Scalar t44 = Scalar(0.5) * t43;
-  const Scalar t45 = c[1] * s[0];
-  const Scalar t46 = t6 - t45;
-  const Scalar t47 = t39 * t41;
-  const Scalar t48 = Scalar(0.09) * t47 + Scalar(0.431) * (t23 * t21 - t2 * t5);
-  const Scalar t49 = (t42 + Scalar(0.409) * (t7 + t44) * t46) + (Scalar(0.369) * t13 * t16 + t48);
-  const Scalar t50 = t36 * t40;
-  const Scalar t51 = Scalar(0.409) * t44 * (t6 + t45) + (Scalar(0.09) * t50 + Scalar(0.162) * (t47 + t50));
-  const Scalar t52 = (Scalar(0.47) + Scalar(0.431) * t23 * t25) - Scalar(0.409) * t43 * t44;
-  const Scalar t53 = Scalar(0.369) * t10 * t10 + Scalar(0.162) * t31 * t31;
-  const Scalar t54 = (t53 - Scalar(0.431) * t5 * t8) + Scalar(0.409) * Scalar(0.5) * t46 * t46;
-  const Scalar t55 = Scalar(0.369) * t16 * t16 - Scalar(0.431) * (t2 * t3 - t18 * t21);
-  const Scalar t56 = t52 - (t54 + (t55 + Scalar(0.162) * t34 * t34));
-  const Scalar t57 = Scalar(0.09) * (t40 * t41 - t39 * t36) + t56;
-  const Scalar t58 = t8 * t8;
-  const Scalar t59 = Scalar(0.431) * t58 - (Scalar(0.836) + Scalar(0.162) * t33 * t34);
-  const Scalar t60 = s[1] * s[1];
-  const Scalar t61 = Scalar(0.09) * (t39 * t39 + t40 * t40) - Scalar(0.431) * ((t58 - t60) - t18 * t18);
-  const Scalar t62 = Scalar(0.162) * t28 * t31 + Scalar(0.409) * (Scalar(0.5) - t60);
-  const Scalar t63 = (t61 + (Scalar(0.431) * t23 * t23 - t62)) - Scalar(0.369) * t10 * t13;
-  return {Eigen::Quaternion<Scalar>(t36,
-                                    t39,
-                                    t40,
-                                    t41),
-          Eigen::Matrix<Scalar, 3, 1>(t49 + t51,
-                                      t57,
-                                      -(Scalar(0.369) * t15 * t16 + t59) - t63)};
+  const Scalar t2 = c[1] * (t0 - t1);
+  const Scalar t3 = s[1] * (t0 + t1);
+  const Scalar t4 = s[3] * t2 + c[3] * t3;
+  const Scalar t5 = c[2] * s[0];
+  const Scalar t6 = c[0] * s[2];
+  const Scalar t7 = s[1] * (t5 - t6);
+  const Scalar t8 = c[1] * (t5 + t6);
+  const Scalar t9 = c[3] * t7 - s[3] * t8;
+  const Scalar t10 = c[4] * t4 + s[4] * t9;
+  const Scalar t11 = c[3] * t2 - s[3] * t3;
+  const Scalar t12 = c[3] * t8 + s[3] * t7;
+  const Scalar t13 = c[4] * t11 + s[4] * t12;
+  const Scalar t14 = s[5] * t10 + c[5] * t13;
+  const Scalar t15 = s[4] * t4 - c[4] * t9;
+  const Scalar t16 = s[4] * t11 - c[4] * t12;
+  const Scalar t17 = s[5] * t15 - c[5] * t16;
+  const Scalar t18 = c[5] * t15 + s[5] * t16;
+  const Scalar t19 = s[5] * t13 - c[5] * t10;
+  const Scalar t20 = c[2] * c[2];
+  const Scalar t21 = Scalar(1) - (t20 + t20);
+  const Scalar t22 = Scalar(0.4) + (Scalar(0.126) - Scalar(0.252) * s[5] * s[5]);
+  const Scalar t23 = c[3] * s[3];
+  const Scalar t24 = t22 * t23;
+  const Scalar t25 = Scalar(1) - Scalar(2) * s[3] * s[3];
+  const Scalar t26 = c[5] * s[5];
+  const Scalar t27 = s[4] * s[4];
+  const Scalar t28 = t26 * (Scalar(1) - (t27 + t27));
+  const Scalar t29 = (t24 + t24) - Scalar(0.252) * t25 * t28;
+  const Scalar t30 = c[2] * s[2];
+  const Scalar t31 = c[4] * s[4] * t26;
+  const Scalar t32 = t21 * t29 - Scalar(1.008) * t30 * t31;
+  const Scalar t33 = Scalar(2) * c[1];
+  const Scalar t34 = Scalar(1) - c[1] * t33;
+  const Scalar t35 = (Scalar(0.42) + Scalar(0.504) * t23 * t28) + t22 * t25;
+  const Scalar t36 = s[1] * t33;
+  const Scalar t37 = t32 * t34 - t35 * t36;
+  const Scalar t38 = Scalar(2) * s[0];
+  const Scalar t39 = Scalar(1) - s[0] * t38;
+  const Scalar t40 = Scalar(2) * t30 * t29 + Scalar(0.504) * t21 * t31;
+  const Scalar t41 = c[0] * t38;
+  return {Eigen::Quaternion<Scalar>(-c[6] * t14 - s[6] * t17,
+                                    c[6] * t18 - s[6] * t19,
+                                    -c[6] * t19 - s[6] * t18,
+                                    c[6] * t17 - s[6] * t14),
+          Eigen::Matrix<Scalar, 3, 1>(t40 * t41 - t37 * t39,
+                                      -t40 * t39 - t37 * t41,
+                                      Scalar(0.36) - (t32 * t36 + t35 * t34))};
 }
 
 template <class Scalar, class Angles>

@@ -10,7 +10,7 @@ namespace qvgen::robots::irb6640 {
 
 template <class Scalar>
 PoseAngles<Scalar> pose_angles([[maybe_unused]] const JointVector<Scalar>& q, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  [[maybe_unused]] const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[1], Scalar(0.5) * q[3], Scalar(0.5) * q[5], Scalar(0.5) * (q[1] + q[2]), Scalar(0.5) * (q[1] + q[2] - q[4]));
+  [[maybe_unused]] const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[1], Scalar(0.5) * q[3], Scalar(0.5) * q[4], Scalar(0.5) * q[5], Scalar(0.5) * (q[1] + q[2]));
   return { { angles.sine[0], angles.sine[1], angles.sine[2], angles.sine[3], angles.sine[4], angles.sine[5] },
            { angles.cosine[0], angles.cosine[1], angles.cosine[2], angles.cosine[3], angles.cosine[4], angles.cosine[5] }};
 }
@@ -54,35 +54,38 @@ inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar
                                        [[maybe_unused]] const Angles& angles,
                                        [[maybe_unused]] const BasicGeometry<Scalar>& g) {
   [[maybe_unused]] const auto& [s, c] = angles;
-  const Scalar t0 = c[5] * s[2];
-  const Scalar t1 = Scalar(2) * s[4];
-  const Scalar t2 = Scalar(1) - s[4] * t1;
-  const Scalar t3 = c[4] * t1;
-  const Scalar t4 = c[2] * (s[5] * t2 - c[5] * t3);
-  const Scalar t5 = c[0] * t0 + s[0] * t4;
-  const Scalar t6 = s[5] * s[2];
-  const Scalar t7 = c[2] * (c[5] * t2 + s[5] * t3);
-  const Scalar t8 = s[0] * t6 + c[0] * t7;
-  const Scalar t9 = s[3] * t5 - c[3] * t8;
-  const Scalar t10 = c[3] * t5 + s[3] * t8;
-  const Scalar t11 = c[0] * t4 - s[0] * t0;
-  const Scalar t12 = s[0] * t7 - c[0] * t6;
-  const Scalar t13 = c[3] * t11 - s[3] * t12;
-  const Scalar t14 = c[3] * t12 + s[3] * t11;
-  const Scalar t15 = Scalar(2) * c[0];
-  const Scalar t16 = (Scalar(0.32) + Scalar(2.15) * c[1] * s[1]) + Scalar(1.1425) * t2;
-  const Scalar t17 = t16 + Scalar(0.2) * t3;
-  const Scalar t18 = Scalar(0.2) - Scalar(0.4) * (t13 * t13 + t14 * t14);
-  const Scalar t19 = s[0] * t15 * t17 - Scalar(0.4) * (t14 * t9 + t13 * t10);
-  const Scalar t20 = (Scalar(0.78) + (Scalar(1.075) - Scalar(2.15) * s[1] * s[1])) + (Scalar(0.2) * t2 - Scalar(1.1425) * t3);
-  const Scalar t21 = Scalar(0.4) * (t13 * t9 - t10 * t14) - t20;
-  return {Eigen::Quaternion<Scalar>(-t9,
-                                    t10,
-                                    -t13,
-                                    t14),
-          Eigen::Matrix<Scalar, 3, 1>(t18 - (Scalar(1) - c[0] * t15) * t17,
-                                      t19,
-                                      -t21)};
+  const Scalar t0 = c[0] * s[5];
+  const Scalar t1 = c[5] * s[0];
+  const Scalar t2 = c[2] * t0 + s[2] * t1;
+  const Scalar t3 = s[5] * s[0];
+  const Scalar t4 = c[5] * c[0];
+  const Scalar t5 = s[2] * t3 + c[2] * t4;
+  const Scalar t6 = s[3] * t2 - c[3] * t5;
+  const Scalar t7 = c[2] * t3 - s[2] * t4;
+  const Scalar t8 = s[2] * t0 - c[2] * t1;
+  const Scalar t9 = c[3] * t7 - s[3] * t8;
+  const Scalar t10 = s[3] * t7 + c[3] * t8;
+  const Scalar t11 = c[3] * t2 + s[3] * t5;
+  const Scalar t12 = Scalar(1) - Scalar(2) * s[0] * s[0];
+  const Scalar t13 = Scalar(2) * s[5];
+  const Scalar t14 = c[5] * t13;
+  const Scalar t15 = c[3] * s[3];
+  const Scalar t16 = Scalar(0.4) * (Scalar(1) - s[2] * Scalar(2) * s[2]) * t15;
+  const Scalar t17 = Scalar(0.2) - t16;
+  const Scalar t18 = Scalar(1) - s[5] * t13;
+  const Scalar t19 = Scalar(1.1425) + (Scalar(0.2) - Scalar(0.4) * s[3] * s[3]);
+  const Scalar t20 = (Scalar(2.15) * c[1] * s[1] + t14 * t17) + (Scalar(0.32) + t18 * t19);
+  const Scalar t21 = c[0] * s[0];
+  const Scalar t22 = c[2] * s[2] * t15;
+  const Scalar t23 = t21 * t20;
+  const Scalar t24 = (Scalar(1.075) - Scalar(2.15) * s[1] * s[1]) - (t14 * t19 - t18 * t17);
+  return {Eigen::Quaternion<Scalar>(s[4] * t9 - c[4] * t6,
+                                    -s[4] * t6 - c[4] * t9,
+                                    c[4] * t11 - s[4] * t10,
+                                    -s[4] * t11 - c[4] * t10),
+          Eigen::Matrix<Scalar, 3, 1>(t12 * t20 - Scalar(1.6) * t21 * t22,
+                                      Scalar(0.8) * t12 * t22 + (t23 + t23),
+                                      Scalar(0.78) + t24)};
 }
 
 template <class Scalar, class Angles>
@@ -132,7 +135,7 @@ inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
 
 template <class Scalar>
 Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g) {
-  return detail::forward_kinematics<Scalar>(q, sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[1], Scalar(0.5) * q[3], Scalar(0.5) * q[5], Scalar(0.5) * (q[1] + q[2]), Scalar(0.5) * (q[1] + q[2] - q[4])), g);
+  return detail::forward_kinematics<Scalar>(q, sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[1], Scalar(0.5) * q[3], Scalar(0.5) * q[4], Scalar(0.5) * q[5], Scalar(0.5) * (q[1] + q[2])), g);
 }
 
 template <class Scalar>

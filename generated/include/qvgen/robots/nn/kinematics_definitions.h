@@ -10,7 +10,7 @@ namespace qvgen::robots::nn {
 
 template <class Scalar>
 PoseAngles<Scalar> pose_angles([[maybe_unused]] const JointVector<Scalar>& q, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  [[maybe_unused]] const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[1], Scalar(0.5) * q[2], Scalar(0.5) * q[3], Scalar(0.5) * q[4], Scalar(0.5) * q[5]);
+  [[maybe_unused]] const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[1], Scalar(0.5) * q[2], Scalar(0.5) * q[4], Scalar(0.5) * (q[3] + q[5]), Scalar(0.5) * (q[3] - q[5]));
   return { { angles.sine[0], angles.sine[1], angles.sine[2], angles.sine[3], angles.sine[4], angles.sine[5] },
            { angles.cosine[0], angles.cosine[1], angles.cosine[2], angles.cosine[3], angles.cosine[4], angles.cosine[5] }};
 }
@@ -50,45 +50,37 @@ inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar
                                        [[maybe_unused]] const Angles& angles,
                                        [[maybe_unused]] const BasicGeometry<Scalar>& g) {
   [[maybe_unused]] const auto& [s, c] = angles;
-  const Scalar t0 = s[0] * s[2];
-  const Scalar t1 = c[0] * c[2];
-  const Scalar t2 = c[1] * (t0 - t1);
-  const Scalar t3 = s[1] * (t0 + t1);
-  const Scalar t4 = c[3] * t2 + s[3] * t3;
-  const Scalar t5 = c[2] * s[0];
-  const Scalar t6 = c[0] * s[2];
-  const Scalar t7 = s[1] * (t5 - t6);
-  const Scalar t8 = c[1] * (t5 + t6);
-  const Scalar t9 = c[3] * t7 + s[3] * t8;
-  const Scalar t10 = c[4] * t4 - s[4] * t9;
-  const Scalar t11 = s[3] * t2 - c[3] * t3;
-  const Scalar t12 = c[3] * t8 - s[3] * t7;
-  const Scalar t13 = c[4] * t11 - s[4] * t12;
-  const Scalar t14 = s[4] * t4 + c[4] * t9;
-  const Scalar t15 = s[4] * t11 + c[4] * t12;
-  const Scalar t16 = g.d4 * t7;
-  const Scalar t17 = c[1] * s[0];
-  const Scalar t18 = s[0] * s[1];
-  const Scalar t19 = g.l2 * t18;
-  const Scalar t20 = g.d4 * t8;
-  const Scalar t21 = g.l1 * s[0];
-  const Scalar t22 = t17 * t19 - (t2 * t20 - c[0] * t21);
-  const Scalar t23 = c[0] * s[1];
-  const Scalar t24 = g.l2 * t23;
-  const Scalar t25 = t3 * t16 + (t22 - c[0] * c[1] * t24);
-  const Scalar t26 = t24 * t17;
-  const Scalar t27 = s[0] * t21 - t26;
-  const Scalar t28 = (t7 * t16 - t26) + t8 * t20;
-  const Scalar t29 = ((g.d4 + g.l1) - (t27 + t27)) - (t28 + t28);
-  const Scalar t30 = t2 * t16 - t18 * t19;
-  const Scalar t31 = ((t30 + t30) + (g.h1 + g.l2)) + Scalar(2) * (t3 * t20 - t23 * t24);
-  return {Eigen::Quaternion<Scalar>(s[5] * t13 - c[5] * t10,
-                                    c[5] * t14 + s[5] * t15,
-                                    c[5] * t13 + s[5] * t10,
-                                    c[5] * t15 - s[5] * t14),
-          Eigen::Matrix<Scalar, 3, 1>(t25 + t25,
-                                      -t29,
-                                      t31)};
+  const Scalar t0 = c[2] * s[3];
+  const Scalar t1 = c[3] * s[2];
+  const Scalar t2 = s[5] * t0 - c[4] * t1;
+  const Scalar t3 = s[4] * t1 - c[5] * t0;
+  const Scalar t4 = c[1] * t2 - s[1] * t3;
+  const Scalar t5 = c[2] * c[3];
+  const Scalar t6 = s[2] * s[3];
+  const Scalar t7 = c[4] * t5 + s[5] * t6;
+  const Scalar t8 = c[5] * t6 + s[4] * t5;
+  const Scalar t9 = c[1] * t7 - s[1] * t8;
+  const Scalar t10 = c[1] * t8 + s[1] * t7;
+  const Scalar t11 = c[1] * t3 + s[1] * t2;
+  const Scalar t12 = c[0] + c[0];
+  const Scalar t13 = s[0] * t12;
+  const Scalar t14 = c[2] * c[2];
+  const Scalar t15 = g.l1 - g.d4 * (Scalar(1) - (t14 + t14));
+  const Scalar t16 = s[2] * g.d4 * c[2];
+  const Scalar t17 = c[1] * c[1];
+  const Scalar t18 = Scalar(1) - (t17 + t17);
+  const Scalar t19 = c[1] * s[1];
+  const Scalar t20 = t16 * t18 + g.l2 * t19;
+  const Scalar t21 = t20 + t20;
+  const Scalar t22 = Scalar(1) - c[0] * t12;
+  const Scalar t23 = g.l2 * t18 - (g.h1 + Scalar(4) * t16 * t19);
+  return {Eigen::Quaternion<Scalar>(s[0] * t4 + c[0] * t9,
+                                    s[0] * t10 + c[0] * t11,
+                                    s[0] * t11 - c[0] * t10,
+                                    s[0] * t9 - c[0] * t4),
+          Eigen::Matrix<Scalar, 3, 1>(t13 * t15 + t21 * t22,
+                                      t15 * t22 - t13 * t21,
+                                      -t23)};
 }
 
 template <class Scalar, class Angles>
@@ -138,7 +130,7 @@ inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
 
 template <class Scalar>
 Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g) {
-  return detail::forward_kinematics<Scalar>(q, sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[1], Scalar(0.5) * q[2], Scalar(0.5) * q[3], Scalar(0.5) * q[4], Scalar(0.5) * q[5]), g);
+  return detail::forward_kinematics<Scalar>(q, sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[1], Scalar(0.5) * q[2], Scalar(0.5) * q[4], Scalar(0.5) * (q[3] + q[5]), Scalar(0.5) * (q[3] - q[5])), g);
 }
 
 template <class Scalar>

@@ -10,7 +10,7 @@ namespace qvgen::robots::ns {
 
 template <class Scalar>
 PoseAngles<Scalar> pose_angles([[maybe_unused]] const JointVector<Scalar>& q, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  [[maybe_unused]] const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[1], Scalar(0.5) * q[3], Scalar(0.5) * q[4], Scalar(0.5) * q[5]);
+  [[maybe_unused]] const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[1], Scalar(0.5) * q[4], Scalar(0.5) * (q[3] + q[5]), Scalar(0.5) * (q[3] - q[5]));
   return { { angles.sine[0], angles.sine[1], angles.sine[2], angles.sine[3], angles.sine[4] },
            { angles.cosine[0], angles.cosine[1], angles.cosine[2], angles.cosine[3], angles.cosine[4] }};
 }
@@ -48,34 +48,27 @@ inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar
                                        [[maybe_unused]] const Angles& angles,
                                        [[maybe_unused]] const BasicGeometry<Scalar>& g) {
   [[maybe_unused]] const auto& [s, c] = angles;
-  const Scalar t0 = c[0] * s[2];
-  const Scalar t1 = c[2] * s[0];
-  const Scalar t2 = s[1] * (t0 - t1);
-  const Scalar t3 = t0 + t1;
-  const Scalar t4 = c[1] * c[3];
-  const Scalar t5 = s[3] * t2 - t3 * t4;
-  const Scalar t6 = s[0] * s[2];
-  const Scalar t7 = c[0] * c[2];
-  const Scalar t8 = t6 - t7;
-  const Scalar t9 = s[1] * (t6 + t7);
-  const Scalar t10 = t8 * t4 - s[3] * t9;
-  const Scalar t11 = c[3] * t9;
-  const Scalar t12 = c[1] * s[3];
-  const Scalar t13 = t3 * t12 + c[3] * t2;
-  const Scalar t14 = t12 * t8;
-  const Scalar t15 = s[4] * t11 + (c[4] * t13 + s[4] * t14);
-  const Scalar t16 = Scalar(1) - s[0] * (s[0] + s[0]);
-  const Scalar t17 = q[2] * c[1] * s[1];
-  const Scalar t18 = c[0] * s[0];
-  const Scalar t19 = t16 * t17 - g.d2 * t18;
-  const Scalar t20 = g.h1 - q[2] * (Scalar(1) - c[1] * (c[1] + c[1]));
-  return {Eigen::Quaternion<Scalar>(s[4] * t5 - c[4] * t10,
-                                    -t15,
-                                    s[4] * t13 - c[4] * (t11 + t14),
-                                    -s[4] * t10 - c[4] * t5),
-          Eigen::Matrix<Scalar, 3, 1>(-t19 - t19,
-                                      -g.d2 * t16 - Scalar(4) * t18 * t17,
-                                      t20)};
+  const Scalar t0 = c[4] * s[2];
+  const Scalar t1 = c[1] * c[2];
+  const Scalar t2 = s[1] * t0 + c[3] * t1;
+  const Scalar t3 = s[4] * s[2];
+  const Scalar t4 = s[1] * t3 - s[3] * t1;
+  const Scalar t5 = c[2] * s[1];
+  const Scalar t6 = c[3] * t5 - c[1] * t0;
+  const Scalar t7 = c[1] * t3 + s[3] * t5;
+  const Scalar t8 = q[2] * s[1];
+  const Scalar t9 = c[1] * t8;
+  const Scalar t10 = Scalar(1) - s[0] * Scalar(2) * s[0];
+  const Scalar t11 = c[0] * s[0];
+  const Scalar t12 = t9 * t10 - g.d2 * t11;
+  const Scalar t13 = s[1] * t8;
+  return {Eigen::Quaternion<Scalar>(c[0] * t2 + s[0] * t4,
+                                    s[0] * t6 - c[0] * t7,
+                                    -s[0] * t7 - c[0] * t6,
+                                    s[0] * t2 - c[0] * t4),
+          Eigen::Matrix<Scalar, 3, 1>(-t12 - t12,
+                                      -Scalar(4) * t9 * t11 - g.d2 * t10,
+                                      g.h1 + (q[2] - (t13 + t13)))};
 }
 
 template <class Scalar, class Angles>
@@ -119,7 +112,7 @@ inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
 
 template <class Scalar>
 Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g) {
-  return detail::forward_kinematics<Scalar>(q, sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[1], Scalar(0.5) * q[3], Scalar(0.5) * q[4], Scalar(0.5) * q[5]), g);
+  return detail::forward_kinematics<Scalar>(q, sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[1], Scalar(0.5) * q[4], Scalar(0.5) * (q[3] + q[5]), Scalar(0.5) * (q[3] - q[5])), g);
 }
 
 template <class Scalar>

@@ -10,7 +10,7 @@ namespace qvgen::robots::poe_6r {
 
 template <class Scalar>
 PoseAngles<Scalar> pose_angles([[maybe_unused]] const JointVector<Scalar>& q, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  [[maybe_unused]] const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0], q[1], Scalar(0.5) * q[3], Scalar(0.5) * q[5], Scalar(0.5) * (q[1] + q[2]), Scalar(0.5) * (q[1] + q[2] - q[4]));
+  [[maybe_unused]] const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[1], Scalar(0.5) * q[3], Scalar(0.5) * q[4], Scalar(0.5) * q[5], Scalar(0.5) * (q[1] + q[2]));
   return { { angles.sine[0], angles.sine[1], angles.sine[2], angles.sine[3], angles.sine[4], angles.sine[5] },
            { angles.cosine[0], angles.cosine[1], angles.cosine[2], angles.cosine[3], angles.cosine[4], angles.cosine[5] }};
 }
@@ -53,38 +53,40 @@ inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar
                                        [[maybe_unused]] const Angles& angles,
                                        [[maybe_unused]] const BasicGeometry<Scalar>& g) {
   [[maybe_unused]] const auto& [s, c] = angles;
-  const Scalar t0 = s[4] * s[4];
-  const Scalar t1 = Scalar(1) - (t0 + t0);
-  const Scalar t2 = c[4] * s[4];
-  const Scalar t3 = Scalar(2) * t2;
-  const Scalar t4 = c[2] * (c[5] * t1 + s[5] * t3);
-  const Scalar t5 = s[5] * s[2];
-  const Scalar t6 = c[0] * t4 + s[0] * t5;
-  const Scalar t7 = c[5] * s[2];
-  const Scalar t8 = c[2] * (s[5] * t1 - c[5] * t3);
-  const Scalar t9 = c[0] * t7 + s[0] * t8;
-  const Scalar t10 = c[3] * t6 - s[3] * t9;
-  const Scalar t11 = s[3] * t6 + c[3] * t9;
-  const Scalar t12 = c[0] * t8 - s[0] * t7;
-  const Scalar t13 = s[0] * t4 - c[0] * t5;
-  const Scalar t14 = c[3] * t12 - s[3] * t13;
-  const Scalar t15 = c[3] * t13 + s[3] * t12;
-  const Scalar t16 = s[0] * s[0];
-  const Scalar t17 = g.d2 * t1 + ((g.d1 + g.a2 * s[1]) + g.a3 * t3);
-  const Scalar t18 = g.d3 * t15;
-  const Scalar t19 = g.d3 * t14;
-  const Scalar t20 = t18 * t15 + t19 * t14;
-  const Scalar t21 = (Scalar(1) - (t16 + t16)) * t17 - (t20 + t20);
-  const Scalar t22 = (t18 * t10 - t19 * t11) + c[0] * s[0] * t17;
-  const Scalar t23 = Scalar(2) * t18 * t11 + (g.a1 + g.a2 * c[1]);
-  const Scalar t24 = Scalar(2) * (g.d2 * t2 - t19 * t10) - (g.a3 * t1 + t23);
-  return {Eigen::Quaternion<Scalar>(t10,
-                                    t11,
-                                    -t14,
-                                    t15),
-          Eigen::Matrix<Scalar, 3, 1>(g.d3 + t21,
-                                      Scalar(2) * t22,
-                                      -t24)};
+  const Scalar t0 = c[0] * s[5];
+  const Scalar t1 = c[5] * s[0];
+  const Scalar t2 = c[2] * t0 + s[2] * t1;
+  const Scalar t3 = s[5] * s[0];
+  const Scalar t4 = c[5] * c[0];
+  const Scalar t5 = s[2] * t3 + c[2] * t4;
+  const Scalar t6 = s[3] * t2 - c[3] * t5;
+  const Scalar t7 = c[2] * t3 - s[2] * t4;
+  const Scalar t8 = s[2] * t0 - c[2] * t1;
+  const Scalar t9 = c[3] * t7 - s[3] * t8;
+  const Scalar t10 = s[3] * t7 + c[3] * t8;
+  const Scalar t11 = c[3] * t2 + s[3] * t5;
+  const Scalar t12 = Scalar(2) * c[0];
+  const Scalar t13 = s[0] * t12;
+  const Scalar t14 = c[3] + c[3];
+  const Scalar t15 = t14 * g.d3 * s[3];
+  const Scalar t16 = Scalar(2) * c[2];
+  const Scalar t17 = t15 * s[2] * t16;
+  const Scalar t18 = c[1] + c[1];
+  const Scalar t19 = g.d2 - g.d3 * (Scalar(1) - c[3] * t14);
+  const Scalar t20 = s[5] + s[5];
+  const Scalar t21 = Scalar(1) - s[5] * t20;
+  const Scalar t22 = c[5] * t20;
+  const Scalar t23 = g.a3 + (Scalar(1) - c[2] * t16) * t15;
+  const Scalar t24 = (g.a2 * s[1] * t18 + t19 * t21) + (g.d1 + t22 * t23);
+  const Scalar t25 = Scalar(1) - c[0] * t12;
+  const Scalar t26 = g.a2 * (Scalar(1) - c[1] * t18) - (t21 * t23 - t19 * t22);
+  return {Eigen::Quaternion<Scalar>(s[4] * t9 - c[4] * t6,
+                                    -s[4] * t6 - c[4] * t9,
+                                    c[4] * t11 - s[4] * t10,
+                                    -s[4] * t11 - c[4] * t10),
+          Eigen::Matrix<Scalar, 3, 1>(-t13 * t17 - t24 * t25,
+                                      t24 * t13 - t25 * t17,
+                                      g.a1 - t26)};
 }
 
 template <class Scalar, class Angles>
@@ -133,7 +135,7 @@ inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
 
 template <class Scalar>
 Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g) {
-  return detail::forward_kinematics<Scalar>(q, sines_and_cosines<Scalar>(Scalar(0.5) * q[0], q[1], Scalar(0.5) * q[3], Scalar(0.5) * q[5], Scalar(0.5) * (q[1] + q[2]), Scalar(0.5) * (q[1] + q[2] - q[4])), g);
+  return detail::forward_kinematics<Scalar>(q, sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[1], Scalar(0.5) * q[3], Scalar(0.5) * q[4], Scalar(0.5) * q[5], Scalar(0.5) * (q[1] + q[2])), g);
 }
 
 template <class Scalar>

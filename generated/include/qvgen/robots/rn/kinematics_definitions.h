@@ -10,7 +10,7 @@ namespace qvgen::robots::rn {
 
 template <class Scalar>
 PoseAngles<Scalar> pose_angles([[maybe_unused]] const JointVector<Scalar>& q, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  [[maybe_unused]] const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[1], Scalar(0.5) * q[2], Scalar(0.5) * q[3], Scalar(0.5) * q[4], Scalar(0.5) * q[5]);
+  [[maybe_unused]] const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[2], Scalar(0.5) * q[4], Scalar(0.5) * (q[0] + q[1]), Scalar(0.5) * (q[3] + q[5]), Scalar(0.5) * (q[3] - q[5]));
   return { { angles.sine[0], angles.sine[1], angles.sine[2], angles.sine[3], angles.sine[4], angles.sine[5] },
            { angles.cosine[0], angles.cosine[1], angles.cosine[2], angles.cosine[3], angles.cosine[4], angles.cosine[5] }};
 }
@@ -48,37 +48,27 @@ inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar
                                        [[maybe_unused]] const Angles& angles,
                                        [[maybe_unused]] const BasicGeometry<Scalar>& g) {
   [[maybe_unused]] const auto& [s, c] = angles;
-  const Scalar t0 = s[2] * s[4];
-  const Scalar t1 = c[0] * s[1] + c[1] * s[0];
-  const Scalar t2 = c[3] * t1;
-  const Scalar t3 = c[0] * c[1] - s[0] * s[1];
-  const Scalar t4 = s[3] * t3;
-  const Scalar t5 = t2 + t4;
-  const Scalar t6 = t2 - t4;
-  const Scalar t7 = c[2] * t6;
-  const Scalar t8 = t0 * t5 + c[4] * t7;
-  const Scalar t9 = c[3] * t3;
-  const Scalar t10 = s[3] * t1;
-  const Scalar t11 = t9 - t10;
-  const Scalar t12 = t9 + t10;
-  const Scalar t13 = c[2] * t12;
-  const Scalar t14 = t0 * t11 + c[4] * t13;
-  const Scalar t15 = c[4] * s[2];
-  const Scalar t16 = t11 * t15 - s[4] * t13;
-  const Scalar t17 = s[4] * t7 - t15 * t5;
-  const Scalar t18 = g.l3 * s[2];
-  const Scalar t19 = g.l2 - t18 * Scalar(2) * c[2];
-  const Scalar t20 = g.l1 * s[0];
-  const Scalar t21 = t19 * (t6 * t5 - t11 * t12) - (g.l1 - t20 * (s[0] + s[0]));
-  const Scalar t22 = t1 * t19 * t3 + c[0] * t20;
-  const Scalar t23 = s[2] * t18;
-  return {Eigen::Quaternion<Scalar>(s[5] * t8 + c[5] * t14,
-                                    c[5] * t17 - s[5] * t16,
-                                    c[5] * t16 + s[5] * t17,
-                                    c[5] * t8 - s[5] * t14),
-          Eigen::Matrix<Scalar, 3, 1>(-t21,
-                                      t22 + t22,
-                                      (g.h1 + (t23 + t23)) - g.l3)};
+  const Scalar t0 = c[1] * c[2];
+  const Scalar t1 = s[1] * s[2];
+  const Scalar t2 = c[4] * t0 + c[5] * t1;
+  const Scalar t3 = s[5] * t1 - s[4] * t0;
+  const Scalar t4 = c[1] * s[2];
+  const Scalar t5 = c[2] * s[1];
+  const Scalar t6 = s[5] * t4 + s[4] * t5;
+  const Scalar t7 = c[4] * t5 - c[5] * t4;
+  const Scalar t8 = s[3] * s[3];
+  const Scalar t9 = g.l3 * s[1];
+  const Scalar t10 = g.l2 - (c[1] + c[1]) * t9;
+  const Scalar t11 = g.l1 * s[0];
+  const Scalar t12 = (Scalar(1) - (t8 + t8)) * t10 + (g.l1 - t11 * (s[0] + s[0]));
+  const Scalar t13 = c[3] * s[3] * t10 + c[0] * t11;
+  return {Eigen::Quaternion<Scalar>(c[3] * t2 - s[3] * t3,
+                                    -c[3] * t6 - s[3] * t7,
+                                    c[3] * t7 - s[3] * t6,
+                                    s[3] * t2 + c[3] * t3),
+          Eigen::Matrix<Scalar, 3, 1>(t12,
+                                      t13 + t13,
+                                      (g.h1 + t9 * Scalar(2) * s[1]) - g.l3)};
 }
 
 template <class Scalar, class Angles>
@@ -122,7 +112,7 @@ inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
 
 template <class Scalar>
 Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g) {
-  return detail::forward_kinematics<Scalar>(q, sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[1], Scalar(0.5) * q[2], Scalar(0.5) * q[3], Scalar(0.5) * q[4], Scalar(0.5) * q[5]), g);
+  return detail::forward_kinematics<Scalar>(q, sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[2], Scalar(0.5) * q[4], Scalar(0.5) * (q[0] + q[1]), Scalar(0.5) * (q[3] + q[5]), Scalar(0.5) * (q[3] - q[5])), g);
 }
 
 template <class Scalar>

@@ -11,7 +11,7 @@
 
 namespace qvgen::robots::rr {
 
-/// Sines and cosines that forward_kinematics needs, of the angles theta1/2, theta3/2, theta4/2, theta5/2, theta6/2.
+/// Sines and cosines that forward_kinematics needs, of the angles theta1/2, theta3/2, theta5/2, (theta4 + theta6)/2, (theta4 - theta6)/2.
 template <class Scalar>
 struct PoseAngles {
   std::array<Scalar, 5> sine;
@@ -33,8 +33,8 @@ TransformAngles<Scalar> transform_angles(const JointVector<Scalar>& q, const Bas
 
 /// Pose of the tool in the world frame: unit quaternion and position (m), by quaternion/vector pairs (thesis 1.12).
 ///
-/// 36 multiplications, 19 additions, 5 sine/cosine pairs. Equal to the plain product of the joints' pairs at 4 random
-/// exact points, tolerance zero; largest rounding error found 31.93 ulp.
+/// 30 multiplications, 13 additions, 5 sine/cosine pairs. Equal to the plain product of the joints' pairs at 4 random
+/// exact points, tolerance zero; largest rounding error found 8.78 ulp.
 ///
 /// NaN or infinite joint variables give NaN. No heap, no exceptions.
 template <class Scalar>

@@ -10,7 +10,7 @@ namespace qvgen::robots::rx90 {
 
 template <class Scalar>
 PoseAngles<Scalar> pose_angles([[maybe_unused]] const JointVector<Scalar>& q, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  [[maybe_unused]] const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[1], Scalar(0.5) * q[4], Scalar(0.5) * q[5], Scalar(0.5) * (q[0] - q[3]), Scalar(0.5) * (q[1] + q[2]));
+  [[maybe_unused]] const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[1], Scalar(0.5) * q[4], Scalar(0.5) * (q[1] + q[2]), Scalar(0.5) * (q[3] + q[5]), Scalar(0.5) * (q[3] - q[5]));
   return { { angles.sine[0], angles.sine[1], angles.sine[2], angles.sine[3], angles.sine[4], angles.sine[5] },
            { angles.cosine[0], angles.cosine[1], angles.cosine[2], angles.cosine[3], angles.cosine[4], angles.cosine[5] }};
 }
@@ -48,28 +48,26 @@ inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar
                                        [[maybe_unused]] const Angles& angles,
                                        [[maybe_unused]] const BasicGeometry<Scalar>& g) {
   [[maybe_unused]] const auto& [s, c] = angles;
-  const Scalar t0 = Scalar(2) * s[0];
-  const Scalar t1 = Scalar(1) - s[0] * t0;
-  const Scalar t2 = c[0] * t0;
-  const Scalar t3 = c[5] * (c[4] * t1 + s[4] * t2);
-  const Scalar t4 = s[5] * s[2];
-  const Scalar t5 = c[2] * t3 - c[4] * t4;
-  const Scalar t6 = c[5] * (c[4] * t2 - s[4] * t1);
-  const Scalar t7 = s[4] * t4 - c[2] * t6;
-  const Scalar t8 = c[2] * s[5];
-  const Scalar t9 = s[2] * t3 + c[4] * t8;
-  const Scalar t10 = s[2] * t6 + s[4] * t8;
-  const Scalar t11 = c[1] + c[1];
-  const Scalar t12 = Scalar(2) * s[5];
-  const Scalar t13 = g.D3 * (Scalar(1) - c[1] * t11) + g.RL4 * c[5] * t12;
-  const Scalar t14 = (g.RL4 - g.RL4 * s[5] * t12) + g.D3 * s[1] * t11;
-  return {Eigen::Quaternion<Scalar>(c[3] * t5 + s[3] * t7,
-                                    c[3] * t10 - s[3] * t9,
-                                    -s[3] * t10 - c[3] * t9,
-                                    s[3] * t5 - c[3] * t7),
-          Eigen::Matrix<Scalar, 3, 1>(-t13 * t1,
-                                      -t13 * t2,
-                                      t14)};
+  const Scalar t0 = c[3] * c[2];
+  const Scalar t1 = s[5] * s[2];
+  const Scalar t2 = s[4] * t0 + s[3] * t1;
+  const Scalar t3 = c[5] * s[2];
+  const Scalar t4 = s[3] * t3 - c[4] * t0;
+  const Scalar t5 = c[2] * s[3];
+  const Scalar t6 = c[4] * t5 + c[3] * t3;
+  const Scalar t7 = c[3] * t1 - s[4] * t5;
+  const Scalar t8 = g.RL4 * s[3];
+  const Scalar t9 = Scalar(2) * c[1];
+  const Scalar t10 = t8 * Scalar(2) * c[3] + g.D3 * (Scalar(1) - c[1] * t9);
+  const Scalar t11 = Scalar(2) * c[0];
+  const Scalar t12 = (g.RL4 - t8 * Scalar(2) * s[3]) + t9 * g.D3 * s[1];
+  return {Eigen::Quaternion<Scalar>(-s[0] * t2 - c[0] * t4,
+                                    s[0] * t6 + c[0] * t7,
+                                    s[0] * t7 - c[0] * t6,
+                                    c[0] * t2 - s[0] * t4),
+          Eigen::Matrix<Scalar, 3, 1>(t10 * (Scalar(1) - c[0] * t11),
+                                      -s[0] * t10 * t11,
+                                      t12)};
 }
 
 template <class Scalar, class Angles>
@@ -113,7 +111,7 @@ inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
 
 template <class Scalar>
 Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g) {
-  return detail::forward_kinematics<Scalar>(q, sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[1], Scalar(0.5) * q[4], Scalar(0.5) * q[5], Scalar(0.5) * (q[0] - q[3]), Scalar(0.5) * (q[1] + q[2])), g);
+  return detail::forward_kinematics<Scalar>(q, sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[1], Scalar(0.5) * q[4], Scalar(0.5) * (q[1] + q[2]), Scalar(0.5) * (q[3] + q[5]), Scalar(0.5) * (q[3] - q[5])), g);
 }
 
 template <class Scalar>

@@ -10,7 +10,7 @@ namespace qvgen::robots::sn {
 
 template <class Scalar>
 PoseAngles<Scalar> pose_angles([[maybe_unused]] const JointVector<Scalar>& q, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  [[maybe_unused]] const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[1], Scalar(0.5) * q[2], Scalar(0.5) * q[3], Scalar(0.5) * q[4], Scalar(0.5) * q[5]);
+  [[maybe_unused]] const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[1], Scalar(0.5) * q[2], Scalar(0.5) * q[4], Scalar(0.5) * (q[3] + q[5]), Scalar(0.5) * (q[3] - q[5]));
   return { { angles.sine[0], angles.sine[1], angles.sine[2], angles.sine[3], angles.sine[4] },
            { angles.cosine[0], angles.cosine[1], angles.cosine[2], angles.cosine[3], angles.cosine[4] }};
 }
@@ -48,34 +48,26 @@ inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar
                                        [[maybe_unused]] const Angles& angles,
                                        [[maybe_unused]] const BasicGeometry<Scalar>& g) {
   [[maybe_unused]] const auto& [s, c] = angles;
-  const Scalar t0 = s[1] * s[3];
-  const Scalar t1 = c[0] * c[2];
-  const Scalar t2 = s[0] * s[2];
-  const Scalar t3 = t1 - t2;
-  const Scalar t4 = c[0] * s[2];
-  const Scalar t5 = c[2] * s[0];
-  const Scalar t6 = t4 - t5;
-  const Scalar t7 = c[1] * t6;
-  const Scalar t8 = t0 * t3 + c[3] * t7;
-  const Scalar t9 = t1 + t2;
-  const Scalar t10 = c[1] * t9;
-  const Scalar t11 = t4 + t5;
-  const Scalar t12 = c[3] * t10 + t0 * t11;
-  const Scalar t13 = c[3] * s[1];
-  const Scalar t14 = s[3] * t10 - t13 * t11;
-  const Scalar t15 = t13 * t3 - s[3] * t7;
-  const Scalar t16 = t6 * t11 + t9 * t3;
-  const Scalar t17 = g.d4 * c[1] * s[1];
-  const Scalar t18 = c[0] * s[0];
-  const Scalar t19 = Scalar(2) * g.d4 * s[1] * s[1] + (g.d2 - g.d4);
-  const Scalar t20 = q[0] - (Scalar(4) * t17 * t18 - g.l2 * t16);
-  return {Eigen::Quaternion<Scalar>(c[4] * t12 - s[4] * t8,
-                                    s[4] * t15 - c[4] * t14,
-                                    -c[4] * t8 - s[4] * t12,
-                                    c[4] * t15 + s[4] * t14),
-          Eigen::Matrix<Scalar, 3, 1>(Scalar(2) * (t16 * t17 + g.l2 * t18),
-                                      t19,
-                                      t20)};
+  const Scalar t0 = c[1] * c[2];
+  const Scalar t1 = s[4] * s[2];
+  const Scalar t2 = c[3] * t0 + s[1] * t1;
+  const Scalar t3 = c[4] * s[2];
+  const Scalar t4 = s[1] * t3 + s[3] * t0;
+  const Scalar t5 = c[2] * s[1];
+  const Scalar t6 = c[1] * t3 - s[3] * t5;
+  const Scalar t7 = c[3] * t5 - c[1] * t1;
+  const Scalar t8 = c[0] + c[0];
+  const Scalar t9 = s[0] * t8;
+  const Scalar t10 = Scalar(1) - c[0] * t8;
+  const Scalar t11 = Scalar(2) * c[1];
+  const Scalar t12 = g.d4 * s[1] * t11;
+  return {Eigen::Quaternion<Scalar>(c[0] * t2 + s[0] * t4,
+                                    s[0] * t7 - c[0] * t6,
+                                    s[0] * t2 - c[0] * t4,
+                                    c[0] * t7 + s[0] * t6),
+          Eigen::Matrix<Scalar, 3, 1>(g.l2 * t9 - t10 * t12,
+                                      g.d2 + g.d4 * (Scalar(1) - c[1] * t11),
+                                      (q[0] - t9 * t12) - g.l2 * t10)};
 }
 
 template <class Scalar, class Angles>
@@ -119,7 +111,7 @@ inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
 
 template <class Scalar>
 Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g) {
-  return detail::forward_kinematics<Scalar>(q, sines_and_cosines<Scalar>(Scalar(0.5) * q[1], Scalar(0.5) * q[2], Scalar(0.5) * q[3], Scalar(0.5) * q[4], Scalar(0.5) * q[5]), g);
+  return detail::forward_kinematics<Scalar>(q, sines_and_cosines<Scalar>(Scalar(0.5) * q[1], Scalar(0.5) * q[2], Scalar(0.5) * q[4], Scalar(0.5) * (q[3] + q[5]), Scalar(0.5) * (q[3] - q[5])), g);
 }
 
 template <class Scalar>

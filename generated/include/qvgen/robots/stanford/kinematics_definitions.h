@@ -10,7 +10,7 @@ namespace qvgen::robots::stanford {
 
 template <class Scalar>
 PoseAngles<Scalar> pose_angles([[maybe_unused]] const JointVector<Scalar>& q, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  [[maybe_unused]] const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[5] - Scalar(0.7853981633974483), Scalar(0.5) * q[0], Scalar(0.5) * q[1], Scalar(0.5) * q[4], Scalar(0.5) * (q[0] - q[3]));
+  [[maybe_unused]] const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[1], Scalar(0.5) * q[4], Scalar(0.5) * (q[3] + q[5]) - Scalar(0.7853981633974483), Scalar(0.5) * (q[3] - q[5]) + Scalar(0.7853981633974483));
   return { { angles.sine[0], angles.sine[1], angles.sine[2], angles.sine[3], angles.sine[4] },
            { angles.cosine[0], angles.cosine[1], angles.cosine[2], angles.cosine[3], angles.cosine[4] }};
 }
@@ -48,30 +48,26 @@ inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar
                                        [[maybe_unused]] const Angles& angles,
                                        [[maybe_unused]] const BasicGeometry<Scalar>& g) {
   [[maybe_unused]] const auto& [s, c] = angles;
-  const Scalar t0 = s[2] * s[3];
-  const Scalar t1 = s[1] + s[1];
-  const Scalar t2 = Scalar(1) - s[1] * t1;
-  const Scalar t3 = c[1] * t1;
-  const Scalar t4 = s[4] * t2 - c[4] * t3;
-  const Scalar t5 = c[2] * c[3];
-  const Scalar t6 = c[4] * t0 + t4 * t5;
-  const Scalar t7 = c[4] * t2 + s[4] * t3;
-  const Scalar t8 = t5 * t7 + s[4] * t0;
-  const Scalar t9 = c[3] * s[2];
-  const Scalar t10 = s[4] * t9;
-  const Scalar t11 = c[2] * s[3];
-  const Scalar t12 = t11 * t7;
-  const Scalar t13 = c[4] * t9 - t11 * t4;
-  const Scalar t14 = c[0] * t10 - (c[0] * t12 + s[0] * t13);
-  const Scalar t15 = Scalar(2) * s[2];
-  const Scalar t16 = q[2] * c[2] * t15;
-  return {Eigen::Quaternion<Scalar>(s[0] * t6 + c[0] * t8,
-                                    -t14,
-                                    c[0] * t13 + s[0] * (t10 - t12),
-                                    s[0] * t8 - c[0] * t6),
-          Eigen::Matrix<Scalar, 3, 1>(t2 * t16 - Scalar(0.1337) * t3,
-                                      Scalar(0.1337) * t2 + t3 * t16,
-                                      (Scalar(0.412) + q[2]) - q[2] * s[2] * t15)};
+  const Scalar t0 = s[4] * s[2];
+  const Scalar t1 = c[3] * c[2];
+  const Scalar t2 = s[1] * t0 - c[1] * t1;
+  const Scalar t3 = c[2] * s[3];
+  const Scalar t4 = c[4] * s[2];
+  const Scalar t5 = c[1] * t3 - s[1] * t4;
+  const Scalar t6 = c[1] * t4 + s[1] * t3;
+  const Scalar t7 = s[1] * t1 + c[1] * t0;
+  const Scalar t8 = Scalar(2) * s[0];
+  const Scalar t9 = c[0] * t8;
+  const Scalar t10 = q[2] * s[1];
+  const Scalar t11 = Scalar(2) * c[1] * t10;
+  const Scalar t12 = Scalar(1) - s[0] * t8;
+  return {Eigen::Quaternion<Scalar>(-c[0] * t2 - s[0] * t5,
+                                    c[0] * t6 - s[0] * t7,
+                                    c[0] * t7 + s[0] * t6,
+                                    c[0] * t5 - s[0] * t2),
+          Eigen::Matrix<Scalar, 3, 1>(t11 * t12 - Scalar(0.1337) * t9,
+                                      Scalar(0.1337) * t12 + t11 * t9,
+                                      (Scalar(0.412) + q[2]) - Scalar(2) * s[1] * t10)};
 }
 
 template <class Scalar, class Angles>
@@ -115,7 +111,7 @@ inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
 
 template <class Scalar>
 Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g) {
-  return detail::forward_kinematics<Scalar>(q, sines_and_cosines<Scalar>(Scalar(0.5) * q[5] - Scalar(0.7853981633974483), Scalar(0.5) * q[0], Scalar(0.5) * q[1], Scalar(0.5) * q[4], Scalar(0.5) * (q[0] - q[3])), g);
+  return detail::forward_kinematics<Scalar>(q, sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[1], Scalar(0.5) * q[4], Scalar(0.5) * (q[3] + q[5]) - Scalar(0.7853981633974483), Scalar(0.5) * (q[3] - q[5]) + Scalar(0.7853981633974483)), g);
 }
 
 template <class Scalar>

@@ -11,7 +11,7 @@
 
 namespace qvgen::robots::ur5 {
 
-/// Sines and cosines that forward_kinematics needs, of the angles theta1/2, theta2/2, theta6/2, (theta1 + theta5)/2, (theta2 + theta3)/2, (theta2 + theta3 + theta4)/2.
+/// Sines and cosines that forward_kinematics needs, of the angles theta1/2, theta2/2, theta5/2, theta6/2, (theta2 + theta3)/2, (theta2 + theta3 + theta4)/2.
 template <class Scalar>
 struct PoseAngles {
   std::array<Scalar, 6> sine;

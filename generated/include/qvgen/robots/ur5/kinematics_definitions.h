@@ -10,7 +10,7 @@ namespace qvgen::robots::ur5 {
 
 template <class Scalar>
 PoseAngles<Scalar> pose_angles([[maybe_unused]] const JointVector<Scalar>& q, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  [[maybe_unused]] const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[1], Scalar(0.5) * q[5], Scalar(0.5) * (q[0] + q[4]), Scalar(0.5) * (q[1] + q[2]), Scalar(0.5) * (q[1] + q[2] + q[3]));
+  [[maybe_unused]] const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[1], Scalar(0.5) * q[4], Scalar(0.5) * q[5], Scalar(0.5) * (q[1] + q[2]), Scalar(0.5) * (q[1] + q[2] + q[3]));
   return { { angles.sine[0], angles.sine[1], angles.sine[2], angles.sine[3], angles.sine[4], angles.sine[5] },
            { angles.cosine[0], angles.cosine[1], angles.cosine[2], angles.cosine[3], angles.cosine[4], angles.cosine[5] }};
 }
@@ -53,34 +53,39 @@ inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar
                                        [[maybe_unused]] const Angles& angles,
                                        [[maybe_unused]] const BasicGeometry<Scalar>& g) {
   [[maybe_unused]] const auto& [s, c] = angles;
-  const Scalar t0 = s[3] * s[5];
-  const Scalar t1 = c[0] + c[0];
-  const Scalar t2 = s[0] * t1;
-  const Scalar t3 = Scalar(1) - c[0] * t1;
-  const Scalar t4 = c[5] * (c[3] * t2 + s[3] * t3);
-  const Scalar t5 = Scalar(0.7071067811865476) * (c[2] * t0 + s[2] * t4);
-  const Scalar t6 = c[3] * s[5];
-  const Scalar t7 = c[5] * (c[3] * t3 - s[3] * t2);
-  const Scalar t8 = Scalar(0.7071067811865476) * (s[2] * t6 + c[2] * t7);
-  const Scalar t9 = t5 + t8;
-  const Scalar t10 = t5 - t8;
-  const Scalar t11 = s[2] * t7 - c[2] * t6;
-  const Scalar t12 = s[2] * t0 - c[2] * t4;
-  const Scalar t13 = Scalar(0.7071067811865476) * (t11 - t12);
-  const Scalar t14 = Scalar(0.7071067811865476) * (t11 + t12);
-  const Scalar t15 = Scalar(0.1893) * c[5] * s[5] - (Scalar(0.425) - Scalar(0.85) * s[1] * s[1]);
-  const Scalar t16 = (Scalar(0.39225) - Scalar(0.7845) * s[4] * s[4]) - t15;
-  const Scalar t17 = Scalar(0.1646) * (t9 * t13 + t10 * t14) - t16 * t3;
-  const Scalar t18 = t2 * t16 + Scalar(0.1646) * (t13 * t14 - t9 * t10);
-  const Scalar t19 = Scalar(0.7845) * c[4] * s[4] + (Scalar(0.09465) - Scalar(0.1893) * s[5] * s[5]);
-  const Scalar t20 = Scalar(0.85) * c[1] * s[1] - (Scalar(0.171459) - Scalar(0.1646) * t13 * t13);
-  return {Eigen::Quaternion<Scalar>(-t9,
-                                    t10,
-                                    t13,
-                                    -t14),
-          Eigen::Matrix<Scalar, 3, 1>(Scalar(0.10915) * t2 - t17,
-                                      Scalar(0.10915) * t3 - t18,
-                                      -t19 - (t20 + Scalar(0.1646) * t10 * t10))};
+  const Scalar t0 = c[2] * s[0];
+  const Scalar t1 = c[0] * s[2];
+  const Scalar t2 = c[5] * (t0 - t1);
+  const Scalar t3 = s[5] * (t0 + t1);
+  const Scalar t4 = s[3] * t2 + c[3] * t3;
+  const Scalar t5 = s[0] * s[2];
+  const Scalar t6 = c[0] * c[2];
+  const Scalar t7 = s[5] * (t5 - t6);
+  const Scalar t8 = c[5] * (t5 + t6);
+  const Scalar t9 = s[3] * t7 + c[3] * t8;
+  const Scalar t10 = Scalar(0.7071067811865476) * (t4 - t9);
+  const Scalar t11 = Scalar(0.7071067811865476) * (t4 + t9);
+  const Scalar t12 = c[3] * t2 - s[3] * t3;
+  const Scalar t13 = s[3] * t8 - c[3] * t7;
+  const Scalar t14 = Scalar(0.7071067811865476) * (t12 - t13);
+  const Scalar t15 = Scalar(0.7071067811865476) * (t12 + t13);
+  const Scalar t16 = Scalar(2) * s[0];
+  const Scalar t17 = c[0] * t16;
+  const Scalar t18 = Scalar(0.10915) * t17 + Scalar(0.1646) * (t11 * t15 - t10 * t14);
+  const Scalar t19 = c[5] * s[5];
+  const Scalar t20 = (Scalar(0.39225) - Scalar(0.7845) * s[4] * s[4]) - Scalar(0.1893) * t19;
+  const Scalar t21 = t20 + (Scalar(0.425) - Scalar(0.85) * s[1] * s[1]);
+  const Scalar t22 = Scalar(1) - s[0] * t16;
+  const Scalar t23 = t21 * t17 - Scalar(0.1646) * (t15 * t14 + t11 * t10);
+  const Scalar t24 = Scalar(0.7845) * c[4] * s[4] + (Scalar(0.09465) - Scalar(0.1893) * s[5] * s[5]);
+  const Scalar t25 = Scalar(0.089159) - (t24 + Scalar(0.3292) * t19 * c[2] * s[2]);
+  return {Eigen::Quaternion<Scalar>(-t10,
+                                    t11,
+                                    t14,
+                                    t15),
+          Eigen::Matrix<Scalar, 3, 1>(t18 - t21 * t22,
+                                      -t23 - Scalar(0.10915) * t22,
+                                      t25 - Scalar(0.85) * c[1] * s[1])};
 }
 
 template <class Scalar, class Angles>
@@ -123,7 +128,7 @@ inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
 
 template <class Scalar>
 Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g) {
-  return detail::forward_kinematics<Scalar>(q, sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[1], Scalar(0.5) * q[5], Scalar(0.5) * (q[0] + q[4]), Scalar(0.5) * (q[1] + q[2]), Scalar(0.5) * (q[1] + q[2] + q[3])), g);
+  return detail::forward_kinematics<Scalar>(q, sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[1], Scalar(0.5) * q[4], Scalar(0.5) * q[5], Scalar(0.5) * (q[1] + q[2]), Scalar(0.5) * (q[1] + q[2] + q[3])), g);
 }
 
 template <class Scalar>
