@@ -103,6 +103,7 @@ int run_generate(const GenerateArguments& arguments) {
   }
   const int changed = write_files(arguments.output, files);
   fmt::print("{}", report(only(read_counts(arguments.output / "operation_counts.json"), *robots), ReportFormat::table));
+  std::fflush(stdout);
   fmt::print(stderr, "{} robots, {} files in {}, {} changed\n", robots->size(), files.size(), arguments.output.string(), changed);
   return success;
 }

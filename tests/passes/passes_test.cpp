@@ -74,6 +74,13 @@ TEST_F(PassTest, ShareSeesOppositeSigns) {
   EXPECT_EQ(operations(passes::share(f)), (std::pair{0, 3}));
 }
 
+TEST_F(PassTest, ShareLeavesSumAndDifferenceApart) {
+  output(g.sum({a, b, c}));
+  output(g.sum({a, -b, d}));
+  const dag::Function shared = passes::share(f);
+  for (const dag::Output& result : shared.outputs) EXPECT_EQ(shared.graph.node(result.value).operands.size(), 3U);
+}
+
 TEST_F(PassTest, SimplifyReachesAFixedPoint) {
   output(g.sum({g.product({a, b}), g.product({a, c}), g.product({d, s, s}), g.product({d, k, k})}));
   const dag::Function once = passes::simplify(f);
