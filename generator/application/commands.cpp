@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 #include <fstream>
 
-#include "application/certificate.h"
 #include "application/closed_form.h"
 #include "application/files.h"
 #include "application/pipeline.h"
@@ -94,12 +93,10 @@ int run_generate(const GenerateArguments& arguments) {
   const auto robots = read_robots(arguments.descriptions, arguments.strict);
   if (!robots) return bad_description;
   std::vector<OutputFile> files;
-  try {
+  {
     ProgressLine line(robots->size());
-    files = generate(*robots, read_counts(arguments.output / "operation_counts.json"), [&](const std::string& robot) { line.finished(robot); });
-  } catch (const CertificateError& error) {
-    fmt::print(stderr, "qvgen: certificate failed, nothing written: {}\n", error.what());
-    return bad_certificate;
+    files = generate(*robots, arguments.parts, read_counts(arguments.output / "operation_counts.json"),
+                     [&](const std::string& robot) { line.finished(robot); });
   }
   const int changed = write_files(arguments.output, files);
   fmt::print("{}", report(only(read_counts(arguments.output / "operation_counts.json"), *robots), ReportFormat::table));
@@ -141,12 +138,12 @@ int run_show(const ShowArguments& arguments) {
   return success;
 }
 
-int run_counts(const fs::path& counts_file, ReportFormat format) {
+int run_counts(const fs::path& counts_file, ReportFormat format, bool forms) {
   if (!fs::exists(counts_file)) {
     fmt::print(stderr, "qvgen: no {}: run `qvgen generate` first\n", counts_file.string());
     return failure;
   }
-  fmt::print("{}", report(read_counts(counts_file), format));
+  fmt::print("{}", report(read_counts(counts_file), format, forms));
   return success;
 }
 

@@ -10,12 +10,13 @@
 namespace qvgen::application {
 
 /// Exit codes of the tool.
-enum ExitCode { success = 0, failure = 1, usage_error = 2, bad_description = 3, bad_certificate = 4 };
+enum ExitCode { success = 0, failure = 1, usage_error = 2, bad_description = 3 };
 
 struct GenerateArguments {
   std::vector<std::filesystem::path> descriptions;
   std::filesystem::path output;
   bool strict = false;
+  std::vector<std::string> parts;  ///< see pipeline.h
 };
 
 struct ShowArguments {
@@ -26,7 +27,7 @@ struct ShowArguments {
 /// Each command prints its results to stdout and messages to stderr, and returns an ExitCode.
 int run_generate(const GenerateArguments& arguments);
 int run_show(const ShowArguments& arguments);
-int run_counts(const std::filesystem::path& counts_file, ReportFormat format);
+int run_counts(const std::filesystem::path& counts_file, ReportFormat format, bool forms);
 int run_check(const std::vector<std::filesystem::path>& descriptions, bool strict);
 
 /// Every *.toml of a folder, sorted by name.

@@ -19,7 +19,7 @@ examples:
   qvgen show my_arm.toml --latex              the same typeset
   qvgen counts --format markdown              operation counts of everything generated
 
-exit codes: 0 success, 1 failure, 2 wrong arguments, 3 mistakes in a description, 4 a certificate failed
+exit codes: 0 success, 1 failure, 2 wrong arguments, 3 mistakes in a description
 )";
 
 /// A robot by name or by file.
@@ -43,6 +43,7 @@ int main(int argc, char** argv) {
   auto* generate_command = app.add_subcommand("generate", "derive, certify and emit C++ for robots");
   generate_command->add_option("FILES", generate_files, "robot descriptions or names of known robots; all known ones without");
   generate_command->add_option("-o,--output", output, "folder to write to")->capture_default_str();
+  generate_command->add_option("--only", generate.parts, "parts to generate: kinematics, jacobian, ...; all without")->delimiter(',');
   generate_command->add_flag("--strict", generate.strict, "warnings about a description are errors");
 
   std::string shown;
@@ -55,6 +56,8 @@ int main(int argc, char** argv) {
   const std::map<std::string, ReportFormat> formats{{"table", ReportFormat::table}, {"csv", ReportFormat::csv}, {"json", ReportFormat::json}, {"markdown", ReportFormat::markdown}};
   auto* counts_command = app.add_subcommand("counts", "print the operation counts of the generated functions");
   counts_command->add_option("--format", format, "table, csv, json or markdown")->transform(CLI::CheckedTransformer(formats).description(""));
+  bool forms = false;
+  counts_command->add_flag("--forms", forms, "also the forms that competed for each function");
   counts_command->add_option("-o,--output", output, "folder that was generated")->capture_default_str();
 
   std::vector<std::string> checked;
@@ -82,7 +85,7 @@ int main(int argc, char** argv) {
       show.description = description_of(shown, robots);
       return run_show(show);
     }
-    if (*counts_command) return run_counts(fs::path(output) / "operation_counts.json", format);
+    if (*counts_command) return run_counts(fs::path(output) / "operation_counts.json", format, forms);
     return run_check({checked.begin(), checked.end()}, strict);
   } catch (const std::exception& error) {
     fmt::print(stderr, "qvgen: {}\n", error.what());

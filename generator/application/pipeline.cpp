@@ -26,12 +26,29 @@ OutputFile umbrella_header(const model::Robot& robot, const std::vector<OutputFi
   return {"include/qvgen/robots/" + robot.name + ".h", emit::render("robot.h", {{"name", robot.name}, {"parts", parts}})};
 }
 
+void check_parts(const Parts& parts) {
+  for (const std::string& part : parts) {
+    const auto is_it = [&](const Product& product) { return product.part == part; };
+    if (std::any_of(all_products().begin(), all_products().end(), is_it)) continue;
+    std::string known;
+    for (const Product& product : all_products()) known += (known.empty() ? "" : ", ") + product.part;
+    throw std::invalid_argument("no part " + part + "; there are " + known);
+  }
+}
+
+/// Every part rests on the model header.
+bool is_wanted(const Product& product, const Parts& parts) {
+  return parts.empty() || product.part == all_products().front().part ||
+         std::find(parts.begin(), parts.end(), product.part) != parts.end();
+}
+
 }  // namespace
 
-RobotOutput generate_robot(const model::Robot& robot) {
+RobotOutput generate_robot(const model::Robot& robot, const Parts& parts) {
   RobotOutput output{robot.name, {}, ordered_json::object()};
   try {
-    for (const Product& product : all_products()) product.generate(robot, output);
+    for (const Product& product : all_products())
+      if (is_wanted(product, parts)) product.generate(robot, output);
   } catch (const std::exception& error) {
     throw std::runtime_error(robot.name + ": " + error.what());
   }
@@ -39,9 +56,10 @@ RobotOutput generate_robot(const model::Robot& robot) {
   return output;
 }
 
-std::vector<OutputFile> generate(const std::vector<model::Robot>& robots, const ordered_json& earlier,
+std::vector<OutputFile> generate(const std::vector<model::Robot>& robots, const Parts& parts, const ordered_json& earlier,
                                  const std::function<void(const std::string&)>& progress) {
-  const auto work = [&](std::size_t i) { return to_text(generate_robot(robots[i])); };
+  check_parts(parts);
+  const auto work = [&](std::size_t i) { return to_text(generate_robot(robots[i], parts)); };
   const auto done = [&](std::size_t i) { if (progress) progress(robots[i].name); };
   std::vector<OutputFile> files;
   std::map<std::string, ordered_json> entries;

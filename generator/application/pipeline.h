@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "application/robot_output.h"
@@ -9,12 +10,16 @@
 
 namespace qvgen::application {
 
+/// The parts (headers of a robot: kinematics, jacobian, ...) that a run generates; none named means all.
+using Parts = std::vector<std::string>;
+
 /// description -> model -> symbolic -> derive -> dag -> passes -> emit, for one robot.
-RobotOutput generate_robot(const model::Robot& robot);
+RobotOutput generate_robot(const model::Robot& robot, const Parts& parts = {});
 
 /// All files of a run, robots in parallel: theirs, operation_counts.json and the folder's README. Robots that `earlier`
 /// (the operation_counts.json in place, if any) knows and this run does not keep their entries.
-std::vector<OutputFile> generate(const std::vector<model::Robot>& robots, const nlohmann::ordered_json& earlier,
+std::vector<OutputFile> generate(const std::vector<model::Robot>& robots, const Parts& parts,
+                                 const nlohmann::ordered_json& earlier,
                                  const std::function<void(const std::string& robot)>& progress = {});
 
 }  // namespace qvgen::application

@@ -30,11 +30,20 @@ Row row_of(const std::string& robot, const std::string& function, const ordered_
   return row;
 }
 
-std::vector<Row> rows_of(const ordered_json& counts) {
+void append_forms(const std::string& robot, const ordered_json& entry, std::vector<Row>& rows) {
+  if (!entry.contains("forms")) return;
+  for (const auto& [name, form] : entry.at("forms").items())
+    rows.push_back(row_of(robot, "  " + name, ordered_json{{"emitted", form}}));
+}
+
+std::vector<Row> rows_of(const ordered_json& counts, bool forms) {
   std::vector<Row> rows;
   for (const auto& [robot, functions] : counts.items())
     for (const auto& [function, entry] : functions.items())
-      if (entry.is_object() && entry.contains("emitted")) rows.push_back(row_of(robot, function, entry));
+      if (entry.is_object() && entry.contains("emitted")) {
+        rows.push_back(row_of(robot, function, entry));
+        if (forms) append_forms(robot, entry, rows);
+      }
   return rows;
 }
 
@@ -71,9 +80,9 @@ std::string aligned(const std::vector<Row>& rows, const std::string& edge, const
 
 }  // namespace
 
-std::string report(const ordered_json& counts, ReportFormat format) {
+std::string report(const ordered_json& counts, ReportFormat format, bool forms) {
   if (format == ReportFormat::json) return counts.dump(1) + "\n";
-  std::vector<Row> rows = rows_of(counts);
+  std::vector<Row> rows = rows_of(counts, forms);
   rows.insert(rows.begin(), header);
   switch (format) {
     case ReportFormat::csv: return separated(rows, ",");

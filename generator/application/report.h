@@ -8,7 +8,8 @@ namespace qvgen::application {
 
 enum class ReportFormat { table, csv, json, markdown };
 
-/// The operation counts (the content of operation_counts.json) for people or programs, one line a function.
-std::string report(const nlohmann::ordered_json& counts, ReportFormat format);
+/// The operation counts (the content of operation_counts.json) for people or programs, one line a function; with
+/// `forms` also a line for each form that competed, by itself after the passes.
+std::string report(const nlohmann::ordered_json& counts, ReportFormat format, bool forms = false);
 
 }  // namespace qvgen::application

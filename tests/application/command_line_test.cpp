@@ -90,6 +90,16 @@ TEST_F(CommandLine, GeneratesARobotFromAnEmptyFolder) {
   EXPECT_TRUE(has(second, " 0 changed")) << second.output;
 }
 
+TEST_F(CommandLine, GeneratesOnlyThePartsAskedFor) {
+  const std::string file = write("my_arm.toml", good_arm);
+  EXPECT_EQ(run("generate " + file + " --only kinematics --output " + out()).code, 0);
+  EXPECT_TRUE(fs::exists(fs::path(out()) / "include/qvgen/robots/my_arm/model.h"));
+  EXPECT_TRUE(fs::exists(fs::path(out()) / "source/my_arm/kinematics.cpp"));
+  EXPECT_EQ(std::distance(fs::directory_iterator(fs::path(out()) / "source/my_arm"), fs::directory_iterator()), 1);
+  EXPECT_TRUE(has(run("counts --forms --output " + out()), "  pair product"));
+  EXPECT_EQ(run("generate " + file + " --only teleportation --output " + out()).code, 1);
+}
+
 TEST_F(CommandLine, KeepsTheCountsOfOtherRobots) {
   const std::string mine = write("my_arm.toml", good_arm);
   EXPECT_EQ(run("generate " + mine + " rr_planar --output " + out()).code, 0);
