@@ -10,6 +10,7 @@
 #include "application/closed_form.h"
 #include "application/files.h"
 #include "application/pipeline.h"
+#include "application/singularities.h"
 #include "description/reader.h"
 
 namespace qvgen::application {
@@ -120,6 +121,10 @@ int run_show(const ShowArguments& arguments) {
   const auto robots = read_robots({arguments.description}, false);
   if (!robots) return bad_description;
   const auto notation = arguments.latex ? emit::Notation::latex : emit::Notation::text;
+  if (arguments.singularities) {
+    for (const std::string& line : singularity_lines(robots->front(), notation)) fmt::print("{}\n", line);
+    return success;
+  }
   const auto lines = closed_form_lines(robots->front(), notation);
   if (lines.empty()) {
     fmt::print(stderr, "qvgen: {} has a constant rotation by a symbolic angle: no closed form in half-angle sums\n", robots->front().name);

@@ -22,6 +22,7 @@ struct GenerateArguments {
 struct ShowArguments {
   std::filesystem::path description;
   bool latex = false;
+  bool singularities = false;
 };
 
 /// Each command prints its results to stdout and messages to stderr, and returns an ExitCode.

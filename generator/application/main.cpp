@@ -17,6 +17,7 @@ examples:
   qvgen check my_arm.toml                     every mistake of a description, nothing written
   qvgen show ns                               the closed form of the forward kinematics
   qvgen show my_arm.toml --latex              the same typeset
+  qvgen show puma560 --singularities          where the arm is singular, factor by factor
   qvgen counts --format markdown              operation counts of everything generated
 
 exit codes: 0 success, 1 failure, 2 wrong arguments, 3 mistakes in a description
@@ -51,6 +52,7 @@ int main(int argc, char** argv) {
   auto* show_command = app.add_subcommand("show", "print the derived closed form of a robot");
   show_command->add_option("ROBOT", shown, "name of a known robot, or a description")->required();
   show_command->add_flag("--latex", show.latex, "as LaTeX");
+  show_command->add_flag("--singularities", show.singularities, "the factored determinant of the Jacobian instead");
 
   ReportFormat format = ReportFormat::table;
   const std::map<std::string, ReportFormat> formats{{"table", ReportFormat::table}, {"csv", ReportFormat::csv}, {"json", ReportFormat::json}, {"markdown", ReportFormat::markdown}};

@@ -5,8 +5,11 @@
 #include "application/products/counts_json.h"
 #include "application/products/jacobian_function.h"
 #include "application/products/leaf_names.h"
+#include "application/singularities.h"
 #include "dag/import.h"
 #include "derive/jacobian/quantities.h"
+#include "derive/jacobian/wrist.h"
+#include "emit/code.h"
 #include "emit/render.h"
 #include "passes/pass.h"
 
@@ -84,7 +87,23 @@ JacobianFunction transform_function(const model::Robot& robot) {
           "result.transform.makeAffine();", targets, with_accuracy(quantity, groups)};
 }
 
-std::vector<JacobianFunction> functions_of(const model::Robot& robot) {
+/// One value per factor; each is a group of its own.
+JacobianFunction measures_function(const SingularityMeasures& measures) {
+  const std::size_t count = measures.names.size();
+  JacobianFunction function{measures.quantity.name, "SingularityMeasures", {}, {}, "", {}, {}};
+  function.text = {"One value for each factor of the determinant of the Jacobian (named in `singularity_names`): the arm is singular",
+                   "exactly where one of them is zero. None for arms with more than six joints, see qvgen/manipulability.h."};
+  if (count == 0) return function;
+  std::vector<OutputGroup> groups;
+  for (std::size_t i = 0; i < count; ++i) {
+    function.targets.push_back(place("result", i, 0));
+    groups.push_back({measures.quantity.definition.outputs()[i].name});
+  }
+  function.optimised = with_accuracy(measures.quantity, groups);
+  return function;
+}
+
+std::vector<JacobianFunction> functions_of(const model::Robot& robot, const SingularityMeasures& measures) {
   const std::size_t dof = robot.joints.size();
   return {
       matrix_function(derive::jacobian(robot), dof, {},
@@ -99,6 +118,7 @@ std::vector<JacobianFunction> functions_of(const model::Robot& robot) {
       twist_function(derive::acceleration_bias(robot),
                      {"The tool's acceleration (m/s², rad/s²) at constant joint rates qd: `jacobian_dot(q, qd) * qd`; with joint accelerations",
                       "it is `jacobian(q) * qdd` plus this."}),
+      measures_function(measures),
   };
 }
 
@@ -114,10 +134,30 @@ nlohmann::ordered_json methods(const model::Robot& robot) {
   return result;
 }
 
+json measure_values(const SingularityMeasures& measures) {
+  json values = json::array();
+  for (std::size_t i = 0; i < measures.names.size(); ++i) values.push_back({{"measure", measures.names[i]}, {"last", i + 1 == measures.names.size()}});
+  return values;
+}
+
+/// The wrist centre in the tool frame, if there is one: a list of one or none.
+json wrist_values(const model::Robot& robot) {
+  const auto centre = derive::wrist_centre(robot);
+  if (!centre) return json::array();
+  symbolic::Program program;
+  program.output("x", centre->x);
+  program.output("y", centre->y);
+  program.output("z", centre->z);
+  json values;
+  for (const auto& value : emit::cpp_code(dag::import(program), leaf_names(robot, {})).outputs) values[value.name] = value.expression;
+  return json::array({values});
+}
+
 }  // namespace
 
 void generate_jacobian(const model::Robot& robot, RobotOutput& output) {
-  const std::vector<JacobianFunction> functions = functions_of(robot);
+  const SingularityMeasures measures = singularity_measures(robot);
+  const std::vector<JacobianFunction> functions = functions_of(robot, measures);
   const std::vector<dag::Angle> angles = angles_of(functions);
   const emit::Names names = leaf_names(robot, angles);
   json values{{"name", robot.name}, {"scalars", {{{"scalar", "double"}}, {{"scalar", "float"}}}}};
@@ -125,6 +165,9 @@ void generate_jacobian(const model::Robot& robot, RobotOutput& output) {
   values["all_angle_count"] = angles.size();
   values["all_sines_cosines"] = sines_cosines_code(angles, names, "detail::NoAngles");
   values["functions"] = json::array();
+  values["measure_count"] = measures.names.size();
+  values["measures"] = measure_values(measures);
+  values["wrist"] = wrist_values(robot);
   for (const JacobianFunction& function : functions) {
     values["functions"].push_back(to_values(function, robot, angles));
     output.counts[function.name] = to_json(function.optimised);
