@@ -6,7 +6,15 @@
 #include <string>
 #include <vector>
 
+#include <qvgen/inverse_velocity.h>
+
 namespace qvgen::test {
+
+struct JointRates {
+  VelocityStatus status;
+  Eigen::VectorXd qd;
+  double residual;
+};
 
 /// The generated functions of one robot behind one type; geometry is that of the defaults.
 struct RobotUnderTest {
@@ -23,7 +31,8 @@ struct RobotUnderTest {
   std::function<Vector(const Vector& q, const Vector& qd)> velocity;
   std::function<Matrix(const Vector& q, const Vector& qd)> jacobian_dot;
   std::function<Vector(const Vector& q, const Vector& qd)> jacobian_dot_times_qd;
-  std::size_t angle_count = 0;
+  std::function<Vector(const Vector& q)> singularity_measures;
+  std::function<JointRates(const Vector& q, const Vector& twist)> inverse_velocity;
 };
 
 inline std::vector<RobotUnderTest>& robots() {

@@ -21,6 +21,9 @@ struct InverseVelocityOptions {
   /// Damping at the singularity itself, relative to the largest singular value: joint rates stay below
   /// |twist| / (2 damping largest).
   Scalar damping = Scalar(0.02);
+  /// m or rad: a largest singular value below this is taken to be this, so that an arm that can hardly move at all, its
+  /// end in the middle of its axes, is not asked to.
+  Scalar scale = Scalar(0.05);
 };
 
 template <class Scalar, int Joints>
@@ -45,10 +48,9 @@ bool damped_solve(const Eigen::Matrix<Scalar, Rows, Columns>& a, const Eigen::Ma
                   const InverseVelocityOptions<Scalar>& options, Eigen::Matrix<Scalar, Columns, 1>& x) {
   const Eigen::JacobiSVD<Eigen::Matrix<Scalar, Rows, Columns>> svd(a, Eigen::ComputeFullU | Eigen::ComputeFullV);
   const auto& values = svd.singularValues();
-  const Scalar largest = values(0);
+  const Scalar largest = values(0) > options.scale ? values(0) : options.scale;
   const Scalar bound = options.threshold * largest;
   x.setZero();
-  if (!(largest > Scalar(0))) return true;
   bool damped = false;
   for (Eigen::Index i = 0; i < values.size(); ++i) {
     const Scalar sigma = values(i);
@@ -70,7 +72,8 @@ bool solve_3x3(const Matrix3<Scalar>& a, const Vector3<Scalar>& b, const Inverse
   // For unit columns the smallest singular value is at least |det| / 3.
   const Scalar largest = a.colwise().norm().maxCoeff();
   const Scalar least = a.colwise().norm().minCoeff();
-  if (abs(a.determinant()) > Scalar(3) * options.threshold * size && least > options.threshold * largest * Scalar(4)) {
+  const bool regular = abs(a.determinant()) > Scalar(3) * options.threshold * size && least > Scalar(4) * options.threshold * largest;
+  if (regular && least > options.scale) {
     x = a.inverse() * b;
     return false;
   }
