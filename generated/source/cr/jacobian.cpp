@@ -34,6 +34,10 @@ template Twist<double> jacobian_dot_times_qd(const JointVector<double>&, const J
     const BasicGeometry<double>&);
 template Twist<double> jacobian_dot_times_qd(const JointVector<double>&, const JointVector<double>&,
     const JacobianAngles<double>&, const BasicGeometry<double>&);
+template SingularityMeasures<double> singularity_measures(const JointVector<double>&,
+    const BasicGeometry<double>&);
+template SingularityMeasures<double> singularity_measures(const JointVector<double>&,
+    const JacobianAngles<double>&, const BasicGeometry<double>&);
 template JacobianAngles<float> jacobian_angles(const JointVector<float>&, const BasicGeometry<float>&);
 template Jacobian<float> jacobian(const JointVector<float>&,
     const BasicGeometry<float>&);
@@ -62,6 +66,10 @@ template Jacobian<float> jacobian_dot(const JointVector<float>&, const JointVect
 template Twist<float> jacobian_dot_times_qd(const JointVector<float>&, const JointVector<float>&,
     const BasicGeometry<float>&);
 template Twist<float> jacobian_dot_times_qd(const JointVector<float>&, const JointVector<float>&,
+    const JacobianAngles<float>&, const BasicGeometry<float>&);
+template SingularityMeasures<float> singularity_measures(const JointVector<float>&,
+    const BasicGeometry<float>&);
+template SingularityMeasures<float> singularity_measures(const JointVector<float>&,
     const JacobianAngles<float>&, const BasicGeometry<float>&);
 
 }  // namespace qvgen::robots::cr

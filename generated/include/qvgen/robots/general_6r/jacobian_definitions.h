@@ -1028,6 +1028,103 @@ inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Sc
   return result;
 }
 
+template <class Scalar, class Angles>
+inline SingularityMeasures<Scalar> singularity_measures([[maybe_unused]] const JointVector<Scalar>& q,
+    [[maybe_unused]] const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
+  [[maybe_unused]] const auto& [s, c] = angles;
+  const Scalar t0 = g.a6 * s[8];
+  const Scalar t1 = g.d5 * s[3] - c[3] * t0;
+  const Scalar t2 = g.a6 * c[8];
+  const Scalar t3 = g.a5 + t2;
+  const Scalar t4 = c[7] * t1 - s[7] * t3;
+  const Scalar t5 = g.d4 + (s[3] * t0 + g.d5 * c[3]);
+  const Scalar t6 = g.d3 + (c[2] * t5 - s[2] * t4);
+  const Scalar t7 = c[7] * t3 + s[7] * t1;
+  const Scalar t8 = g.a4 + t7;
+  const Scalar t9 = c[2] * t4 + s[2] * t5;
+  const Scalar t10 = s[6] * t8 - c[6] * t9;
+  const Scalar t11 = s[1] * t6 - c[1] * t10;
+  const Scalar t12 = g.a3 + (c[6] * t8 + s[6] * t9);
+  const Scalar t13 = c[1] * t12;
+  const Scalar t14 = s[6] * t11 - c[6] * t13;
+  const Scalar t15 = c[3] * t2;
+  const Scalar t16 = s[7] * t0 - c[7] * t15;
+  const Scalar t17 = s[3] * t2;
+  const Scalar t18 = s[2] * t16 - c[2] * t17;
+  const Scalar t19 = c[5] * s[0];
+  const Scalar t20 = c[1] * t19 + c[0] * s[1];
+  const Scalar t21 = s[0] * s[5];
+  const Scalar t22 = s[6] * t20 + c[6] * t21;
+  const Scalar t23 = c[8] * s[4];
+  const Scalar t24 = c[3] * c[4] - s[3] * t23;
+  const Scalar t25 = s[4] * s[8];
+  const Scalar t26 = c[3] * t23 + c[4] * s[3];
+  const Scalar t27 = s[7] * t25 - c[7] * t26;
+  const Scalar t28 = s[2] * t24 - c[2] * t27;
+  const Scalar t29 = s[6] * t21 - c[6] * t20;
+  const Scalar t30 = c[7] * t25 + s[7] * t26;
+  const Scalar t31 = t22 * t28 - t29 * t30;
+  const Scalar t32 = s[3] * s[7];
+  const Scalar t33 = c[7] * s[3];
+  const Scalar t34 = c[3] * s[2] + c[2] * t33;
+  const Scalar t35 = t32 * t28 - t34 * t30;
+  const Scalar t36 = g.a2 + (c[5] * t12 + s[5] * t11);
+  const Scalar t37 = c[0] * t36;
+  const Scalar t38 = s[0] * (g.d2 + (c[1] * t6 + s[1] * t10));
+  const Scalar t39 = c[0] * (c[5] * t11 - s[5] * t12) + t38;
+  const Scalar t40 = c[5] * t37 - s[5] * t39;
+  const Scalar t41 = s[0] * t36;
+  const Scalar t42 = s[1] * t40 + c[1] * t41;
+  const Scalar t43 = t18 * t31 - t35 * t42;
+  const Scalar t44 = c[5] * t39 + s[5] * t37;
+  const Scalar t45 = c[1] * t40 - s[1] * t41;
+  const Scalar t46 = s[6] * t44 - c[6] * t45;
+  const Scalar t47 = c[6] * s[1];
+  const Scalar t48 = s[1] * s[6];
+  const Scalar t49 = t47 * t30 + t28 * t48;
+  const Scalar t50 = s[1] * t12;
+  const Scalar t51 = t49 * t18 - t35 * t50;
+  const Scalar t52 = s[2] * t27 + c[2] * t24;
+  const Scalar t53 = c[0] * c[1] - s[1] * t19;
+  const Scalar t54 = t29 * t52 - t53 * t28;
+  const Scalar t55 = c[2] * c[3] - s[2] * t33;
+  const Scalar t56 = t34 * t52 - t28 * t55;
+  const Scalar t57 = (t34 * t53 - t29 * t55) * t30 - t22 * t56;
+  const Scalar t58 = t32 * t54 + t57;
+  const Scalar t59 = t47 * t52 + c[1] * t28;
+  const Scalar t60 = (t56 * t48 + t59 * t32) - t30 * (t47 * t55 + c[1] * t34);
+  const Scalar t61 = t59 * t22 - t30 * (t47 * t53 + c[1] * t29);
+  const Scalar t62 = t54 * t48 + t61;
+  const Scalar t63 = (t58 * t50 + t60 * t42) - t18 * t62;
+  const Scalar t64 = t14 * t43 - (t46 * t51 + t63 * t8);
+  const Scalar t65 = t31 * t50 - t42 * t49;
+  const Scalar t66 = c[2] * t16 + s[2] * t17;
+  const Scalar t67 = (s[2] * t53 - c[2] * t29) * t30 - t27 * t22;
+  const Scalar t68 = s[2] * t7;
+  const Scalar t69 = t27 * t48 - (c[2] * t47 + c[1] * s[2]) * t30;
+  const Scalar t70 = t67 * t50 + (t68 * t62 + t69 * t42);
+  const Scalar t71 = s[2] * t30;
+  const Scalar t72 = t71 * t42 - t68 * t31;
+  const Scalar t73 = t71 * t50 - t68 * t49;
+  const Scalar t74 = (t70 * t8 - t14 * t72) + t73 * t46;
+  const Scalar t75 = c[2] * t7;
+  const Scalar t76 = (s[7] * t15 + c[7] * t0) * (t74 - t65 * t75);
+  const Scalar t77 = s[3] * t25;
+  const Scalar t78 = (t69 * t18 + t60 * t68) - t77 * t50;
+  const Scalar t79 = t67 * t18 + (t68 * t58 + t42 * t77);
+  const Scalar t80 = t75 * t63 - (t46 * t78 + t14 * t79);
+  const Scalar t81 = t71 * t18 - t35 * t68;
+  const Scalar t82 = t75 * t51 - (t14 * t81 - t73 * t66);
+  const Scalar t83 = (c[6] * t44 + s[6] * t45) * (t8 * t78 + t82);
+  const Scalar t84 = (t4 * (t64 - t65 * t66) - t76) + ((t70 * t66 + t80) * t9 - t83);
+  const Scalar t85 = t72 * t66 - (t8 * t79 + t81 * t46);
+  const Scalar t86 = (t75 * t43 + t85) * (s[6] * t13 + c[6] * t11);
+  SingularityMeasures<Scalar> result;
+  result(0, 0) = t84 + t86;
+
+  return result;
+}
+
 }  // namespace detail
 
 template <class Scalar>
@@ -1126,6 +1223,19 @@ Twist<Scalar> jacobian_dot_times_qd(const JointVector<Scalar>& q, const JointVec
     [[maybe_unused]] const JacobianAngles<Scalar>& angles, const BasicGeometry<Scalar>& g) {
   return detail::jacobian_dot_times_qd<Scalar>(q, qd,
       detail::JacobianSelection<Scalar, 10>{ { angles.sine[0], angles.sine[1], angles.sine[2], angles.sine[3], angles.sine[4], angles.sine[5], angles.sine[6], angles.sine[7], angles.sine[8], angles.sine[9] }, { angles.cosine[0], angles.cosine[1], angles.cosine[2], angles.cosine[3], angles.cosine[4], angles.cosine[5], angles.cosine[6], angles.cosine[7], angles.cosine[8], angles.cosine[9] } }, g);
+}
+
+template <class Scalar>
+SingularityMeasures<Scalar> singularity_measures(const JointVector<Scalar>& q,
+    const BasicGeometry<Scalar>& g) {
+  return detail::singularity_measures<Scalar>(q, sines_and_cosines<Scalar>(g.alpha2, g.alpha3, g.alpha4, g.alpha5, g.alpha6, q[1], q[2], q[3], q[4]), g);
+}
+
+template <class Scalar>
+SingularityMeasures<Scalar> singularity_measures(const JointVector<Scalar>& q,
+    [[maybe_unused]] const JacobianAngles<Scalar>& angles, const BasicGeometry<Scalar>& g) {
+  return detail::singularity_measures<Scalar>(q,
+      detail::JacobianSelection<Scalar, 9>{ { angles.sine[0], angles.sine[1], angles.sine[2], angles.sine[3], angles.sine[4], angles.sine[6], angles.sine[7], angles.sine[8], angles.sine[9] }, { angles.cosine[0], angles.cosine[1], angles.cosine[2], angles.cosine[3], angles.cosine[4], angles.cosine[6], angles.cosine[7], angles.cosine[8], angles.cosine[9] } }, g);
 }
 
 }  // namespace qvgen::robots::general_6r

@@ -6,6 +6,8 @@
 #include <Eigen/Geometry>
 #include <array>
 
+#include <qvgen/inverse_velocity.h>
+#include <qvgen/manipulability.h>
 #include <qvgen/quaternion.h>
 #include <qvgen/robots/poe_6r/model.h>
 
@@ -19,6 +21,12 @@ using Jacobian = Eigen::Matrix<Scalar, 6, dof>;
 /// Linear velocity (m/s), then angular velocity (rad/s).
 template <class Scalar>
 using Twist = Eigen::Matrix<Scalar, 6, 1>;
+
+/// Factors of the Jacobian's determinant; what they mean for this arm: ./qvgen show poe_6r --singularities
+inline constexpr int singularity_count = 3;
+inline constexpr std::array<const char*, singularity_count> singularity_names{ "shoulder", "elbow", "wrist" };
+template <class Scalar>
+using SingularityMeasures = Eigen::Matrix<Scalar, singularity_count, 1>;
 
 template <class Scalar>
 struct TransformAndJacobian {
@@ -120,6 +128,36 @@ template <class Scalar>
 Twist<Scalar> jacobian_dot_times_qd(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JacobianAngles<Scalar>& angles, const BasicGeometry<Scalar>& g = {});
 
+/// One value for each factor of the determinant of the Jacobian (named in `singularity_names`): the arm is singular
+/// exactly where one of them is zero. None for arms with more than six joints, see qvgen/manipulability.h.
+///
+/// 7 multiplications, 5 additions, 3 sine/cosine pairs. Certified at 3 points; largest rounding error found 38.4 ulp.
+template <class Scalar>
+SingularityMeasures<Scalar> singularity_measures(const JointVector<Scalar>& q,
+    const BasicGeometry<Scalar>& g = {});
+/// The same with the sines and cosines given; q is read for prismatic joints only.
+template <class Scalar>
+SingularityMeasures<Scalar> singularity_measures(const JointVector<Scalar>& q,
+    const JacobianAngles<Scalar>& angles, const BasicGeometry<Scalar>& g = {});
+
+/// From the tool point to the wrist centre, where the last three axes meet, in the tool frame (m).
+template <class Scalar>
+Vector3<Scalar> wrist_centre([[maybe_unused]] const BasicGeometry<Scalar>& g = {}) {
+  return Vector3<Scalar>(-g.d3, Scalar(0), Scalar(0));
+}
+
+/// Joint rates for a twist of the tool (base frame, at the tool point): qvgen/inverse_velocity.h on the Jacobian,
+/// arm and wrist decoupled at the wrist centre, two 3 x 3 systems. A status instead of infinities.
+template <class Scalar>
+InverseVelocity<Scalar, dof> inverse_velocity(const JointVector<Scalar>& q, const Twist<Scalar>& twist,
+                                              const BasicGeometry<Scalar>& g = {},
+                                              const InverseVelocityOptions<Scalar>& options = {}) {
+  const TransformAndJacobian<Scalar> tool = forward_kinematics_and_jacobian(q, g);
+  const Vector3<Scalar> to_wrist = tool.transform.linear() * wrist_centre(g);
+  return qvgen::inverse_velocity_decoupled<Scalar>(tool.jacobian, to_wrist, twist, options);
+
+}
+
 // Compiled into the library for double and float; other scalar types include jacobian_definitions.h.
 extern template JacobianAngles<double> jacobian_angles(const JointVector<double>&, const BasicGeometry<double>&);
 extern template Jacobian<double> jacobian(const JointVector<double>&,
@@ -150,6 +188,10 @@ extern template Twist<double> jacobian_dot_times_qd(const JointVector<double>&, 
     const BasicGeometry<double>&);
 extern template Twist<double> jacobian_dot_times_qd(const JointVector<double>&, const JointVector<double>&,
     const JacobianAngles<double>&, const BasicGeometry<double>&);
+extern template SingularityMeasures<double> singularity_measures(const JointVector<double>&,
+    const BasicGeometry<double>&);
+extern template SingularityMeasures<double> singularity_measures(const JointVector<double>&,
+    const JacobianAngles<double>&, const BasicGeometry<double>&);
 extern template JacobianAngles<float> jacobian_angles(const JointVector<float>&, const BasicGeometry<float>&);
 extern template Jacobian<float> jacobian(const JointVector<float>&,
     const BasicGeometry<float>&);
@@ -178,6 +220,10 @@ extern template Jacobian<float> jacobian_dot(const JointVector<float>&, const Jo
 extern template Twist<float> jacobian_dot_times_qd(const JointVector<float>&, const JointVector<float>&,
     const BasicGeometry<float>&);
 extern template Twist<float> jacobian_dot_times_qd(const JointVector<float>&, const JointVector<float>&,
+    const JacobianAngles<float>&, const BasicGeometry<float>&);
+extern template SingularityMeasures<float> singularity_measures(const JointVector<float>&,
+    const BasicGeometry<float>&);
+extern template SingularityMeasures<float> singularity_measures(const JointVector<float>&,
     const JacobianAngles<float>&, const BasicGeometry<float>&);
 
 }  // namespace qvgen::robots::poe_6r

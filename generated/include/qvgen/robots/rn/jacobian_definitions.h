@@ -441,6 +441,20 @@ inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Sc
   return result;
 }
 
+template <class Scalar, class Angles>
+inline SingularityMeasures<Scalar> singularity_measures([[maybe_unused]] const JointVector<Scalar>& q,
+    [[maybe_unused]] const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
+  [[maybe_unused]] const auto& [s, c] = angles;
+
+  SingularityMeasures<Scalar> result;
+  result(0, 0) = s[0];
+  result(1, 0) = g.l2 - g.l3 * s[1];
+  result(2, 0) = s[1];
+  result(3, 0) = s[2];
+
+  return result;
+}
+
 }  // namespace detail
 
 template <class Scalar>
@@ -539,6 +553,19 @@ Twist<Scalar> jacobian_dot_times_qd(const JointVector<Scalar>& q, const JointVec
     [[maybe_unused]] const JacobianAngles<Scalar>& angles, const BasicGeometry<Scalar>& g) {
   return detail::jacobian_dot_times_qd<Scalar>(q, qd,
       detail::JacobianSelection<Scalar, 5>{ { angles.sine[0], angles.sine[2], angles.sine[3], angles.sine[4], angles.sine[6] }, { angles.cosine[0], angles.cosine[2], angles.cosine[3], angles.cosine[4], angles.cosine[6] } }, g);
+}
+
+template <class Scalar>
+SingularityMeasures<Scalar> singularity_measures(const JointVector<Scalar>& q,
+    const BasicGeometry<Scalar>& g) {
+  return detail::singularity_measures<Scalar>(q, sines_and_cosines<Scalar>(q[1], q[2], q[4]), g);
+}
+
+template <class Scalar>
+SingularityMeasures<Scalar> singularity_measures(const JointVector<Scalar>& q,
+    [[maybe_unused]] const JacobianAngles<Scalar>& angles, const BasicGeometry<Scalar>& g) {
+  return detail::singularity_measures<Scalar>(q,
+      detail::JacobianSelection<Scalar, 3>{ { angles.sine[1], angles.sine[2], angles.sine[4] }, { angles.cosine[1], angles.cosine[2], angles.cosine[4] } }, g);
 }
 
 }  // namespace qvgen::robots::rn

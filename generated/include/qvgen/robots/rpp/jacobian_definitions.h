@@ -214,6 +214,17 @@ inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Sc
   return result;
 }
 
+template <class Scalar, class Angles>
+inline SingularityMeasures<Scalar> singularity_measures([[maybe_unused]] const JointVector<Scalar>& q,
+    [[maybe_unused]] const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
+  [[maybe_unused]] const auto& [s, c] = angles;
+
+  SingularityMeasures<Scalar> result;
+  result(0, 0) = q[2];
+
+  return result;
+}
+
 }  // namespace detail
 
 template <class Scalar>
@@ -312,6 +323,19 @@ Twist<Scalar> jacobian_dot_times_qd(const JointVector<Scalar>& q, const JointVec
     [[maybe_unused]] const JacobianAngles<Scalar>& angles, const BasicGeometry<Scalar>& g) {
   return detail::jacobian_dot_times_qd<Scalar>(q, qd,
       detail::JacobianSelection<Scalar, 1>{ { angles.sine[0] }, { angles.cosine[0] } }, g);
+}
+
+template <class Scalar>
+SingularityMeasures<Scalar> singularity_measures(const JointVector<Scalar>& q,
+    const BasicGeometry<Scalar>& g) {
+  return detail::singularity_measures<Scalar>(q, detail::NoAngles<Scalar>{}, g);
+}
+
+template <class Scalar>
+SingularityMeasures<Scalar> singularity_measures(const JointVector<Scalar>& q,
+    [[maybe_unused]] const JacobianAngles<Scalar>& angles, const BasicGeometry<Scalar>& g) {
+  return detail::singularity_measures<Scalar>(q,
+      detail::JacobianSelection<Scalar, 0>{ {  }, {  } }, g);
 }
 
 }  // namespace qvgen::robots::rpp

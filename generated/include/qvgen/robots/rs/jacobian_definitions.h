@@ -341,13 +341,25 @@ inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Sc
   return result;
 }
 
+template <class Scalar, class Angles>
+inline SingularityMeasures<Scalar> singularity_measures([[maybe_unused]] const JointVector<Scalar>& q,
+    [[maybe_unused]] const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
+  [[maybe_unused]] const auto& [s, c] = angles;
+
+  SingularityMeasures<Scalar> result;
+  result(0, 0) = s[0];
+  result(1, 0) = s[1];
+
+  return result;
+}
+
 }  // namespace detail
 
 template <class Scalar>
 JacobianAngles<Scalar> jacobian_angles([[maybe_unused]] const JointVector<Scalar>& q, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  [[maybe_unused]] const auto angles = sines_and_cosines<Scalar>(q[0], q[3], q[4], q[5], q[0] + q[1], q[1] - q[3], q[0] + q[1] - q[3]);
-  return { { angles.sine[0], angles.sine[1], angles.sine[2], angles.sine[3], angles.sine[4], angles.sine[5], angles.sine[6] },
-           { angles.cosine[0], angles.cosine[1], angles.cosine[2], angles.cosine[3], angles.cosine[4], angles.cosine[5], angles.cosine[6] }};
+  [[maybe_unused]] const auto angles = sines_and_cosines<Scalar>(q[0], q[1], q[3], q[4], q[5], q[0] + q[1], q[1] - q[3], q[0] + q[1] - q[3]);
+  return { { angles.sine[0], angles.sine[1], angles.sine[2], angles.sine[3], angles.sine[4], angles.sine[5], angles.sine[6], angles.sine[7] },
+           { angles.cosine[0], angles.cosine[1], angles.cosine[2], angles.cosine[3], angles.cosine[4], angles.cosine[5], angles.cosine[6], angles.cosine[7] }};
 }
 
 template <class Scalar>
@@ -360,7 +372,7 @@ template <class Scalar>
 Jacobian<Scalar> jacobian(const JointVector<Scalar>& q,
     [[maybe_unused]] const JacobianAngles<Scalar>& angles, const BasicGeometry<Scalar>& g) {
   return detail::jacobian<Scalar>(q,
-      detail::JacobianSelection<Scalar, 4>{ { angles.sine[0], angles.sine[2], angles.sine[4], angles.sine[6] }, { angles.cosine[0], angles.cosine[2], angles.cosine[4], angles.cosine[6] } }, g);
+      detail::JacobianSelection<Scalar, 4>{ { angles.sine[0], angles.sine[3], angles.sine[5], angles.sine[7] }, { angles.cosine[0], angles.cosine[3], angles.cosine[5], angles.cosine[7] } }, g);
 }
 
 template <class Scalar>
@@ -373,7 +385,7 @@ template <class Scalar>
 TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointVector<Scalar>& q,
     [[maybe_unused]] const JacobianAngles<Scalar>& angles, const BasicGeometry<Scalar>& g) {
   return detail::forward_kinematics_and_jacobian<Scalar>(q,
-      detail::JacobianSelection<Scalar, 5>{ { angles.sine[0], angles.sine[2], angles.sine[3], angles.sine[4], angles.sine[6] }, { angles.cosine[0], angles.cosine[2], angles.cosine[3], angles.cosine[4], angles.cosine[6] } }, g);
+      detail::JacobianSelection<Scalar, 5>{ { angles.sine[0], angles.sine[3], angles.sine[4], angles.sine[5], angles.sine[7] }, { angles.cosine[0], angles.cosine[3], angles.cosine[4], angles.cosine[5], angles.cosine[7] } }, g);
 }
 
 template <class Scalar>
@@ -386,7 +398,7 @@ template <class Scalar>
 Jacobian<Scalar> tool_jacobian(const JointVector<Scalar>& q,
     [[maybe_unused]] const JacobianAngles<Scalar>& angles, const BasicGeometry<Scalar>& g) {
   return detail::tool_jacobian<Scalar>(q,
-      detail::JacobianSelection<Scalar, 4>{ { angles.sine[1], angles.sine[2], angles.sine[3], angles.sine[5] }, { angles.cosine[1], angles.cosine[2], angles.cosine[3], angles.cosine[5] } }, g);
+      detail::JacobianSelection<Scalar, 4>{ { angles.sine[2], angles.sine[3], angles.sine[4], angles.sine[6] }, { angles.cosine[2], angles.cosine[3], angles.cosine[4], angles.cosine[6] } }, g);
 }
 
 template <class Scalar>
@@ -399,7 +411,7 @@ template <class Scalar>
 Jacobian<Scalar> jacobian_at(const JointVector<Scalar>& q, const Vector3<Scalar>& point,
     [[maybe_unused]] const JacobianAngles<Scalar>& angles, const BasicGeometry<Scalar>& g) {
   return detail::jacobian_at<Scalar>(q, point,
-      detail::JacobianSelection<Scalar, 5>{ { angles.sine[0], angles.sine[2], angles.sine[3], angles.sine[4], angles.sine[6] }, { angles.cosine[0], angles.cosine[2], angles.cosine[3], angles.cosine[4], angles.cosine[6] } }, g);
+      detail::JacobianSelection<Scalar, 5>{ { angles.sine[0], angles.sine[3], angles.sine[4], angles.sine[5], angles.sine[7] }, { angles.cosine[0], angles.cosine[3], angles.cosine[4], angles.cosine[5], angles.cosine[7] } }, g);
 }
 
 template <class Scalar>
@@ -412,7 +424,7 @@ template <class Scalar>
 Twist<Scalar> velocity(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     [[maybe_unused]] const JacobianAngles<Scalar>& angles, const BasicGeometry<Scalar>& g) {
   return detail::velocity<Scalar>(q, qd,
-      detail::JacobianSelection<Scalar, 4>{ { angles.sine[0], angles.sine[2], angles.sine[4], angles.sine[6] }, { angles.cosine[0], angles.cosine[2], angles.cosine[4], angles.cosine[6] } }, g);
+      detail::JacobianSelection<Scalar, 4>{ { angles.sine[0], angles.sine[3], angles.sine[5], angles.sine[7] }, { angles.cosine[0], angles.cosine[3], angles.cosine[5], angles.cosine[7] } }, g);
 }
 
 template <class Scalar>
@@ -425,7 +437,7 @@ template <class Scalar>
 Jacobian<Scalar> jacobian_dot(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     [[maybe_unused]] const JacobianAngles<Scalar>& angles, const BasicGeometry<Scalar>& g) {
   return detail::jacobian_dot<Scalar>(q, qd,
-      detail::JacobianSelection<Scalar, 4>{ { angles.sine[0], angles.sine[2], angles.sine[4], angles.sine[6] }, { angles.cosine[0], angles.cosine[2], angles.cosine[4], angles.cosine[6] } }, g);
+      detail::JacobianSelection<Scalar, 4>{ { angles.sine[0], angles.sine[3], angles.sine[5], angles.sine[7] }, { angles.cosine[0], angles.cosine[3], angles.cosine[5], angles.cosine[7] } }, g);
 }
 
 template <class Scalar>
@@ -438,7 +450,20 @@ template <class Scalar>
 Twist<Scalar> jacobian_dot_times_qd(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     [[maybe_unused]] const JacobianAngles<Scalar>& angles, const BasicGeometry<Scalar>& g) {
   return detail::jacobian_dot_times_qd<Scalar>(q, qd,
-      detail::JacobianSelection<Scalar, 4>{ { angles.sine[0], angles.sine[2], angles.sine[4], angles.sine[6] }, { angles.cosine[0], angles.cosine[2], angles.cosine[4], angles.cosine[6] } }, g);
+      detail::JacobianSelection<Scalar, 4>{ { angles.sine[0], angles.sine[3], angles.sine[5], angles.sine[7] }, { angles.cosine[0], angles.cosine[3], angles.cosine[5], angles.cosine[7] } }, g);
+}
+
+template <class Scalar>
+SingularityMeasures<Scalar> singularity_measures(const JointVector<Scalar>& q,
+    const BasicGeometry<Scalar>& g) {
+  return detail::singularity_measures<Scalar>(q, sines_and_cosines<Scalar>(q[1], q[4]), g);
+}
+
+template <class Scalar>
+SingularityMeasures<Scalar> singularity_measures(const JointVector<Scalar>& q,
+    [[maybe_unused]] const JacobianAngles<Scalar>& angles, const BasicGeometry<Scalar>& g) {
+  return detail::singularity_measures<Scalar>(q,
+      detail::JacobianSelection<Scalar, 2>{ { angles.sine[1], angles.sine[3] }, { angles.cosine[1], angles.cosine[3] } }, g);
 }
 
 }  // namespace qvgen::robots::rs

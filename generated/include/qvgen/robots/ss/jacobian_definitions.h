@@ -321,6 +321,17 @@ inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Sc
   return result;
 }
 
+template <class Scalar, class Angles>
+inline SingularityMeasures<Scalar> singularity_measures([[maybe_unused]] const JointVector<Scalar>& q,
+    [[maybe_unused]] const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
+  [[maybe_unused]] const auto& [s, c] = angles;
+
+  SingularityMeasures<Scalar> result;
+  result(0, 0) = s[0];
+
+  return result;
+}
+
 }  // namespace detail
 
 template <class Scalar>
@@ -419,6 +430,19 @@ Twist<Scalar> jacobian_dot_times_qd(const JointVector<Scalar>& q, const JointVec
     [[maybe_unused]] const JacobianAngles<Scalar>& angles, const BasicGeometry<Scalar>& g) {
   return detail::jacobian_dot_times_qd<Scalar>(q, qd,
       detail::JacobianSelection<Scalar, 2>{ { angles.sine[0], angles.sine[1] }, { angles.cosine[0], angles.cosine[1] } }, g);
+}
+
+template <class Scalar>
+SingularityMeasures<Scalar> singularity_measures(const JointVector<Scalar>& q,
+    const BasicGeometry<Scalar>& g) {
+  return detail::singularity_measures<Scalar>(q, sines_and_cosines<Scalar>(q[4]), g);
+}
+
+template <class Scalar>
+SingularityMeasures<Scalar> singularity_measures(const JointVector<Scalar>& q,
+    [[maybe_unused]] const JacobianAngles<Scalar>& angles, const BasicGeometry<Scalar>& g) {
+  return detail::singularity_measures<Scalar>(q,
+      detail::JacobianSelection<Scalar, 1>{ { angles.sine[1] }, { angles.cosine[1] } }, g);
 }
 
 }  // namespace qvgen::robots::ss

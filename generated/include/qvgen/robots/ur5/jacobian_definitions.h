@@ -461,13 +461,26 @@ inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Sc
   return result;
 }
 
+template <class Scalar, class Angles>
+inline SingularityMeasures<Scalar> singularity_measures([[maybe_unused]] const JointVector<Scalar>& q,
+    [[maybe_unused]] const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
+  [[maybe_unused]] const auto& [s, c] = angles;
+  const Scalar t0 = c[0] - Scalar(0.9229411764705883) * (s[0] * s[1] - c[0] * c[1]);
+  SingularityMeasures<Scalar> result;
+  result(0, 0) = t0 - Scalar(0.22270588235294117) * s[3];
+  result(1, 0) = s[1];
+  result(2, 0) = s[2];
+
+  return result;
+}
+
 }  // namespace detail
 
 template <class Scalar>
 JacobianAngles<Scalar> jacobian_angles([[maybe_unused]] const JointVector<Scalar>& q, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  [[maybe_unused]] const auto angles = sines_and_cosines<Scalar>(q[0], q[1], q[3], q[4], q[5], q[1] + q[2], q[2] + q[3], q[1] + q[2] + q[3]);
-  return { { angles.sine[0], angles.sine[1], angles.sine[2], angles.sine[3], angles.sine[4], angles.sine[5], angles.sine[6], angles.sine[7] },
-           { angles.cosine[0], angles.cosine[1], angles.cosine[2], angles.cosine[3], angles.cosine[4], angles.cosine[5], angles.cosine[6], angles.cosine[7] }};
+  [[maybe_unused]] const auto angles = sines_and_cosines<Scalar>(q[0], q[1], q[2], q[3], q[4], q[5], q[1] + q[2], q[2] + q[3], q[1] + q[2] + q[3]);
+  return { { angles.sine[0], angles.sine[1], angles.sine[2], angles.sine[3], angles.sine[4], angles.sine[5], angles.sine[6], angles.sine[7], angles.sine[8] },
+           { angles.cosine[0], angles.cosine[1], angles.cosine[2], angles.cosine[3], angles.cosine[4], angles.cosine[5], angles.cosine[6], angles.cosine[7], angles.cosine[8] }};
 }
 
 template <class Scalar>
@@ -480,7 +493,7 @@ template <class Scalar>
 Jacobian<Scalar> jacobian(const JointVector<Scalar>& q,
     [[maybe_unused]] const JacobianAngles<Scalar>& angles, const BasicGeometry<Scalar>& g) {
   return detail::jacobian<Scalar>(q,
-      detail::JacobianSelection<Scalar, 5>{ { angles.sine[0], angles.sine[1], angles.sine[3], angles.sine[5], angles.sine[7] }, { angles.cosine[0], angles.cosine[1], angles.cosine[3], angles.cosine[5], angles.cosine[7] } }, g);
+      detail::JacobianSelection<Scalar, 5>{ { angles.sine[0], angles.sine[1], angles.sine[4], angles.sine[6], angles.sine[8] }, { angles.cosine[0], angles.cosine[1], angles.cosine[4], angles.cosine[6], angles.cosine[8] } }, g);
 }
 
 template <class Scalar>
@@ -493,7 +506,7 @@ template <class Scalar>
 TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointVector<Scalar>& q,
     [[maybe_unused]] const JacobianAngles<Scalar>& angles, const BasicGeometry<Scalar>& g) {
   return detail::forward_kinematics_and_jacobian<Scalar>(q,
-      detail::JacobianSelection<Scalar, 6>{ { angles.sine[0], angles.sine[1], angles.sine[3], angles.sine[4], angles.sine[5], angles.sine[7] }, { angles.cosine[0], angles.cosine[1], angles.cosine[3], angles.cosine[4], angles.cosine[5], angles.cosine[7] } }, g);
+      detail::JacobianSelection<Scalar, 6>{ { angles.sine[0], angles.sine[1], angles.sine[4], angles.sine[5], angles.sine[6], angles.sine[8] }, { angles.cosine[0], angles.cosine[1], angles.cosine[4], angles.cosine[5], angles.cosine[6], angles.cosine[8] } }, g);
 }
 
 template <class Scalar>
@@ -506,7 +519,7 @@ template <class Scalar>
 Jacobian<Scalar> tool_jacobian(const JointVector<Scalar>& q,
     [[maybe_unused]] const JacobianAngles<Scalar>& angles, const BasicGeometry<Scalar>& g) {
   return detail::tool_jacobian<Scalar>(q,
-      detail::JacobianSelection<Scalar, 5>{ { angles.sine[2], angles.sine[3], angles.sine[4], angles.sine[6], angles.sine[7] }, { angles.cosine[2], angles.cosine[3], angles.cosine[4], angles.cosine[6], angles.cosine[7] } }, g);
+      detail::JacobianSelection<Scalar, 5>{ { angles.sine[3], angles.sine[4], angles.sine[5], angles.sine[7], angles.sine[8] }, { angles.cosine[3], angles.cosine[4], angles.cosine[5], angles.cosine[7], angles.cosine[8] } }, g);
 }
 
 template <class Scalar>
@@ -519,7 +532,7 @@ template <class Scalar>
 Jacobian<Scalar> jacobian_at(const JointVector<Scalar>& q, const Vector3<Scalar>& point,
     [[maybe_unused]] const JacobianAngles<Scalar>& angles, const BasicGeometry<Scalar>& g) {
   return detail::jacobian_at<Scalar>(q, point,
-      detail::JacobianSelection<Scalar, 6>{ { angles.sine[0], angles.sine[1], angles.sine[3], angles.sine[4], angles.sine[5], angles.sine[7] }, { angles.cosine[0], angles.cosine[1], angles.cosine[3], angles.cosine[4], angles.cosine[5], angles.cosine[7] } }, g);
+      detail::JacobianSelection<Scalar, 6>{ { angles.sine[0], angles.sine[1], angles.sine[4], angles.sine[5], angles.sine[6], angles.sine[8] }, { angles.cosine[0], angles.cosine[1], angles.cosine[4], angles.cosine[5], angles.cosine[6], angles.cosine[8] } }, g);
 }
 
 template <class Scalar>
@@ -532,7 +545,7 @@ template <class Scalar>
 Twist<Scalar> velocity(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     [[maybe_unused]] const JacobianAngles<Scalar>& angles, const BasicGeometry<Scalar>& g) {
   return detail::velocity<Scalar>(q, qd,
-      detail::JacobianSelection<Scalar, 5>{ { angles.sine[0], angles.sine[1], angles.sine[3], angles.sine[5], angles.sine[7] }, { angles.cosine[0], angles.cosine[1], angles.cosine[3], angles.cosine[5], angles.cosine[7] } }, g);
+      detail::JacobianSelection<Scalar, 5>{ { angles.sine[0], angles.sine[1], angles.sine[4], angles.sine[6], angles.sine[8] }, { angles.cosine[0], angles.cosine[1], angles.cosine[4], angles.cosine[6], angles.cosine[8] } }, g);
 }
 
 template <class Scalar>
@@ -545,7 +558,7 @@ template <class Scalar>
 Jacobian<Scalar> jacobian_dot(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     [[maybe_unused]] const JacobianAngles<Scalar>& angles, const BasicGeometry<Scalar>& g) {
   return detail::jacobian_dot<Scalar>(q, qd,
-      detail::JacobianSelection<Scalar, 5>{ { angles.sine[0], angles.sine[1], angles.sine[3], angles.sine[5], angles.sine[7] }, { angles.cosine[0], angles.cosine[1], angles.cosine[3], angles.cosine[5], angles.cosine[7] } }, g);
+      detail::JacobianSelection<Scalar, 5>{ { angles.sine[0], angles.sine[1], angles.sine[4], angles.sine[6], angles.sine[8] }, { angles.cosine[0], angles.cosine[1], angles.cosine[4], angles.cosine[6], angles.cosine[8] } }, g);
 }
 
 template <class Scalar>
@@ -558,7 +571,20 @@ template <class Scalar>
 Twist<Scalar> jacobian_dot_times_qd(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     [[maybe_unused]] const JacobianAngles<Scalar>& angles, const BasicGeometry<Scalar>& g) {
   return detail::jacobian_dot_times_qd<Scalar>(q, qd,
-      detail::JacobianSelection<Scalar, 5>{ { angles.sine[0], angles.sine[1], angles.sine[3], angles.sine[5], angles.sine[7] }, { angles.cosine[0], angles.cosine[1], angles.cosine[3], angles.cosine[5], angles.cosine[7] } }, g);
+      detail::JacobianSelection<Scalar, 5>{ { angles.sine[0], angles.sine[1], angles.sine[4], angles.sine[6], angles.sine[8] }, { angles.cosine[0], angles.cosine[1], angles.cosine[4], angles.cosine[6], angles.cosine[8] } }, g);
+}
+
+template <class Scalar>
+SingularityMeasures<Scalar> singularity_measures(const JointVector<Scalar>& q,
+    const BasicGeometry<Scalar>& g) {
+  return detail::singularity_measures<Scalar>(q, sines_and_cosines<Scalar>(q[1], q[2], q[4], q[1] + q[2] + q[3]), g);
+}
+
+template <class Scalar>
+SingularityMeasures<Scalar> singularity_measures(const JointVector<Scalar>& q,
+    [[maybe_unused]] const JacobianAngles<Scalar>& angles, const BasicGeometry<Scalar>& g) {
+  return detail::singularity_measures<Scalar>(q,
+      detail::JacobianSelection<Scalar, 4>{ { angles.sine[1], angles.sine[2], angles.sine[4], angles.sine[8] }, { angles.cosine[1], angles.cosine[2], angles.cosine[4], angles.cosine[8] } }, g);
 }
 
 }  // namespace qvgen::robots::ur5
