@@ -76,7 +76,50 @@ Values expected(const model::Robot& robot, const ExactPoint& point) {
   return result;
 }
 
+/// The derivatives share enough as they are: new values would only slow the closure down.
+DynamicsFunction searched(const std::string& name, const dag::Function& form, const dag::Function& constants,
+                          const dag::IsFree& is_free, const DynamicsEffort& effort) {
+  passes::SearchOptions options;
+  options.iterations = effort.final_steps;
+  options.is_free_symbol = is_free;
+  options.limit = 0;
+  const dag::Function found = passes::search({form}, {}, options);
+  const passes::FreePart parts = passes::split_free_part(found, constants, is_free);
+  DynamicsFunction result;
+  result.name = name;
+  result.function = parts.function;
+  result.constants = parts.constants;
+  result.counts = dag::count(found, is_free);
+  result.constant_counts = dag::count(parts.constants);
+  return result;
+}
+
+/// Y b - tau, the columns of Y one after the other in `values`.
+Values regressor_residuals(const model::Robot& robot, const derive::dynamics::Regressor& regressor,
+                           const ExactPoint& point, const Values& values) {
+  PlainRecursion plain(robot, point);
+  plain.take_standard_parameters();
+  Values rest = plain.inverse_dynamics(plain.rates(), plain.accelerations(),
+                                       point.symbol(derive::dynamics::gravity_symbol));
+  const Values parameters = dag::evaluate<Number>(regressor.base_parameters, point);
+  for (std::size_t k = 0; k < parameters.size(); ++k)
+    for (std::size_t i = 0; i < rest.size(); ++i)
+      rest[i] = rest[i] - values[k * rest.size() + i] * parameters[k];
+  return rest;
+}
+
 }  // namespace
+
+DynamicsFunction regressor_function(const model::Robot& robot, const derive::dynamics::Regressor& regressor,
+                                    const DynamicsEffort& effort) {
+  const dag::IsFree is_free = free_symbols(robot);
+  DynamicsFunction result =
+      searched("regressor", regressor.formulation.function, regressor.formulation.constants, is_free, effort);
+  certify(result, effort.certificate_points, [&](const ExactPoint& point, const Values& values) {
+    return regressor_residuals(robot, regressor, point, values);
+  });
+  return result;
+}
 
 DynamicsFunction inverse_dynamics_derivatives(const model::Robot& robot,
                                               const DynamicsFunction& inverse_dynamics,
@@ -88,19 +131,8 @@ DynamicsFunction inverse_dynamics_derivatives(const model::Robot& robot,
     directions.push_back({derive::dynamics::velocity_of(robot.joints[k].variable), "v", k + 1});
   }
   passes::append_derivatives(form, directions);
-  passes::SearchOptions options;
-  options.iterations = effort.final_steps;
-  options.is_free_symbol = derive::dynamics::is_constant_symbol;
-  options.limit = 0;  // the derivatives share enough as they are; new values would only slow the closure down
-  const dag::Function found = passes::search({form}, {}, options);
-  const passes::FreePart parts =
-      passes::split_free_part(found, inverse_dynamics.constants, options.is_free_symbol);
-  DynamicsFunction result;
-  result.name = "inverse_dynamics_derivatives";
-  result.function = parts.function;
-  result.constants = parts.constants;
-  result.counts = dag::count(found, options.is_free_symbol);
-  result.constant_counts = dag::count(parts.constants);
+  DynamicsFunction result = searched("inverse_dynamics_derivatives", form, inverse_dynamics.constants,
+                                     derive::dynamics::is_constant_symbol, effort);
   result.choices = inverse_dynamics.choices;
   result.unit = inverse_dynamics.unit;
   certify(result, effort.certificate_points, [&](const ExactPoint& point, const Values& values) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "application/dynamics_function.h"
+#include "derive/dynamics/regressor.h"
 
 namespace qvgen::application {
 
@@ -14,5 +15,9 @@ namespace qvgen::application {
 DynamicsFunction inverse_dynamics_derivatives(const model::Robot& robot,
                                               const DynamicsFunction& inverse_dynamics,
                                               const DynamicsEffort& effort = {});
+
+/// The regressor as a function (outputs y<row>_<column>): Y b equals the plain recursion for all inertias.
+DynamicsFunction regressor_function(const model::Robot& robot, const derive::dynamics::Regressor& regressor,
+                                    const DynamicsEffort& effort = {});
 
 }  // namespace qvgen::application

@@ -23,16 +23,6 @@ using exact::Number;
 
 constexpr std::size_t most_units = 6;
 
-dag::IsFree free_symbols(const model::Robot& robot) {
-  std::set<std::string> moving;
-  for (const model::Joint& joint : robot.joints)
-    for (const std::string& name :
-         {joint.variable, derive::dynamics::velocity_of(joint.variable),
-          derive::dynamics::acceleration_of(joint.variable), derive::dynamics::force_of(joint.variable)})
-      moving.insert(name);
-  return [moving](const std::string& name) { return !moving.contains(name); };
-}
-
 int operations(const dag::OperationCounts& counts) {
   constexpr int division = 4;
   return counts.multiplications + counts.additions + division * counts.divisions;
@@ -132,6 +122,17 @@ struct WithConstants {
 };
 
 }  // namespace
+
+dag::IsFree free_symbols(const model::Robot& robot) {
+  std::set<std::string> moving;
+  for (const model::Joint& joint : robot.joints)
+    for (const std::string& name :
+         {joint.variable, derive::dynamics::velocity_of(joint.variable),
+          derive::dynamics::acceleration_of(joint.variable), derive::dynamics::force_of(joint.variable),
+          derive::dynamics::direction_of(joint.variable)})
+      moving.insert(name);
+  return [moving](const std::string& name) { return !moving.contains(name); };
+}
 
 void certify(DynamicsFunction& function, int points,
              const std::function<std::vector<Number>(const exact::ExactPoint&, const std::vector<Number>&)>&

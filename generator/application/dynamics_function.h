@@ -53,6 +53,9 @@ struct DynamicsEffort {
 DynamicsFunction generate_dynamics(const model::Robot& robot, const DynamicsQuantity& quantity,
                                    const DynamicsEffort& effort = {});
 
+/// What arithmetic is free on: all symbols but joint variables, their derivatives and forces.
+dag::IsFree free_symbols(const model::Robot& robot);
+
 /// Evaluates the function at exact points; `residuals(point, values)` must be zero there. Throws
 /// CertificateError, else records the points in the function.
 void certify(DynamicsFunction& function, int points,

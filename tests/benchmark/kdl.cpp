@@ -30,6 +30,13 @@ KDL::Joint to_kdl(const reference::Joint& joint, const Eigen::Vector3d& axis, co
   return KDL::Joint(joint.variable, to_kdl(point), to_kdl(axis), general);
 }
 
+/// The inertia of a link seen from a frame that is fixed to it.
+KDL::RigidBodyInertia to_kdl(const reference::Joint& link, const Eigen::Isometry3d& frame) {
+  const Eigen::Vector3d centre = frame.inverse() * link.centre_of_mass;
+  const Eigen::Matrix3d i = frame.linear().transpose() * link.inertia * frame.linear();
+  return {link.mass, to_kdl(centre), KDL::RotationalInertia(i(0, 0), i(1, 1), i(2, 2), i(0, 1), i(0, 2), i(1, 2))};
+}
+
 /// A KDL segment is a joint, then a constant frame. So the constant parts before a joint go to the segment
 /// before it; what stands before the first joint goes into that joint's axis and its constant frame.
 KDL::Chain to_kdl(const reference::Chain& chain) {
@@ -37,7 +44,8 @@ KDL::Chain to_kdl(const reference::Chain& chain) {
   for (std::size_t i = 0; i < chain.joints.size(); ++i) {
     const reference::Joint& joint = chain.joints[i];
     const bool last = i + 1 == chain.joints.size();
-    Eigen::Isometry3d after = joint.after * (last ? chain.tool : chain.joints[i + 1].before);
+    const Eigen::Isometry3d behind = last ? chain.tool : chain.joints[i + 1].before;
+    Eigen::Isometry3d after = joint.after * behind;
     Eigen::Vector3d axis = joint.axis;
     Eigen::Vector3d point = Eigen::Vector3d::Zero();
     if (i == 0) {
@@ -48,7 +56,8 @@ KDL::Chain to_kdl(const reference::Chain& chain) {
           before * after;  // KDL takes the segment's end at zero, and subtracts the joint's point by itself
     }
     const std::string name = "link" + std::to_string(i + 1);
-    result.addSegment(KDL::Segment(name, to_kdl(joint, axis, point), to_kdl(after)));
+    result.addSegment(KDL::Segment(name, to_kdl(joint, axis, point), to_kdl(after),
+                                   to_kdl(joint, behind)));
   }
   return result;
 }

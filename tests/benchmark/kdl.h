@@ -32,6 +32,7 @@ class KdlArm {
     return frame_;
   }
   Eigen::Isometry3d forward_kinematics(const Eigen::VectorXd& q);
+  [[nodiscard]] const KDL::Chain& chain() const { return chain_; }
 
  private:
   KDL::Chain chain_;

@@ -8,6 +8,7 @@
 #include <string>
 
 #include <Eigen/Cholesky>
+#include <Eigen/SVD>
 #include <gtest/gtest.h>
 #include <unsupported/Eigen/AutoDiff>
 
@@ -65,6 +66,20 @@ class GeneratedDynamics : public testing::Test {
   /// Rounding of some hundred operations on values of the size of the largest: 1e3 ulp would be 2e-13.
   static void expect_close(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, double tolerance = 1e-12) {
     EXPECT_LE((a - b).cwiseAbs().maxCoeff(), tolerance * (1 + b.cwiseAbs().maxCoeff()));
+  }
+
+  /// Ten of each link: mass, first moments, inertia about the origin of the link frame.
+  Eigen::Matrix<double, 10 * dof, 1> standard_parameters() const {
+    Eigen::Matrix<double, 10 * dof, 1> result;
+    for (int i = 0; i < dof; ++i) {
+      const reference::Joint& link = chain_.joints[static_cast<std::size_t>(i)];
+      const Eigen::Vector3d& c = link.centre_of_mass;
+      const Eigen::Matrix3d about_origin =
+          link.inertia + link.mass * (c.squaredNorm() * Eigen::Matrix3d::Identity() - c * c.transpose());
+      result.segment<10>(10 * i) << link.mass, link.mass * c, about_origin.diagonal(), about_origin(0, 1),
+          about_origin(1, 2), about_origin(0, 2);
+    }
+    return result;
   }
 
   std::uniform_real_distribution<double> unit{-1, 1};
@@ -252,8 +267,28 @@ TYPED_TEST_P(GeneratedDynamics, FreeSwingKeepsItsEnergy) {
   EXPECT_NEAR(energy(), start, 1e-6 * scale);
 }
 
+/// Y b is the inverse dynamics, and no column of Y follows from the others: b is minimal.
+TYPED_TEST_P(GeneratedDynamics, RegressorTimesBaseParametersIsInverseDynamicsAndOfFullRank) {
+  const Eigen::VectorXd parameters = TypeParam::base_parameters(this->standard_parameters());
+  constexpr int motions = 40;
+  Eigen::MatrixXd all(motions * TypeParam::dof, parameters.size());
+  for (int k = 0; k < motions; ++k) {
+    const auto q = this->random_joints(), qd = this->random_joints(), qdd = this->random_joints();
+    const Eigen::MatrixXd y = TypeParam::regressor(q, qd, qdd, this->gravity);
+    this->expect_close(y * parameters,
+                       TypeParam::template inverse<double>(q, qd, qdd, this->inertia_, this->gravity), 1e-11);
+    all.middleRows(k * TypeParam::dof, TypeParam::dof) = y;
+  }
+  // A dependent column leaves a singular value of rounding size, 1e-13 of the largest; independent ones are
+  // far above 1e-9.
+  const Eigen::VectorXd singular = Eigen::JacobiSVD<Eigen::MatrixXd>(all).singularValues();
+  EXPECT_GT(singular[singular.size() - 1], 1e-9 * singular[0]);
+}
+
 REGISTER_TYPED_TEST_SUITE_P(GeneratedDynamics, InverseDynamicsIsTheReference, GravityAndCoriolisAreItsParts,
                             MassMatrixIsTheReferenceSymmetricAndPositive,
                             ForwardDynamicsUndoesInverseDynamics, EnergiesAreTheReference,
                             PowerOfTheForcesIsTheRateOfEnergy, LagrangesEquationsGiveTheSameForces,
+                            DerivativesAreThoseOfTheInverseDynamics,
+                            RegressorTimesBaseParametersIsInverseDynamicsAndOfFullRank,
                             FreeSwingKeepsItsEnergy);

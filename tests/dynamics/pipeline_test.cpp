@@ -88,12 +88,13 @@ TEST(Dynamics, CertificateRefusesAWrongFunction) {
 }
 
 TEST(Dynamics, DrivesAddTheirInertiaAndFriction) {
-  const std::string driven = pendulum + "rotor_inertia = \"Ir\"\nviscous_friction = \"b\"\n";
+  const std::string driven =
+      pendulum + "rotor_inertia = \"Ir\"\nviscous_friction = \"b\"\ncoulomb_friction = \"f\"\n";
   for (const DynamicsQuantity& quantity : dynamics_quantities())
     EXPECT_NO_THROW(generate_dynamics(read(driven), quantity, little)) << quantity.name;
   const DynamicsFunction function = generate_dynamics(read(driven), dynamics_quantities().front(), little);
-  EXPECT_EQ(function.counts.multiplications, 3);
-  EXPECT_EQ(function.counts.additions, 2);
+  EXPECT_EQ(function.counts.multiplications, 4);
+  EXPECT_EQ(function.counts.additions, 3);
 }
 
 TEST(Dynamics, ARobotWithoutInertiaHasNone) {

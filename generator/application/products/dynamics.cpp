@@ -65,17 +65,20 @@ bool has_defaults(const model::Robot& robot) {
   return false;
 }
 
-/// dynamics_derivatives.h and its definitions and source.
-void add_derivatives(const model::Robot& robot, const DynamicsFunction& inverse_dynamics,
-                     const std::vector<dag::Angle>& angles, RobotOutput& output) {
-  DynamicsFunction function = inverse_dynamics_derivatives(robot, inverse_dynamics);
+/// A function with a header, definitions and source of its own, named after `part`.
+void add_part(const model::Robot& robot, DynamicsFunction function, const std::string& part,
+              const std::vector<dag::Angle>& angles, json values, RobotOutput& output) {
   measure(robot, function);
   const auto values_for = [&](const std::string& scalar) {
     return dynamics_values(robot, function, dynamics_interface(function.name), angles, scalar);
   };
-  json values = values_for("Scalar");
+  values.update(values_for("Scalar"));
   values["name"] = robot.name;
-  values["sines_cosines"] = sines_cosines_code(angles, leaf_names(robot, angles), "DynamicsAngles");
+  const emit::Names names = leaf_names(robot, angles);
+  values["angles"] = angle_values(angles, names);
+  values["angle_count"] = angles.size();
+  values["sines_cosines"] =
+      sines_cosines_code(angles, names, part == "regressor" ? "RegressorAngles" : "DynamicsAngles");
   values["instances"] = json::array();
   for (const char* scalar : {"double", "float"}) {
     json instance = values_for(scalar);
@@ -83,13 +86,17 @@ void add_derivatives(const model::Robot& robot, const DynamicsFunction& inverse_
     values["instances"].push_back(instance);
   }
   const std::string headers = "include/qvgen/robots/" + robot.name + "/";
-  output.files.push_back(
-      {headers + "dynamics_derivatives.h", emit::render("dynamics_derivatives.h", values)});
-  output.files.push_back({headers + "dynamics_derivatives_definitions.h",
-                          emit::render("dynamics_derivatives_definitions.h", values)});
-  output.files.push_back({"source/" + robot.name + "/dynamics_derivatives.cpp",
-                          emit::render("dynamics_derivatives.cpp", values)});
+  output.files.push_back({headers + part + ".h", emit::render(part + ".h", values)});
+  output.files.push_back({headers + part + "_definitions.h", emit::render(part + "_definitions.h", values)});
+  output.files.push_back({"source/" + robot.name + "/" + part + ".cpp", emit::render(part + ".cpp", values)});
   output.counts[function.name] = entry_of(function);
+}
+
+void add_regressor(const model::Robot& robot, RobotOutput& output) {
+  const derive::dynamics::Regressor regressor = derive::dynamics::regressor(robot);
+  const DynamicsFunction function = regressor_function(robot, regressor);
+  add_part(robot, function, "regressor", angles_of(std::vector{function}),
+           base_parameter_values(robot, regressor), output);
 }
 
 }  // namespace
@@ -123,7 +130,9 @@ void generate_dynamics_product(const model::Robot& robot, RobotOutput& output) {
       {headers + "dynamics_definitions.h", emit::render("dynamics_definitions.h", values)});
   output.files.push_back({"source/" + robot.name + "/dynamics.cpp", emit::render("dynamics.cpp", values)});
   for (const DynamicsFunction& function : functions) output.counts[function.name] = entry_of(function);
-  add_derivatives(robot, functions.front(), angles, output);
+  add_part(robot, inverse_dynamics_derivatives(robot, functions.front()), "dynamics_derivatives", angles,
+           json::object(), output);
+  add_regressor(robot, output);
 }
 
 }  // namespace qvgen::application

@@ -45,7 +45,9 @@ std::string place_of(const std::string& output, bool in_struct) {
   const auto entry = [&](int i, int k) {
     return matrix + "(" + std::to_string(i) + ", " + std::to_string(k) + ")";
   };
-  return in_struct || row == column ? entry(row, column) : entry(row, column) + " = " + entry(column, row);
+  return in_struct || row == column || output.front() != 'm'
+             ? entry(row, column)
+             : entry(row, column) + " = " + entry(column, row);
 }
 
 /// Constants as the code writes them: numbers in place, the others by their place in the set-up function's
@@ -89,6 +91,8 @@ emit::Names names_of(const model::Robot& robot, const std::vector<dag::Angle>& a
     known[derive::dynamics::velocity_of(variable)] = "qd" + index;
     known[derive::dynamics::acceleration_of(variable)] = "qdd" + index;
     known[derive::dynamics::force_of(variable)] = "torque" + index;
+    known[derive::dynamics::direction_of(variable)] =
+        "(Scalar(0) < qd" + index + " ? Scalar(1) : qd" + index + " < Scalar(0) ? Scalar(-1) : Scalar(0))";
   }
   return leaf_names(robot, angles, [known](const std::string& name) { return known.at(name); });
 }
@@ -174,6 +178,26 @@ json dynamics_values(const model::Robot& robot, const DynamicsFunction& function
           {"statements", list_of(code.outputs, interface.in_struct)}};
 }
 
+json base_parameter_values(const model::Robot& robot, const derive::dynamics::Regressor& regressor) {
+  std::map<std::string, std::string> known;
+  for (std::size_t i = 0; i < 10 * robot.joints.size(); ++i)
+    known[derive::dynamics::standard_parameter(i)] = "standard[" + std::to_string(i) + "]";
+  emit::Names names = leaf_names(robot, {}, [known](const std::string& name) { return known.at(name); });
+  const emit::Names leaves = names;
+  names.sine = [leaves](const dag::Angle& angle) { return "sin(" + angle_code(angle, leaves) + ")"; };
+  names.cosine = [leaves](const dag::Angle& angle) { return "cos(" + angle_code(angle, leaves) + ")"; };
+  const emit::Code code = emit::cpp_code(regressor.base_parameters, names);
+  json parameters = json::array();
+  for (std::size_t i = 0; i < code.outputs.size(); ++i)
+    parameters.push_back({{"index", i},
+                          {"parameter", regressor.names[i]},
+                          {"expression", code.outputs[i].expression},
+                          {"last", i + 1 == code.outputs.size()}});
+  return {{"parameters_of_base", parameters},
+          {"base_set_up", list_of(code.temporaries)},
+          {"base_count", code.outputs.size()}};
+}
+
 DynamicsInterface dynamics_interface(const std::string& name) {
   const std::string vector = "JointVector<{scalar}>";
   const std::string matrix = "Eigen::Matrix<{scalar}, dof, dof>";
@@ -188,7 +212,7 @@ DynamicsInterface dynamics_interface(const std::string& name) {
        {{"q", "qd"},
         vector,
         false,
-        "Joint forces that come from the joint rates alone, C(q, qd) qd, with viscous friction."}},
+        "Joint forces that come from the joint rates alone, C(q, qd) qd, and friction."}},
       {"mass_matrix",
        {{"q"},
         matrix,
@@ -202,6 +226,12 @@ DynamicsInterface dynamics_interface(const std::string& name) {
       {"kinetic_energy", {{"q", "qd"}, "{scalar}", false, "qd^T M qd / 2, J."}},
       {"potential_energy",
        {{"q"}, "{scalar}", true, "Sum of m g z over the links, z of the centre of mass in the world, J."}},
+      {"regressor",
+       {{"q", "qd", "qdd"},
+        "Eigen::Matrix<{scalar}, dof, base_parameter_count>",
+        true,
+        "Y with inverse_dynamics = Y base_parameters for all inertias, without drives. `inertia` has no "
+        "influence."}},
       {"inverse_dynamics_derivatives",
        {{"q", "qd", "qdd"},
         "InverseDynamicsDerivatives<{scalar}>",

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "application/dynamics_function.h"
+#include "derive/dynamics/regressor.h"
 
 namespace qvgen::application {
 
@@ -26,6 +27,9 @@ std::vector<dag::Angle> angles_of(const std::vector<DynamicsFunction>& functions
 nlohmann::json dynamics_values(const model::Robot& robot, const DynamicsFunction& function,
                                const DynamicsInterface& interface, const std::vector<dag::Angle>& angles,
                                const std::string& scalar);
+
+/// Template values of the base parameters and their map from the standard ones.
+nlohmann::json base_parameter_values(const model::Robot& robot, const derive::dynamics::Regressor& regressor);
 
 /// Interface of a quantity by its name.
 DynamicsInterface dynamics_interface(const std::string& name);

@@ -81,7 +81,8 @@ Passage make_passage(TurnWord word, const Vector3& t, dag::Graph& graph) {
 
 class ChainBuilder {
  public:
-  ChainBuilder(const model::Robot& robot, dag::Graph& graph) : robot_(robot), graph_(graph) {}
+  ChainBuilder(const model::Robot& robot, dag::Graph& graph, Inertias inertias)
+      : robot_(robot), graph_(graph), inertias_(inertias) {}
 
   Chain build() {
     if (robot_.joints.empty()) throw std::domain_error("dynamics: no joints");
@@ -138,8 +139,7 @@ class ChainBuilder {
     }
     const model::Joint& joint = robot_.joints[j];
     link.variable = joint.variable;
-    link.rotor = to_scalar(joint.drive.rotor_inertia, graph_);
-    link.viscous = to_scalar(joint.drive.viscous_friction, graph_);
+    if (inertias_ == Inertias::described) read_drive(joint, link);
     link.motion = joint.type == model::JointType::revolute ? Motion::revolute : Motion::prismatic;
     if (link.motion == Motion::revolute) link.angle = link.angle + Angle{{{joint.variable, 1}}, 0};
     chain_.links.push_back(link);
@@ -152,21 +152,31 @@ class ChainBuilder {
     link.angle = link.angle + passage.phi;
     link.d = link.d + passage.d;
     const TurnWord back = inverse(from_z_to(joint.axis));
-    PseudoInertia inertia =
-        rotated(to_word(joint.after.turns), from_description(joint.inertia, graph_), graph_);
+    const bool described = inertias_ == Inertias::described;
+    PseudoInertia inertia = described ? from_description(joint.inertia, graph_) : from_standard(j, graph_);
+    inertia = rotated(to_word(joint.after.turns), inertia, graph_);
     inertia = shifted(inertia, to_vector(joint.after.translation, graph_));
     inertia = rotated(TurnWord{{2, cln::cl_RA(-1) * passage.phi}} * back, inertia, graph_);
     link.inertia = shifted(inertia, 2, -passage.d);
   }
 
+  void read_drive(const model::Joint& joint, Link& link) {
+    link.rotor = to_scalar(joint.drive.rotor_inertia, graph_);
+    link.viscous = to_scalar(joint.drive.viscous_friction, graph_);
+    link.coulomb = to_scalar(joint.drive.coulomb_friction, graph_);
+  }
+
   const model::Robot& robot_;
   dag::Graph& graph_;
+  Inertias inertias_;
   Chain chain_;
 };
 
 }  // namespace
 
-Chain make_chain(const model::Robot& robot, dag::Graph& graph) { return ChainBuilder(robot, graph).build(); }
+Chain make_chain(const model::Robot& robot, dag::Graph& graph, Inertias inertias) {
+  return ChainBuilder(robot, graph, inertias).build();
+}
 
 Circle circle(const Angle& angle, dag::Graph& graph) {
   return {Scalar(graph, graph.cosine(angle)), Scalar(graph, graph.sine(angle))};

@@ -24,8 +24,8 @@ struct Link {
   exact::Angle alpha;
   exact::Angle angle;  ///< the joint variable included
   Scalar a, b, d;
-  PseudoInertia inertia;  ///< in frame(j)
-  Scalar rotor, viscous;  ///< inertia and friction of the drive, on the joint's side
+  PseudoInertia inertia;           ///< in frame(j)
+  Scalar rotor, viscous, coulomb;  ///< inertia and friction of the drive, on the joint's side
 };
 
 /// A robot in those frames. Lengths and inertias are exact expressions of the description's symbols.
@@ -36,7 +36,11 @@ struct Chain {
   Scalar height;  ///< of that frame's origin in the world
 };
 
-Chain make_chain(const model::Robot& robot, dag::Graph& graph);
+/// Whose inertias a chain has: the description's, or symbols for all ten standard parameters of every link
+/// (no drives).
+enum class Inertias { described, standard };
+
+Chain make_chain(const model::Robot& robot, dag::Graph& graph, Inertias inertias = Inertias::described);
 
 /// A description's expression as a graph; pi outside of an angle stands as a symbol of that name.
 Scalar to_scalar(const model::Expression& expression, dag::Graph& graph);

@@ -15,6 +15,8 @@ namespace qvgen::derive::dynamics {
 std::string velocity_of(const std::string& variable);
 std::string acceleration_of(const std::string& variable);
 std::string force_of(const std::string& variable);
+/// Symbol of the sign of a joint's rate, which Coulomb friction depends on: theta1~.
+std::string direction_of(const std::string& variable);
 
 /// What a formulation leaves to choose before the search.
 struct Choices {

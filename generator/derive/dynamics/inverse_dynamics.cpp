@@ -111,7 +111,8 @@ class Recursion {
     const Scalar scale = link.motion == Motion::prismatic ? p_.per_unit : Scalar(graph_, graph_.constant(1));
     if (effects_ != Effects::gravity) {
       joint.rate = symbol(velocity_of(link.variable)) * scale;
-      joint.drive = link.viscous * symbol(velocity_of(link.variable));
+      joint.drive = link.viscous * symbol(velocity_of(link.variable)) +
+                    link.coulomb * symbol(direction_of(link.variable));
     }
     if (effects_ == Effects::all) {
       joint.acceleration = symbol(acceleration_of(link.variable)) * scale;
@@ -319,6 +320,7 @@ class Recursion {
 std::string velocity_of(const std::string& variable) { return variable + "'"; }
 std::string acceleration_of(const std::string& variable) { return variable + "''"; }
 std::string force_of(const std::string& variable) { return variable + "!"; }
+std::string direction_of(const std::string& variable) { return variable + "~"; }
 
 Formulation inverse_dynamics(const model::Robot& robot, const Choices& choices, Effects effects) {
   Formulation result;

@@ -48,7 +48,8 @@ std::vector<Scalar*> constants_of(Parametrisation& p) {
   std::vector<Scalar*> result = {&p.gravity[0], &p.gravity[1], &p.gravity[2],
                                  &p.height,     &p.unit,       &p.per_unit};
   for (Link& link : p.chain.links) {
-    for (Scalar* value : {&link.a, &link.b, &link.d, &link.rotor, &link.viscous}) result.push_back(value);
+    for (Scalar* value : {&link.a, &link.b, &link.d, &link.rotor, &link.viscous, &link.coulomb})
+      result.push_back(value);
     for (std::size_t row = 0; row < 4; ++row)
       for (std::size_t column = row; column < 4; ++column) result.push_back(&link.inertia.at(row, column));
   }
@@ -96,7 +97,7 @@ Parametrisation parametrise(const model::Robot& robot, const Gauge& gauge, dag::
   dag::Graph source;
   Parametrisation result;
   Chain& chain = result.chain;
-  chain = make_chain(robot, source);
+  chain = make_chain(robot, source, gauge.inertias);
   if (!gauge.standard) regroup(chain, source);
   for (const auto& [link, component] : gauge.masses) shift_mass(chain, source, link, component);
   const Scalar one(source, source.constant(1));

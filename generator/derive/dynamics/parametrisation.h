@@ -20,6 +20,8 @@ struct Gauge {
   /// The links' own inertias, nothing regrouped: for what is not the same in base parameters (potential
   /// energy).
   bool standard = false;
+  /// All inertias free, whatever the description says; see standard_parameter().
+  Inertias inertias = Inertias::described;
 };
 
 /// A robot whose constants are symbols, ready for a recursion, and what those symbols stand for.

@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "derive/dynamics/formulation.h"
+#include "derive/dynamics/pseudo_inertia.h"
 #include "derive/dynamics/turn_word.h"
 
 namespace qvgen::derive::dynamics {
@@ -57,6 +58,8 @@ PlainRecursion::PlainRecursion(const model::Robot& robot, const exact::ExactPoin
     link.mass = number_of(joint.inertia.mass);
     link.rotor = number_of(joint.drive.rotor_inertia);
     link.viscous = number_of(joint.drive.viscous_friction);
+    link.coulomb = number_of(joint.drive.coulomb_friction);
+    link.direction = point.symbol(direction_of(joint.variable));
     link.centre = vector_of(joint.inertia.centre_of_mass);
     std::array<Number, 6> i;
     for (std::size_t k = 0; k < 6; ++k) i[k] = number_of(joint.inertia.inertia[k]);
@@ -118,6 +121,24 @@ PlainRecursion::Frame PlainRecursion::frame_of(const model::Displacement& displa
   for (const model::Turn& turn : displacement.turns)
     frame.rotation = frame.rotation * rotation(vector_of(turn.axis), to_angle(turn.angle));
   return frame;
+}
+
+void PlainRecursion::take_standard_parameters() {
+  for (std::size_t i = 0; i < links_.size(); ++i) {
+    Link& link = links_[i];
+    const auto value = [&](std::size_t k) { return point_.symbol(standard_parameter(10 * i + k)); };
+    link.rotor = link.viscous = link.coulomb = 0;
+    link.mass = value(0);
+    link.centre = link.mass.inverse() * Vector{value(1), value(2), value(3)};
+    link.inertia = {
+        {{value(4), value(7), value(9)}, {value(7), value(5), value(8)}, {value(9), value(8), value(6)}}};
+    // Steiner: about the centre of mass.
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vector e = identity()[k];
+      link.inertia[k] = link.inertia[k] + (-link.mass * dot(link.centre, link.centre)) * e +
+                        (link.mass * link.centre[k]) * link.centre;
+    }
+  }
 }
 
 PlainRecursion::Values PlainRecursion::rates() const {
@@ -191,8 +212,9 @@ PlainRecursion::Values PlainRecursion::inverse_dynamics(const Values& rates, con
       f = f + force[k];
       m = m + moment[k] + cross(centres[k] + Number(-1) * origins[i], force[k]);
     }
+    const Number coulomb = rates[i].is_zero() ? Number(0) : links_[i].coulomb * links_[i].direction;
     torques[i] = dot(axes[i], links_[i].revolute ? m : f) + links_[i].rotor * accelerations[i] +
-                 links_[i].viscous * rates[i];
+                 links_[i].viscous * rates[i] + coulomb;
   }
   return torques;
 }

@@ -25,8 +25,11 @@ class PlainRecursion {
   PlainRecursion(const model::Robot& robot, const exact::ExactPoint& point, std::size_t moved,
                  const cln::cl_RA& by);
 
+  /// All inertias from the standard parameters' values at the point, no drives.
+  void take_standard_parameters();
+
   /// Generalised forces for joint rates and accelerations; `gravity` is the base acceleration along the
-  /// world's +z. Drives (rotor inertia, viscous friction) are included.
+  /// world's +z. Drives (rotor inertia, friction of both kinds) are included.
   [[nodiscard]] Values inverse_dynamics(const Values& rates, const Values& accelerations,
                                         const Number& gravity) const;
   /// Row by row, both triangles: columns by unit accelerations at rest without gravity.
@@ -54,7 +57,7 @@ class PlainRecursion {
     std::string variable;
     Frame before, motion, after;
     Vector axis;
-    Number mass, rotor, viscous;
+    Number mass, rotor, viscous, coulomb, direction;
     Vector centre;
     Matrix inertia;
   };

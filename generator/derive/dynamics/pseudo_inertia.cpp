@@ -58,6 +58,24 @@ PseudoInertia rotated(const PseudoInertia& inertia, std::size_t k, const Circle&
   return result;
 }
 
+std::string standard_parameter(std::size_t index) { return "@" + std::to_string(index); }
+
+PseudoInertia from_standard(std::size_t link, dag::Graph& graph) {
+  constexpr std::array<std::array<std::size_t, 2>, 6> places = {
+      {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {0, 2}}};
+  const auto symbol = [&](std::size_t k) {
+    return Scalar(graph, graph.symbol(standard_parameter(10 * link + k)));
+  };
+  const Scalar half(graph, graph.constant(exact::Number(cln::cl_RA(1) / 2)));
+  const Scalar half_trace = half * (symbol(4) + symbol(5) + symbol(6));
+  PseudoInertia result;
+  for (std::size_t i = 0; i < 6; ++i)
+    result.at(places[i][0], places[i][1]) = (i < 3 ? half_trace : Scalar()) - symbol(4 + i);
+  for (std::size_t i = 0; i < 3; ++i) result.at(i, 3) = symbol(1 + i);
+  result.at(3, 3) = symbol(0);
+  return result;
+}
+
 PseudoInertia from_description(const model::Inertia& inertia, dag::Graph& graph) {
   constexpr std::array<std::array<std::size_t, 2>, 6> places = {
       {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {0, 2}}};

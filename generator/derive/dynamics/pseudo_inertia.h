@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 
 #include "derive/dynamics/scalar.h"
 #include "model/robot.h"
@@ -43,5 +44,12 @@ PseudoInertia rotated(const PseudoInertia& inertia, std::size_t k, const Circle&
 
 /// Of a link in its own link frame, from mass, centre of mass and inertia about it.
 PseudoInertia from_description(const model::Inertia& inertia, dag::Graph& graph);
+
+/// Of link j with symbols for its standard parameters, in which it is linear.
+PseudoInertia from_standard(std::size_t link, dag::Graph& graph);
+
+/// Symbol of a standard parameter: of each link mass, first moments x y z, and the inertia about the origin
+/// of the link frame xx yy zz xy yz xz; ten times the link plus the place in this list.
+std::string standard_parameter(std::size_t index);
 
 }  // namespace qvgen::derive::dynamics

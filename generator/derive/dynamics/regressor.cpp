@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "derive/dynamics/regressor.h"
+
+#include <algorithm>
+#include <map>
+
+#include "dag/evaluate.h"
+#include "dag/rebuild.h"
+#include "exact/point.h"
+#include "passes/differentiate.h"
+
+namespace qvgen::derive::dynamics {
+namespace {
+
+using exact::Number;
+using Rows = std::vector<std::vector<Number>>;
+
+bool mentions_inertia(const dag::Graph& graph, dag::Edge value) {
+  const dag::Function single{graph, {{"", value}}};
+  const auto nodes = dag::reachable(single);
+  return std::any_of(nodes.begin(), nodes.end(), [&](std::uint32_t id) {
+    return graph.node(id).op == dag::Op::symbol && graph.symbol_of(graph.node(id)).front() == '@';
+  });
+}
+
+/// "$7" -> "Sxy3", after the first place in the chain that it stands at.
+std::map<std::string, std::string> names_of(const model::Robot& robot, const Gauge& gauge) {
+  dag::Graph graph;
+  const Parametrisation p = parametrise(robot, gauge, graph);
+  const std::string axes = "xyz";
+  std::map<std::string, std::string> result;
+  for (const Link& link : p.chain.links)
+    for (std::size_t row = 0; row < 4; ++row)
+      for (std::size_t column = row; column < 4; ++column) {
+        const dag::Node& node = graph.node(link.inertia.at(row, column).in(graph));
+        if (node.op != dag::Op::symbol) continue;
+        const std::string kind = row == 3      ? "m"
+                                 : column == 3 ? std::string("h") + axes[row]
+                                               : std::string("S") + axes[row] + axes[column];
+        result.emplace(graph.symbol_of(node), kind + std::to_string(link.joint + 1));
+      }
+  return result;
+}
+
+/// The outputs at a random point, one row per joint.
+Rows rows_at(const dag::Function& function, std::size_t joints, std::uint64_t seed) {
+  const auto values = dag::evaluate<Number>(function, exact::ExactPoint(seed));
+  Rows rows(joints);
+  for (std::size_t i = 0; i < values.size(); ++i) rows[i % joints].push_back(values[i]);
+  return rows;
+}
+
+void drop_unused(Regressor& result, std::size_t joints) {
+  std::vector<dag::Output> entries, parameters;
+  std::vector<std::string> names;
+  const Rows rows = rows_at(result.formulation.function, joints, 11);
+  for (std::size_t k = 0; k < rows.front().size(); ++k) {
+    if (std::all_of(rows.begin(), rows.end(), [&](const auto& row) { return row[k].is_zero(); })) continue;
+    const std::string number = std::to_string(names.size() + 1);
+    for (std::size_t i = 0; i < joints; ++i)
+      entries.push_back({"y" + std::to_string(i + 1) + "_" + number,
+                         result.formulation.function.outputs[k * joints + i].value});
+    parameters.push_back({"b" + number, result.base_parameters.outputs[k].value});
+    names.push_back(result.names[k]);
+  }
+  result.formulation.function.outputs = entries;
+  result.base_parameters.outputs = parameters;
+  result.names = names;
+}
+
+}  // namespace
+
+Regressor regressor(const model::Robot& robot) {
+  Choices choices;
+  choices.gauge.inertias = Inertias::standard;
+  Regressor result;
+  result.formulation = inverse_dynamics(robot, choices);
+  dag::Function& function = result.formulation.function;
+  std::erase_if(function.outputs, [](const dag::Output& output) { return output.name.front() == '?'; });
+  const auto names = names_of(robot, choices.gauge);
+  std::vector<passes::Direction> directions;
+  result.base_parameters.graph = result.formulation.constants.graph;
+  for (const dag::Output& constant : result.formulation.constants.outputs) {
+    if (!mentions_inertia(result.formulation.constants.graph, constant.value)) continue;
+    directions.push_back({constant.name, "y", directions.size() + 1});
+    result.base_parameters.outputs.push_back(constant);
+    result.names.push_back(names.at(constant.name));
+  }
+  passes::append_derivatives(function, directions);
+  const auto joints = static_cast<std::ptrdiff_t>(robot.joints.size());
+  function.outputs.erase(function.outputs.begin(), function.outputs.begin() + joints);
+  drop_unused(result, robot.joints.size());
+  return result;
+}
+
+}  // namespace qvgen::derive::dynamics
