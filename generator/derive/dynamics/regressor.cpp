@@ -50,18 +50,47 @@ Rows rows_at(const dag::Function& function, std::size_t joints, std::uint64_t se
   return rows;
 }
 
-void drop_unused(Regressor& result, std::size_t joints) {
+/// The columns of Y at two points, one below the other.
+Rows columns_of(const dag::Function& function, std::size_t joints) {
+  Rows columns;
+  for (const std::uint64_t seed : {11U, 12U}) {
+    const Rows rows = rows_at(function, joints, seed);
+    columns.resize(rows.front().size());
+    for (std::size_t k = 0; k < columns.size(); ++k)
+      for (const auto& row : rows) columns[k].push_back(row[k]);
+  }
+  return columns;
+}
+
+bool is_zero(const std::vector<Number>& column) {
+  return std::all_of(column.begin(), column.end(), [](const Number& value) { return value.is_zero(); });
+}
+
+/// Parameters without influence go; those with the same influence (Sxx and Syy of a first link) become one,
+/// their sum.
+void reduce(Regressor& result, std::size_t joints) {
+  dag::Graph& graph = result.base_parameters.graph;
+  const Rows columns = columns_of(result.formulation.function, joints);
   std::vector<dag::Output> entries, parameters;
   std::vector<std::string> names;
-  const Rows rows = rows_at(result.formulation.function, joints, 11);
-  for (std::size_t k = 0; k < rows.front().size(); ++k) {
-    if (std::all_of(rows.begin(), rows.end(), [&](const auto& row) { return row[k].is_zero(); })) continue;
-    const std::string number = std::to_string(names.size() + 1);
+  std::vector<std::size_t> kept;
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    if (is_zero(columns[k])) continue;
+    const auto same = [&](std::size_t other) { return columns[other] == columns[k]; };
+    const auto place = static_cast<std::size_t>(std::find_if(kept.begin(), kept.end(), same) - kept.begin());
+    const dag::Edge parameter = result.base_parameters.outputs[k].value;
+    if (place < kept.size()) {
+      parameters[place].value = graph.sum({parameters[place].value, parameter});
+      names[place] += "+" + result.names[k];
+      continue;
+    }
+    kept.push_back(k);
+    names.push_back(result.names[k]);
+    const std::string number = std::to_string(kept.size());
+    parameters.push_back({"b" + number, parameter});
     for (std::size_t i = 0; i < joints; ++i)
       entries.push_back({"y" + std::to_string(i + 1) + "_" + number,
                          result.formulation.function.outputs[k * joints + i].value});
-    parameters.push_back({"b" + number, result.base_parameters.outputs[k].value});
-    names.push_back(result.names[k]);
   }
   result.formulation.function.outputs = entries;
   result.base_parameters.outputs = parameters;
@@ -89,7 +118,7 @@ Regressor regressor(const model::Robot& robot) {
   passes::append_derivatives(function, directions);
   const auto joints = static_cast<std::ptrdiff_t>(robot.joints.size());
   function.outputs.erase(function.outputs.begin(), function.outputs.begin() + joints);
-  drop_unused(result, robot.joints.size());
+  reduce(result, robot.joints.size());
   return result;
 }
 

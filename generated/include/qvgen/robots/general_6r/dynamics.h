@@ -124,7 +124,7 @@ template <class Scalar>
 JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const DynamicsAngles<Scalar>& angles,
     const GravityTorqueConstants<Scalar>& constants);
 
-/// Joint forces that come from the joint rates alone, C(q, qd) qd, with viscous friction.
+/// Joint forces that come from the joint rates alone, C(q, qd) qd, and friction.
 ///
 /// 363 multiplications, 287 additions, 5 sine/cosine pairs. Set-up: 161 multiplications, 160 additions, 9 divisions, 5 sine/cosine pairs.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.

@@ -79,7 +79,7 @@ template <class Scalar>
 JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const DynamicsAngles<Scalar>& angles,
     const GravityTorqueConstants<Scalar>& constants);
 
-/// Joint forces that come from the joint rates alone, C(q, qd) qd, with viscous friction.
+/// Joint forces that come from the joint rates alone, C(q, qd) qd, and friction.
 ///
 /// 32 multiplications, 14 additions, 1 sine/cosine pair. Set-up: 7 multiplications, 12 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.

@@ -66,7 +66,7 @@ template <class Scalar>
 JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const DynamicsAngles<Scalar>& angles,
     const GravityTorqueConstants<Scalar>& constants);
 
-/// Joint forces that come from the joint rates alone, C(q, qd) qd, with viscous friction.
+/// Joint forces that come from the joint rates alone, C(q, qd) qd, and friction.
 ///
 /// 128 multiplications, 96 additions, 4 sine/cosine pairs. Set-up: no operations.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.

@@ -124,7 +124,7 @@ template <class Scalar>
 JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const DynamicsAngles<Scalar>& angles,
     const GravityTorqueConstants<Scalar>& constants);
 
-/// Joint forces that come from the joint rates alone, C(q, qd) qd, with viscous friction.
+/// Joint forces that come from the joint rates alone, C(q, qd) qd, and friction.
 ///
 /// 197 multiplications, 166 additions, 5 sine/cosine pairs. Set-up: 73 multiplications, 80 additions, 2 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
