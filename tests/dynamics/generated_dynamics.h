@@ -76,7 +76,7 @@ class GeneratedDynamics : public testing::Test {
       const Eigen::Vector3d& c = link.centre_of_mass;
       const Eigen::Matrix3d about_origin =
           link.inertia + link.mass * (c.squaredNorm() * Eigen::Matrix3d::Identity() - c * c.transpose());
-      result.segment<10>(10 * i) << link.mass, link.mass * c, about_origin.diagonal(), about_origin(0, 1),
+      result.template segment<10>(10 * i) << link.mass, link.mass * c, about_origin.diagonal(), about_origin(0, 1),
           about_origin(1, 2), about_origin(0, 2);
     }
     return result;
@@ -226,9 +226,9 @@ TYPED_TEST_P(GeneratedDynamics, DerivativesAreThoseOfTheInverseDynamics) {
                        TypeParam::template inverse<double>(q, qd, qdd, this->inertia_, this->gravity));
     for (int i = 0; i < TypeParam::dof; ++i)
       for (const bool by_rate : {false, true}) {
-        const Column unit = Column::Unit(i);
+        const Column direction = Column::Unit(i);
         const auto dual = TypeParam::template inverse<Dual>(
-            along<TypeParam::dof>(q, by_rate ? zero : unit), along<TypeParam::dof>(qd, by_rate ? unit : zero),
+            along<TypeParam::dof>(q, by_rate ? zero : direction), along<TypeParam::dof>(qd, by_rate ? direction : zero),
             along<TypeParam::dof>(qdd, zero), inertia, Dual(this->gravity));
         Column expected;
         for (int r = 0; r < TypeParam::dof; ++r)

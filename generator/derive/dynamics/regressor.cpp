@@ -23,21 +23,28 @@ bool mentions_inertia(const dag::Graph& graph, dag::Edge value) {
   });
 }
 
+/// A place of the inertia matrices; `negative` if the constant is minus what stands there.
+struct Entry {
+  std::string name;
+  bool negative = false;
+};
+
 /// "$7" -> "Sxy3", after the first place in the chain that it stands at.
-std::map<std::string, std::string> names_of(const model::Robot& robot, const Gauge& gauge) {
+std::map<std::string, Entry> names_of(const model::Robot& robot, const Gauge& gauge) {
   dag::Graph graph;
   const Parametrisation p = parametrise(robot, gauge, graph);
   const std::string axes = "xyz";
-  std::map<std::string, std::string> result;
+  std::map<std::string, Entry> result;
   for (const Link& link : p.chain.links)
     for (std::size_t row = 0; row < 4; ++row)
       for (std::size_t column = row; column < 4; ++column) {
-        const dag::Node& node = graph.node(link.inertia.at(row, column).in(graph));
+        const dag::Edge edge = link.inertia.at(row, column).in(graph);
+        const dag::Node& node = graph.node(edge);
         if (node.op != dag::Op::symbol) continue;
         const std::string kind = row == 3      ? "m"
                                  : column == 3 ? std::string("h") + axes[row]
                                                : std::string("S") + axes[row] + axes[column];
-        result.emplace(graph.symbol_of(node), kind + std::to_string(link.joint + 1));
+        result.emplace(graph.symbol_of(node), Entry{kind + std::to_string(link.joint + 1), edge.negative});
       }
   return result;
 }
@@ -66,6 +73,11 @@ bool is_zero(const std::vector<Number>& column) {
   return std::all_of(column.begin(), column.end(), [](const Number& value) { return value.is_zero(); });
 }
 
+std::vector<Number> opposite(std::vector<Number> column) {
+  for (Number& value : column) value = -value;
+  return column;
+}
+
 /// Parameters without influence go; those with the same influence (Sxx and Syy of a first link) become one,
 /// their sum.
 void reduce(Regressor& result, std::size_t joints) {
@@ -76,12 +88,15 @@ void reduce(Regressor& result, std::size_t joints) {
   std::vector<std::size_t> kept;
   for (std::size_t k = 0; k < columns.size(); ++k) {
     if (is_zero(columns[k])) continue;
-    const auto same = [&](std::size_t other) { return columns[other] == columns[k]; };
+    const auto same = [&](std::size_t other) {
+      return columns[other] == columns[k] || columns[other] == opposite(columns[k]);
+    };
     const auto place = static_cast<std::size_t>(std::find_if(kept.begin(), kept.end(), same) - kept.begin());
     const dag::Edge parameter = result.base_parameters.outputs[k].value;
     if (place < kept.size()) {
-      parameters[place].value = graph.sum({parameters[place].value, parameter});
-      names[place] += "+" + result.names[k];
+      const bool negative = columns[kept[place]] != columns[k];
+      parameters[place].value = graph.sum({parameters[place].value, negative ? -parameter : parameter});
+      names[place] += (negative ? "-" : "+") + result.names[k];
       continue;
     }
     kept.push_back(k);
@@ -108,16 +123,22 @@ Regressor regressor(const model::Robot& robot) {
   std::erase_if(function.outputs, [](const dag::Output& output) { return output.name.front() == '?'; });
   const auto names = names_of(robot, choices.gauge);
   std::vector<passes::Direction> directions;
+  std::vector<bool> negative;
   result.base_parameters.graph = result.formulation.constants.graph;
   for (const dag::Output& constant : result.formulation.constants.outputs) {
     if (!mentions_inertia(result.formulation.constants.graph, constant.value)) continue;
     directions.push_back({constant.name, "y", directions.size() + 1});
-    result.base_parameters.outputs.push_back(constant);
-    result.names.push_back(names.at(constant.name));
+    const Entry& entry = names.at(constant.name);
+    result.base_parameters.outputs.push_back(
+        {constant.name, entry.negative ? -constant.value : constant.value});
+    result.names.push_back(entry.name);
+    negative.push_back(entry.negative);
   }
   passes::append_derivatives(function, directions);
   const auto joints = static_cast<std::ptrdiff_t>(robot.joints.size());
   function.outputs.erase(function.outputs.begin(), function.outputs.begin() + joints);
+  for (std::size_t i = 0; i < function.outputs.size(); ++i)
+    if (negative[i / robot.joints.size()]) function.outputs[i].value = -function.outputs[i].value;
   reduce(result, robot.joints.size());
   return result;
 }

@@ -9,8 +9,8 @@ namespace qvgen::robots::ns_numbers {
 
 /// The base parameters: what of the links' inertias motions and joint forces can tell. S are second moments, h first
 /// moments, m masses, regrouped toward the base, with the number of the link.
-inline constexpr int base_parameter_count = 13;
-inline constexpr std::array<const char*, base_parameter_count> base_parameter_names{ "Sxx1", "Syy1", "Sxx2", "Sxy2", "Sxz2", "hx2", "Syy2", "Syz2", "hy2", "hx3", "hy3", "hz3", "m3" };
+inline constexpr int base_parameter_count = 12;
+inline constexpr std::array<const char*, base_parameter_count> base_parameter_names{ "Sxx1+Syy1", "Sxx2", "Sxy2", "Sxz2", "hx2", "Syy2", "Syz2", "hy2", "hx3", "hy3", "hz3", "m3" };
 
 /// Ten of each link in its frame: mass, first moments x y z (kg m), inertia about the frame's origin xx yy zz xy yz xz.
 template <class Scalar>

@@ -27,19 +27,18 @@ Eigen::Matrix<Scalar, base_parameter_count, 1> base_parameters([[maybe_unused]] 
   const Scalar t2 = Scalar(0.5) * (standard[26] + (standard[24] + standard[25]));
   const Scalar t3 = ((standard[15] - t1) + (standard[25] - t2)) + Scalar(0.2) * (standard[12] + (standard[12] - Scalar(0.2) * standard[10]));
   Eigen::Matrix<Scalar, base_parameter_count, 1> result;
-  result[0] = standard[4] - t0;  // Sxx1
-  result[1] = -(standard[5] - t0) - t3;  // Syy1
-  result[2] = (standard[14] - t1) + (standard[24] - t2);  // Sxx2
-  result[3] = -standard[19] - standard[29];  // Sxy2
-  result[4] = -standard[17] - standard[27];  // Sxz2
-  result[5] = standard[11];  // hx2
-  result[6] = (standard[26] - t2) + (standard[16] - t1);  // Syy2
-  result[7] = -standard[18] - standard[28];  // Syz2
-  result[8] = standard[13];  // hy2
-  result[9] = -standard[21];  // hx3
-  result[10] = -standard[22];  // hy3
-  result[11] = standard[23];  // hz3
-  result[12] = -standard[20];  // m3
+  result[0] = -(standard[4] - t0) - ((standard[5] - t0) + t3);  // Sxx1+Syy1
+  result[1] = -(standard[14] - t1) - (standard[24] - t2);  // Sxx2
+  result[2] = -standard[19] - standard[29];  // Sxy2
+  result[3] = standard[17] + standard[27];  // Sxz2
+  result[4] = standard[11];  // hx2
+  result[5] = -(standard[26] - t2) - (standard[16] - t1);  // Syy2
+  result[6] = standard[18] + standard[28];  // Syz2
+  result[7] = standard[13];  // hy2
+  result[8] = standard[21];  // hx3
+  result[9] = standard[22];  // hy3
+  result[10] = standard[23];  // hz3
+  result[11] = standard[20];  // m3
   return result;
 }
 
@@ -96,45 +95,42 @@ inline Eigen::Matrix<Scalar, dof, base_parameter_count> regressor([[maybe_unused
   const Scalar t34 = Scalar(0.2) * t21 - s[0] * ((t26 + t27) + Scalar(0.2) * t29);
   const Scalar t35 = c[0] * Scalar(0.2) * t32 + s[0] * (Scalar(0.2) * t30 - q[2] * t27);
   Eigen::Matrix<Scalar, dof, base_parameter_count> result;
-  result(0, 0) = -qdd[0];
+  result(0, 0) = qdd[0];
   result(1, 0) = Scalar(0);
   result(2, 0) = Scalar(0);
-  result(0, 1) = qdd[0];
-  result(1, 1) = Scalar(0);
+  result(0, 1) = t4;
+  result(1, 1) = t7;
   result(2, 1) = Scalar(0);
-  result(0, 2) = -t4;
-  result(1, 2) = -t7;
+  result(0, 2) = -s[0] * t3 - c[0] * t10;
+  result(1, 2) = t15 - t16;
   result(2, 2) = Scalar(0);
-  result(0, 3) = -s[0] * t3 - c[0] * t10;
-  result(1, 3) = t15 - t16;
+  result(0, 3) = -t17;
+  result(1, 3) = -t9;
   result(2, 3) = Scalar(0);
-  result(0, 4) = t17;
-  result(1, 4) = t9;
+  result(0, 4) = -Scalar(0.2) * t17;
+  result(1, 4) = t19;
   result(2, 4) = Scalar(0);
-  result(0, 5) = -Scalar(0.2) * t17;
-  result(1, 5) = t19;
+  result(0, 5) = qdd[0] - t4;
+  result(1, 5) = t20;
   result(2, 5) = Scalar(0);
-  result(0, 6) = t4 - qdd[0];
-  result(1, 6) = -t20;
+  result(0, 6) = -t22;
+  result(1, 6) = -t0;
   result(2, 6) = Scalar(0);
-  result(0, 7) = t22;
-  result(1, 7) = t0;
+  result(0, 7) = -Scalar(0.2) * t22;
+  result(1, 7) = -t24;
   result(2, 7) = Scalar(0);
-  result(0, 8) = -Scalar(0.2) * t22;
-  result(1, 8) = -t24;
-  result(2, 8) = Scalar(0);
-  result(0, 9) = t28;
-  result(1, 9) = -t30 - q[2] * t13;
-  result(2, 9) = -t7;
-  result(0, 10) = -t33;
-  result(1, 10) = -q[2] * t0;
-  result(2, 10) = -t9;
-  result(0, 11) = -t34;
-  result(1, 11) = t32 + t31;
-  result(2, 11) = -t29;
-  result(0, 12) = t35;
-  result(1, 12) = -q[2] * t32;
-  result(2, 12) = -t30;
+  result(0, 8) = -t28;
+  result(1, 8) = t30 + q[2] * t13;
+  result(2, 8) = t7;
+  result(0, 9) = t33;
+  result(1, 9) = q[2] * t0;
+  result(2, 9) = t9;
+  result(0, 10) = -t34;
+  result(1, 10) = t32 + t31;
+  result(2, 10) = -t29;
+  result(0, 11) = -t35;
+  result(1, 11) = q[2] * t32;
+  result(2, 11) = t30;
   return result;
 }
 

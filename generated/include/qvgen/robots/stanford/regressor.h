@@ -9,8 +9,8 @@ namespace qvgen::robots::stanford {
 
 /// The base parameters: what of the links' inertias motions and joint forces can tell. S are second moments, h first
 /// moments, m masses, regrouped toward the base, with the number of the link.
-inline constexpr int base_parameter_count = 34;
-inline constexpr std::array<const char*, base_parameter_count> base_parameter_names{ "Sxx1", "Syy1", "Sxx2", "Sxy2", "Sxz2", "hx2", "Syy2", "Syz2", "hy2", "hx3", "hy3", "hz3", "m3", "Sxx4", "Sxy4", "Sxz4", "hx4", "Syy4", "Syz4", "hy4", "Sxx5", "Sxy5", "Sxz5", "hx5", "Syy5", "Syz5", "hy5", "Sxx6", "Sxy6", "Sxz6", "hx6", "Syy6", "Syz6", "hy6" };
+inline constexpr int base_parameter_count = 33;
+inline constexpr std::array<const char*, base_parameter_count> base_parameter_names{ "Sxx1+Syy1", "Sxx2", "Sxy2", "Sxz2", "hx2", "Syy2", "Syz2", "hy2", "hx3", "hy3", "hz3", "m3", "Sxx4", "Sxy4", "Sxz4", "hx4", "Syy4", "Syz4", "hy4", "Sxx5", "Sxy5", "Sxz5", "hx5", "Syy5", "Syz5", "hy5", "Sxx6", "Sxy6", "Sxz6", "hx6", "Syy6", "Syz6", "hy6" };
 
 /// Ten of each link in its frame: mass, first moments x y z (kg m), inertia about the frame's origin xx yy zz xy yz xz.
 template <class Scalar>
