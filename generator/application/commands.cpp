@@ -8,6 +8,8 @@
 #include <fstream>
 
 #include "application/closed_form.h"
+#include "application/dynamics_closed_form.h"
+#include "application/dynamics_function.h"
 #include "application/files.h"
 #include "application/pipeline.h"
 #include "application/singularities.h"
@@ -117,9 +119,23 @@ int run_check(const std::vector<fs::path>& descriptions, bool strict) {
   return success;
 }
 
+namespace {
+
+int show_dynamics(const model::Robot& robot) {
+  if (!has_inertia(robot) || robot.joints.size() > 3) {
+    fmt::print(stderr, "qvgen: {} has {}\n", robot.name, has_inertia(robot) ? "more than three joints: its closed form is too long to read" : "no inertia");
+    return failure;
+  }
+  for (const std::string& line : dynamics_closed_form_lines(robot)) fmt::print("{}\n", line);
+  return success;
+}
+
+}  // namespace
+
 int run_show(const ShowArguments& arguments) {
   const auto robots = read_robots({arguments.description}, false);
   if (!robots) return bad_description;
+  if (arguments.dynamics) return show_dynamics(robots->front());
   const auto notation = arguments.latex ? emit::Notation::latex : emit::Notation::text;
   if (arguments.singularities) {
     for (const std::string& line : singularity_lines(robots->front(), notation)) fmt::print("{}\n", line);

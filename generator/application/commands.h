@@ -23,6 +23,7 @@ struct ShowArguments {
   std::filesystem::path description;
   bool latex = false;
   bool singularities = false;
+  bool dynamics = false;  ///< the joint forces in place of the pose
 };
 
 /// Each command prints its results to stdout and messages to stderr, and returns an ExitCode.

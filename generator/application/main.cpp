@@ -51,6 +51,7 @@ int main(int argc, char** argv) {
   ShowArguments show;
   auto* show_command = app.add_subcommand("show", "print the derived closed form of a robot");
   show_command->add_option("ROBOT", shown, "name of a known robot, or a description")->required();
+  show_command->add_flag("--dynamics", show.dynamics, "the joint forces of up to three joints, written out");
   show_command->add_flag("--latex", show.latex, "as LaTeX");
   show_command->add_flag("--singularities", show.singularities, "the factored determinant of the Jacobian instead");
 

@@ -34,7 +34,8 @@ KDL::Joint to_kdl(const reference::Joint& joint, const Eigen::Vector3d& axis, co
 KDL::RigidBodyInertia to_kdl(const reference::Joint& link, const Eigen::Isometry3d& frame) {
   const Eigen::Vector3d centre = frame.inverse() * link.centre_of_mass;
   const Eigen::Matrix3d i = frame.linear().transpose() * link.inertia * frame.linear();
-  return {link.mass, to_kdl(centre), KDL::RotationalInertia(i(0, 0), i(1, 1), i(2, 2), i(0, 1), i(0, 2), i(1, 2))};
+  return KDL::RigidBodyInertia(link.mass, to_kdl(centre),
+                               KDL::RotationalInertia(i(0, 0), i(1, 1), i(2, 2), i(0, 1), i(0, 2), i(1, 2)));
 }
 
 /// A KDL segment is a joint, then a constant frame. So the constant parts before a joint go to the segment
@@ -56,8 +57,7 @@ KDL::Chain to_kdl(const reference::Chain& chain) {
           before * after;  // KDL takes the segment's end at zero, and subtracts the joint's point by itself
     }
     const std::string name = "link" + std::to_string(i + 1);
-    result.addSegment(KDL::Segment(name, to_kdl(joint, axis, point), to_kdl(after),
-                                   to_kdl(joint, behind)));
+    result.addSegment(KDL::Segment(name, to_kdl(joint, axis, point), to_kdl(after), to_kdl(joint, behind)));
   }
   return result;
 }
