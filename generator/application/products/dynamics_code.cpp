@@ -157,7 +157,7 @@ json dynamics_values(const model::Robot& robot, const DynamicsFunction& function
   std::string arguments;
   for (const std::string& name : interface.arguments) arguments += (arguments.empty() ? "" : ", ") + name;
   const std::string gravity =
-      interface.has_gravity ? ",\n    [[maybe_unused]] std::type_identity_t<Scalar> gravity" : "";
+      interface.has_gravity ? ",\n    [[maybe_unused]] NonDeduced<Scalar> gravity" : "";
   return {{"function", function.name},
           {"doc", doc_of(function, interface)},
           {"type", replaced(interface.type, "{scalar}", scalar)},
@@ -166,7 +166,7 @@ json dynamics_values(const model::Robot& robot, const DynamicsFunction& function
           {"types", joined(interface.arguments, vector, "")},
           {"arguments", arguments},
           {"gravity_default",
-           interface.has_gravity ? ", std::type_identity_t<Scalar> gravity = Scalar(9.80665)" : ""},
+           interface.has_gravity ? ", NonDeduced<Scalar> gravity = Scalar(9.80665)" : ""},
           {"gravity_parameter", gravity},
           {"gravity_argument", interface.has_gravity ? ", gravity" : ""},
           {"gravity_type", interface.has_gravity ? ", " + scalar : ""},

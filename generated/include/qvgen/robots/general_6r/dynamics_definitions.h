@@ -20,7 +20,7 @@ DynamicsAngles<Scalar> dynamics_angles([[maybe_unused]] const JointVector<Scalar
 template <class Scalar>
 InverseDynamicsConstants<Scalar> inverse_dynamics_constants([[maybe_unused]] const BasicGeometry<Scalar>& g,
     [[maybe_unused]] const BasicInertia<Scalar>& inertia,
-    [[maybe_unused]] std::type_identity_t<Scalar> gravity) {
+    [[maybe_unused]] NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
   const Scalar t0 = inertia.m5 + inertia.m6;
@@ -461,7 +461,7 @@ inline JointVector<Scalar> inverse_dynamics([[maybe_unused]] const JointVector<S
 template <class Scalar>
 JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia,
-    [[maybe_unused]] std::type_identity_t<Scalar> gravity) {
+    [[maybe_unused]] NonDeduced<Scalar> gravity) {
   return detail::inverse_dynamics<Scalar>(q, qd, qdd, sines_and_cosines<Scalar>(q[1], q[2], q[3], q[4], q[5]),
       inverse_dynamics_constants<Scalar>(g, inertia, gravity));
 }
@@ -475,7 +475,7 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
 template <class Scalar>
 GravityTorqueConstants<Scalar> gravity_torque_constants([[maybe_unused]] const BasicGeometry<Scalar>& g,
     [[maybe_unused]] const BasicInertia<Scalar>& inertia,
-    [[maybe_unused]] std::type_identity_t<Scalar> gravity) {
+    [[maybe_unused]] NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
   const Scalar t0 = gravity * sin(g.alpha2);
@@ -569,7 +569,7 @@ inline JointVector<Scalar> gravity_torque([[maybe_unused]] const JointVector<Sca
 template <class Scalar>
 JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia,
-    [[maybe_unused]] std::type_identity_t<Scalar> gravity) {
+    [[maybe_unused]] NonDeduced<Scalar> gravity) {
   return detail::gravity_torque<Scalar>(q, sines_and_cosines<Scalar>(q[1], q[2], q[3], q[4], q[5]),
       gravity_torque_constants<Scalar>(g, inertia, gravity));
 }
@@ -1438,7 +1438,7 @@ Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q, const 
 template <class Scalar>
 ForwardDynamicsConstants<Scalar> forward_dynamics_constants([[maybe_unused]] const BasicGeometry<Scalar>& g,
     [[maybe_unused]] const BasicInertia<Scalar>& inertia,
-    [[maybe_unused]] std::type_identity_t<Scalar> gravity) {
+    [[maybe_unused]] NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
   const Scalar t0 = inertia.c6x * inertia.m6;
@@ -2124,7 +2124,7 @@ inline JointVector<Scalar> forward_dynamics([[maybe_unused]] const JointVector<S
 template <class Scalar>
 JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia,
-    [[maybe_unused]] std::type_identity_t<Scalar> gravity) {
+    [[maybe_unused]] NonDeduced<Scalar> gravity) {
   return detail::forward_dynamics<Scalar>(q, qd, torque, sines_and_cosines<Scalar>(q[1], q[2], q[3], q[4], q[5]),
       forward_dynamics_constants<Scalar>(g, inertia, gravity));
 }
@@ -2553,7 +2553,7 @@ Scalar kinetic_energy(const JointVector<Scalar>& q, const JointVector<Scalar>& q
 template <class Scalar>
 PotentialEnergyConstants<Scalar> potential_energy_constants([[maybe_unused]] const BasicGeometry<Scalar>& g,
     [[maybe_unused]] const BasicInertia<Scalar>& inertia,
-    [[maybe_unused]] std::type_identity_t<Scalar> gravity) {
+    [[maybe_unused]] NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
   const Scalar t0 = g.d6 * inertia.m6 + inertia.c6z * inertia.m6;
@@ -2635,7 +2635,7 @@ inline Scalar potential_energy([[maybe_unused]] const JointVector<Scalar>& q, [[
 template <class Scalar>
 Scalar potential_energy(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia,
-    [[maybe_unused]] std::type_identity_t<Scalar> gravity) {
+    [[maybe_unused]] NonDeduced<Scalar> gravity) {
   return detail::potential_energy<Scalar>(q, sines_and_cosines<Scalar>(q[1], q[2], q[3], q[4], q[5]),
       potential_energy_constants<Scalar>(g, inertia, gravity));
 }

@@ -22,12 +22,12 @@ struct InverseDynamicsDerivatives {
 /// The unit of length is d3, which must not be zero.
 template <class Scalar>
 InverseDynamicsDerivatives<Scalar> inverse_dynamics_derivatives(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g = {},
-    const BasicInertia<Scalar>& inertia = {}, std::type_identity_t<Scalar> gravity = Scalar(9.80665));
+    const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
 using InverseDynamicsDerivativesConstants = std::array<Scalar, 89>;
 template <class Scalar>
 InverseDynamicsDerivativesConstants<Scalar> inverse_dynamics_derivatives_constants(const BasicGeometry<Scalar>& g = {},
-    const BasicInertia<Scalar>& inertia = {}, std::type_identity_t<Scalar> gravity = Scalar(9.80665));
+    const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
 InverseDynamicsDerivatives<Scalar> inverse_dynamics_derivatives(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const DynamicsAngles<Scalar>& angles,
     const InverseDynamicsDerivativesConstants<Scalar>& constants);

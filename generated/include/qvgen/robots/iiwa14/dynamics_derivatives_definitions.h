@@ -13,7 +13,7 @@ namespace qvgen::robots::iiwa14 {
 template <class Scalar>
 InverseDynamicsDerivativesConstants<Scalar> inverse_dynamics_derivatives_constants([[maybe_unused]] const BasicGeometry<Scalar>& g,
     [[maybe_unused]] const BasicInertia<Scalar>& inertia,
-    [[maybe_unused]] std::type_identity_t<Scalar> gravity) {
+    [[maybe_unused]] NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
 
@@ -1039,7 +1039,7 @@ inline InverseDynamicsDerivatives<Scalar> inverse_dynamics_derivatives([[maybe_u
 template <class Scalar>
 InverseDynamicsDerivatives<Scalar> inverse_dynamics_derivatives(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia,
-    [[maybe_unused]] std::type_identity_t<Scalar> gravity) {
+    [[maybe_unused]] NonDeduced<Scalar> gravity) {
   return detail::inverse_dynamics_derivatives<Scalar>(q, qd, qdd, sines_and_cosines<Scalar>(q[1], q[2], q[3], q[4], q[5]),
       inverse_dynamics_derivatives_constants<Scalar>(g, inertia, gravity));
 }

@@ -36,12 +36,12 @@ RegressorAngles<Scalar> regressor_angles(const JointVector<Scalar>& q);
 /// Largest rounding error found 4.46 ulp of the largest component.
 template <class Scalar>
 Eigen::Matrix<Scalar, dof, base_parameter_count> regressor(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g = {},
-    const BasicInertia<Scalar>& inertia = {}, std::type_identity_t<Scalar> gravity = Scalar(9.80665));
+    const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
 using RegressorConstants = std::array<Scalar, 1>;
 template <class Scalar>
 RegressorConstants<Scalar> regressor_constants(const BasicGeometry<Scalar>& g = {},
-    const BasicInertia<Scalar>& inertia = {}, std::type_identity_t<Scalar> gravity = Scalar(9.80665));
+    const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
 Eigen::Matrix<Scalar, dof, base_parameter_count> regressor(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const RegressorAngles<Scalar>& angles,
     const RegressorConstants<Scalar>& constants);

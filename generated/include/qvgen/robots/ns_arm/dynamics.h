@@ -4,8 +4,8 @@
 #pragma once
 
 #include <array>
-#include <type_traits>
 
+#include <qvgen/non_deduced.h>
 #include <qvgen/robots/ns_arm/model.h>
 
 namespace qvgen::robots::ns_arm {
@@ -52,12 +52,12 @@ DynamicsAngles<Scalar> dynamics_angles(const JointVector<Scalar>& q);
 /// Largest rounding error found 4.61 ulp of the largest component.
 template <class Scalar>
 JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g = {},
-    const BasicInertia<Scalar>& inertia = {}, std::type_identity_t<Scalar> gravity = Scalar(9.80665));
+    const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
 using InverseDynamicsConstants = std::array<Scalar, 9>;
 template <class Scalar>
 InverseDynamicsConstants<Scalar> inverse_dynamics_constants(const BasicGeometry<Scalar>& g = {},
-    const BasicInertia<Scalar>& inertia = {}, std::type_identity_t<Scalar> gravity = Scalar(9.80665));
+    const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
 JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const DynamicsAngles<Scalar>& angles,
     const InverseDynamicsConstants<Scalar>& constants);
@@ -69,12 +69,12 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
 /// Largest rounding error found 1.26 ulp of the largest component.
 template <class Scalar>
 JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g = {},
-    const BasicInertia<Scalar>& inertia = {}, std::type_identity_t<Scalar> gravity = Scalar(9.80665));
+    const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
 using GravityTorqueConstants = std::array<Scalar, 2>;
 template <class Scalar>
 GravityTorqueConstants<Scalar> gravity_torque_constants(const BasicGeometry<Scalar>& g = {},
-    const BasicInertia<Scalar>& inertia = {}, std::type_identity_t<Scalar> gravity = Scalar(9.80665));
+    const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
 JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const DynamicsAngles<Scalar>& angles,
     const GravityTorqueConstants<Scalar>& constants);
@@ -120,12 +120,12 @@ Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q, const 
 /// Largest rounding error found 6.18 ulp of the largest component.
 template <class Scalar>
 JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g = {},
-    const BasicInertia<Scalar>& inertia = {}, std::type_identity_t<Scalar> gravity = Scalar(9.80665));
+    const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
 using ForwardDynamicsConstants = std::array<Scalar, 12>;
 template <class Scalar>
 ForwardDynamicsConstants<Scalar> forward_dynamics_constants(const BasicGeometry<Scalar>& g = {},
-    const BasicInertia<Scalar>& inertia = {}, std::type_identity_t<Scalar> gravity = Scalar(9.80665));
+    const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
 JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const JointVector<Scalar>& torque, const DynamicsAngles<Scalar>& angles,
     const ForwardDynamicsConstants<Scalar>& constants);
@@ -154,12 +154,12 @@ Scalar kinetic_energy(const JointVector<Scalar>& q, const JointVector<Scalar>& q
 /// Largest rounding error found 3.53 ulp of the largest component.
 template <class Scalar>
 Scalar potential_energy(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g = {},
-    const BasicInertia<Scalar>& inertia = {}, std::type_identity_t<Scalar> gravity = Scalar(9.80665));
+    const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
 using PotentialEnergyConstants = std::array<Scalar, 5>;
 template <class Scalar>
 PotentialEnergyConstants<Scalar> potential_energy_constants(const BasicGeometry<Scalar>& g = {},
-    const BasicInertia<Scalar>& inertia = {}, std::type_identity_t<Scalar> gravity = Scalar(9.80665));
+    const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
 Scalar potential_energy(const JointVector<Scalar>& q, const DynamicsAngles<Scalar>& angles,
     const PotentialEnergyConstants<Scalar>& constants);

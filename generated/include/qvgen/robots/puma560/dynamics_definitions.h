@@ -20,7 +20,7 @@ DynamicsAngles<Scalar> dynamics_angles([[maybe_unused]] const JointVector<Scalar
 template <class Scalar>
 InverseDynamicsConstants<Scalar> inverse_dynamics_constants([[maybe_unused]] const BasicGeometry<Scalar>& g,
     [[maybe_unused]] const BasicInertia<Scalar>& inertia,
-    [[maybe_unused]] std::type_identity_t<Scalar> gravity) {
+    [[maybe_unused]] NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
 
@@ -140,7 +140,7 @@ inline JointVector<Scalar> inverse_dynamics([[maybe_unused]] const JointVector<S
 template <class Scalar>
 JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia,
-    [[maybe_unused]] std::type_identity_t<Scalar> gravity) {
+    [[maybe_unused]] NonDeduced<Scalar> gravity) {
   return detail::inverse_dynamics<Scalar>(q, qd, qdd, sines_and_cosines<Scalar>(q[1], q[2], q[3], q[4]),
       inverse_dynamics_constants<Scalar>(g, inertia, gravity));
 }
@@ -154,7 +154,7 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
 template <class Scalar>
 GravityTorqueConstants<Scalar> gravity_torque_constants([[maybe_unused]] const BasicGeometry<Scalar>& g,
     [[maybe_unused]] const BasicInertia<Scalar>& inertia,
-    [[maybe_unused]] std::type_identity_t<Scalar> gravity) {
+    [[maybe_unused]] NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
 
@@ -189,7 +189,7 @@ inline JointVector<Scalar> gravity_torque([[maybe_unused]] const JointVector<Sca
 template <class Scalar>
 JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia,
-    [[maybe_unused]] std::type_identity_t<Scalar> gravity) {
+    [[maybe_unused]] NonDeduced<Scalar> gravity) {
   return detail::gravity_torque<Scalar>(q, sines_and_cosines<Scalar>(q[1], q[2], q[3], q[4]),
       gravity_torque_constants<Scalar>(g, inertia, gravity));
 }
@@ -424,7 +424,7 @@ Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q, const 
 template <class Scalar>
 ForwardDynamicsConstants<Scalar> forward_dynamics_constants([[maybe_unused]] const BasicGeometry<Scalar>& g,
     [[maybe_unused]] const BasicInertia<Scalar>& inertia,
-    [[maybe_unused]] std::type_identity_t<Scalar> gravity) {
+    [[maybe_unused]] NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
 
@@ -624,7 +624,7 @@ inline JointVector<Scalar> forward_dynamics([[maybe_unused]] const JointVector<S
 template <class Scalar>
 JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia,
-    [[maybe_unused]] std::type_identity_t<Scalar> gravity) {
+    [[maybe_unused]] NonDeduced<Scalar> gravity) {
   return detail::forward_dynamics<Scalar>(q, qd, torque, sines_and_cosines<Scalar>(q[1], q[2], q[3], q[4]),
       forward_dynamics_constants<Scalar>(g, inertia, gravity));
 }
@@ -730,7 +730,7 @@ Scalar kinetic_energy(const JointVector<Scalar>& q, const JointVector<Scalar>& q
 template <class Scalar>
 PotentialEnergyConstants<Scalar> potential_energy_constants([[maybe_unused]] const BasicGeometry<Scalar>& g,
     [[maybe_unused]] const BasicInertia<Scalar>& inertia,
-    [[maybe_unused]] std::type_identity_t<Scalar> gravity) {
+    [[maybe_unused]] NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
 
@@ -757,7 +757,7 @@ inline Scalar potential_energy([[maybe_unused]] const JointVector<Scalar>& q, [[
 template <class Scalar>
 Scalar potential_energy(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia,
-    [[maybe_unused]] std::type_identity_t<Scalar> gravity) {
+    [[maybe_unused]] NonDeduced<Scalar> gravity) {
   return detail::potential_energy<Scalar>(q, sines_and_cosines<Scalar>(q[1], q[2], q[3], q[4]),
       potential_energy_constants<Scalar>(g, inertia, gravity));
 }

@@ -93,7 +93,7 @@ Eigen::Matrix<Scalar, base_parameter_count, 1> base_parameters([[maybe_unused]] 
 template <class Scalar>
 RegressorConstants<Scalar> regressor_constants([[maybe_unused]] const BasicGeometry<Scalar>& g,
     [[maybe_unused]] const BasicInertia<Scalar>& inertia,
-    [[maybe_unused]] std::type_identity_t<Scalar> gravity) {
+    [[maybe_unused]] NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
 
@@ -634,7 +634,7 @@ inline Eigen::Matrix<Scalar, dof, base_parameter_count> regressor([[maybe_unused
 template <class Scalar>
 Eigen::Matrix<Scalar, dof, base_parameter_count> regressor(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia,
-    [[maybe_unused]] std::type_identity_t<Scalar> gravity) {
+    [[maybe_unused]] NonDeduced<Scalar> gravity) {
   return detail::regressor<Scalar>(q, qd, qdd, sines_and_cosines<Scalar>(q[1], q[2], q[3], q[4], q[5]),
       regressor_constants<Scalar>(g, inertia, gravity));
 }

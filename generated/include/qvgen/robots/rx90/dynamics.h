@@ -4,8 +4,8 @@
 #pragma once
 
 #include <array>
-#include <type_traits>
 
+#include <qvgen/non_deduced.h>
 #include <qvgen/robots/rx90/model.h>
 
 namespace qvgen::robots::rx90 {
@@ -98,12 +98,12 @@ DynamicsAngles<Scalar> dynamics_angles(const JointVector<Scalar>& q);
 /// The unit of length is RL4, which must not be zero.
 template <class Scalar>
 JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g = {},
-    const BasicInertia<Scalar>& inertia = {}, std::type_identity_t<Scalar> gravity = Scalar(9.80665));
+    const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
 using InverseDynamicsConstants = std::array<Scalar, 42>;
 template <class Scalar>
 InverseDynamicsConstants<Scalar> inverse_dynamics_constants(const BasicGeometry<Scalar>& g = {},
-    const BasicInertia<Scalar>& inertia = {}, std::type_identity_t<Scalar> gravity = Scalar(9.80665));
+    const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
 JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const DynamicsAngles<Scalar>& angles,
     const InverseDynamicsConstants<Scalar>& constants);
@@ -114,12 +114,12 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g = {},
-    const BasicInertia<Scalar>& inertia = {}, std::type_identity_t<Scalar> gravity = Scalar(9.80665));
+    const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
 using GravityTorqueConstants = std::array<Scalar, 11>;
 template <class Scalar>
 GravityTorqueConstants<Scalar> gravity_torque_constants(const BasicGeometry<Scalar>& g = {},
-    const BasicInertia<Scalar>& inertia = {}, std::type_identity_t<Scalar> gravity = Scalar(9.80665));
+    const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
 JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const DynamicsAngles<Scalar>& angles,
     const GravityTorqueConstants<Scalar>& constants);
@@ -165,12 +165,12 @@ Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q, const 
 /// The unit of length is RL4, which must not be zero.
 template <class Scalar>
 JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g = {},
-    const BasicInertia<Scalar>& inertia = {}, std::type_identity_t<Scalar> gravity = Scalar(9.80665));
+    const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
 using ForwardDynamicsConstants = std::array<Scalar, 51>;
 template <class Scalar>
 ForwardDynamicsConstants<Scalar> forward_dynamics_constants(const BasicGeometry<Scalar>& g = {},
-    const BasicInertia<Scalar>& inertia = {}, std::type_identity_t<Scalar> gravity = Scalar(9.80665));
+    const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
 JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const JointVector<Scalar>& torque, const DynamicsAngles<Scalar>& angles,
     const ForwardDynamicsConstants<Scalar>& constants);
@@ -198,12 +198,12 @@ Scalar kinetic_energy(const JointVector<Scalar>& q, const JointVector<Scalar>& q
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 Scalar potential_energy(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g = {},
-    const BasicInertia<Scalar>& inertia = {}, std::type_identity_t<Scalar> gravity = Scalar(9.80665));
+    const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
 using PotentialEnergyConstants = std::array<Scalar, 16>;
 template <class Scalar>
 PotentialEnergyConstants<Scalar> potential_energy_constants(const BasicGeometry<Scalar>& g = {},
-    const BasicInertia<Scalar>& inertia = {}, std::type_identity_t<Scalar> gravity = Scalar(9.80665));
+    const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
 Scalar potential_energy(const JointVector<Scalar>& q, const DynamicsAngles<Scalar>& angles,
     const PotentialEnergyConstants<Scalar>& constants);
