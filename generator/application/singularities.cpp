@@ -9,8 +9,8 @@
 namespace qvgen::application {
 namespace {
 
-using GiNaC::ex;
 using derive::SingularFactor;
+using GiNaC::ex;
 
 constexpr int certificate_points = 3;
 
@@ -26,14 +26,20 @@ std::string text_of(const ex& value, emit::Notation notation) {
 }
 
 /// The graph's sign rule decides between a factor and its negative.
-bool is_negative(const ex& value) { return dag::import(program_of("", value)).outputs.front().value.negative; }
+bool is_negative(const ex& value) {
+  return dag::import(program_of("", value)).outputs.front().value.negative;
+}
 
 int rank(SingularFactor::Kind kind) {
   switch (kind) {
-    case SingularFactor::Kind::shoulder: return 0;
-    case SingularFactor::Kind::elbow: return 1;
-    case SingularFactor::Kind::boundary: return 2;
-    case SingularFactor::Kind::wrist: return 3;
+    case SingularFactor::Kind::shoulder:
+      return 0;
+    case SingularFactor::Kind::elbow:
+      return 1;
+    case SingularFactor::Kind::boundary:
+      return 2;
+    case SingularFactor::Kind::wrist:
+      return 3;
   }
   return 4;
 }
@@ -45,7 +51,8 @@ void put_in_order(derive::Singularities& all) {
     if (factor.multiplicity % 2 != 0) all.constant = -all.constant;
   }
   std::sort(all.factors.begin(), all.factors.end(), [](const SingularFactor& a, const SingularFactor& b) {
-    return std::pair(rank(a.kind), text_of(a.value, emit::Notation::text)) < std::pair(rank(b.kind), text_of(b.value, emit::Notation::text));
+    return std::pair(rank(a.kind), text_of(a.value, emit::Notation::text)) <
+           std::pair(rank(b.kind), text_of(b.value, emit::Notation::text));
   });
 }
 
@@ -54,7 +61,8 @@ void certify_product(const model::Robot& robot, const derive::Singularities& all
   ex value = all.constant;
   for (const SingularFactor& factor : all.factors) value *= GiNaC::pow(factor.value, factor.multiplicity);
   product.output("determinant", value);
-  certify(dag::import(product), derive::determinant_definition(robot, all.rows), certificate_points, "factors of the determinant");
+  certify(dag::import(product), derive::determinant_definition(robot, all.rows), certificate_points,
+          "factors of the determinant");
 }
 
 SingularityMeasures not_factored(const model::Robot& robot) {
@@ -80,10 +88,14 @@ std::string rows_text(const std::vector<int>& rows) {
 /// What happens where a factor vanishes.
 std::string meaning(const SingularFactor& factor) {
   switch (factor.kind) {
-    case SingularFactor::Kind::shoulder: return "the arm's end lies on the first axis, or in a plane that the first axis spans with an arm axis";
-    case SingularFactor::Kind::elbow: return "arm stretched: workspace boundary; arm folded: inner boundary";
-    case SingularFactor::Kind::boundary: return "the slide is at its zero: inner boundary";
-    case SingularFactor::Kind::wrist: return "two wrist axes in line";
+    case SingularFactor::Kind::shoulder:
+      return "the arm's end lies on the first axis, or in a plane that the first axis spans with an arm axis";
+    case SingularFactor::Kind::elbow:
+      return "arm stretched: workspace boundary; arm folded: inner boundary";
+    case SingularFactor::Kind::boundary:
+      return "the slide is at its zero: inner boundary";
+    case SingularFactor::Kind::wrist:
+      return "two wrist axes in line";
   }
   return {};
 }
@@ -114,8 +126,10 @@ SingularityMeasures singularity_measures(const model::Robot& robot) {
 std::vector<std::string> singularity_lines(const model::Robot& robot, emit::Notation notation) {
   derive::Singularities all = derive::singularities(robot);
   if (all.rows.empty()) {
-    if (robot.joints.size() > 6) return {"more than six joints: the Jacobian has no determinant; singular where det(J J^T) = 0"};
-    return {"symbolic twists: the determinant of the Jacobian is not factored; singularity_measures computes it"};
+    if (robot.joints.size() > 6)
+      return {"more than six joints: the Jacobian has no determinant; singular where det(J J^T) = 0"};
+    return {
+        "symbolic twists: the determinant of the Jacobian is not factored; singularity_measures computes it"};
   }
   put_in_order(all);
   certify_product(robot, all);
@@ -129,7 +143,8 @@ std::vector<std::string> singularity_lines(const model::Robot& robot, emit::Nota
                   (all.decoupled ? " (spherical wrist: arm and wrist decoupled)" : "") + " = " + product);
   for (std::size_t i = 0; i < all.factors.size(); ++i) {
     const SingularFactor& factor = all.factors[i];
-    lines.push_back(derive::to_string(factor.kind) + ": f" + std::to_string(i + 1) + " = " + text_of(factor.value, notation) + " = 0 (" + meaning(factor) + ")");
+    lines.push_back(derive::to_string(factor.kind) + ": f" + std::to_string(i + 1) + " = " +
+                    text_of(factor.value, notation) + " = 0 (" + meaning(factor) + ")");
   }
   return lines;
 }

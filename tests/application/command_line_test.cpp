@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The tool as its users meet it: exit codes, messages, files.
-#include <gtest/gtest.h>
-#include <sys/wait.h>
-
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
 
 namespace {
 
@@ -27,7 +27,9 @@ ToolRun run(const std::string& arguments) {
   return result;
 }
 
-bool has(const ToolRun& result, const std::string& text) { return result.output.find(text) != std::string::npos; }
+bool has(const ToolRun& result, const std::string& text) {
+  return result.output.find(text) != std::string::npos;
+}
 
 class CommandLine : public testing::Test {
  protected:
@@ -84,7 +86,8 @@ TEST_F(CommandLine, GeneratesARobotFromAnEmptyFolder) {
   const ToolRun first = run("generate " + file + " --output " + out());
   EXPECT_EQ(first.code, 0) << first.output;
   EXPECT_TRUE(has(first, "forward_kinematics"));
-  for (const char* name : {"include/qvgen/robots/my_arm.h", "include/qvgen/robots/my_arm/kinematics.h", "source/my_arm/kinematics.cpp", "operation_counts.json", "README.md"})
+  for (const char* name : {"include/qvgen/robots/my_arm.h", "include/qvgen/robots/my_arm/kinematics.h",
+                           "source/my_arm/kinematics.cpp", "operation_counts.json", "README.md"})
     EXPECT_TRUE(fs::exists(fs::path(out()) / name)) << name;
   const ToolRun second = run("generate " + file + " --output " + out());
   EXPECT_TRUE(has(second, " 0 changed")) << second.output;
@@ -95,7 +98,8 @@ TEST_F(CommandLine, GeneratesOnlyThePartsAskedFor) {
   EXPECT_EQ(run("generate " + file + " --only kinematics --output " + out()).code, 0);
   EXPECT_TRUE(fs::exists(fs::path(out()) / "include/qvgen/robots/my_arm/model.h"));
   EXPECT_TRUE(fs::exists(fs::path(out()) / "source/my_arm/kinematics.cpp"));
-  EXPECT_EQ(std::distance(fs::directory_iterator(fs::path(out()) / "source/my_arm"), fs::directory_iterator()), 1);
+  EXPECT_EQ(
+      std::distance(fs::directory_iterator(fs::path(out()) / "source/my_arm"), fs::directory_iterator()), 1);
   EXPECT_TRUE(has(run("counts --forms --output " + out()), "  pair product"));
   EXPECT_EQ(run("generate " + file + " --only teleportation --output " + out()).code, 1);
 }
@@ -110,7 +114,8 @@ TEST_F(CommandLine, KeepsTheCountsOfOtherRobots) {
 }
 
 TEST_F(CommandLine, MistakesAreReportedAndNothingIsWritten) {
-  const std::string bad = write("bad.toml", "name = \"bad\"\n[[joint]]\ntype = \"revolut\"\naxsi = \"+z\"\nvariable = \"theta1\"\n");
+  const std::string bad = write(
+      "bad.toml", "name = \"bad\"\n[[joint]]\ntype = \"revolut\"\naxsi = \"+z\"\nvariable = \"theta1\"\n");
   const std::string good = write("good.toml", good_arm);
   const ToolRun result = run("generate " + good + " " + bad + " --output " + out());
   EXPECT_EQ(result.code, 3);
@@ -153,6 +158,17 @@ TEST_F(CommandLine, SaysWhyItCannotWrite) {
   const ToolRun result = run("generate " + file + " --output " + file);
   EXPECT_EQ(result.code, 1);
   EXPECT_TRUE(has(result, "cannot write")) << result.output;
+}
+
+TEST_F(CommandLine, ShowsTheFactorsOfTheDeterminant) {
+  const ToolRun two_links = run("show " + write("my_arm.toml", good_arm) + " --singularities");
+  EXPECT_EQ(two_links.code, 0);
+  EXPECT_TRUE(has(two_links, "vx, vy of the Jacobian = l1*l2 f1")) << two_links.output;
+  EXPECT_TRUE(has(two_links, "elbow: f1 = sin(theta2) = 0")) << two_links.output;
+  const ToolRun puma = run("show puma560 --singularities");
+  for (const char* name : {"spherical wrist", "shoulder: f1", "elbow: f2", "wrist: f3 = sin(theta5)"})
+    EXPECT_TRUE(has(puma, name)) << puma.output;
+  EXPECT_TRUE(has(run("show stanford --singularities"), "inner boundary: f2 = d3 = 0"));
 }
 
 }  // namespace

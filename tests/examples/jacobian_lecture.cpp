@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
-// The examples of the Jacobian lecture (Z. Bingul and S. Kucuk, 5.1 to 5.5): every printed entry against the generated
-// functions, and the numbers of the last two examples computed anew.
-#include <qvgen/robots/rpp.h>
-#include <qvgen/robots/rr_planar.h>
-#include <qvgen/robots/rrp.h>
-#include <qvgen/robots/rrr.h>
-
-#include <Eigen/LU>
+// The examples of the Jacobian lecture (Z. Bingul and S. Kucuk, 5.1 to 5.5): every printed entry against the
+// generated functions, and the numbers of the last two examples computed anew.
 #include <cmath>
 #include <cstdio>
 #include <functional>
 #include <random>
 #include <string>
 #include <vector>
+
+#include <Eigen/LU>
+#include <qvgen/robots/rpp.h>
+#include <qvgen/robots/rr_planar.h>
+#include <qvgen/robots/rrp.h>
+#include <qvgen/robots/rrr.h>
 
 namespace {
 
@@ -48,9 +48,11 @@ void compare(const std::string& what, const std::function<Sample()>& sample) {
     for (Eigen::Index j = 0; j < worst.cols(); ++j) {
       if (worst(i, j) < 1e-12) continue;
       const bool sign = opposite(i, j) < 1e-12;
-      wrong += " (" + std::to_string(i + 1) + "," + std::to_string(j + 1) + ")" + (sign ? " has the wrong sign" : " is wrong");
+      wrong += " (" + std::to_string(i + 1) + "," + std::to_string(j + 1) + ")" +
+               (sign ? " has the wrong sign" : " is wrong");
     }
-  std::printf("%s: %s\n", what.c_str(), wrong.empty() ? "every entry holds" : ("does not hold:" + wrong).c_str());
+  std::printf("%s: %s\n", what.c_str(),
+              wrong.empty() ? "every entry holds" : ("does not hold:" + wrong).c_str());
 }
 
 void example_5_1() {
@@ -60,7 +62,8 @@ void example_5_1() {
     const arm::JointVector<double> q(angle(), angle());
     const double t12 = q[0] + q[1];
     Sample s{MatrixXd(3, 2), MatrixXd(3, 2)};
-    s.printed << -g.l1 * sin(q[0]) - g.l2 * sin(t12), -g.l2 * sin(t12), g.l1 * cos(q[0]) + g.l2 * cos(t12), g.l2 * cos(t12), 1, 1;
+    s.printed << -g.l1 * sin(q[0]) - g.l2 * sin(t12), -g.l2 * sin(t12), g.l1 * cos(q[0]) + g.l2 * cos(t12),
+        g.l2 * cos(t12), 1, 1;
     const auto j = arm::jacobian(q, g);
     s.computed << j.row(0), j.row(1), j.row(5);
     return s;
@@ -88,15 +91,16 @@ void example_5_2() {
     const auto q = configuration();
     const double s1 = sin(q[0]), c1 = cos(q[0]), s2 = sin(q[1]), c2 = cos(q[1]), r = g.l2 + q[2];
     Sample s{MatrixXd(6, 3), arm::jacobian(q, g)};
-    s.printed << s1 * s2 * r + c1 * g.d2, -c1 * c2 * r, -c1 * s2, -c1 * s2 * r + s1 * g.d2, -s1 * c2 * r, -s1 * s2, 0, -s2 * r, c2,
-        0, s1, 0, 0, -c1, 0, 1, 0, 0;
+    s.printed << s1 * s2 * r + c1 * g.d2, -c1 * c2 * r, -c1 * s2, -c1 * s2 * r + s1 * g.d2, -s1 * c2 * r,
+        -s1 * s2, 0, -s2 * r, c2, 0, s1, 0, 0, -c1, 0, 1, 0, 0;
     return s;
   });
   compare("5.2 velocity before it is written as a matrix (its coefficients)", [&] {
     const auto q = configuration();
     const double s1 = sin(q[0]), c1 = cos(q[0]), s2 = sin(q[1]), c2 = cos(q[1]), r = g.l2 + q[2];
     Sample s{MatrixXd(3, 3), arm::jacobian(q, g).topRows<3>()};
-    s.printed << s1 * s2 * r + c1 * g.d2, -c1 * c2 * r, -c1 * s2, -(c1 * s2 * r + s1 * g.d2), -s1 * c2 * r, -s1 * s2, 0, -s2 * r, c2;
+    s.printed << s1 * s2 * r + c1 * g.d2, -c1 * c2 * r, -c1 * s2, -(c1 * s2 * r + s1 * g.d2), -s1 * c2 * r,
+        -s1 * s2, 0, -s2 * r, c2;
     return s;
   });
 }
@@ -106,11 +110,12 @@ void example_5_3() {
   arm::Geometry g;
   const auto configuration = [] { return arm::JointVector<double>(angle(), angle(), angle()); };
   const auto linear = [&](const arm::JointVector<double>& q) {
-    const double s1 = sin(q[0]), c1 = cos(q[0]), s2 = sin(q[1]), c2 = cos(q[1]), s23 = sin(q[1] + q[2]), c23 = cos(q[1] + q[2]);
+    const double s1 = sin(q[0]), c1 = cos(q[0]), s2 = sin(q[1]), c2 = cos(q[1]), s23 = sin(q[1] + q[2]),
+                 c23 = cos(q[1] + q[2]);
     Eigen::Matrix3d m;
     m << -g.l3 * s1 * c23 - g.l2 * s1 * c2 - g.d2 * c1, -g.l3 * c1 * s23 - g.l2 * c1 * s2, -g.l3 * c1 * s23,
-        g.l3 * c1 * c23 + g.l2 * c1 * c2 - g.d2 * s1, -g.l3 * s1 * s23 - g.l2 * s1 * s2, -g.l3 * s1 * s23, 0, -g.l3 * c23 - g.l2 * c2,
-        -g.l3 * c23;
+        g.l3 * c1 * c23 + g.l2 * c1 * c2 - g.d2 * s1, -g.l3 * s1 * s23 - g.l2 * s1 * s2, -g.l3 * s1 * s23, 0,
+        -g.l3 * c23 - g.l2 * c2, -g.l3 * c23;
     return m;
   };
   compare("5.3 linear part", [&] {
@@ -137,7 +142,9 @@ void example_5_3() {
   });
 }
 
-void print(const char* what, const Eigen::Vector3d& v) { std::printf("%s: %.2f %.2f %.2f\n", what, v.x(), v.y(), v.z()); }
+void print(const char* what, const Eigen::Vector3d& v) {
+  std::printf("%s: %.2f %.2f %.2f\n", what, v.x(), v.y(), v.z());
+}
 
 void example_5_4() {
   namespace arm = qvgen::robots::rpp;
@@ -145,7 +152,8 @@ void example_5_4() {
   const double degree = pi / 180;
   const arm::JointVector<double> q(80.80 * degree, 4.48, 4.04);
   print("5.4 printed velocity", {-3822.5, 1245.6, 8.5});
-  print("5.4 with 153.08 degrees a second taken for radians a second", arm::velocity(q, {153.08, 8.50, 7.65}, g).head<3>());
+  print("5.4 with 153.08 degrees a second taken for radians a second",
+        arm::velocity(q, {153.08, 8.50, 7.65}, g).head<3>());
   print("5.4 with 153.08 degrees a second", arm::velocity(q, {153.08 * degree, 8.50, 7.65}, g).head<3>());
 }
 
@@ -162,8 +170,10 @@ void example_5_5() {
     return Sample{inverse * arm::jacobian(at, g).topRows<3>(), Eigen::Matrix3d::Identity()};
   });
   print("5.5 printed joint rates", {158.6, 8.82, 7.9});
-  print("5.5 from the velocities given, -3276.7 2537.5 8.82", jacobian.inverse() * Eigen::Vector3d(-3276.7, 2537.5, 8.82));
-  print("5.5 from the velocities used, -3252 2534.7 8.82", jacobian.inverse() * Eigen::Vector3d(-3252, 2534.7, 8.82));
+  print("5.5 from the velocities given, -3276.7 2537.5 8.82",
+        jacobian.inverse() * Eigen::Vector3d(-3276.7, 2537.5, 8.82));
+  print("5.5 from the velocities used, -3252 2534.7 8.82",
+        jacobian.inverse() * Eigen::Vector3d(-3252, 2534.7, 8.82));
   print("5.5 velocities of the printed joint rates", jacobian * Eigen::Vector3d(158.6, 8.82, 7.9));
 }
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Generated Jacobians and their derivatives against central differences with a step of 1e-20 in 60 digits: truncation
-// and rounding are both near 1e-40, so what is left are the doubles into which a description's numbers were rounded.
-#include <gtest/gtest.h>
-
+// Generated Jacobians and their derivatives against central differences with a step of 1e-20 in 60 digits:
+// truncation and rounding are both near 1e-40, so what is left are the doubles into which a description's
+// numbers were rounded.
 #include <random>
+
+#include <gtest/gtest.h>
 
 #include "exact_robot.h"
 
@@ -33,7 +34,8 @@ double largest(const ExactMatrix& m) {
 }
 
 template <class Function>
-ExactMatrix derivative(const Function& function, const ExactVector& q, const ExactVector& direction, const Exact& step) {
+ExactMatrix derivative(const Function& function, const ExactVector& q, const ExactVector& direction,
+                       const Exact& step) {
   const ExactVector change = direction * step;
   const ExactMatrix difference = function(q + change) - function(q - change);
   return difference * (Exact(0.5) / step);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Geometry>
 #include <functional>
 #include <string>
 #include <vector>
+
+#include <Eigen/Geometry>
 
 #include "exact_scalar.h"
 

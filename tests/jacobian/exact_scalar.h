@@ -15,7 +15,9 @@ class Exact {
   Exact(double value) : value_(cln::cl_float(value, format())) {}  // NOLINT(google-explicit-constructor)
   explicit Exact(const cln::cl_F& value) : value_(value) {}
   static cln::float_format_t format() { return cln::float_format(60); }
-  static Exact power_of_ten(int exponent) { return Exact(cln::cl_float(cln::expt(cln::cl_RA(10), exponent), format())); }
+  static Exact power_of_ten(int exponent) {
+    return Exact(cln::cl_float(cln::expt(cln::cl_RA(10), exponent), format()));
+  }
 
   friend Exact operator+(const Exact& a, const Exact& b) { return Exact(a.value_ + b.value_); }
   friend Exact operator-(const Exact& a, const Exact& b) { return Exact(a.value_ - b.value_); }
@@ -38,5 +40,13 @@ class Exact {
 
 template <>
 struct Eigen::NumTraits<qvgen::test::Exact> : Eigen::GenericNumTraits<qvgen::test::Exact> {
-  enum { IsComplex = 0, IsInteger = 0, IsSigned = 1, RequireInitialization = 1, ReadCost = 10, AddCost = 20, MulCost = 50 };
+  enum {
+    IsComplex = 0,
+    IsInteger = 0,
+    IsSigned = 1,
+    RequireInitialization = 1,
+    ReadCost = 10,
+    AddCost = 20,
+    MulCost = 50
+  };
 };

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <gtest/gtest.h>
-#include <qvgen/manipulability.h>
-
-#include <Eigen/SVD>
 #include <limits>
 #include <random>
+
+#include <Eigen/SVD>
+#include <gtest/gtest.h>
+#include <qvgen/manipulability.h>
 
 #include "robot_under_test.h"
 
@@ -28,8 +28,9 @@ class InverseVelocity : public testing::TestWithParam<RobotUnderTest> {
   std::mt19937_64 random_{11};
 };
 
-/// Where nothing was damped, J^T (J qd - twist) = 0: the twist is reached, or as nearly as the arm can. Rounding grows
-/// with the condition number, which the threshold bounds by 50 for each of the systems, by 50^2 for the whole.
+/// Where nothing was damped, J^T (J qd - twist) = 0: the twist is reached, or as nearly as the arm can.
+/// Rounding grows with the condition number, which the threshold bounds by 50 for each of the systems, by
+/// 50^2 for the whole.
 TEST_P(InverseVelocity, SolvesWhereNotDamped) {
   int solved = 0;
   for (int i = 0; i < 500; ++i) {
@@ -41,7 +42,9 @@ TEST_P(InverseVelocity, SolvesWhereNotDamped) {
     if (rates.status != VelocityStatus::solved) continue;
     ++solved;
     EXPECT_LT((j.transpose() * (j * rates.qd - twist)).norm(), 1e-10 * (1 + rates.qd.norm()));
-    if (dof() >= 6) { EXPECT_LT(rates.residual, 1e-10 * (1 + rates.qd.norm())); }
+    if (dof() >= 6) {
+      EXPECT_LT(rates.residual, 1e-10 * (1 + rates.qd.norm()));
+    }
   }
   EXPECT_GT(solved, 50);
 }
@@ -58,7 +61,8 @@ TEST_P(InverseVelocity, RedundantArmsMoveAsLittleAsPossible) {
   }
 }
 
-/// At and near singularities the joint rates stay bounded. All joints at multiples of 90 degrees make most arms singular.
+/// At and near singularities the joint rates stay bounded. All joints at multiples of 90 degrees make most
+/// arms singular.
 TEST_P(InverseVelocity, StaysBoundedAtSingularities) {
   for (const double distance : {0.0, 1e-15, 1e-12, 1e-8, 1e-5, 1e-3}) {
     for (int i = 0; i < 200; ++i) {
@@ -68,14 +72,16 @@ TEST_P(InverseVelocity, StaysBoundedAtSingularities) {
       const auto rates = GetParam().inverse_velocity(q, twist);
       ASSERT_NE(rates.status, VelocityStatus::invalid_input);
       ASSERT_TRUE(rates.qd.allFinite()) << q.transpose();
-      // 1 / (threshold * largest) = 50 / largest for each system, the wrist's on top of the arm's, arms of 0.3 m or more.
+      // 1 / (threshold * largest) = 50 / largest for each system, the wrist's on top of the arm's, arms of
+      // 0.3 m or more.
       ASSERT_LT(rates.qd.norm(), 3e4 * twist.norm()) << q.transpose();
     }
   }
 }
 
 TEST_P(InverseVelocity, BadInputIsSaidSo) {
-  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     VectorXd twist = VectorXd::Ones(6);
     twist[2] = bad;
     const auto rates = GetParam().inverse_velocity(VectorXd::Constant(dof(), 0.4), twist);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Compiled Jacobians of every robot against cross products along an independent chain of homogeneous matrices.
-#include <gtest/gtest.h>
-
+// Compiled Jacobians of every robot against cross products along an independent chain of homogeneous
+// matrices.
 #include <limits>
 #include <random>
+
+#include <gtest/gtest.h>
 
 #include "reference/load.h"
 #include "robot_under_test.h"
@@ -67,7 +68,8 @@ TEST_P(JacobianOf, AtAPointIsThatOfAMovedTool) {
     const VectorXd q = random();
     const Eigen::Vector3d point = Eigen::Vector3d(0.3, -0.2, 0.1) * (i % 5);
     chain.tool = tool * Eigen::Translation3d(point);
-    ASSERT_LT(largest(GetParam().jacobian_at(q, point) - reference::jacobian(chain, q)), few_roundings * scale(q));
+    ASSERT_LT(largest(GetParam().jacobian_at(q, point) - reference::jacobian(chain, q)),
+              few_roundings * scale(q));
   }
 }
 
@@ -76,7 +78,8 @@ TEST_P(JacobianOf, ComesWithTheTransform) {
   for (int i = 0; i < configurations; ++i) {
     const VectorXd q = random();
     const auto [transform, jacobian] = GetParam().both(q);
-    ASSERT_LT(largest(transform.matrix() - reference::forward_kinematics(chain, q).matrix()), few_roundings * scale(q));
+    ASSERT_LT(largest(transform.matrix() - reference::forward_kinematics(chain, q).matrix()),
+              few_roundings * scale(q));
     ASSERT_LT(largest(jacobian - reference::jacobian(chain, q)), few_roundings * scale(q));
   }
 }
@@ -91,18 +94,20 @@ TEST_P(JacobianOf, TimesRatesIsVelocity) {
   }
 }
 
-/// Central differences with step h: truncation h^2/6 of the third derivative, rounding epsilon/h; with h = 1e-5 both
-/// are below 1e-9 for values and rates of this size. differences_test.cpp has the other digits.
+/// Central differences with step h: truncation h^2/6 of the third derivative, rounding epsilon/h; with h =
+/// 1e-5 both are below 1e-9 for values and rates of this size. differences_test.cpp has the other digits.
 TEST_P(JacobianOf, DotIsTheDerivative) {
   const reference::Chain chain = chain_of(GetParam());
   const double h = 1e-5;
   for (int i = 0; i < 200; ++i) {
     const VectorXd q = random();
     const VectorXd qd = random(1);
-    const MatrixXd expected = (reference::jacobian(chain, q + h * qd) - reference::jacobian(chain, q - h * qd)) / (2 * h);
+    const MatrixXd expected =
+        (reference::jacobian(chain, q + h * qd) - reference::jacobian(chain, q - h * qd)) / (2 * h);
     const double tolerance = 1e-9 * scale(q) * (1 + qd.cwiseAbs().sum());
     ASSERT_LT(largest(GetParam().jacobian_dot(q, qd) - expected), tolerance) << q.transpose();
-    ASSERT_LT(largest(GetParam().jacobian_dot_times_qd(q, qd) - expected * qd), tolerance * (1 + qd.cwiseAbs().sum()));
+    ASSERT_LT(largest(GetParam().jacobian_dot_times_qd(q, qd) - expected * qd),
+              tolerance * (1 + qd.cwiseAbs().sum()));
   }
 }
 
@@ -115,7 +120,8 @@ TEST_P(JacobianOf, FloatDiffersByFloatRounding) {
 }
 
 TEST_P(JacobianOf, BadJointsGiveNoNumbers) {
-  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     for (int joint = 0; joint < GetParam().dof; ++joint) {
       VectorXd q = VectorXd::Constant(GetParam().dof, 0.5);
       q[joint] = bad;
@@ -124,7 +130,8 @@ TEST_P(JacobianOf, BadJointsGiveNoNumbers) {
       EXPECT_FALSE(transform.matrix().allFinite() && jacobian.allFinite()) << "joint " << joint;
       const MatrixXd good = GetParam().jacobian(VectorXd::Constant(GetParam().dof, 0.5));
       const MatrixXd seen = GetParam().jacobian(q);
-      for (Eigen::Index i = 0; i < seen.size(); ++i) EXPECT_TRUE(!std::isfinite(seen(i)) || std::abs(seen(i) - good(i)) < 1e-12);
+      for (Eigen::Index i = 0; i < seen.size(); ++i)
+        EXPECT_TRUE(!std::isfinite(seen(i)) || std::abs(seen(i) - good(i)) < 1e-12);
     }
   }
 }

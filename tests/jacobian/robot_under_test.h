@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Geometry>
 #include <functional>
 #include <string>
 #include <vector>
 
+#include <Eigen/Geometry>
 #include <qvgen/inverse_velocity.h>
 
 namespace qvgen::test {

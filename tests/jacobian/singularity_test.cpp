@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The singular configurations of the six-joint arms are exactly the zeros of their singularity measures.
-#include <gtest/gtest.h>
+#include <algorithm>
+#include <random>
 
 #include <Eigen/LU>
 #include <Eigen/SVD>
-#include <algorithm>
-#include <random>
+#include <gtest/gtest.h>
 
 #include "robot_under_test.h"
 
@@ -15,7 +15,9 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using qvgen::test::RobotUnderTest;
 
-double smallest_singular_value(const MatrixXd& m) { return Eigen::JacobiSVD<MatrixXd>(m).singularValues().minCoeff(); }
+double smallest_singular_value(const MatrixXd& m) {
+  return Eigen::JacobiSVD<MatrixXd>(m).singularValues().minCoeff();
+}
 
 std::vector<RobotUnderTest> six_joint_robots() {
   std::vector<RobotUnderTest> result;
@@ -31,7 +33,9 @@ class Singularities : public testing::TestWithParam<RobotUnderTest> {
     return VectorXd::NullaryExpr(6, [&] { return number(random_); });
   }
   double smallest(const VectorXd& q) const { return smallest_singular_value(GetParam().jacobian(q)); }
-  double least_measure(const VectorXd& q) const { return GetParam().singularity_measures(q).cwiseAbs().minCoeff(); }
+  double least_measure(const VectorXd& q) const {
+    return GetParam().singularity_measures(q).cwiseAbs().minCoeff();
+  }
 
   /// Steps along random directions, longer after a success and shorter after a failure.
   VectorXd minimised(VectorXd q) {
@@ -59,17 +63,18 @@ class Singularities : public testing::TestWithParam<RobotUnderTest> {
   std::mt19937_64 random_{7};
 };
 
-/// From random starts the smallest singular value is driven to zero; at each zero found a measure must vanish. The
-/// smallest singular value is at most a few times the least measure and at least a small part of it, where the other
-/// measures and the arm are of size one, so 1e-9 in one is below 1e-5 in the other unless the condition is missing
-/// from the list (double zeros, d3^2, halve the digits).
+/// From random starts the smallest singular value is driven to zero; at each zero found a measure must
+/// vanish. The smallest singular value is at most a few times the least measure and at least a small part of
+/// it, where the other measures and the arm are of size one, so 1e-9 in one is below 1e-5 in the other unless
+/// the condition is missing from the list (double zeros, d3^2, halve the digits).
 TEST_P(Singularities, EveryMinimiserIsOnTheList) {
   int found = 0;
   for (int start = 0; start < 25; ++start) {
     const VectorXd q = minimised(random());
     if (smallest(q) > 1e-10) continue;
     ++found;
-    EXPECT_LT(least_measure(q), 1e-5) << q.transpose() << " measures " << GetParam().singularity_measures(q).transpose();
+    EXPECT_LT(least_measure(q), 1e-5)
+        << q.transpose() << " measures " << GetParam().singularity_measures(q).transpose();
   }
   EXPECT_GE(found, 8);
 }

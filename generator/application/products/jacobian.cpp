@@ -34,7 +34,8 @@ std::vector<OutputGroup> jacobian_groups(std::size_t dof) {
   std::vector<OutputGroup> groups;
   for (std::size_t j = 0; j < dof; ++j)
     for (std::size_t part = 0; part < 6; part += 3)
-      groups.push_back({derive::jacobian_entry(part, j), derive::jacobian_entry(part + 1, j), derive::jacobian_entry(part + 2, j)});
+      groups.push_back({derive::jacobian_entry(part, j), derive::jacobian_entry(part + 1, j),
+                        derive::jacobian_entry(part + 2, j)});
   return groups;
 }
 
@@ -65,13 +66,26 @@ Optimised with_accuracy(const derive::Quantity& quantity, const std::vector<Outp
 }
 
 /// A function whose result is a 6 x n matrix or a twist.
-JacobianFunction matrix_function(const derive::Quantity& quantity, std::size_t dof, const std::vector<JacobianFunction::Argument>& arguments,
+JacobianFunction matrix_function(const derive::Quantity& quantity, std::size_t dof,
+                                 const std::vector<JacobianFunction::Argument>& arguments,
                                  const std::vector<std::string>& text) {
-  return {quantity.name, "Jacobian", arguments, text, "", matrix_targets("result", dof), with_accuracy(quantity, jacobian_groups(dof))};
+  return {quantity.name,
+          "Jacobian",
+          arguments,
+          text,
+          "",
+          matrix_targets("result", dof),
+          with_accuracy(quantity, jacobian_groups(dof))};
 }
 
 JacobianFunction twist_function(const derive::Quantity& quantity, const std::vector<std::string>& text) {
-  return {quantity.name, "Twist", {{"JointVector", "qd"}}, text, "", matrix_targets("result", 1), with_accuracy(quantity, twist_groups())};
+  return {quantity.name,
+          "Twist",
+          {{"JointVector", "qd"}},
+          text,
+          "",
+          matrix_targets("result", 1),
+          with_accuracy(quantity, twist_groups())};
 }
 
 JacobianFunction transform_function(const model::Robot& robot) {
@@ -82,17 +96,26 @@ JacobianFunction transform_function(const model::Robot& robot) {
   groups.push_back({"px", "py", "pz"});
   std::vector<std::string> targets = transform_targets();
   for (const std::string& target : matrix_targets("result.jacobian", dof)) targets.push_back(target);
-  return {quantity.name, "TransformAndJacobian", {},
-          {"Pose of the tool in the world frame as a homogeneous transformation, and `jacobian`, with all that they share", "computed once."},
-          "result.transform.makeAffine();", targets, with_accuracy(quantity, groups)};
+  return {quantity.name,
+          "TransformAndJacobian",
+          {},
+          {"Pose of the tool in the world frame as a homogeneous transformation, and `jacobian`, with all "
+           "that they share",
+           "computed once."},
+          "result.transform.makeAffine();",
+          targets,
+          with_accuracy(quantity, groups)};
 }
 
 /// One value per factor; each is a group of its own.
 JacobianFunction measures_function(const SingularityMeasures& measures) {
   const std::size_t count = measures.names.size();
   JacobianFunction function{measures.quantity.name, "SingularityMeasures", {}, {}, "", {}, {}};
-  function.text = {"One value for each factor of the determinant of the Jacobian (named in `singularity_names`): the arm is singular",
-                   "exactly where one of them is zero. None for arms with more than six joints, see qvgen/manipulability.h."};
+  function.text = {
+      "One value for each factor of the determinant of the Jacobian (named in `singularity_names`): the arm "
+      "is singular",
+      "exactly where one of them is zero. None for arms with more than six joints, see "
+      "qvgen/manipulability.h."};
   if (count == 0) return function;
   std::vector<OutputGroup> groups;
   for (std::size_t i = 0; i < count; ++i) {
@@ -107,16 +130,24 @@ std::vector<JacobianFunction> functions_of(const model::Robot& robot, const Sing
   const std::size_t dof = robot.joints.size();
   return {
       matrix_function(derive::jacobian(robot), dof, {},
-                      {"Jacobian of the tool point in the base frame: the twist of the tool is `jacobian(q) * qd` (m/s, rad/s); linear rows",
-                       "first (Jacobian lecture, section 5.4: iteration, cross products and differentiation all give it)."}),
+                      {"Jacobian of the tool point in the base frame: the twist of the tool is `jacobian(q) "
+                       "* qd` (m/s, rad/s); linear rows",
+                       "first (Jacobian lecture, section 5.4: iteration, cross products and differentiation "
+                       "all give it)."}),
       transform_function(robot),
-      matrix_function(derive::tool_jacobian(robot), dof, {}, {"The Jacobian of the tool point in the tool frame: both halves of each column turned into it."}),
+      matrix_function(
+          derive::tool_jacobian(robot), dof, {},
+          {"The Jacobian of the tool point in the tool frame: both halves of each column turned into it."}),
       matrix_function(derive::jacobian_at(robot), dof, {{"Vector3", "point"}},
-                      {"The Jacobian in the base frame at a point that moves with the tool, given in the tool frame (m)."}),
-      twist_function(derive::velocity(robot), {"Twist of the tool in the base frame at the joint rates qd (rad/s, m/s): `jacobian(q) * qd`, linear part first."}),
-      matrix_function(derive::jacobian_rate(robot), dof, {{"JointVector", "qd"}}, {"Derivative of `jacobian` by time at the joint rates qd."}),
+                      {"The Jacobian in the base frame at a point that moves with the tool, given in the "
+                       "tool frame (m)."}),
+      twist_function(derive::velocity(robot), {"Twist of the tool in the base frame at the joint rates qd "
+                                               "(rad/s, m/s): `jacobian(q) * qd`, linear part first."}),
+      matrix_function(derive::jacobian_rate(robot), dof, {{"JointVector", "qd"}},
+                      {"Derivative of `jacobian` by time at the joint rates qd."}),
       twist_function(derive::acceleration_bias(robot),
-                     {"The tool's acceleration (m/s², rad/s²) at constant joint rates qd: `jacobian_dot(q, qd) * qd`; with joint accelerations",
+                     {"The tool's acceleration (m/s², rad/s²) at constant joint rates qd: `jacobian_dot(q, "
+                      "qd) * qd`; with joint accelerations",
                       "it is `jacobian(q) * qdd` plus this."}),
       measures_function(measures),
   };
@@ -136,7 +167,8 @@ nlohmann::ordered_json methods(const model::Robot& robot) {
 
 json measure_values(const SingularityMeasures& measures) {
   json values = json::array();
-  for (std::size_t i = 0; i < measures.names.size(); ++i) values.push_back({{"measure", measures.names[i]}, {"last", i + 1 == measures.names.size()}});
+  for (std::size_t i = 0; i < measures.names.size(); ++i)
+    values.push_back({{"measure", measures.names[i]}, {"last", i + 1 == measures.names.size()}});
   return values;
 }
 
@@ -149,7 +181,8 @@ json wrist_values(const model::Robot& robot) {
   program.output("y", centre->y);
   program.output("z", centre->z);
   json values;
-  for (const auto& value : emit::cpp_code(dag::import(program), leaf_names(robot, {})).outputs) values[value.name] = value.expression;
+  for (const auto& value : emit::cpp_code(dag::import(program), leaf_names(robot, {})).outputs)
+    values[value.name] = value.expression;
   return json::array({values});
 }
 
@@ -176,7 +209,8 @@ void generate_jacobian(const model::Robot& robot, RobotOutput& output) {
   output.counts["jacobian"]["forms"] = methods(robot);
   const std::string headers = "include/qvgen/robots/" + robot.name + "/";
   output.files.push_back({headers + "jacobian.h", emit::render("jacobian.h", values)});
-  output.files.push_back({headers + "jacobian_definitions.h", emit::render("jacobian_definitions.h", values)});
+  output.files.push_back(
+      {headers + "jacobian_definitions.h", emit::render("jacobian_definitions.h", values)});
   output.files.push_back({"source/" + robot.name + "/jacobian.cpp", emit::render("jacobian.cpp", values)});
 }
 

@@ -33,7 +33,8 @@ json lines(const std::vector<std::string>& text) {
 }
 
 /// The places of a function's angles among those of the header.
-std::string selection(const std::vector<dag::Angle>& angles, const std::vector<dag::Angle>& all, const std::string& array) {
+std::string selection(const std::vector<dag::Angle>& angles, const std::vector<dag::Angle>& all,
+                      const std::string& array) {
   std::string text;
   for (const dag::Angle& angle : angles) {
     const auto place = std::find(all.begin(), all.end(), angle) - all.begin();
@@ -64,7 +65,8 @@ std::vector<dag::Angle> angles_of(const std::vector<JacobianFunction>& functions
   return all;
 }
 
-json to_values(const JacobianFunction& function, const model::Robot& robot, const std::vector<dag::Angle>& all) {
+json to_values(const JacobianFunction& function, const model::Robot& robot,
+               const std::vector<dag::Angle>& all) {
   const auto angles = angles_of(function.optimised.function);
   const emit::Names names = names_of(robot, angles);
   const emit::Code code = emit::cpp_code(function.optimised.function, names);
@@ -73,16 +75,19 @@ json to_values(const JacobianFunction& function, const model::Robot& robot, cons
   values["points"] = function.optimised.certified_points;
   values["ulp"] = to_json(function.optimised).at("largest_error_ulp").dump();
   values["arguments"] = json::array();
-  for (const auto& argument : function.arguments) values["arguments"].push_back({{"type", argument.type}, {"argument", argument.name}});
+  for (const auto& argument : function.arguments)
+    values["arguments"].push_back({{"type", argument.type}, {"argument", argument.name}});
   values["sines_cosines"] = sines_cosines_code(angles, names, "detail::NoAngles");
   values["angle_count"] = angles.size();
   values["sines"] = selection(angles, all, "sine");
   values["cosines"] = selection(angles, all, "cosine");
   values["temporaries"] = json::array();
-  for (const auto& value : code.temporaries) values["temporaries"].push_back({{"temporary", value.name}, {"expression", value.expression}});
+  for (const auto& value : code.temporaries)
+    values["temporaries"].push_back({{"temporary", value.name}, {"expression", value.expression}});
   values["assignments"] = assignments(function, code);
   values["last_statements"] = json::array();
-  if (!function.last_statement.empty()) values["last_statements"].push_back({{"statement", function.last_statement}});
+  if (!function.last_statement.empty())
+    values["last_statements"].push_back({{"statement", function.last_statement}});
   return values;
 }
 

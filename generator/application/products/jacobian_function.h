@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
+
+#include <nlohmann/json.hpp>
 
 #include "application/accuracy.h"
 #include "application/optimise.h"
@@ -31,6 +32,7 @@ struct JacobianFunction {
 std::vector<dag::Angle> angles_of(const std::vector<JacobianFunction>& functions);
 
 /// Template values of a function. `all` are the angles of the header's JacobianAngles.
-nlohmann::json to_values(const JacobianFunction& function, const model::Robot& robot, const std::vector<dag::Angle>& all);
+nlohmann::json to_values(const JacobianFunction& function, const model::Robot& robot,
+                         const std::vector<dag::Angle>& all);
 
 }  // namespace qvgen::application

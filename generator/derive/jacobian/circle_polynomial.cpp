@@ -35,7 +35,8 @@ std::vector<ex> symbols_of(const ex& form) {
 /// Sign of a linear form's first coefficient by name.
 int leading_sign(const ex& form) {
   const std::vector<ex> symbols = symbols_of(form);
-  return !symbols.empty() && form.expand().coeff(symbols.front(), 1).info(GiNaC::info_flags::negative) ? -1 : 1;
+  return !symbols.empty() && form.expand().coeff(symbols.front(), 1).info(GiNaC::info_flags::negative) ? -1
+                                                                                                       : 1;
 }
 
 /// Same parity in each entry.
@@ -51,7 +52,8 @@ std::size_t CirclePolynomials::circle_of(const ex& angle) {
   for (std::size_t i = 0; i < circles_.size(); ++i)
     if (circles_[i].angle.is_equal(angle)) return i;
   const std::string index = std::to_string(circles_.size());
-  circles_.push_back({angle, GiNaC::symbol("s" + index), GiNaC::symbol("c" + index), GiNaC::symbol("t" + index)});
+  circles_.push_back(
+      {angle, GiNaC::symbol("s" + index), GiNaC::symbol("c" + index), GiNaC::symbol("t" + index)});
   return circles_.size() - 1;
 }
 
@@ -65,7 +67,8 @@ std::pair<ex, ex> CirclePolynomials::cosine_sine(const ex& form) {
     const Circle circle = circles_[circle_of(symbol)];
     const ex sine = count < 0 ? -ex(circle.sine) : ex(circle.sine);
     for (int i = 0; i < std::abs(count); ++i)
-      turn = {turn.first * circle.cosine - turn.second * sine, turn.second * circle.cosine + turn.first * sine};
+      turn = {turn.first * circle.cosine - turn.second * sine,
+              turn.second * circle.cosine + turn.first * sine};
   }
   const ex c = GiNaC::cos(constant);
   const ex s = GiNaC::sin(constant);
@@ -97,7 +100,8 @@ ex CirclePolynomials::reduced(const ex& polynomial) const {
 
 int CirclePolynomials::degree(const ex& polynomial, const Circle& circle) const {
   int highest = 0;
-  for (const ex& term : terms(polynomial)) highest = std::max(highest, term.degree(circle.sine) + term.degree(circle.cosine));
+  for (const ex& term : terms(polynomial))
+    highest = std::max(highest, term.degree(circle.sine) + term.degree(circle.cosine));
   return highest;
 }
 
@@ -111,7 +115,8 @@ ex CirclePolynomials::in_tangents(const ex& polynomial, std::vector<int>& degree
     for (const ex& term : terms(result)) {
       const int s = term.degree(circle.sine);
       const int c = term.degree(circle.cosine);
-      sum += term.coeff(circle.sine, s).coeff(circle.cosine, c) * pow(2 * t, s) * pow(1 - t * t, c) * pow(1 + t * t, all - s - c);
+      sum += term.coeff(circle.sine, s).coeff(circle.cosine, c) * pow(2 * t, s) * pow(1 - t * t, c) *
+             pow(1 + t * t, all - s - c);
     }
     result = sum.expand();
     degrees.push_back(2 * all);
@@ -120,7 +125,8 @@ ex CirclePolynomials::in_tangents(const ex& polynomial, std::vector<int>& degree
 }
 
 /// The irreducible factors one by one. What the tangents' degrees lack to `degrees` are factors cos(x/2).
-std::vector<CirclePolynomials::Half> CirclePolynomials::split(const ex& factored, std::vector<int> degrees, ex& constant,
+std::vector<CirclePolynomials::Half> CirclePolynomials::split(const ex& factored, std::vector<int> degrees,
+                                                              ex& constant,
                                                               const std::vector<ex>& variables) const {
   std::vector<Half> result;
   const auto varies = [&](const ex& e) {
@@ -146,14 +152,21 @@ std::vector<CirclePolynomials::Half> CirclePolynomials::split(const ex& factored
       add(symbol, power * times);
       base = (base / pow(symbol, power)).expand();
     }
-    if (varies(base)) add(base, times);
-    else constant *= pow(base, times);
+    if (varies(base))
+      add(base, times);
+    else
+      constant *= pow(base, times);
   };
-  const std::vector<ex> factors = GiNaC::is_a<GiNaC::mul>(factored) ? std::vector<ex>(factored.begin(), factored.end()) : std::vector<ex>{factored};
+  const std::vector<ex> factors = GiNaC::is_a<GiNaC::mul>(factored)
+                                      ? std::vector<ex>(factored.begin(), factored.end())
+                                      : std::vector<ex>{factored};
   for (const ex& factor : factors) {
-    if (!varies(factor)) constant *= factor;
-    else if (GiNaC::is_a<GiNaC::power>(factor)) add_split(factor.op(0), GiNaC::ex_to<GiNaC::numeric>(factor.op(1)).to_int());
-    else add_split(factor, 1);
+    if (!varies(factor))
+      constant *= factor;
+    else if (GiNaC::is_a<GiNaC::power>(factor))
+      add_split(factor.op(0), GiNaC::ex_to<GiNaC::numeric>(factor.op(1)).to_int());
+    else
+      add_split(factor, 1);
   }
   for (std::size_t k = 0; k < degrees.size(); ++k)
     for (int i = 0; i < degrees[k]; ++i) {
@@ -170,7 +183,8 @@ CirclePolynomials::Half CirclePolynomials::join(const Half& a, const Half& b) co
   return result;
 }
 
-/// Joins factors of odd degree: with a different factor of the same parity, else with an equal one, else with any.
+/// Joins factors of odd degree: with a different factor of the same parity, else with an equal one, else with
+/// any.
 std::vector<CirclePolynomials::Half> CirclePolynomials::joined(std::vector<Half> factors) const {
   std::vector<Half> result;
   while (!factors.empty()) {
@@ -184,9 +198,11 @@ std::vector<CirclePolynomials::Half> CirclePolynomials::joined(std::vector<Half>
       return match(first.degrees, other.degrees) && !first.value.is_equal(other.value);
     });
     if (partner == factors.end())
-      partner = std::find_if(factors.begin(), factors.end(), [&](const Half& other) { return match(first.degrees, other.degrees); });
+      partner = std::find_if(factors.begin(), factors.end(),
+                             [&](const Half& other) { return match(first.degrees, other.degrees); });
     if (partner == factors.end())
-      partner = std::find_if(factors.begin(), factors.end(), [&](const Half& other) { return !even(other.degrees); });
+      partner = std::find_if(factors.begin(), factors.end(),
+                             [&](const Half& other) { return !even(other.degrees); });
     if (partner == factors.end()) throw std::logic_error("a trigonometric polynomial of odd degree");
     const Half both = join(first, *partner);
     factors.erase(partner);
@@ -250,7 +266,8 @@ ex CirclePolynomials::as_sums_of_angles(const ex& polynomial) const {
     ex angle = 0;
     for (std::size_t i = 0; i < circles_.size(); ++i) angle += wave[i] * circles_[i].angle;
     const int sign = leading_sign(angle);
-    result += value.first.expand() * GiNaC::cos(sign * angle) - sign * value.second.expand() * GiNaC::sin(sign * angle);
+    result += value.first.expand() * GiNaC::cos(sign * angle) -
+              sign * value.second.expand() * GiNaC::sin(sign * angle);
   }
   return result.expand();
 }
@@ -266,7 +283,8 @@ ex CirclePolynomials::written(const ex& polynomial) const {
   const ex sums = as_sums_of_angles(polynomial);
   const auto length = [](const ex& e) {
     std::size_t nodes = 0;
-    for (auto it = e.preorder_begin(); it != e.preorder_end(); ++it) nodes += GiNaC::is_a<GiNaC::function>(*it) ? 1 : 0;
+    for (auto it = e.preorder_begin(); it != e.preorder_end(); ++it)
+      nodes += GiNaC::is_a<GiNaC::function>(*it) ? 1 : 0;
     return std::pair(terms(e).size(), nodes);
   };
   return length(sums) <= length(products) ? sums : products;
@@ -286,7 +304,8 @@ ex largest_coefficient(const ex& polynomial) {
   ex largest = 0;
   for (const ex& term : terms(polynomial)) {
     ex coefficient = 1;
-    if (GiNaC::is_a<GiNaC::numeric>(term)) coefficient = term;
+    if (GiNaC::is_a<GiNaC::numeric>(term))
+      coefficient = term;
     else if (GiNaC::is_a<GiNaC::mul>(term))
       for (const ex& factor : term)
         if (GiNaC::is_a<GiNaC::numeric>(factor)) coefficient = factor;
@@ -298,7 +317,8 @@ ex largest_coefficient(const ex& polynomial) {
 
 }  // namespace
 
-CirclePolynomials::Product CirclePolynomials::factored(const ex& polynomial, const std::vector<ex>& variables) const {
+CirclePolynomials::Product CirclePolynomials::factored(const ex& polynomial,
+                                                       const std::vector<ex>& variables) const {
   std::vector<int> degrees;
   const ex tangents = in_tangents(polynomial, degrees);
   Product product;
@@ -311,10 +331,13 @@ CirclePolynomials::Product CirclePolynomials::factored(const ex& polynomial, con
     int pairs = 0;
     for (const int d : half.degrees) pairs += d / 2;
     product.constant *= size / pow(2, pairs);
-    const auto same = std::find_if(product.factors.begin(), product.factors.end(),
-                                   [&](const Factor& known) { return (known.value - value).expand().is_zero(); });
-    if (same != product.factors.end()) ++same->multiplicity;
-    else product.factors.push_back({value, 1});
+    const auto same = std::find_if(product.factors.begin(), product.factors.end(), [&](const Factor& known) {
+      return (known.value - value).expand().is_zero();
+    });
+    if (same != product.factors.end())
+      ++same->multiplicity;
+    else
+      product.factors.push_back({value, 1});
   }
   return product;
 }

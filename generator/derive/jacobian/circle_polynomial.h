@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <ginac/ginac.h>
 #include <vector>
+
+#include <ginac/ginac.h>
 
 namespace qvgen::derive {
 
 /// Factors of a trigonometric polynomial, with no factor left that splits over the rationals.
 ///
-/// Modulo sin^2 + cos^2 = 1 polynomials in sines and cosines have no unique factors; written in the half angles'
-/// sines and cosines, homogeneous of even degree in each pair, they have: dividing by the cosines leaves an ordinary
-/// polynomial in the half angles' tangents, which is factored. Factors of odd degree in some angle (sin(x/2) of
-/// sin x = 2 sin(x/2) cos(x/2)) are joined until all degrees are even again, and written back in full angles.
+/// Modulo sin^2 + cos^2 = 1 polynomials in sines and cosines have no unique factors; written in the half
+/// angles' sines and cosines, homogeneous of even degree in each pair, they have: dividing by the cosines
+/// leaves an ordinary polynomial in the half angles' tangents, which is factored. Factors of odd degree in
+/// some angle (sin(x/2) of sin x = 2 sin(x/2) cos(x/2)) are joined until all degrees are even again, and
+/// written back in full angles.
 class CirclePolynomials {
  public:
   struct Factor {
@@ -23,14 +25,16 @@ class CirclePolynomials {
     std::vector<Factor> factors;
   };
 
-  /// The polynomial of an expression in sines and cosines of linear forms: circular functions replaced, squares of
-  /// sines removed, expanded.
+  /// The polynomial of an expression in sines and cosines of linear forms: circular functions replaced,
+  /// squares of sines removed, expanded.
   GiNaC::ex polynomial(const GiNaC::ex& expression);
   /// Removes squares of sines and expands.
   GiNaC::ex reduced(const GiNaC::ex& polynomial) const;
-  /// Factors of a reduced polynomial other than 0. `variables`: the prismatic joints' variables, which are no parameters.
+  /// Factors of a reduced polynomial other than 0. `variables`: the prismatic joints' variables, which are no
+  /// parameters.
   Product factored(const GiNaC::ex& polynomial, const std::vector<GiNaC::ex>& variables) const;
-  /// Whether the second expression vanishes wherever the first does, as far as division in half-angle tangents tells.
+  /// Whether the second expression vanishes wherever the first does, as far as division in half-angle
+  /// tangents tells.
   bool divides(const GiNaC::ex& factor, const GiNaC::ex& multiple);
 
  private:
@@ -47,7 +51,8 @@ class CirclePolynomials {
   std::pair<GiNaC::ex, GiNaC::ex> cosine_sine(const GiNaC::ex& form);
   int degree(const GiNaC::ex& polynomial, const Circle& circle) const;
   GiNaC::ex in_tangents(const GiNaC::ex& polynomial, std::vector<int>& degrees) const;
-  std::vector<Half> split(const GiNaC::ex& factored, std::vector<int> degrees, GiNaC::ex& constant, const std::vector<GiNaC::ex>& variables) const;
+  std::vector<Half> split(const GiNaC::ex& factored, std::vector<int> degrees, GiNaC::ex& constant,
+                          const std::vector<GiNaC::ex>& variables) const;
   Half join(const Half& a, const Half& b) const;
   std::vector<Half> joined(std::vector<Half> factors) const;
   GiNaC::ex in_full_angles(const Half& half) const;

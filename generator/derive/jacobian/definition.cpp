@@ -20,8 +20,10 @@ PlainJacobian plain_jacobian(const model::Robot& robot, Program& program) {
     const Rates rate(partial, {{symbol(joint.variable), 1}});
     const Quaternion spin = rate(result.tool.q) * inverse(result.tool.q);
     const Vector linear = rate(result.tool.p);
-    for (std::size_t i = pose.steps().size(); i < partial.steps().size(); ++i) program.append(partial.steps()[i]);
-    result.columns.push_back({program.let(linear), program.let(GiNaC::ex(2) * Vector{spin.x, spin.y, spin.z})});
+    for (std::size_t i = pose.steps().size(); i < partial.steps().size(); ++i)
+      program.append(partial.steps()[i]);
+    result.columns.push_back(
+        {program.let(linear), program.let(GiNaC::ex(2) * Vector{spin.x, spin.y, spin.z})});
   }
   return result;
 }

@@ -14,9 +14,9 @@ struct Twist {
   symbolic::Vector angular;
 };
 
-/// The tool's pose by the plain product of the joints' pairs, and the columns of its Jacobian in the base frame by
-/// differentiation of that product: dp/dq_i, and the vector part of 2 (dq/dq_i) q^-1. Nothing merged, nothing
-/// simplified: what every other way to compute a Jacobian is held against.
+/// The tool's pose by the plain product of the joints' pairs, and the columns of its Jacobian in the base
+/// frame by differentiation of that product: dp/dq_i, and the vector part of 2 (dq/dq_i) q^-1. Nothing
+/// merged, nothing simplified: what every other way to compute a Jacobian is held against.
 struct PlainJacobian {
   symbolic::Pair tool;
   std::vector<Twist> columns;

@@ -21,15 +21,20 @@ Frames::RateOf rates_of(const Linkage& linkage) {
 }
 
 MovingTwist times(const ex& s, const MovingTwist& t) { return {s * t.linear, s * t.angular}; }
-MovingTwist plus(const MovingTwist& a, const MovingTwist& b) { return {a.linear + b.linear, a.angular + b.angular}; }
+MovingTwist plus(const MovingTwist& a, const MovingTwist& b) {
+  return {a.linear + b.linear, a.angular + b.angular};
+}
 
 MovingTwist let(Program& program, const MovingTwist& t) {
-  const auto name = [&](const Moving& v) { return Moving{program.let(v.value), program.let(v.rate), program.let(v.second)}; };
+  const auto name = [&](const Moving& v) {
+    return Moving{program.let(v.value), program.let(v.rate), program.let(v.second)};
+  };
   return {name(t.linear), name(t.angular)};
 }
 
 /// All columns in the target's frame by way of the middle frame.
-std::vector<MovingTwist> gathered(Frames& frames, const std::vector<Frames::Column>& columns, std::size_t middle, Target target) {
+std::vector<MovingTwist> gathered(Frames& frames, const std::vector<Frames::Column>& columns,
+                                  std::size_t middle, Target target) {
   std::vector<MovingTwist> result;
   for (const Frames::Column& column : columns) {
     const MovingTwist met = frames.move(column.twist, column.frame, middle);
@@ -76,7 +81,8 @@ std::vector<ColumnsForm> columns_by_frames(const model::Robot& robot, Target tar
     const auto build = [=](Program& program) {
       const Linkage arm = linkage(robot);
       Frames frames(program, arm);
-      return values(gathered(frames, target == Target::base ? frames.columns() : frames.columns_behind(), middle, target));
+      return values(gathered(frames, target == Target::base ? frames.columns() : frames.columns_behind(),
+                             middle, target));
     };
     forms.push_back({"by way of frame " + std::to_string(middle), build});
   }
@@ -89,7 +95,8 @@ std::vector<ColumnsForm> columns_by_frames(const model::Robot& robot, Target tar
   return forms;
 }
 
-MovingTwist twist_by_frames(Program& program, const model::Robot& robot, std::size_t middle, bool with_rates) {
+MovingTwist twist_by_frames(Program& program, const model::Robot& robot, std::size_t middle,
+                            bool with_rates) {
   const Linkage arm = linkage(robot);
   Frames frames(program, arm, with_rates ? rates_of(arm) : Frames::RateOf{});
   std::vector<MovingTwist> local(frames.last() + 1);
@@ -98,9 +105,11 @@ MovingTwist twist_by_frames(Program& program, const model::Robot& robot, std::si
     local[column.frame] = plus(local[column.frame], times(rate_symbol(arm, i), column.twist));
   }
   MovingTwist from_base;
-  for (std::size_t k = 0; k < middle; ++k) from_base = frames.move(let(program, plus(from_base, local[k])), k, k + 1);
+  for (std::size_t k = 0; k < middle; ++k)
+    from_base = frames.move(let(program, plus(from_base, local[k])), k, k + 1);
   MovingTwist sum;
-  for (std::size_t k = frames.last(); k > middle; --k) sum = frames.move(let(program, plus(sum, local[k])), k, k - 1);
+  for (std::size_t k = frames.last(); k > middle; --k)
+    sum = frames.move(let(program, plus(sum, local[k])), k, k - 1);
   sum = let(program, plus(plus(from_base, local[middle]), sum));
   return frames.move(sum, middle, 0);
 }
@@ -129,7 +138,8 @@ Columns column_rates_by_frames(Program& program, const model::Robot& robot, std:
   const Linkage arm = linkage(robot);
   Frames frames(program, arm, rates_of(arm));
   Columns columns;
-  for (const MovingTwist& each : gathered(frames, frames.columns(), middle, Target::base)) columns.push_back({each.linear.rate, each.angular.rate});
+  for (const MovingTwist& each : gathered(frames, frames.columns(), middle, Target::base))
+    columns.push_back({each.linear.rate, each.angular.rate});
   return columns;
 }
 

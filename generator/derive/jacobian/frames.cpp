@@ -8,7 +8,9 @@ namespace qvgen::derive {
 using namespace symbolic;
 using GiNaC::ex;
 
-Moving operator+(const Moving& a, const Moving& b) { return {a.value + b.value, a.rate + b.rate, a.second + b.second}; }
+Moving operator+(const Moving& a, const Moving& b) {
+  return {a.value + b.value, a.rate + b.rate, a.second + b.second};
+}
 Moving operator*(const ex& s, const Moving& v) { return {s * v.value, s * v.rate, s * v.second}; }
 
 Frames::Frames(Program& program, const Linkage& linkage, const RateOf& rate_of)
@@ -37,22 +39,26 @@ void Frames::group_pivots() {
   if (!places_.empty()) places_.back().ends_group = true;
 }
 
-/// From the tool to the base: the vector from each pivot to the tool, in front of the pivot's group and behind it.
+/// From the tool to the base: the vector from each pivot to the tool, in front of the pivot's group and
+/// behind it.
 void Frames::reach() {
   Moving front = travelled(linkage_.beyond);
   Moving back;
   for (std::size_t i = linkage_.pivots.size(); i-- > 0;) {
     const Place& place = places_[i];
-    const Linkage::Way& way = i + 1 < linkage_.pivots.size() ? linkage_.pivots[i + 1].before : linkage_.beyond;
+    const Linkage::Way& way =
+        i + 1 < linkage_.pivots.size() ? linkage_.pivots[i + 1].before : linkage_.beyond;
     add_slides(way, static_cast<int>(i));
     const Group& group = groups_[place.group];
-    // Behind a group's last pivot the vector is given in the frame there; else it is in front of the group already.
+    // Behind a group's last pivot the vector is given in the frame there; else it is in front of the group
+    // already.
     if (place.ends_group) {
       back = front;
       front = turned(group.axis, place.angle, place.rate, front);
     } else {
       front = name(turned(group.axis, place.angle, place.rate, travelled(way)) + front);
-      back = name(turned(group.axis, place.angle - group.angle, place.rate - group.rate, travelled(way)) + back);
+      back =
+          name(turned(group.axis, place.angle - group.angle, place.rate - group.rate, travelled(way)) + back);
     }
     if (linkage_.pivots[i].joint >= 0) add_column(i, front, back);
     const bool starts_group = i == 0 || places_[i - 1].ends_group;
@@ -83,7 +89,8 @@ void Frames::add_slides(const Linkage::Way& way, int pivot) {
     column.frame = behind_[slide.joint].frame = place.group + 1;
     if (place.ends_group) continue;
     column = {place.group, {turned(group.axis, place.angle, place.rate, {slide.axis, {}, {}}), {}}, {}};
-    behind_[slide.joint].twist.linear = turned(group.axis, place.angle - group.angle, place.rate - group.rate, {slide.axis, {}, {}});
+    behind_[slide.joint].twist.linear =
+        turned(group.axis, place.angle - group.angle, place.rate - group.rate, {slide.axis, {}, {}});
   }
 }
 
@@ -96,7 +103,9 @@ Moving Frames::travelled(const Linkage::Way& way) const {
   return result;
 }
 
-Moving Frames::name(const Moving& v) { return {program_.let(v.value), program_.let(v.rate), program_.let(v.second)}; }
+Moving Frames::name(const Moving& v) {
+  return {program_.let(v.value), program_.let(v.rate), program_.let(v.second)};
+}
 
 /// With w = R v: w' = R v' + rate axis x w, w'' = R v'' + rate axis x (R v' + w').
 Moving Frames::turned(const Vector& axis, const ex& angle, const ex& rate, const Moving& v) {
@@ -105,11 +114,13 @@ Moving Frames::turned(const Vector& axis, const ex& angle, const ex& rate, const
   const Vector change = program_.let(derive::turned(turn, v.rate));
   const Vector first = program_.let(change + rate * program_.let(cross(axis, value)));
   const Vector second = program_.let(derive::turned(turn, v.second));
-  return {value, first, program_.let(second + rate * program_.let(cross(axis, program_.let(change + first))))};
+  return {value, first,
+          program_.let(second + rate * program_.let(cross(axis, program_.let(change + first))))};
 }
 
 Moving Frames::move(Moving v, std::size_t from, std::size_t to) {
-  for (; from > to; --from) v = turned(groups_[from - 1].axis, groups_[from - 1].angle, groups_[from - 1].rate, v);
+  for (; from > to; --from)
+    v = turned(groups_[from - 1].axis, groups_[from - 1].angle, groups_[from - 1].rate, v);
   for (; from < to; ++from) v = turned(groups_[from].axis, -groups_[from].angle, -groups_[from].rate, v);
   return v;
 }

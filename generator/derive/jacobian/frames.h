@@ -9,8 +9,9 @@
 
 namespace qvgen::derive {
 
-/// A vector in some frame of the linkage, and the first and second derivative of its components there by time, at
-/// constant joint rates. Derivatives are literal zeros where nothing asks for them, and then cost nothing.
+/// A vector in some frame of the linkage, and the first and second derivative of its components there by
+/// time, at constant joint rates. Derivatives are literal zeros where nothing asks for them, and then cost
+/// nothing.
 struct Moving {
   symbolic::Vector value;
   symbolic::Vector rate;
@@ -26,8 +27,8 @@ struct MovingTwist {
   Moving angular;
 };
 
-/// The frames of a linkage: frame 0 is the base, frame k lies behind the k-th group of pivots with parallel axes.
-/// Everything is named in the program as it is computed.
+/// The frames of a linkage: frame 0 is the base, frame k lies behind the k-th group of pivots with parallel
+/// axes. Everything is named in the program as it is computed.
 class Frames {
  public:
   using RateOf = std::function<GiNaC::ex(std::size_t joint)>;

@@ -21,8 +21,10 @@ class Walk {
   void go(const Vector& offset) { way_.offset = way_.offset + offset; }
 
   void joint(std::size_t index, model::JointType type, const Vector& axis) {
-    if (type == model::JointType::prismatic) way_.slides.push_back({index, axis});
-    else turn(axis, linkage_.variables[index], static_cast<int>(index));
+    if (type == model::JointType::prismatic)
+      way_.slides.push_back({index, axis});
+    else
+      turn(axis, linkage_.variables[index], static_cast<int>(index));
   }
 
   void turn(const Vector& axis, const GiNaC::ex& angle, int joint) {
@@ -32,7 +34,8 @@ class Walk {
 
   void constant(const model::Displacement& displacement) {
     go(to_symbolic(displacement.translation));
-    for (const model::Turn& each : displacement.turns) turn(to_symbolic(each.axis), to_symbolic(each.angle), -1);
+    for (const model::Turn& each : displacement.turns)
+      turn(to_symbolic(each.axis), to_symbolic(each.angle), -1);
   }
 
   Linkage finish(const Quaternion& home) {
@@ -74,7 +77,8 @@ Linkage linkage(const model::Robot& robot) {
 model::Robot with_free_tool_point(const model::Robot& robot) {
   model::Robot result = robot;
   model::Displacement point;
-  for (std::size_t i = 0; i < 3; ++i) point.translation[i] = model::Expression::symbol(std::string("point.") + "xyz"[i]);
+  for (std::size_t i = 0; i < 3; ++i)
+    point.translation[i] = model::Expression::symbol(std::string("point.") + "xyz"[i]);
   result.tool = model::compose(robot.tool, point);
   return result;
 }

@@ -10,8 +10,8 @@ namespace qvgen::derive {
 
 /// A chain as a list of pivots, each turning all that follows: what Jacobians are derived from.
 ///
-/// Right-angled chains come with all frames parallel at the zero configuration, so that parallel neighbours are seen;
-/// in the others each constant rotation is a pivot of its own that no joint moves.
+/// Right-angled chains come with all frames parallel at the zero configuration, so that parallel neighbours
+/// are seen; in the others each constant rotation is a pivot of its own that no joint moves.
 struct Linkage {
   struct Slide {
     std::size_t joint;
@@ -29,8 +29,8 @@ struct Linkage {
     int joint = -1;         ///< index of the joint; -1: constant
   };
   std::vector<Pivot> pivots;
-  Way beyond;                     ///< from the last pivot to the tool
-  symbolic::Quaternion home;      ///< last frame -> tool frame
+  Way beyond;                        ///< from the last pivot to the tool
+  symbolic::Quaternion home;         ///< last frame -> tool frame
   std::vector<GiNaC::ex> variables;  ///< of all joints
 };
 

@@ -14,7 +14,8 @@ namespace {
 
 Vector length(const Linkage& linkage, const Linkage::Way& way) {
   Vector result = way.offset;
-  for (const Linkage::Slide& slide : way.slides) result = result + linkage.variables[slide.joint] * slide.axis;
+  for (const Linkage::Slide& slide : way.slides)
+    result = result + linkage.variables[slide.joint] * slide.axis;
   return result;
 }
 
@@ -24,11 +25,13 @@ const Linkage::Way& way_behind(const Linkage& linkage, std::size_t pivot) {
 
 /// Turns a vector from behind pivot `pivots - 1` into the base frame, pivot by pivot.
 Vector to_base(Program& program, const Linkage& linkage, std::size_t pivots, Vector v) {
-  for (std::size_t i = pivots; i-- > 0;) v = program.let(turned({linkage.pivots[i].axis, linkage.pivots[i].angle}, v));
+  for (std::size_t i = pivots; i-- > 0;)
+    v = program.let(turned({linkage.pivots[i].axis, linkage.pivots[i].angle}, v));
   return v;
 }
 
-/// v, omega of the frame behind pivot `from - 1`, carried on from joint to joint and turned into the base frame.
+/// v, omega of the frame behind pivot `from - 1`, carried on from joint to joint and turned into the base
+/// frame.
 Twist propagated(Program& program, const Linkage& linkage, std::size_t from, Twist twist, Vector first_way) {
   for (std::size_t i = from;; ++i) {
     const Vector way = i == from ? first_way : length(linkage, way_behind(linkage, i - 1));
@@ -44,7 +47,8 @@ Twist propagated(Program& program, const Linkage& linkage, std::size_t from, Twi
 Columns iterative(Program& program, const Linkage& linkage) {
   Columns columns(linkage.variables.size());
   const auto slides = [&](const Linkage::Way& way, std::size_t pivots) {
-    for (const auto& slide : way.slides) columns[slide.joint] = propagated(program, linkage, pivots, {slide.axis, {}}, {});
+    for (const auto& slide : way.slides)
+      columns[slide.joint] = propagated(program, linkage, pivots, {slide.axis, {}}, {});
   };
   for (std::size_t i = 0; i < linkage.pivots.size(); ++i) {
     const Linkage::Pivot& pivot = linkage.pivots[i];
@@ -63,7 +67,8 @@ Columns by_cross_products(Program& program, const Linkage& linkage) {
   Vector point;
   const auto go = [&](const Linkage::Way& way, std::size_t pivots) {
     point = program.let(point + to_base(program, linkage, pivots, length(linkage, way)));
-    for (const auto& slide : way.slides) columns[slide.joint].linear = to_base(program, linkage, pivots, slide.axis);
+    for (const auto& slide : way.slides)
+      columns[slide.joint].linear = to_base(program, linkage, pivots, slide.axis);
   };
   for (std::size_t i = 0; i < linkage.pivots.size(); ++i) {
     go(linkage.pivots[i].before, i);
@@ -74,7 +79,8 @@ Columns by_cross_products(Program& program, const Linkage& linkage) {
     const Linkage::Pivot& pivot = linkage.pivots[i];
     if (pivot.joint < 0) continue;
     const Vector axis = to_base(program, linkage, i, pivot.axis);
-    columns[static_cast<std::size_t>(pivot.joint)] = {program.let(cross(axis, program.let(point - points[i]))), axis};
+    columns[static_cast<std::size_t>(pivot.joint)] = {
+        program.let(cross(axis, program.let(point - points[i]))), axis};
   }
   return columns;
 }
@@ -84,7 +90,8 @@ Columns by_cross_products(Program& program, const Linkage& linkage) {
 std::vector<ColumnsForm> textbook_methods(const model::Robot& robot) {
   return {{"iterative propagation of link velocities",
            [=](Program& program) { return iterative(program, linkage(robot)); }},
-          {"cross products of axes", [=](Program& program) { return by_cross_products(program, linkage(robot)); }},
+          {"cross products of axes",
+           [=](Program& program) { return by_cross_products(program, linkage(robot)); }},
           {"differentiation of position and quaternion",
            [=](Program& program) { return plain_jacobian(robot, program).columns; }}};
 }

@@ -25,7 +25,8 @@ std::array<ex, 6> entries(const Twist& t) {
 
 void output(Program& program, const Columns& columns) {
   for (std::size_t row = 0; row < 6; ++row)
-    for (std::size_t j = 0; j < columns.size(); ++j) program.output(jacobian_entry(row, j), entries(columns[j])[row]);
+    for (std::size_t j = 0; j < columns.size(); ++j)
+      program.output(jacobian_entry(row, j), entries(columns[j])[row]);
 }
 
 void output(Program& program, const Twist& twist) {
@@ -38,11 +39,14 @@ Program program_of(const ColumnsForm& form) {
   return program;
 }
 
-Columns plain_columns(const model::Robot& robot, Program& program) { return plain_jacobian(robot, program).columns; }
+Columns plain_columns(const model::Robot& robot, Program& program) {
+  return plain_jacobian(robot, program).columns;
+}
 
 GiNaC::exmap seeds(const model::Robot& robot) {
   GiNaC::exmap result;
-  for (const model::Joint& joint : robot.joints) result[symbol(joint.variable)] = symbol(rate_name(joint.variable));
+  for (const model::Joint& joint : robot.joints)
+    result[symbol(joint.variable)] = symbol(rate_name(joint.variable));
   return result;
 }
 
@@ -82,27 +86,33 @@ Program plain_tool_jacobian(const model::Robot& robot) {
   const PlainJacobian plain = plain_jacobian(robot, program);
   Columns columns;
   for (const Twist& column : plain.columns)
-    columns.push_back({rotate(inverse(plain.tool.q), column.linear), rotate(inverse(plain.tool.q), column.angular)});
+    columns.push_back(
+        {rotate(inverse(plain.tool.q), column.linear), rotate(inverse(plain.tool.q), column.angular)});
   output(program, columns);
   return program;
 }
 
 void output(Program& program, const Matrix3& r, const Vector& p, const std::string& prefix) {
   for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) program.output(prefix + "r" + std::to_string(i + 1) + std::to_string(j + 1), r[i][j]);
+    for (int j = 0; j < 3; ++j)
+      program.output(prefix + "r" + std::to_string(i + 1) + std::to_string(j + 1), r[i][j]);
   program.output(prefix + "px", p.x);
   program.output(prefix + "py", p.y);
   program.output(prefix + "pz", p.z);
 }
 
 /// Every way to the columns, each beside another form of the rotation matrix. With a prefix of '?' the
-/// matrix and the position are only suggestions: axes of the joints are among the matrix's intermediate results.
+/// matrix and the position are only suggestions: axes of the joints are among the matrix's intermediate
+/// results.
 std::vector<Form> forms_with_orientation(const model::Robot& robot, const std::string& prefix) {
   const auto chain = zero_reference_chain(robot);
   const auto columns = columns_by_frames(robot, Target::base);
   std::vector<MatrixForm> matrices;
-  if (chain) matrices = matrix_forms(*chain);
-  else matrices.push_back({"axes turned", [=](Program& program) { return orientation_by_frames(program, robot); }});
+  if (chain)
+    matrices = matrix_forms(*chain);
+  else
+    matrices.push_back(
+        {"axes turned", [=](Program& program) { return orientation_by_frames(program, robot); }});
   std::vector<Form> forms;
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const MatrixForm& matrix = matrices[i * matrices.size() / columns.size()];
@@ -128,7 +138,8 @@ Quantity jacobian(const model::Robot& robot) {
 
 std::vector<Form> jacobian_methods(const model::Robot& robot) {
   std::vector<Form> methods;
-  for (const ColumnsForm& method : textbook_methods(robot)) methods.push_back({method.name, program_of(method)});
+  for (const ColumnsForm& method : textbook_methods(robot))
+    methods.push_back({method.name, program_of(method)});
   return methods;
 }
 

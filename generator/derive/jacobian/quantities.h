@@ -6,7 +6,8 @@
 
 namespace qvgen::derive {
 
-/// Outputs of a 6 x n matrix: v1_1 ... v3_n (linear rows), w1_1 ... w3_n (angular rows); of a twist v1 ... w3.
+/// Outputs of a 6 x n matrix: v1_1 ... v3_n (linear rows), w1_1 ... w3_n (angular rows); of a twist v1 ...
+/// w3.
 std::string jacobian_entry(std::size_t row, std::size_t column);
 std::string twist_entry(std::size_t row);
 

@@ -54,7 +54,8 @@ Columns columns_in(const Linkage& linkage, std::size_t frame) {
   Frames frames(program, linkage);
   for (const Frames::Column& column : frames.columns()) {
     const MovingTwist twist = frames.move(column.twist, column.frame, frame);
-    for (int row = 0; row < 6; ++row) program.output("", entry({twist.linear.value, twist.angular.value}, row));
+    for (int row = 0; row < 6; ++row)
+      program.output("", entry({twist.linear.value, twist.angular.value}, row));
   }
   const auto outputs = program.expanded();
   Columns columns;
@@ -101,7 +102,8 @@ std::vector<std::size_t> range(std::size_t first, std::size_t last) {
 }
 
 bool has_symbolic_twist(const Linkage& linkage) {
-  return std::any_of(linkage.pivots.begin(), linkage.pivots.end(), [](const auto& pivot) { return pivot.joint < 0; });
+  return std::any_of(linkage.pivots.begin(), linkage.pivots.end(),
+                     [](const auto& pivot) { return pivot.joint < 0; });
 }
 
 std::vector<std::size_t> joints_in(const ex& value, const Linkage& linkage) {
@@ -117,16 +119,19 @@ bool all_axes_parallel(const Linkage& linkage) {
 }
 
 bool slides(std::size_t joint, const Linkage& linkage) {
-  return std::none_of(linkage.pivots.begin(), linkage.pivots.end(), [&](const auto& pivot) { return pivot.joint == static_cast<int>(joint); });
+  return std::none_of(linkage.pivots.begin(), linkage.pivots.end(),
+                      [&](const auto& pivot) { return pivot.joint == static_cast<int>(joint); });
 }
 
-/// What turns the last three joints of six is the wrist; what the second joint changes is the arm as a whole against
-/// the first axis, the shoulder; what is left is how far the arm is stretched: the elbow, or, where a single sliding
-/// joint has come to its zero, the inner boundary.
+/// What turns the last three joints of six is the wrist; what the second joint changes is the arm as a whole
+/// against the first axis, the shoulder; what is left is how far the arm is stretched: the elbow, or, where a
+/// single sliding joint has come to its zero, the inner boundary.
 SingularFactor::Kind kind_of(const std::vector<std::size_t>& joints, const Linkage& linkage) {
   using Kind = SingularFactor::Kind;
   const std::size_t dof = linkage.variables.size();
-  const auto all_from = [&](std::size_t first) { return std::all_of(joints.begin(), joints.end(), [&](std::size_t j) { return j >= first; }); };
+  const auto all_from = [&](std::size_t first) {
+    return std::all_of(joints.begin(), joints.end(), [&](std::size_t j) { return j >= first; });
+  };
   if (joints.size() == 1 && slides(joints.front(), linkage)) return Kind::boundary;
   if (dof == 6 && all_from(3)) return Kind::wrist;
   if (dof < 3 || all_axes_parallel(linkage) || all_from(2)) return Kind::elbow;
@@ -151,8 +156,8 @@ bool add_factors(Singularities& result, const Linkage& linkage, const Square& sq
   for (const auto& factor : product.factors) {
     const auto joints = joints_in(factor.value, linkage);
     auto kind = kind_of(joints, linkage);
-    const bool on_axis = kind != SingularFactor::Kind::wrist && linkage.variables.size() > 2 && !distance.is_zero() &&
-                         circles.divides(factor.value, distance);
+    const bool on_axis = kind != SingularFactor::Kind::wrist && linkage.variables.size() > 2 &&
+                         !distance.is_zero() && circles.divides(factor.value, distance);
     if (on_axis) kind = SingularFactor::Kind::shoulder;
     result.factors.push_back({kind, factor.value, factor.multiplicity, joints});
   }
@@ -186,10 +191,14 @@ ex named_determinant(Program& program, const Columns& columns, const std::vector
 
 std::string to_string(SingularFactor::Kind kind) {
   switch (kind) {
-    case SingularFactor::Kind::boundary: return "inner boundary";
-    case SingularFactor::Kind::shoulder: return "shoulder";
-    case SingularFactor::Kind::elbow: return "elbow";
-    case SingularFactor::Kind::wrist: return "wrist";
+    case SingularFactor::Kind::boundary:
+      return "inner boundary";
+    case SingularFactor::Kind::shoulder:
+      return "shoulder";
+    case SingularFactor::Kind::elbow:
+      return "elbow";
+    case SingularFactor::Kind::wrist:
+      return "wrist";
   }
   return {};
 }
@@ -203,7 +212,9 @@ Singularities singularities(const model::Robot& robot) {
   if (centred) {
     result.rows = {0, 1, 2, 3, 4, 5};
     result.decoupled = true;
-    if (!add_factors(result, *centred, {{0, 1, 2}, range(0, 3)}) || !add_factors(result, *centred, {{3, 4, 5}, range(3, 6)})) return {};
+    if (!add_factors(result, *centred, {{0, 1, 2}, range(0, 3)}) ||
+        !add_factors(result, *centred, {{3, 4, 5}, range(3, 6)}))
+      return {};
     return result;
   }
   const Linkage simplest = dof == 6 ? at_last_pivot(arm) : arm;

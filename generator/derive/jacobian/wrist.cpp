@@ -14,7 +14,8 @@ bool vanishes(const Vector& v) {
   return e.x.is_zero() && e.y.is_zero() && e.z.is_zero();
 }
 
-/// How far along `moving` the point lies in which the line origin + t * moving meets the line along `fixed` through zero.
+/// How far along `moving` the point lies in which the line origin + t * moving meets the line along `fixed`
+/// through zero.
 std::optional<ex> meeting(const Vector& fixed, const Vector& origin, const Vector& moving) {
   const Vector normal = expanded(cross(moving, fixed));
   if (vanishes(normal)) return std::nullopt;

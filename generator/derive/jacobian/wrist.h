@@ -7,8 +7,8 @@
 
 namespace qvgen::derive {
 
-/// The linkage with its tool point at the common point of the last three axes: the wrist centre. Nothing unless the
-/// last three joints are revolute and their axes meet, whatever the joint values.
+/// The linkage with its tool point at the common point of the last three axes: the wrist centre. Nothing
+/// unless the last three joints are revolute and their axes meet, whatever the joint values.
 std::optional<Linkage> at_wrist_centre(const Linkage& linkage);
 
 /// From the tool point to the wrist centre, in the tool frame; nothing where there is none.

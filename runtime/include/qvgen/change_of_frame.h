@@ -6,11 +6,11 @@
 
 namespace qvgen {
 
-/// A twist, or the columns of a Jacobian, from frame B into frame A: both halves turned by `rotation`, the matrix of
-/// B's axes in A (Jacobian lecture, last section: AJ = diag(R, R) BJ). The point stays.
+/// A twist, or the columns of a Jacobian, from frame B into frame A: both halves turned by `rotation`, the
+/// matrix of B's axes in A (Jacobian lecture, last section: AJ = diag(R, R) BJ). The point stays.
 template <class Derived>
-Eigen::Matrix<typename Derived::Scalar, 6, Derived::ColsAtCompileTime> turned_into(const Matrix3<typename Derived::Scalar>& rotation,
-                                                                                   const Eigen::MatrixBase<Derived>& twists) {
+Eigen::Matrix<typename Derived::Scalar, 6, Derived::ColsAtCompileTime> turned_into(
+    const Matrix3<typename Derived::Scalar>& rotation, const Eigen::MatrixBase<Derived>& twists) {
   static_assert(Derived::RowsAtCompileTime == 6, "linear rows, then angular rows");
   Eigen::Matrix<typename Derived::Scalar, 6, Derived::ColsAtCompileTime> result;
   result.template topRows<3>() = rotation * twists.template topRows<3>();
@@ -21,8 +21,8 @@ Eigen::Matrix<typename Derived::Scalar, 6, Derived::ColsAtCompileTime> turned_in
 /// The same twists at another point of the body, `offset` (m) away from the old one, in the same frame:
 /// v' = v + omega x offset.
 template <class Derived>
-Eigen::Matrix<typename Derived::Scalar, 6, Derived::ColsAtCompileTime> moved_by(const Vector3<typename Derived::Scalar>& offset,
-                                                                                const Eigen::MatrixBase<Derived>& twists) {
+Eigen::Matrix<typename Derived::Scalar, 6, Derived::ColsAtCompileTime> moved_by(
+    const Vector3<typename Derived::Scalar>& offset, const Eigen::MatrixBase<Derived>& twists) {
   static_assert(Derived::RowsAtCompileTime == 6, "linear rows, then angular rows");
   Eigen::Matrix<typename Derived::Scalar, 6, Derived::ColsAtCompileTime> result = twists;
   for (Eigen::Index i = 0; i < twists.cols(); ++i) {

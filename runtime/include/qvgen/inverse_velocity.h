@@ -21,8 +21,8 @@ struct InverseVelocityOptions {
   /// Damping at the singularity itself, relative to the largest singular value: joint rates stay below
   /// |twist| / (2 damping largest).
   Scalar damping = Scalar(0.02);
-  /// m or rad: a largest singular value below this is taken to be this, so that an arm that can hardly move at all, its
-  /// end in the middle of its axes, is not asked to.
+  /// m or rad: a largest singular value below this is taken to be this, so that an arm that can hardly move
+  /// at all, its end in the middle of its axes, is not asked to.
   Scalar scale = Scalar(0.05);
 };
 
@@ -41,12 +41,13 @@ bool all_finite(const Vector& v) {
   return (difference.array() == typename Vector::Scalar(0)).all();
 }
 
-/// Damped least squares by singular values: sum of sigma / (sigma^2 + lambda^2) v u^T, with lambda rising from 0 at the
-/// threshold to its full size at sigma = 0. Returns true if it had to be damped.
+/// Damped least squares by singular values: sum of sigma / (sigma^2 + lambda^2) v u^T, with lambda rising
+/// from 0 at the threshold to its full size at sigma = 0. Returns true if it had to be damped.
 template <class Scalar, int Rows, int Columns>
 bool damped_solve(const Eigen::Matrix<Scalar, Rows, Columns>& a, const Eigen::Matrix<Scalar, Rows, 1>& b,
                   const InverseVelocityOptions<Scalar>& options, Eigen::Matrix<Scalar, Columns, 1>& x) {
-  const Eigen::JacobiSVD<Eigen::Matrix<Scalar, Rows, Columns>> svd(a, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Eigen::JacobiSVD<Eigen::Matrix<Scalar, Rows, Columns>> svd(a,
+                                                                   Eigen::ComputeFullU | Eigen::ComputeFullV);
   const auto& values = svd.singularValues();
   const Scalar largest = values(0) > options.scale ? values(0) : options.scale;
   const Scalar bound = options.threshold * largest;
@@ -64,15 +65,18 @@ bool damped_solve(const Eigen::Matrix<Scalar, Rows, Columns>& a, const Eigen::Ma
   return damped;
 }
 
-/// A 3 x 3 system by cofactors where it is far from singular: |det| against the product of the columns' lengths.
+/// A 3 x 3 system by cofactors where it is far from singular: |det| against the product of the columns'
+/// lengths.
 template <class Scalar>
-bool solve_3x3(const Matrix3<Scalar>& a, const Vector3<Scalar>& b, const InverseVelocityOptions<Scalar>& options, Vector3<Scalar>& x) {
+bool solve_3x3(const Matrix3<Scalar>& a, const Vector3<Scalar>& b,
+               const InverseVelocityOptions<Scalar>& options, Vector3<Scalar>& x) {
   using std::abs;
   const Scalar size = a.colwise().norm().prod();
   // For unit columns the smallest singular value is at least |det| / 3.
   const Scalar largest = a.colwise().norm().maxCoeff();
   const Scalar least = a.colwise().norm().minCoeff();
-  const bool regular = abs(a.determinant()) > Scalar(3) * options.threshold * size && least > Scalar(4) * options.threshold * largest;
+  const bool regular = abs(a.determinant()) > Scalar(3) * options.threshold * size &&
+                       least > Scalar(4) * options.threshold * largest;
   if (regular && least > options.scale) {
     x = a.inverse() * b;
     return false;
@@ -82,12 +86,14 @@ bool solve_3x3(const Matrix3<Scalar>& a, const Vector3<Scalar>& b, const Inverse
 
 }  // namespace detail
 
-/// Joint rates for a twist: the inverse of a square Jacobian, the smallest joint rates for an arm with more joints than
-/// six, least squares for one with fewer; damped near singularities. Linear and angular rows are weighed as they stand.
+/// Joint rates for a twist: the inverse of a square Jacobian, the smallest joint rates for an arm with more
+/// joints than six, least squares for one with fewer; damped near singularities. Linear and angular rows are
+/// weighed as they stand.
 ///
 /// Branches on values: plain floating-point types only. No heap, no exceptions.
 template <class Scalar, int Joints>
-InverseVelocity<Scalar, Joints> inverse_velocity(const Eigen::Matrix<Scalar, 6, Joints>& jacobian, const Eigen::Matrix<Scalar, 6, 1>& twist,
+InverseVelocity<Scalar, Joints> inverse_velocity(const Eigen::Matrix<Scalar, 6, Joints>& jacobian,
+                                                 const Eigen::Matrix<Scalar, 6, 1>& twist,
                                                  const InverseVelocityOptions<Scalar>& options = {}) {
   InverseVelocity<Scalar, Joints> result;
   if (!detail::all_finite(jacobian) || !detail::all_finite(twist)) return result;
@@ -97,24 +103,28 @@ InverseVelocity<Scalar, Joints> inverse_velocity(const Eigen::Matrix<Scalar, 6, 
   return result;
 }
 
-/// The same for six joints with a spherical wrist: at the wrist centre the last three joints give no linear velocity, so
-/// the arm follows from the linear part alone and the wrist from what is left of the angular part: two 3 x 3 systems.
-/// Near a singularity of one of them only that one is damped.
+/// The same for six joints with a spherical wrist: at the wrist centre the last three joints give no linear
+/// velocity, so the arm follows from the linear part alone and the wrist from what is left of the angular
+/// part: two 3 x 3 systems. Near a singularity of one of them only that one is damped.
 ///
 /// wrist_centre: from the tool point (to which Jacobian and twist belong) to the wrist centre, base frame, m.
 template <class Scalar>
-InverseVelocity<Scalar, 6> inverse_velocity_decoupled(const Eigen::Matrix<Scalar, 6, 6>& jacobian, const Vector3<Scalar>& wrist_centre,
+InverseVelocity<Scalar, 6> inverse_velocity_decoupled(const Eigen::Matrix<Scalar, 6, 6>& jacobian,
+                                                      const Vector3<Scalar>& wrist_centre,
                                                       const Eigen::Matrix<Scalar, 6, 1>& twist,
                                                       const InverseVelocityOptions<Scalar>& options = {}) {
   InverseVelocity<Scalar, 6> result;
-  if (!detail::all_finite(jacobian) || !detail::all_finite(twist) || !detail::all_finite(wrist_centre)) return result;
+  if (!detail::all_finite(jacobian) || !detail::all_finite(twist) || !detail::all_finite(wrist_centre))
+    return result;
   const Eigen::Matrix<Scalar, 6, 6> centred = moved_by(wrist_centre, jacobian);
   const Eigen::Matrix<Scalar, 6, 1> wanted = moved_by(wrist_centre, twist);
   Vector3<Scalar> arm;
   Vector3<Scalar> wrist;
-  const bool arm_damped = detail::solve_3x3<Scalar>(centred.template topLeftCorner<3, 3>(), wanted.template head<3>(), options, arm);
+  const bool arm_damped = detail::solve_3x3<Scalar>(centred.template topLeftCorner<3, 3>(),
+                                                    wanted.template head<3>(), options, arm);
   const Vector3<Scalar> left = wanted.template tail<3>() - centred.template bottomLeftCorner<3, 3>() * arm;
-  const bool wrist_damped = detail::solve_3x3<Scalar>(centred.template bottomRightCorner<3, 3>(), left, options, wrist);
+  const bool wrist_damped =
+      detail::solve_3x3<Scalar>(centred.template bottomRightCorner<3, 3>(), left, options, wrist);
   result.qd << arm, wrist;
   result.status = arm_damped || wrist_damped ? VelocityStatus::damped : VelocityStatus::solved;
   result.residual = (jacobian * result.qd - twist).norm();

@@ -6,12 +6,12 @@
 
 namespace qvgen {
 
-/// How well an arm moves, from the singular values of a matrix of at most 6 x 7 or so. Rows in metres and rows in
-/// radians are compared as they stand: scale them before where that matters.
+/// How well an arm moves, from the singular values of a matrix of at most 6 x 7 or so. Rows in metres and
+/// rows in radians are compared as they stand: scale them before where that matters.
 template <class Scalar>
 struct Manipulability {
-  Scalar volume;             ///< product of all singular values: sqrt(det(J J^T)) (Yoshikawa), |det J| if square
-  Scalar smallest;           ///< smallest singular value: 0 at a singularity
+  Scalar volume;    ///< product of all singular values: sqrt(det(J J^T)) (Yoshikawa), |det J| if square
+  Scalar smallest;  ///< smallest singular value: 0 at a singularity
   Scalar inverse_condition;  ///< smallest over largest, in [0, 1]; 0 if all vanish
 };
 
