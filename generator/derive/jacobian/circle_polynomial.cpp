@@ -5,6 +5,8 @@
 #include <map>
 #include <stdexcept>
 
+#include "exact/hash.h"
+
 namespace qvgen::derive {
 
 using GiNaC::ex;
@@ -183,9 +185,24 @@ CirclePolynomials::Half CirclePolynomials::join(const Half& a, const Half& b) co
   return result;
 }
 
-/// Joins factors of odd degree: with a different factor of the same parity, else with an equal one, else with
-/// any.
+/// A number that tells factors apart up to sign and is the same in every run, whatever order GiNaC's terms have.
+ex CirclePolynomials::key(const Half& half) const {
+  GiNaC::exmap values;
+  const auto number = [](const ex& symbol) {
+    const auto hash = exact::hash(GiNaC::ex_to<GiNaC::symbol>(symbol).get_name());
+    return GiNaC::numeric(static_cast<long>(hash % 9973) + 2, 997);
+  };
+  for (const Circle& circle : circles_) values[circle.tangent] = number(circle.angle);
+  for (const ex& symbol : symbols_of(half.value)) values.emplace(symbol, number(symbol));
+  return GiNaC::abs(half.value.subs(values, GiNaC::subs_options::no_pattern).expand());
+}
+
+/// Joins factors of odd degree: with that of the same parity that gives the shortest result, else with any.
 std::vector<CirclePolynomials::Half> CirclePolynomials::joined(std::vector<Half> factors) const {
+  std::stable_sort(factors.begin(), factors.end(), [this](const Half& a, const Half& b) {
+    return std::pair(a.degrees.size(), GiNaC::ex_to<GiNaC::numeric>(key(a)).to_double()) <
+           std::pair(b.degrees.size(), GiNaC::ex_to<GiNaC::numeric>(key(b)).to_double());
+  });
   std::vector<Half> result;
   while (!factors.empty()) {
     const Half first = factors.front();
@@ -194,15 +211,17 @@ std::vector<CirclePolynomials::Half> CirclePolynomials::joined(std::vector<Half>
       result.push_back(first);
       continue;
     }
-    auto partner = std::find_if(factors.begin(), factors.end(), [&](const Half& other) {
-      return match(first.degrees, other.degrees) && !first.value.is_equal(other.value);
-    });
+    auto partner = factors.end();
+    std::size_t shortest = 0;
+    for (auto other = factors.begin(); other != factors.end(); ++other) {
+      if (even(other->degrees) || !match(first.degrees, other->degrees)) continue;
+      const std::size_t length = terms(written(in_full_angles(join(first, *other)))).size();
+      if (partner != factors.end() && length >= shortest) continue;
+      partner = other;
+      shortest = length;
+    }
     if (partner == factors.end())
-      partner = std::find_if(factors.begin(), factors.end(),
-                             [&](const Half& other) { return match(first.degrees, other.degrees); });
-    if (partner == factors.end())
-      partner = std::find_if(factors.begin(), factors.end(),
-                             [&](const Half& other) { return !even(other.degrees); });
+      partner = std::find_if(factors.begin(), factors.end(), [&](const Half& other) { return !even(other.degrees); });
     if (partner == factors.end()) throw std::logic_error("a trigonometric polynomial of odd degree");
     const Half both = join(first, *partner);
     factors.erase(partner);

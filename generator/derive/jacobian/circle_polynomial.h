@@ -53,6 +53,7 @@ class CirclePolynomials {
   GiNaC::ex in_tangents(const GiNaC::ex& polynomial, std::vector<int>& degrees) const;
   std::vector<Half> split(const GiNaC::ex& factored, std::vector<int> degrees, GiNaC::ex& constant,
                           const std::vector<GiNaC::ex>& variables) const;
+  GiNaC::ex key(const Half& half) const;
   Half join(const Half& a, const Half& b) const;
   std::vector<Half> joined(std::vector<Half> factors) const;
   GiNaC::ex in_full_angles(const Half& half) const;
