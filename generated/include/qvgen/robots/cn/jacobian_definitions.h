@@ -423,10 +423,10 @@ template <class Scalar, class Angles>
 inline SingularityMeasures<Scalar> singularity_measures([[maybe_unused]] const JointVector<Scalar>& q,
     [[maybe_unused]] const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
   [[maybe_unused]] const auto& [s, c] = angles;
-  const Scalar t0 = c[0] - s[0];
+
   SingularityMeasures<Scalar> result;
-  result(0, 0) = Scalar(1) + t0;
-  result(1, 0) = Scalar(1) - t0;
+  result(0, 0) = c[0];
+  result(1, 0) = s[0];
   result(2, 0) = s[1];
 
   return result;
