@@ -11,8 +11,11 @@ namespace comparison {
 /// KDL's Jacobian of an arm: base frame, at the tool, linear rows first, as here.
 class KdlJacobian {
  public:
-  explicit KdlJacobian(const KdlArm& arm)
-      : solver_(arm.chain()), joints_(arm.chain().getNrOfJoints()), jacobian_(arm.chain().getNrOfJoints()) {}
+  explicit KdlJacobian(std::shared_ptr<KdlArm> arm)
+      : arm_(std::move(arm)),
+        solver_(arm_->chain()),
+        joints_(arm_->chain().getNrOfJoints()),
+        jacobian_(arm_->chain().getNrOfJoints()) {}
   template <class Joints>
   const KDL::Jacobian& operator()(const Joints& q) {
     joints_.data = q;
@@ -21,6 +24,7 @@ class KdlJacobian {
   }
 
  private:
+  std::shared_ptr<KdlArm> arm_;  // KDL's solver keeps a reference to the chain
   KDL::ChainJntToJacSolver solver_;
   KDL::JntArray joints_;
   KDL::Jacobian jacobian_;
@@ -35,7 +39,7 @@ bool add_jacobian() {
     const reference::Chain chain = load_robot(robot);
     const auto joints = std::make_shared<std::vector<Joints>>(configurations<Joints>(chain));
     const auto arm = std::make_shared<KdlArm>(chain);
-    const auto kdl = std::make_shared<KdlJacobian>(*arm);
+    const auto kdl = std::make_shared<KdlJacobian>(arm);
     const auto given = std::make_shared<std::vector<typename Arm::Angles>>();
     double worst = 0;
     for (const Joints& q : *joints) {
