@@ -11,8 +11,10 @@
 #include "application/dynamics_closed_form.h"
 #include "application/dynamics_function.h"
 #include "application/files.h"
+#include "application/inverse/describe.h"
 #include "application/pipeline.h"
 #include "application/singularities.h"
+#include "derive/inverse/inverse.h"
 #include "description/reader.h"
 
 namespace qvgen::application {
@@ -96,10 +98,20 @@ int run_generate(const GenerateArguments& arguments) {
   const auto robots = read_robots(arguments.descriptions, arguments.strict);
   if (!robots) return bad_description;
   std::vector<OutputFile> files;
+  std::vector<std::string> missing;
   {
     ProgressLine line(robots->size());
     files = generate(*robots, arguments.parts, read_counts(arguments.output / "operation_counts.json"),
-                     [&](const std::string& robot) { line.finished(robot); });
+                     [&](const std::string& robot) { line.finished(robot); }, &missing);
+  }
+  bool lacking = false;
+  for (const std::string& reason : missing) {
+    fmt::print(stderr, "{}\n", reason);
+    for (const std::string& required : arguments.required) lacking = lacking || reason.find(": no " + required) != std::string::npos;
+  }
+  if (lacking) {
+    fmt::print(stderr, "qvgen: required and not derived, nothing written\n");
+    return failure;
   }
   const int changed = write_files(arguments.output, files);
   fmt::print("{}", report(only(read_counts(arguments.output / "operation_counts.json"), *robots), ReportFormat::table));
@@ -130,6 +142,17 @@ int show_dynamics(const model::Robot& robot) {
   return success;
 }
 
+int show_inverse(const model::Robot& robot, emit::Notation notation) {
+  bool found = false;
+  for (const auto& derivation : {derive::inverse::derive(robot), derive::inverse::derive_locked(robot)}) {
+    for (const std::string& reason : derivation.reasons) fmt::print(stderr, "{}: no inverse kinematics: {}\n", robot.name, reason);
+    if (!derivation.found) continue;
+    found = true;
+    for (const std::string& line : describe(lower(derivation.plan), notation)) fmt::print("{}\n", line);
+  }
+  return found ? success : failure;
+}
+
 }  // namespace
 
 int run_show(const ShowArguments& arguments) {
@@ -141,6 +164,7 @@ int run_show(const ShowArguments& arguments) {
     for (const std::string& line : singularity_lines(robots->front(), notation)) fmt::print("{}\n", line);
     return success;
   }
+  if (arguments.inverse) return show_inverse(robots->front(), notation);
   const auto lines = closed_form_lines(robots->front(), notation);
   if (lines.empty()) {
     fmt::print(stderr, "qvgen: {} has a constant rotation by a symbolic angle: no closed form in half-angle sums\n", robots->front().name);

@@ -45,6 +45,7 @@ int main(int argc, char** argv) {
   generate_command->add_option("FILES", generate_files, "robot descriptions or names of known robots; all known ones without");
   generate_command->add_option("-o,--output", output, "folder to write to")->capture_default_str();
   generate_command->add_option("--only", generate.parts, "parts to generate: kinematics, jacobian, ...; all without")->delimiter(',');
+  generate_command->add_option("--require", generate.required, "a product (inverse) that every robot must get, else an error");
   generate_command->add_flag("--strict", generate.strict, "warnings about a description are errors");
 
   std::string shown;
@@ -54,6 +55,7 @@ int main(int argc, char** argv) {
   show_command->add_flag("--dynamics", show.dynamics, "the joint forces of up to three joints, written out");
   show_command->add_flag("--latex", show.latex, "as LaTeX");
   show_command->add_flag("--singularities", show.singularities, "the factored determinant of the Jacobian instead");
+  show_command->add_flag("--inverse", show.inverse, "the derivation of inverse kinematics");
 
   ReportFormat format = ReportFormat::table;
   const std::map<std::string, ReportFormat> formats{{"table", ReportFormat::table}, {"csv", ReportFormat::csv}, {"json", ReportFormat::json}, {"markdown", ReportFormat::markdown}};

@@ -45,7 +45,7 @@ bool is_wanted(const Product& product, const Parts& parts) {
 }  // namespace
 
 RobotOutput generate_robot(const model::Robot& robot, const Parts& parts) {
-  RobotOutput output{robot.name, {}, ordered_json::object()};
+  RobotOutput output{robot.name, {}, ordered_json::object(), {}};
   try {
     for (const Product& product : all_products())
       if (is_wanted(product, parts)) product.generate(robot, output);
@@ -57,7 +57,7 @@ RobotOutput generate_robot(const model::Robot& robot, const Parts& parts) {
 }
 
 std::vector<OutputFile> generate(const std::vector<model::Robot>& robots, const Parts& parts, const ordered_json& earlier,
-                                 const std::function<void(const std::string&)>& progress) {
+                                 const std::function<void(const std::string&)>& progress, std::vector<std::string>* missing) {
   check_parts(parts);
   const auto work = [&](std::size_t i) { return to_text(generate_robot(robots[i], parts)); };
   const auto done = [&](std::size_t i) { if (progress) progress(robots[i].name); };
@@ -67,6 +67,8 @@ std::vector<OutputFile> generate(const std::vector<model::Robot>& robots, const 
   for (const std::string& text : in_processes(robots.size(), work, done)) {
     RobotOutput output = robot_output_from_text(text);
     entries[output.robot] = output.counts;
+    for (const std::string& reason : output.missing)
+      if (missing != nullptr) missing->push_back(output.robot + ": " + reason);
     files.insert(files.end(), output.files.begin(), output.files.end());
   }
   ordered_json all = ordered_json::object();

@@ -17,9 +17,11 @@ using Parts = std::vector<std::string>;
 RobotOutput generate_robot(const model::Robot& robot, const Parts& parts = {});
 
 /// All files of a run, robots in parallel: theirs, operation_counts.json and the folder's README. Robots that `earlier`
-/// (the operation_counts.json in place, if any) knows and this run does not keep their entries.
+/// (the operation_counts.json in place, if any) knows and this run does not keep their entries. `missing` receives
+/// "robot: reason" for what could not be derived.
 std::vector<OutputFile> generate(const std::vector<model::Robot>& robots, const Parts& parts,
                                  const nlohmann::ordered_json& earlier,
-                                 const std::function<void(const std::string& robot)>& progress = {});
+                                 const std::function<void(const std::string& robot)>& progress = {},
+                                 std::vector<std::string>* missing = nullptr);
 
 }  // namespace qvgen::application

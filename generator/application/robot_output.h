@@ -18,6 +18,7 @@ struct RobotOutput {
   std::string robot;
   std::vector<OutputFile> files;
   nlohmann::ordered_json counts;
+  std::vector<std::string> missing;  ///< products that this robot does not get, each with the reason
 };
 
 /// To and from text, for the way between processes.

@@ -28,6 +28,11 @@ Vector Program::let(const Vector& value) { return {let(value.x), let(value.y), l
 
 void Program::output(const std::string& name, const ex& value) { outputs_.push_back({name, value}); }
 
+void Program::output(const GiNaC::symbol& name, const ex& value) {
+  steps_.push_back({name, value});
+  outputs_.push_back({name.get_name(), name});
+}
+
 std::vector<Program::Output> Program::expanded() const {
   GiNaC::exmap values;
   for (const Step& step : steps_) values[step.name] = step.value.subs(values, GiNaC::subs_options::no_pattern);

@@ -29,6 +29,8 @@ class Program {
   void output(const std::string& name, const GiNaC::ex& value);
   /// Takes over a step of another program that began as a copy of this one.
   void append(const Step& step) { steps_.push_back(step); }
+  /// A result that later values of this program may use by its symbol.
+  void output(const GiNaC::symbol& name, const GiNaC::ex& value);
 
   [[nodiscard]] const std::vector<Step>& steps() const { return steps_; }
   [[nodiscard]] const std::vector<Output>& outputs() const { return outputs_; }

@@ -3,6 +3,7 @@
 
 #include "application/products/dynamics.h"
 #include "application/products/jacobian.h"
+#include "application/products/inverse.h"
 #include "application/products/kinematics.h"
 #include "application/products/model_header.h"
 
@@ -11,6 +12,7 @@ namespace qvgen::application {
 const std::vector<Product>& all_products() {
   static const std::vector<Product> products{{"model", generate_model_header},
                                              {"kinematics", generate_kinematics},
+                                             {"inverse", generate_inverse},
                                              {"jacobian", generate_jacobian},
                                              {"dynamics", generate_dynamics_product}};
   return products;

@@ -5,4 +5,5 @@
 
 #include <qvgen/robots/cc/model.h>
 #include <qvgen/robots/cc/kinematics.h>
+#include <qvgen/robots/cc/inverse.h>
 #include <qvgen/robots/cc/jacobian.h>

@@ -5,4 +5,5 @@
 
 #include <qvgen/robots/cn/model.h>
 #include <qvgen/robots/cn/kinematics.h>
+#include <qvgen/robots/cn/inverse.h>
 #include <qvgen/robots/cn/jacobian.h>

@@ -5,4 +5,5 @@
 
 #include <qvgen/robots/cr/model.h>
 #include <qvgen/robots/cr/kinematics.h>
+#include <qvgen/robots/cr/inverse.h>
 #include <qvgen/robots/cr/jacobian.h>

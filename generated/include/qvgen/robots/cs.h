@@ -5,4 +5,5 @@
 
 #include <qvgen/robots/cs/model.h>
 #include <qvgen/robots/cs/kinematics.h>
+#include <qvgen/robots/cs/inverse.h>
 #include <qvgen/robots/cs/jacobian.h>

@@ -5,5 +5,6 @@
 
 #include <qvgen/robots/general_6r/model.h>
 #include <qvgen/robots/general_6r/kinematics.h>
+#include <qvgen/robots/general_6r/inverse.h>
 #include <qvgen/robots/general_6r/jacobian.h>
 #include <qvgen/robots/general_6r/dynamics.h>

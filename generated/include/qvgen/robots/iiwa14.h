@@ -5,5 +5,6 @@
 
 #include <qvgen/robots/iiwa14/model.h>
 #include <qvgen/robots/iiwa14/kinematics.h>
+#include <qvgen/robots/iiwa14/inverse.h>
 #include <qvgen/robots/iiwa14/jacobian.h>
 #include <qvgen/robots/iiwa14/dynamics.h>

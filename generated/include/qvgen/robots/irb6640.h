@@ -5,4 +5,5 @@
 
 #include <qvgen/robots/irb6640/model.h>
 #include <qvgen/robots/irb6640/kinematics.h>
+#include <qvgen/robots/irb6640/inverse.h>
 #include <qvgen/robots/irb6640/jacobian.h>

@@ -5,4 +5,5 @@
 
 #include <qvgen/robots/nc/model.h>
 #include <qvgen/robots/nc/kinematics.h>
+#include <qvgen/robots/nc/inverse.h>
 #include <qvgen/robots/nc/jacobian.h>

@@ -5,4 +5,5 @@
 
 #include <qvgen/robots/nn/model.h>
 #include <qvgen/robots/nn/kinematics.h>
+#include <qvgen/robots/nn/inverse.h>
 #include <qvgen/robots/nn/jacobian.h>

@@ -5,4 +5,5 @@
 
 #include <qvgen/robots/nr/model.h>
 #include <qvgen/robots/nr/kinematics.h>
+#include <qvgen/robots/nr/inverse.h>
 #include <qvgen/robots/nr/jacobian.h>

@@ -5,4 +5,5 @@
 
 #include <qvgen/robots/ns/model.h>
 #include <qvgen/robots/ns/kinematics.h>
+#include <qvgen/robots/ns/inverse.h>
 #include <qvgen/robots/ns/jacobian.h>

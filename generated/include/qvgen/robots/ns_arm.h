@@ -5,5 +5,6 @@
 
 #include <qvgen/robots/ns_arm/model.h>
 #include <qvgen/robots/ns_arm/kinematics.h>
+#include <qvgen/robots/ns_arm/inverse.h>
 #include <qvgen/robots/ns_arm/jacobian.h>
 #include <qvgen/robots/ns_arm/dynamics.h>

@@ -5,5 +5,6 @@
 
 #include <qvgen/robots/ns_numbers/model.h>
 #include <qvgen/robots/ns_numbers/kinematics.h>
+#include <qvgen/robots/ns_numbers/inverse.h>
 #include <qvgen/robots/ns_numbers/jacobian.h>
 #include <qvgen/robots/ns_numbers/dynamics.h>

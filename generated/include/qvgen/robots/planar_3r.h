@@ -5,4 +5,5 @@
 
 #include <qvgen/robots/planar_3r/model.h>
 #include <qvgen/robots/planar_3r/kinematics.h>
+#include <qvgen/robots/planar_3r/inverse.h>
 #include <qvgen/robots/planar_3r/jacobian.h>

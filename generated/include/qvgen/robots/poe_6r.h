@@ -5,4 +5,5 @@
 
 #include <qvgen/robots/poe_6r/model.h>
 #include <qvgen/robots/poe_6r/kinematics.h>
+#include <qvgen/robots/poe_6r/inverse.h>
 #include <qvgen/robots/poe_6r/jacobian.h>

@@ -5,5 +5,6 @@
 
 #include <qvgen/robots/puma560/model.h>
 #include <qvgen/robots/puma560/kinematics.h>
+#include <qvgen/robots/puma560/inverse.h>
 #include <qvgen/robots/puma560/jacobian.h>
 #include <qvgen/robots/puma560/dynamics.h>

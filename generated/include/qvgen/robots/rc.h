@@ -5,4 +5,5 @@
 
 #include <qvgen/robots/rc/model.h>
 #include <qvgen/robots/rc/kinematics.h>
+#include <qvgen/robots/rc/inverse.h>
 #include <qvgen/robots/rc/jacobian.h>

@@ -5,4 +5,5 @@
 
 #include <qvgen/robots/rn/model.h>
 #include <qvgen/robots/rn/kinematics.h>
+#include <qvgen/robots/rn/inverse.h>
 #include <qvgen/robots/rn/jacobian.h>

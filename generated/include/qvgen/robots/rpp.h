@@ -5,4 +5,5 @@
 
 #include <qvgen/robots/rpp/model.h>
 #include <qvgen/robots/rpp/kinematics.h>
+#include <qvgen/robots/rpp/inverse.h>
 #include <qvgen/robots/rpp/jacobian.h>

@@ -5,4 +5,5 @@
 
 #include <qvgen/robots/rr/model.h>
 #include <qvgen/robots/rr/kinematics.h>
+#include <qvgen/robots/rr/inverse.h>
 #include <qvgen/robots/rr/jacobian.h>

@@ -5,4 +5,5 @@
 
 #include <qvgen/robots/rr_planar/model.h>
 #include <qvgen/robots/rr_planar/kinematics.h>
+#include <qvgen/robots/rr_planar/inverse.h>
 #include <qvgen/robots/rr_planar/jacobian.h>

@@ -5,4 +5,5 @@
 
 #include <qvgen/robots/rrp/model.h>
 #include <qvgen/robots/rrp/kinematics.h>
+#include <qvgen/robots/rrp/inverse.h>
 #include <qvgen/robots/rrp/jacobian.h>

@@ -5,4 +5,5 @@
 
 #include <qvgen/robots/rrr/model.h>
 #include <qvgen/robots/rrr/kinematics.h>
+#include <qvgen/robots/rrr/inverse.h>
 #include <qvgen/robots/rrr/jacobian.h>

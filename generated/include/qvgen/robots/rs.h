@@ -5,4 +5,5 @@
 
 #include <qvgen/robots/rs/model.h>
 #include <qvgen/robots/rs/kinematics.h>
+#include <qvgen/robots/rs/inverse.h>
 #include <qvgen/robots/rs/jacobian.h>

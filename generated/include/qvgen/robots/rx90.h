@@ -5,5 +5,6 @@
 
 #include <qvgen/robots/rx90/model.h>
 #include <qvgen/robots/rx90/kinematics.h>
+#include <qvgen/robots/rx90/inverse.h>
 #include <qvgen/robots/rx90/jacobian.h>
 #include <qvgen/robots/rx90/dynamics.h>

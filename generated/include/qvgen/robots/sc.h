@@ -5,4 +5,5 @@
 
 #include <qvgen/robots/sc/model.h>
 #include <qvgen/robots/sc/kinematics.h>
+#include <qvgen/robots/sc/inverse.h>
 #include <qvgen/robots/sc/jacobian.h>

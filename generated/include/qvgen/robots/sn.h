@@ -5,4 +5,5 @@
 
 #include <qvgen/robots/sn/model.h>
 #include <qvgen/robots/sn/kinematics.h>
+#include <qvgen/robots/sn/inverse.h>
 #include <qvgen/robots/sn/jacobian.h>

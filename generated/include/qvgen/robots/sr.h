@@ -5,4 +5,5 @@
 
 #include <qvgen/robots/sr/model.h>
 #include <qvgen/robots/sr/kinematics.h>
+#include <qvgen/robots/sr/inverse.h>
 #include <qvgen/robots/sr/jacobian.h>

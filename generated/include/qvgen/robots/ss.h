@@ -5,4 +5,5 @@
 
 #include <qvgen/robots/ss/model.h>
 #include <qvgen/robots/ss/kinematics.h>
+#include <qvgen/robots/ss/inverse.h>
 #include <qvgen/robots/ss/jacobian.h>

@@ -5,5 +5,6 @@
 
 #include <qvgen/robots/stanford/model.h>
 #include <qvgen/robots/stanford/kinematics.h>
+#include <qvgen/robots/stanford/inverse.h>
 #include <qvgen/robots/stanford/jacobian.h>
 #include <qvgen/robots/stanford/dynamics.h>

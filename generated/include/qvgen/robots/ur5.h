@@ -5,4 +5,5 @@
 
 #include <qvgen/robots/ur5/model.h>
 #include <qvgen/robots/ur5/kinematics.h>
+#include <qvgen/robots/ur5/inverse.h>
 #include <qvgen/robots/ur5/jacobian.h>

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+#include "application/inverse/execute.h"
+
+#include <stdexcept>
+
+#include <qvgen/inverse/conic_circle.h>
+#include <qvgen/inverse/polish.h>
+#include <qvgen/inverse/roots.h>
+#include <qvgen/inverse/wrist.h>
+
+#include "dag/evaluate.h"
+#include "derive/inverse/inverse.h"
+
+namespace qvgen::application {
+namespace {
+
+using derive::inverse::Kind;
+using derive::inverse::Step;
+using Rotor = qvgen::inverse::Rotor<Real>;
+using Branch = qvgen::inverse::Branch<Real>;
+
+struct Leaves {
+  const Values& values;
+  Real constant(const exact::Number& number) const {
+    Real sum(0);
+    for (const auto& [radicand, coefficient] : number.terms())
+      sum += Real(cln::cl_R(coefficient)) * sqrt(Real(cln::cl_R(cln::cl_I(radicand))));
+    return sum;
+  }
+  Real symbol(const std::string& name) const {
+    if (name == "pi") return Real::pi();
+    const auto place = values.find(name);
+    if (place == values.end()) throw std::logic_error("inverse kinematics: no value for " + name);
+    return place->second;
+  }
+  Real sine(const dag::Angle& angle) const { return sin(of(angle)); }
+  Real cosine(const dag::Angle& angle) const { return cos(of(angle)); }
+  Real root(const Real& x) const { return sqrt(qvgen::inverse::not_negative(x)); }
+  Real arctangent(const Real& y, const Real& x) const { return atan2(y, x); }
+
+ private:
+  Real of(const dag::Angle& angle) const {
+    Real sum = Real(cln::cl_R(angle.pi)) * Real::pi();
+    for (const auto& [name, coefficient] : angle.terms) sum += Real(cln::cl_R(coefficient)) * symbol(name);
+    return sum;
+  }
+};
+
+Values outputs(const dag::Function& function, const Values& values) {
+  const std::vector<Real> results = dag::evaluate<Real>(function, Leaves{values});
+  Values named;
+  for (std::size_t i = 0; i < results.size(); ++i) named[function.outputs[i].name] = results[i];
+  return named;
+}
+
+class Execution {
+ public:
+  explicit Execution(const LoweredPlan& plan) : plan_(plan) {}
+
+  std::vector<Row> run(Values values) {
+    for (const auto& [name, value] : outputs(plan_.target, values)) values[name] = value;
+    size_square_ = values.at(derive::inverse::size_square);
+    follow(0, values, Branch{}, 0);
+    return std::move(rows_);
+  }
+
+ private:
+  static Real tolerance() { return Real(qvgen::inverse::default_tolerance); }
+
+  Real tiny(int degree) const {
+    const Real noise = Real(16) * qvgen::inverse::epsilon<Real>();
+    const Real square = noise * noise;
+    if (degree == 1) return square * size_square_;
+    return (degree == 2 ? square : square * square) * size_square_ * size_square_;
+  }
+
+  void follow(std::size_t index, Values values, Branch branch, int label) {
+    if (index == plan_.steps.size()) return finish(values, branch, label);
+    const Step& step = plan_.plan.steps[index];
+    const Values in = outputs(plan_.steps[index].before, values);
+    if (step.kind == Kind::conic) return follow_conic(index, values, in, branch, label);
+    if (step.kind == Kind::polish) {
+      polish(step, in, values);
+      return follow(index + 1, std::move(values), branch, label);
+    }
+    for (int k = 0; k < step.branches; ++k) {
+      Branch next = branch;
+      Values known = values;
+      if (step.kind == Kind::right_wrist || step.kind == Kind::oblique_wrist) {
+        wrist(step, in, known, k, next);
+        for (const auto& [name, value] : outputs(plan_.steps[index].after, known)) known[name] = value;
+      } else {
+        block(step, in, known, Real(k == 0 ? 1 : -1), next);
+        for (const auto& [name, value] : outputs(plan_.steps[index].after, known)) known[name] = value;
+      }
+      if (next.exists) follow(index + 1, known, next, label * step.branches + k);
+    }
+  }
+
+  void follow_conic(std::size_t index, const Values& values, const Values& in, const Branch& branch, int label) {
+    const qvgen::inverse::Conic<Real> conic{in.at("xx"), in.at("xy"), in.at("yy"), in.at("x"), in.at("y"), in.at("one")};
+    const auto roots = qvgen::inverse::conic_circle(conic, Real::pi());
+    for (int k = 0; k < roots.count; ++k) {
+      Values known = values;
+      set(known, roots.root[static_cast<std::size_t>(k)]);
+      for (const auto& [name, value] : outputs(plan_.steps[index].after, known)) known[name] = value;
+      follow(index + 1, known, branch, label * 4 + k);
+    }
+  }
+
+  static void set(Values& values, const Rotor& rotor) {
+    values["cos_result"] = rotor.cosine;
+    values["sin_result"] = rotor.sine;
+  }
+
+  void block(const Step& step, const Values& in, Values& known, const Real& sign, Branch& branch) const {
+    using namespace qvgen::inverse;
+    const Rotor choice{Real(1), Real(0)};
+    const Real merge_both = merge_share<Real>();
+    switch (step.kind) {
+      case Kind::circle:
+        return set(known, circle_angle(in.at("low"), in.at("high"), sign, tolerance(), step.exact_low ? Real(0) : merge_both,
+                                       step.exact_high ? Real(0) : merge_both, branch));
+      case Kind::free_circle:
+        return set(known, free_circle_angle(in.at("low"), in.at("high"), Rotor{in.at("x"), in.at("y")}, tiny(step.degree), choice,
+                                            sign, tolerance(), branch));
+      case Kind::opposite: {
+        const Rotor along = direction(Rotor{in.at("x"), in.at("y")}, tiny(step.degree), choice, branch);
+        return set(known, {sign * along.cosine, sign * along.sine});
+      }
+      case Kind::pair: return set(known, direction(Rotor{in.at("x"), in.at("y")}, tiny(step.degree), choice, branch));
+      case Kind::half: return set(known, half(Rotor{in.at("cosine"), in.at("sine")}));
+      case Kind::root:
+        known["result"] = signed_root(in.at("square"), in.at("scale"), sign, tolerance(), branch);
+        return;
+      case Kind::quadratic:
+        known["result"] = quadratic_root(in.at("a"), in.at("b"), in.at("c"), sign, tolerance(), branch);
+        return;
+      case Kind::require: return require_zero(in.at("residual"), in.at("scale"), tolerance(), branch);
+      default: return;
+    }
+  }
+
+  static void polish(const Step& step, const Values& in, Values& known) {
+    using namespace qvgen::inverse;
+    const auto triple = [&](const std::string& name) { return Triple<Real>{in.at(name + "_x"), in.at(name + "_y"), in.at(name + "_z")}; };
+    std::array<Screw<Real>, 3> arm;
+    std::array<Rotor, 3> values;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::string name = "joint" + std::to_string(i + 1);
+      const auto& turn = step.turns[i];
+      const bool revolute = known.count("cos_" + turn) > 0;
+      arm[i] = {revolute, triple(name + "_axis"), triple(name + "_point")};
+      values[i] = revolute ? Rotor{known.at("cos_" + turn), known.at("sin_" + turn)} : Rotor{known.at(turn), Real(0)};
+    }
+    polish_position(arm, triple("start"), triple("goal"), values);
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (arm[i].revolute) {
+        known["cos_" + step.turns[i]] = values[i].cosine;
+        known["sin_" + step.turns[i]] = values[i].sine;
+      } else {
+        known[step.turns[i]] = values[i].cosine;
+      }
+    }
+  }
+
+  void wrist(const Step& step, const Values& in, Values& known, int k, Branch& branch) const {
+    using namespace qvgen::inverse;
+    const Rotor u{in.at("u_x"), in.at("u_y")};
+    const Rotor v{in.at("v_x"), in.at("v_y")};
+    const Real pi = Real::pi();
+    WristAngles<Real> angles;
+    if (step.kind == Kind::right_wrist) {
+      angles = right_wrist(u, v, plan_.plan.wrist.middle_swapped, Real(0), pi, branch);
+      if (k == 1) angles = {opposite(angles.first, pi), -angles.middle, opposite(angles.last, pi)};
+    } else {
+      const WristShape<Real> shape{in.at("cosine_sum"), in.at("sine_sum"), in.at("cosine_difference"), in.at("sine_difference"),
+                                   in.at("product")};
+      angles = oblique_wrist(u, v, shape, Real(k == 0 ? 1 : -1), Real(0), tolerance(), pi, branch);
+      angles.middle = wrapped(Real(angles.middle - atan2(in.at("sine_delta"), in.at("cosine_delta"))), pi);
+    }
+    const std::array<Real, 3> values = {angles.first, angles.middle, angles.last};
+    for (std::size_t i = 0; i < 3; ++i) {
+      known["cos_" + step.turns[i]] = cos(values[i]);
+      known["sin_" + step.turns[i]] = sin(values[i]);
+    }
+  }
+
+  void finish(const Values& values, const Branch& branch, int label) {
+    Row row;
+    for (const auto& joint : plan_.plan.joints)
+      row.q.push_back(joint.revolute ? atan2(values.at(joint.sine), values.at(joint.cosine)) : values.at(joint.cosine));
+    row.branch = label;
+    row.continuum = branch.continuum;
+    rows_.push_back(std::move(row));
+  }
+
+  const LoweredPlan& plan_;
+  Real size_square_;
+  std::vector<Row> rows_;
+};
+
+}  // namespace
+
+std::vector<Row> execute(const LoweredPlan& plan, Values values) { return Execution(plan).run(std::move(values)); }
+
+}  // namespace qvgen::application

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "application/inverse/lower.h"
+#include "model/robot.h"
+
+namespace qvgen::application {
+
+/// The loops over branches, one statement a line, indented from `solve`'s body: each step as soon as its inputs are
+/// known, angles and half angles of an unknown only once the next unknown is known to exist.
+std::vector<std::string> nest_lines(const model::Robot& robot, const LoweredPlan& plan);
+
+}  // namespace qvgen::application

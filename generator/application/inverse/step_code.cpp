@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: MIT
+#include "application/inverse/step_code.h"
+
+#include <algorithm>
+#include <set>
+
+#include "application/inverse/describe.h"
+#include "application/products/leaf_names.h"
+#include "derive/inverse/inverse.h"
+#include "derive/inverse/schedule.h"
+#include "emit/code.h"
+
+namespace qvgen::application {
+
+using derive::inverse::Kind;
+using derive::inverse::Step;
+using nlohmann::json;
+
+namespace {
+
+bool is_wrist(const Step& step) { return step.kind == Kind::right_wrist || step.kind == Kind::oblique_wrist; }
+
+/// Whether the step is the wrist that ends the plan: it gives angles, not cosines and sines.
+bool ends(const LoweredPlan& plan, const Step& step) { return is_wrist(step) && plan.plan.wrist.ends_the_plan; }
+
+/// Symbols of a step: geometry from g, the target's values from t, what earlier steps left from w, the block's results.
+emit::Names names_of(const model::Robot& robot, const LoweredPlan& plan) {
+  std::set<std::string> parameters;
+  for (const auto& parameter : robot.geometry) parameters.insert(parameter.name);
+  const std::vector<std::string> target = plan.plan.target_kept;
+  const auto symbol = [parameters, target](const std::string& name) -> std::string {
+    if (parameters.count(name) > 0) return "Scalar(g." + name + ")";
+    if (name == "cos_result") return "result.cosine";
+    if (name == "sin_result") return "result.sine";
+    if (name == "result") return "result";
+    if (std::find(target.begin(), target.end(), name) != target.end()) return "Scalar(t." + name + ")";
+    if (name == std::string("cos_") + derive::inverse::locked_joint || name == std::string("sin_") + derive::inverse::locked_joint)
+      return "Scalar(t." + name + ")";
+    return "w." + name;
+  };
+  const auto refuse = [](const dag::Angle& angle) -> std::string { throw std::logic_error("inverse kinematics: angle " + to_string(angle)); };
+  return {symbol, refuse, refuse};
+}
+
+json values(const std::vector<emit::Code::Value>& list) {
+  json result = json::array();
+  for (const auto& value : list) result.push_back({{"name", value.name}, {"expression", value.expression}});
+  return result;
+}
+
+std::string rotor(const std::string& x, const std::string& y) { return "inverse::Rotor<Scalar>{" + x + ", " + y + "}"; }
+
+std::string choice(const Step& step) {
+  const std::string joint = "t.choice[" + std::to_string(step.joint) + "]";
+  return rotor("Scalar(" + joint + ".cosine)", "Scalar(" + joint + ".sine)");
+}
+
+std::string tiny(const Step& step) { return "Scalar(t.tiny" + std::to_string(step.degree) + ")"; }
+
+std::string merge(bool exact) { return exact ? "Scalar(0)" : "inverse::merge_share<Scalar>()"; }
+
+/// The declaration of `result` and the block's call.
+std::pair<std::string, std::string> block(const LoweredPlan& plan, const Step& step) {
+  const std::string turn = "inverse::Rotor<Scalar>";
+  const std::string tolerance = "Scalar(t.tolerance)";
+  switch (step.kind) {
+    case Kind::circle:
+      return {turn, "inverse::circle_angle<Scalar>(low, high, sign, " + tolerance + ", " + merge(step.exact_low) + ", " +
+                        merge(step.exact_high) + ", w.branch)"};
+    case Kind::free_circle:
+      return {turn, "inverse::free_circle_angle<Scalar>(low, high, " + rotor("x", "y") + ", " + tiny(step) + ", " + choice(step) +
+                        ", sign, " + tolerance + ", w.branch)"};
+    case Kind::opposite:
+      return {turn, "sign * inverse::direction<Scalar>(" + rotor("x", "y") + ", " + tiny(step) + ", " + choice(step) + ", w.branch)"};
+    case Kind::pair:
+      return {turn, "inverse::direction<Scalar>(" + rotor("x", "y") + ", " + tiny(step) + ", " + choice(step) + ", w.branch)"};
+    case Kind::half: return {turn, "inverse::half<Scalar>(" + rotor("cosine", "sine") + ")"};
+    case Kind::root: return {"Scalar", "inverse::signed_root<Scalar>(square, scale, sign, " + tolerance + ", w.branch)"};
+    case Kind::quadratic: return {"Scalar", "inverse::quadratic_root<Scalar>(a, b, c, sign, " + tolerance + ", w.branch)"};
+    case Kind::require: return {"", "inverse::require_zero<Scalar>(residual, scale, " + tolerance + ", w.branch)"};
+    case Kind::conic:
+      return {"inverse::CircleRoots<Scalar>", "inverse::conic_circle<Scalar>({xx, xy, yy, x, y, one}, inverse::pi<Scalar>())"};
+    case Kind::right_wrist: {
+      const std::string swapped = plan.plan.wrist.middle_swapped ? "true" : "false";
+      const std::string uv = rotor("u_x", "u_y") + ", " + rotor("v_x", "v_y") + ", " + swapped + ", ";
+      if (ends(plan, step))
+        return {"inverse::WristAngles<Scalar>", "inverse::right_wrist<Scalar>(" + uv + "Scalar(t.seed[" + std::to_string(plan.plan.wrist.joints[0]) +
+                                                    "]), inverse::pi<Scalar>(), w.branch)"};
+      const int free = std::max(plan.plan.wrist.joints[0], plan.plan.wrist.joints[2]);
+      return {"inverse::WristTurns<Scalar>", "inverse::right_wrist_turns<Scalar>(" + uv + rotor("Scalar(t.choice[" + std::to_string(free) + "].cosine)",
+                  "Scalar(t.choice[" + std::to_string(free) + "].sine)") + ", sign, w.branch)"};
+    }
+    case Kind::oblique_wrist:
+      return {"inverse::WristAngles<Scalar>",
+              "inverse::oblique_wrist<Scalar>(" + rotor("u_x", "u_y") + ", " + rotor("v_x", "v_y") +
+                  ", {cosine_sum, sine_sum, cosine_difference, sine_difference, product}, sign, Scalar(t.seed[" +
+                  std::to_string(plan.plan.wrist.joints[0]) + "]), " + tolerance + ", inverse::pi<Scalar>(), w.branch)"};
+    case Kind::polish:
+    case Kind::linear: return {"", ""};
+  }
+  return {};
+}
+
+/// A polish step's call, which changes the values in place.
+std::vector<std::string> polish_lines(const LoweredPlan& plan, const Step& step) {
+  std::vector<std::string> lines;
+  const auto joint_of = [&](const std::string& variable) {
+    for (const auto& joint : plan.plan.joints)
+      if (joint.cosine == "cos_" + variable || joint.cosine == variable) return joint;
+    return derive::inverse::JointValue{};
+  };
+  std::string arm;
+  std::string start;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto joint = joint_of(step.turns[i]);
+    const std::string n = "joint" + std::to_string(i + 1);
+    arm += std::string(i == 0 ? "" : ", ") + "inverse::Screw<Scalar>{" + (joint.revolute ? "true" : "false") + ", {" + n + "_axis_x, " + n +
+           "_axis_y, " + n + "_axis_z}, {" + n + "_point_x, " + n + "_point_y, " + n + "_point_z}}";
+    start += std::string(i == 0 ? "" : ", ") + rotor("w." + joint.cosine, joint.revolute ? "w." + joint.sine : "Scalar(0)");
+  }
+  lines.push_back("std::array<inverse::Rotor<Scalar>, 3> values{" + start + "};");
+  lines.push_back("inverse::polish_position<Scalar>({" + arm + "}, {start_x, start_y, start_z}, {goal_x, goal_y, goal_z}, values);");
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto joint = joint_of(step.turns[i]);
+    const std::string value = "values[" + std::to_string(i) + "].";
+    lines.push_back("w." + joint.cosine + " = " + value + "cosine;");
+    if (joint.revolute) lines.push_back("w." + joint.sine + " = " + value + "sine;");
+  }
+  return lines;
+}
+
+std::vector<std::string> wrist_turn_lines(const Step& step) {
+  std::vector<std::string> lines;
+  const std::array<const char*, 3> parts = {"first", "middle", "last"};
+  for (std::size_t i = 0; i < 3; ++i) {
+    lines.push_back("w.cos_" + step.turns[i] + " = result." + parts[i] + ".cosine;");
+    lines.push_back("w.sin_" + step.turns[i] + " = result." + parts[i] + ".sine;");
+  }
+  return lines;
+}
+
+json lines_of(const std::vector<std::string>& lines) {
+  json list = json::array();
+  for (const std::string& line : lines) list.push_back({{"line", line}});
+  return list;
+}
+
+}  // namespace
+
+std::string step_name(const LoweredPlan& plan, std::size_t index) {
+  const Step& step = plan.plan.steps[index];
+  if (is_wrist(step)) return "wrist";
+  if (step.kind == Kind::half) return "half_" + step.unknown;
+  if (step.kind == Kind::require) return "condition_" + std::to_string(index + 1);
+  return step.unknown;
+}
+
+std::vector<std::string> work_fields(const LoweredPlan& plan) {
+  std::vector<std::string> fields;
+  for (const Step& step : plan.plan.steps) {
+    if (ends(plan, step) || step.kind == Kind::polish) continue;
+    for (const std::string& turn : step.turns)
+      for (const char* part : {"cos_", "sin_"}) fields.push_back(part + turn);
+    fields.insert(fields.end(), step.kept.begin(), step.kept.end());
+  }
+  return fields;
+}
+
+json target_values(const model::Robot& robot, const LoweredPlan& plan) {
+  std::set<std::string> parameters;
+  for (const auto& parameter : robot.geometry) parameters.insert(parameter.name);
+  const auto symbol = [&](const std::string& name) { return parameters.count(name) > 0 ? "g." + name : name; };
+  const emit::Code code = emit::cpp_code(plan.target, {symbol, {}, {}});
+  return {{"temporaries", values(code.temporaries)}, {"outputs", values(code.outputs)}};
+}
+
+json step_values(const model::Robot& robot, const LoweredPlan& plan) {
+  const emit::Names names = names_of(robot, plan);
+  json steps = json::array();
+  for (std::size_t i = 0; i < plan.steps.size(); ++i) {
+    const Step& step = plan.plan.steps[i];
+    const emit::Code before = emit::cpp_code(plan.steps[i].before, names);
+    const emit::Code after = emit::cpp_code(plan.steps[i].after, names);
+    const auto [type, call] = block(plan, step);
+    std::vector<std::string> extra;
+    if (step.kind == Kind::polish) extra = polish_lines(plan, step);
+    if (is_wrist(step) && !ends(plan, step)) extra = wrist_turn_lines(step);
+    const bool split = step.kind == Kind::conic;
+    const bool returns = split || ends(plan, step);
+    const bool oblique = step.kind == Kind::oblique_wrist;
+    steps.push_back({{"name", step_name(plan, i)},
+                     {"comment", lines_of(step_comment(plan, i))},
+                     {"sign", step.branches == 2 && !(ends(plan, step) && !oblique)},
+                     {"returns", returns},
+                     {"split", split},
+                     {"type", type},
+                     {"call", call},
+                     {"has_result", !type.empty() && !returns},
+                     {"has_call", !call.empty() && type.empty()},
+                     {"delta", oblique},
+                     {"before", {{"temporaries", values(before.temporaries)}, {"outputs", values(before.outputs)}}},
+                     {"after", {{"temporaries", values(after.temporaries)}, {"outputs", values(after.outputs)}}},
+                     {"lines", lines_of(extra)}});
+  }
+  return steps;
+}
+
+}  // namespace qvgen::application

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "application/products/inverse.h"
+
+#include "application/inverse/certify.h"
+#include "application/inverse/describe.h"
+#include "application/inverse/nest_code.h"
+#include "application/inverse/step_code.h"
+#include "derive/inverse/inverse.h"
+#include "emit/render.h"
+
+namespace qvgen::application {
+namespace {
+
+using nlohmann::json;
+
+constexpr int certificate_poses = 3;
+
+json lines_of(const std::vector<std::string>& lines) {
+  json list = json::array();
+  for (const std::string& line : lines) list.push_back({{"line", line}});
+  return list;
+}
+
+json fields_of(const std::vector<std::string>& names) {
+  json list = json::array();
+  for (const std::string& name : names) list.push_back({{"field", name}});
+  return list;
+}
+
+/// Rendered text without the blank lines that empty sections leave.
+std::string tidy(const std::string& text) {
+  std::string result;
+  std::string last = "{";
+  for (std::size_t start = 0; start < text.size();) {
+    const std::size_t end = text.find('\n', start);
+    const std::string line = text.substr(start, end - start);
+    start = end + 1;
+    const bool spare = line.empty() && (last.empty() || last.back() == '{');
+    const bool closes = line.find_first_not_of(' ') != std::string::npos && line[line.find_first_not_of(' ')] == '}';
+    if (spare) continue;
+    if (closes && last.empty() && result.size() > 1 && line.size() == line.find('}') + 1) result.pop_back();
+    result += line + "\n";
+    last = line;
+  }
+  return result;
+}
+
+/// One line for each unknown, for the head of the public function.
+std::vector<std::string> summary(const LoweredPlan& plan) {
+  std::vector<std::string> lines;
+  for (std::size_t i = 0; i < plan.steps.size(); ++i)
+    if (!plan.plan.steps[i].unknown.empty() && plan.plan.steps[i].kind != derive::inverse::Kind::half) lines.push_back("- " + step_comment(plan, i).front());
+  return lines;
+}
+
+json variant(const model::Robot& robot, const derive::inverse::Plan& derived) {
+  const LoweredPlan plan = lower(derived);
+  const InverseCertificate certificate = certify_inverse(robot, plan, certificate_poses);
+  const bool locked = derived.locked >= 0;
+  const std::string given = locked ? robot.joints[static_cast<std::size_t>(derived.locked)].variable : "";
+  return {{"space", locked ? "given_" + given : "all"},
+          {"function", locked ? "inverse_kinematics_given_" + given : "inverse_kinematics"},
+          {"solutions", locked ? "SolutionsGiven_" + given : "Solutions"},
+          {"info", locked ? "inverse_info_given_" + given : "inverse_info"},
+          {"uses_orientation", derived.position_only ? "false" : "true"},
+          {"given", derived.locked},
+          {"locked", locked},
+          {"locked_parameter", locked ? "double " + given + ", " : ""},
+          {"locked_argument", locked ? ", " + given : ""},
+          {"capacity", derived.capacity},
+          {"meaning", std::string(derived.position_only ? "its position; the orientation is not used" : "position and orientation") +
+                          (locked ? "; " + given + ", rad, is given" : "")},
+          {"structure", derived.structure},
+          {"summary", lines_of(summary(plan))},
+          {"certificate", certificate.text()},
+          {"target_fields", fields_of(derived.target_kept)},
+          {"work_fields", fields_of(work_fields(plan))},
+          {"target", target_values(robot, plan)},
+          {"steps", step_values(robot, plan)},
+          {"nest", lines_of(nest_lines(robot, plan))}};
+}
+
+}  // namespace
+
+void generate_inverse(const model::Robot& robot, RobotOutput& output) {
+  json values{{"name", robot.name}, {"variants", json::array()}, {"reasons", json::array()}};
+  std::vector<std::string> reasons;
+  for (const auto& derivation : {derive::inverse::derive(robot), derive::inverse::derive_locked(robot)}) {
+    if (derivation.found) values["variants"].push_back(variant(robot, derivation.plan));
+    reasons.insert(reasons.end(), derivation.reasons.begin(), derivation.reasons.end());
+  }
+  const bool found = !values["variants"].empty();
+  values["found"] = found;
+  values["reasons"] = lines_of(reasons);
+  output.files.push_back({"include/qvgen/robots/" + robot.name + "/inverse.h", tidy(emit::render("inverse.h", values))});
+  if (!found) {
+    for (const std::string& reason : reasons) output.missing.push_back("no inverse kinematics: " + reason);
+    return;
+  }
+  const std::string sources = "source/" + robot.name + "/";
+  output.files.push_back({sources + "inverse_steps.h", tidy(emit::render("inverse_steps.h", values))});
+  output.files.push_back({sources + "inverse.cpp", tidy(emit::render("inverse.cpp", values))});
+}
+
+}  // namespace qvgen::application

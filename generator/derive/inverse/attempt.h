@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include "derive/inverse/builder.h"
+#include "derive/inverse/target.h"
+
+namespace qvgen::derive::inverse {
+
+/// One attempt at a plan: a fresh scope, so that what a failed attempt has named is gone.
+struct Attempt {
+  explicit Attempt(const model::Robot& robot) : scope(robot), chain(chain_of(robot, scope)), builder(robot, scope, plan) {}
+  Scope scope;
+  Chain chain;
+  Plan plan;
+  Builder builder;
+};
+
+/// "2, 3 and 4" for the joints first, first + 1, ... (counted from 0).
+std::string joint_range(std::size_t first, std::size_t count);
+
+/// The point that two axes share; nothing if they are parallel or miss each other.
+std::optional<symbolic::Vector> meeting_point(const Screw& a, const Screw& b, const Scope& scope);
+
+// Each of these fills in the attempt's plan and returns an empty text, or why the structure does not serve.
+
+/// Joints k, k+1, k+2 meet in a point: the others carry it, then the three turn about it. `locked` is the joint whose
+/// value the caller gives, -1 for none.
+std::string by_common_point(Attempt& attempt, std::size_t k, int locked = -1);
+/// Three joints and a point: the orientation is not asked for.
+std::string by_position(Attempt& attempt);
+/// Parallel revolute joints in a plane: two of them with a position, three with an orientation too; with `locked`
+/// the last of three is given and the position alone is asked for.
+std::string in_plane(Attempt& attempt, bool locked);
+/// Six revolute joints, k, k+1, k+2 parallel (k = 1 or 2), the axes of the two joints beyond meeting in a point.
+std::string by_parallel_axes(Attempt& attempt, std::size_t k);
+
+/// e_a e_b start = goal in the plane of two parallel axes.
+void two_link(Attempt& attempt, const Screw& a, const Screw& b, const symbolic::Vector& start, const symbolic::Vector& goal);
+
+}  // namespace qvgen::derive::inverse

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+#include "derive/inverse/builder.h"
+
+#include "symbolic/model.h"
+
+namespace qvgen::derive::inverse {
+
+using GiNaC::ex;
+
+Flat operator*(const Flat& a, const Flat& b) { return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x}; }
+Flat conjugate(const Flat& a) { return {a.x, -a.y}; }
+
+Polar polar(const Flat& v, const Scope& scope) {
+  if (scope.is_zero(v.y)) return {v.x, {1, 0}};
+  if (scope.is_zero(v.x)) return {v.y, {0, 1}};
+  const ex length = GiNaC::sqrt(scope.clean(v.x * v.x + v.y * v.y));
+  return {length, {v.x / length, v.y / length}};
+}
+
+Builder::Builder(const model::Robot& robot, Scope& scope, Plan& plan) : scope_(scope), plan_(plan) {
+  for (const auto& parameter : robot.geometry) constants_.insert(symbolic::symbol(parameter.name));
+  plan_.joints.resize(robot.joints.size());
+  scope_.turn("result");
+  scope_.length("result");
+}
+
+bool Builder::is_constant(const ex& value) const {
+  if (GiNaC::is_a<GiNaC::symbol>(value)) return constants_.count(value) > 0;
+  for (std::size_t i = 0; i < value.nops(); ++i)
+    if (!is_constant(value.op(i))) return false;
+  return true;
+}
+
+Step& Builder::add(Kind kind, const Screw* screw, int branches, const std::string& equation) {
+  Step step;
+  step.kind = kind;
+  step.branches = branches;
+  step.equation = equation;
+  if (screw != nullptr) {
+    step.joint = screw->joint;
+    step.unknown = screw->variable;
+    auto& value = plan_.joints[static_cast<std::size_t>(screw->joint)];
+    value.revolute = screw->revolute;
+    value.cosine = screw->revolute ? "cos_" + screw->variable : screw->variable;
+    value.sine = screw->revolute ? "sin_" + screw->variable : "";
+    if (screw->revolute) scope_.turn(screw->variable);
+    else scope_.length(screw->variable);
+  }
+  plan_.steps.push_back(std::move(step));
+  return plan_.steps.back();
+}
+
+Scope::Turn Builder::value(const Screw& screw) {
+  const JointValue& value = plan_.joints[static_cast<std::size_t>(screw.joint)];
+  return {symbolic::symbol(value.cosine), value.revolute ? ex(symbolic::symbol(value.sine)) : ex(0)};
+}
+
+ex Builder::keep(const std::string& name, const ex& value) {
+  return scope_.define(plan_.steps.empty() || is_constant(value) ? plan_.target : plan_.steps.back().after, name, value);
+}
+
+void Builder::set_turn(Step& step, const Screw& screw, const Flat& v) {
+  step.after.output(symbolic::symbol("cos_" + screw.variable), v.x);
+  step.after.output(symbolic::symbol("sin_" + screw.variable), v.y);
+}
+
+void Builder::set_length(Step& step, const Screw& screw, const ex& value) {
+  step.after.output(symbolic::symbol(screw.variable), value);
+}
+
+namespace {
+
+Flat result_turn() { return {symbolic::symbol("cos_result"), symbolic::symbol("sin_result")}; }
+ex result_length() { return symbolic::symbol("result"); }
+
+}  // namespace
+
+void Builder::turn_by_line(const Screw& screw, const Flat& k, const ex& rhs, const std::string& equation) {
+  // The coefficients are lengths where a height is compared: see Step::degree.
+  if (scope_.is_zero(rhs)) {
+    Step& step = add(Kind::opposite, &screw, 2, equation);
+    step.before.output("x", -k.y);
+    step.before.output("y", k.x);
+    step.degenerate = "the point lies on the axis: " + screw.variable + " is free";
+    set_turn(step, screw, result_turn());
+    return;
+  }
+  if (is_constant(k.x) && is_constant(k.y)) {
+    const Polar amplitude = polar(k, scope_);
+    Step& step = add(Kind::circle, &screw, 2, equation);
+    step.before.output("low", amplitude.length - rhs);
+    step.before.output("high", amplitude.length + rhs);
+    step.degenerate = "boundary of reach: the two solutions coincide";
+    set_turn(step, screw, result_turn() * amplitude.direction);
+    return;
+  }
+  Step& step = add(Kind::free_circle, &screw, 2, equation);
+  const ex amplitude = GiNaC::sqrt(k.x * k.x + k.y * k.y);
+  step.before.output("x", k.x);
+  step.before.output("y", k.y);
+  step.before.output("low", amplitude - rhs);
+  step.before.output("high", amplitude + rhs);
+  step.degenerate = "boundary of reach: the two solutions coincide; the point on the axis: " + screw.variable + " is free";
+  set_turn(step, screw, result_turn());
+}
+
+void Builder::turn_by_distance(const Screw& screw, int sign, const Flat& v, const Flat& x0, const ex& square,
+                               const std::string& equation) {
+  const bool v_fixed = is_constant(v.x) && is_constant(v.y);
+  const bool x_fixed = is_constant(x0.x) && is_constant(x0.y);
+  const auto varying = [](const Flat& w) { return Polar{GiNaC::sqrt(w.x * w.x + w.y * w.y), w}; };
+  const Polar base = v_fixed ? polar(v, scope_) : varying(v);
+  const Polar arm = x_fixed ? polar(x0, scope_) : varying(x0);
+  const ex inner = scope_.is_zero(base.length - arm.length) ? ex(0) : ex(GiNaC::pow(base.length - arm.length, 2));
+  // A named square is a sum of squares, so that its small values are exact.
+  const bool folds = GiNaC::is_a<GiNaC::symbol>(square);
+  const ex outer = scope_.is_zero(base.length + arm.length) ? ex(0) : ex(GiNaC::pow(base.length + arm.length, 2));
+  const ex low = outer - square;
+  const ex high = square - inner;
+  if (v_fixed && x_fixed) {
+    Step& step = add(Kind::circle, &screw, 2, equation);
+    step.before.output("low", low);
+    step.before.output("high", high);
+    step.exact_high = folds && scope_.is_zero(inner);
+    step.exact_low = folds && scope_.is_zero(outer);
+    step.degenerate = "stretched or folded: the two solutions coincide";
+    const Flat turned = result_turn() * base.direction * conjugate(arm.direction);
+    set_turn(step, screw, {turned.x, sign * turned.y});
+    return;
+  }
+  // Unnormalised: v conj(x0), mirrored for a joint that is read backwards.
+  const Flat direction = base.direction * conjugate(arm.direction);
+  Step& step = add(Kind::free_circle, &screw, 2, equation);
+  step.degree = (v_fixed ? 0 : 1) + (x_fixed ? 0 : 1);
+  step.before.output("x", direction.x);
+  step.before.output("y", sign * direction.y);
+  step.before.output("low", low);
+  step.before.output("high", high);
+  step.degenerate = "stretched or folded: the two solutions coincide; the point on the axis: " + screw.variable + " is free";
+  set_turn(step, screw, result_turn());
+}
+
+void Builder::turn_by_pair(const Screw& screw, const Flat& direction, const std::string& equation) {
+  Step& step = add(Kind::pair, &screw, 1, equation);
+  step.degree = 4;
+  step.before.output("x", direction.x);
+  step.before.output("y", direction.y);
+  step.degenerate = "the point lies on the axis: " + screw.variable + " is free";
+  set_turn(step, screw, result_turn());
+}
+
+void Builder::slide_by_root(const Screw& screw, const ex& foot, const ex& square, const ex& height_square,
+                            const std::string& equation) {
+  Step& step = add(Kind::root, &screw, 2, equation);
+  step.before.output("square", square - height_square);
+  step.before.output("scale", height_square);
+  step.degenerate = "the point at the foot of the perpendicular: the two solutions coincide";
+  set_length(step, screw, foot + result_length());
+}
+
+void Builder::slide_by_value(const Screw& screw, const ex& value, const std::string& equation) {
+  set_length(add(Kind::linear, &screw, 1, equation), screw, value);
+}
+
+void Builder::slide_by_quadratic(const Screw& screw, const ex& a, const ex& b, const ex& c, const std::string& equation) {
+  if (scope_.is_zero(a)) return slide_by_value(screw, -c / (2 * b), equation);
+  Step& step = add(Kind::quadratic, &screw, 2, equation);
+  step.before.output("a", a);
+  step.before.output("b", b);
+  step.before.output("c", c);
+  step.degenerate = "boundary of reach: the two solutions coincide";
+  set_length(step, screw, result_length());
+}
+
+void Builder::turn_by_conic(const Screw& screw, const std::array<ex, 6>& conic, const std::string& equation) {
+  Step& step = add(Kind::conic, &screw, 4, equation);
+  const std::array<const char*, 6> names = {"xx", "xy", "yy", "x", "y", "one"};
+  for (std::size_t i = 0; i < 6; ++i) step.before.output(names[i], conic[i]);
+  step.degenerate = "boundary of reach: solutions coincide";
+  set_turn(step, screw, result_turn());
+}
+
+void Builder::require_zero(const ex& residual, const ex& scale, const std::string& equation) {
+  Step& step = add(Kind::require, nullptr, 1, equation);
+  step.before.output("residual", residual);
+  step.before.output("scale", scale);
+}
+
+void Builder::polish(const std::array<Screw, 3>& arm, const symbolic::Vector& start, const symbolic::Vector& goal) {
+  Step& step = add(Kind::polish, nullptr, 1, "Newton steps: the quartic's roots carry fewer digits than the arm deserves");
+  step.unknown = "position";
+  const auto input = [&](const std::string& name, const symbolic::Vector& v) {
+    step.before.output(name + "_x", v.x);
+    step.before.output(name + "_y", v.y);
+    step.before.output(name + "_z", v.z);
+  };
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::string name = "joint" + std::to_string(i + 1);
+    input(name + "_axis", arm[i].axis);
+    input(name + "_point", arm[i].point);
+    step.turns.push_back(arm[i].variable);
+  }
+  input("start", start);
+  input("goal", goal);
+}
+
+Scope::Turn Builder::half(const std::string& name, const ex& cosine, const ex& sine) {
+  Step& step = add(Kind::half, nullptr, 1, "half angle of " + name);
+  step.unknown = name;
+  step.before.output("cosine", cosine);
+  step.before.output("sine", sine);
+  step.after.output(symbolic::symbol("cos_half_" + name), symbolic::symbol("cos_result"));
+  step.after.output(symbolic::symbol("sin_half_" + name), symbolic::symbol("sin_result"));
+  return scope_.turn("half_" + name);
+}
+
+}  // namespace qvgen::derive::inverse

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "derive/inverse/plan.h"
+#include "derive/inverse/screw.h"
+
+namespace qvgen::derive::inverse {
+
+/// Two coordinates in a plane, or a complex number.
+struct Flat {
+  GiNaC::ex x = 0, y = 0;
+};
+Flat operator*(const Flat& a, const Flat& b);  ///< complex product
+Flat conjugate(const Flat& a);
+
+/// Length of a constant plane vector, which may come with either sign, and the unit vector that goes with it.
+struct Polar {
+  GiNaC::ex length;
+  Flat direction;
+};
+Polar polar(const Flat& v, const Scope& scope);
+
+/// Appends steps to a plan: every canonical equation in its robust form, and the names of what it gives.
+class Builder {
+ public:
+  Builder(const model::Robot& robot, Scope& scope, Plan& plan);
+
+  [[nodiscard]] Scope& scope() { return scope_; }
+  [[nodiscard]] Plan& plan() { return plan_; }
+  /// Whether an expression is a constant of the arm: geometry and numbers only.
+  [[nodiscard]] bool is_constant(const GiNaC::ex& value) const;
+
+  /// alpha cos q + beta sin q = rhs.
+  void turn_by_line(const Screw& screw, const Flat& coefficients, const GiNaC::ex& rhs, const std::string& equation);
+  /// The angle φ between direction and q: |v + x| = δ, given squares; (cos q, sign sin q) = φ * direction.
+  void turn_by_distance(const Screw& screw, int sign, const Flat& v, const Flat& x0, const GiNaC::ex& square,
+                        const std::string& equation);
+  /// (cos q, sin q) along the direction.
+  void turn_by_pair(const Screw& screw, const Flat& direction, const std::string& equation);
+  void slide_by_root(const Screw& screw, const GiNaC::ex& foot, const GiNaC::ex& square, const GiNaC::ex& height_square,
+                     const std::string& equation);
+  void slide_by_value(const Screw& screw, const GiNaC::ex& value, const std::string& equation);
+  void slide_by_quadratic(const Screw& screw, const GiNaC::ex& a, const GiNaC::ex& b, const GiNaC::ex& c,
+                          const std::string& equation);
+  /// w0 + w1 cos q + ... as a conic: coefficients xx, xy, yy, x, y, one.
+  void turn_by_conic(const Screw& screw, const std::array<GiNaC::ex, 6>& conic, const std::string& equation);
+  void require_zero(const GiNaC::ex& residual, const GiNaC::ex& scale, const std::string& equation);
+  /// Newton steps on e_a e_b e_c start = goal once all three are known.
+  void polish(const std::array<Screw, 3>& arm, const symbolic::Vector& start, const symbolic::Vector& goal);
+  /// Half of an angle given by cosine and sine: names cos_half_NAME, sin_half_NAME.
+  Scope::Turn half(const std::string& name, const GiNaC::ex& cosine, const GiNaC::ex& sine);
+
+  /// Cosine and sine (revolute) or length (prismatic, in .cosine) of a joint that a step has solved.
+  [[nodiscard]] Scope::Turn value(const Screw& screw);
+  /// A named value computed at the end of the latest step (or with the target, before any step).
+  GiNaC::ex keep(const std::string& name, const GiNaC::ex& value);
+
+ private:
+  Step& add(Kind kind, const Screw* screw, int branches, const std::string& equation);
+  void set_turn(Step& step, const Screw& screw, const Flat& cosine_sine);
+  void set_length(Step& step, const Screw& screw, const GiNaC::ex& value);
+
+  Scope& scope_;
+  Plan& plan_;
+  GiNaC::exset constants_;
+};
+
+}  // namespace qvgen::derive::inverse

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "derive/inverse/inverse.h"
+
+#include <functional>
+
+#include "derive/inverse/attempt.h"
+#include "derive/inverse/schedule.h"
+
+namespace qvgen::derive::inverse {
+
+namespace {
+
+using Method = std::function<std::string(Attempt&)>;
+
+/// Takes the first method that succeeds; the reasons of the others are kept only if none does.
+Derivation first_of(const model::Robot& robot, const std::vector<Method>& methods) {
+  Derivation derivation;
+  for (const Method& method : methods) {
+    Attempt attempt(robot);
+    const std::string reason = method(attempt);
+    if (!reason.empty()) {
+      derivation.reasons.push_back(reason);
+      continue;
+    }
+    schedule(attempt.plan);
+    prune(attempt.plan);
+    for (const Step& step : attempt.plan.steps) attempt.plan.capacity *= step.branches;
+    derivation.plan = std::move(attempt.plan);
+    derivation.found = true;
+    derivation.reasons.clear();
+    return derivation;
+  }
+  return derivation;
+}
+
+}  // namespace
+
+Derivation derive(const model::Robot& robot) {
+  std::vector<Method> methods;
+  const std::size_t count = robot.joints.size();
+  if (count == 6) {
+    for (const std::size_t k : {3U, 0U, 2U, 1U}) methods.push_back([k](Attempt& a) { return by_common_point(a, k); });
+    for (const std::size_t k : {1U, 2U}) methods.push_back([k](Attempt& a) { return by_parallel_axes(a, k); });
+  } else if (count == 3) {
+    methods.push_back([](Attempt& a) { return in_plane(a, false); });
+    methods.push_back(by_position);
+  } else if (count == 2) {
+    methods.push_back([](Attempt& a) { return in_plane(a, false); });
+  }
+  Derivation derivation = first_of(robot, methods);
+  if (methods.empty())
+    derivation.reasons.push_back(std::to_string(count) + " joints: a pose in space fixes six, a point three");
+  return derivation;
+}
+
+Derivation derive_locked(const model::Robot& robot) {
+  if (robot.joints.size() == 3) return first_of(robot, {[](Attempt& a) { return in_plane(a, true); }});
+  if (robot.joints.size() != 7) return {};
+  std::vector<Method> methods;
+  for (const int locked : {2, 1, 0, 3})
+    methods.push_back([locked](Attempt& a) { return by_common_point(a, 4, locked); });
+  return first_of(robot, methods);
+}
+
+}  // namespace qvgen::derive::inverse

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "derive/inverse/plan.h"
+#include "model/robot.h"
+
+namespace qvgen::derive::inverse {
+
+/// Names in the target program that stand for what the caller gives: the pose's unit quaternion and position, and
+/// cosine and sine of a locked joint.
+inline constexpr const char* pose_quaternion = "pose_q";
+inline constexpr const char* pose_position = "pose_p";
+inline constexpr const char* locked_joint = "locked";
+/// Defined by every target program: the square of a length of the arm's size, for telling noise from values.
+inline constexpr const char* size_square = "size_square";
+
+/// Closed-form inverse kinematics of a robot from its model alone, or the reasons why there is none.
+Derivation derive(const model::Robot& robot);
+
+/// Arms with one joint too many: that joint is held at a value that the caller gives (Plan::locked tells which). Seven
+/// joints with a wrist at the end, and three parallel ones of which the position alone is asked.
+Derivation derive_locked(const model::Robot& robot);
+
+}  // namespace qvgen::derive::inverse

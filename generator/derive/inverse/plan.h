@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "symbolic/program.h"
+
+/// Inverse kinematics derived from a model: what is solved, in which order, by which equation.
+namespace qvgen::derive::inverse {
+
+/// The canonical equation that a step solves; each is one building block of the runtime.
+enum class Kind {
+  circle,       ///< cos φ = (high-low)/(high+low): ±φ from a direction that is a constant of the arm
+  free_circle,  ///< the same from a direction (x, y) of the pose, which vanishes where the angle is free
+  opposite,     ///< ±(x, y): a·x = 0 on a circle
+  pair,         ///< the direction (x, y): the angle that turns one known vector into another
+  root,         ///< ±sqrt(square)
+  quadratic,    ///< a t² + 2 b t + c = 0
+  linear,       ///< one value
+  conic,        ///< a conic on the unit circle: a quartic in the half-angle tangent
+  require,      ///< no unknown: an equation that the pose must satisfy
+  half,         ///< cosine and sine of half an angle already known
+  polish,       ///< Newton steps on the position, after a quartic
+  right_wrist,  ///< three axes at right angles through a point
+  oblique_wrist
+};
+
+/// One step: inputs from `before`, the building block, then named values from `after`.
+///
+/// Programs are in terms of the target's values, the geometry, and of names that earlier steps gave. The block's
+/// results enter `after` as the symbols result_cosine, result_sine (angles) or result (lengths).
+struct Step {
+  Kind kind = Kind::linear;
+  int joint = -1;                    ///< index of the joint that it determines, -1 if none
+  std::string unknown;               ///< that joint's variable, or a name for what else it computes
+  int branches = 1;
+  int degree = 1;                    ///< a direction's units: 1 a length, 2 a length squared, 4 the square of a short length
+  symbolic::Program before;          ///< the block's inputs, by the block's names
+  symbolic::Program after;           ///< names that stay
+  std::vector<std::string> turns;    ///< wrist, polish: the joints whose values it leaves, in order
+  std::vector<std::string> kept;     ///< those of `after` that a later step or the result reads
+  bool exact_low = false;            ///< circle: low is a sum of squares, so that only an exact zero is a double root
+  bool exact_high = false;
+  std::string equation;              ///< in words and symbols, for people
+  std::string latex;
+  std::string degenerate;            ///< where it loses a branch or an angle becomes free
+};
+
+/// Value of a joint, as a step leaves it behind.
+struct JointValue {
+  bool revolute = true;
+  std::string cosine;  ///< name of the cosine, or of the length
+  std::string sine;
+};
+
+/// Constants of a wrist that has oblique axes; the target program computes those that are not numbers.
+struct WristPlan {
+  std::vector<int> joints;     ///< first, middle, last
+  bool right = true;
+  bool middle_swapped = false; ///< right: middle = 2 atan2(|u|, |v|) instead of 2 atan2(|v|, |u|)
+  bool ends_the_plan = true;   ///< angles are the output; otherwise cosines and sines for further steps
+};
+
+struct Plan {
+  std::string structure;            ///< "joints 4, 5, 6 meet in a point", ...
+  std::vector<std::string> latex;   ///< the thesis's M_i = N_i split
+  symbolic::Program target;         ///< from the pose (and a locked joint) to what the steps need
+  std::vector<std::string> target_kept;  ///< names of `target` that a step reads
+  std::vector<Step> steps;
+  std::vector<JointValue> joints;   ///< by joint
+  WristPlan wrist;
+  bool has_wrist = false;
+  bool position_only = false;       ///< the pose's orientation is not used
+  int locked = -1;                  ///< joint whose value the caller gives
+  int capacity = 1;
+  [[nodiscard]] bool quartic() const {
+    for (const Step& step : steps)
+      if (step.kind == Kind::conic) return true;
+    return false;
+  }
+};
+
+/// A plan, or why there is none.
+struct Derivation {
+  bool found = false;
+  Plan plan;
+  std::vector<std::string> reasons;  ///< each: which structure was looked for and what was missing
+};
+
+}  // namespace qvgen::derive::inverse

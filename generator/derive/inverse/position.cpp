@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: MIT
+#include "derive/inverse/position.h"
+
+#include <map>
+#include <optional>
+#include <set>
+
+#include "derive/inverse/block.h"
+#include "symbolic/model.h"
+
+namespace qvgen::derive::inverse {
+
+using GiNaC::ex;
+using symbolic::cross;
+using symbolic::dot;
+using symbolic::Vector;
+
+namespace {
+
+ex square_of(const ex& value) { return GiNaC::pow(value, 2); }
+ex square_of(const Vector& v) { return square_of(v.x) + square_of(v.y) + square_of(v.z); }
+
+class Position {
+ public:
+  Position(Builder& builder, const Screw& a, const Screw& b, const Screw& c, const Vector& start, const Vector& goal)
+      : builder_(builder), scope_(builder.scope()), b_(b), a_(block_of(a, -1, goal, scope_)),
+        c_(block_of(c, 1, start, scope_)), start_(start), goal_(goal) {}
+
+  std::string solve() {
+    const std::string reason = b_.revolute ? around_axis() : along_axis();
+    if (!reason.empty()) return reason;
+    middle();
+    if (builder_.plan().quartic()) builder_.polish({a_.screw, b_, c_.screw}, start_, goal_);
+    return "";
+  }
+
+ private:
+  std::string name(const Block& block) const { return block.screw.variable; }
+
+  // --- the outer joints when b is revolute
+  std::string around_axis() {
+    const bool plane_a = a_.depends(b_.axis, scope_);
+    const bool plane_c = c_.depends(b_.axis, scope_);
+    if (!plane_a && !plane_c) return "the axes of all three joints are parallel: nothing moves along them";
+    if (!plane_c) return by_height_then_distance(a_, c_);
+    if (!plane_a) return by_height_then_distance(c_, a_);
+    const std::optional<Vector> meets_a = common_point(a_.screw);
+    const std::optional<Vector> meets_c = common_point(c_.screw);
+    if (meets_a && distance_depends(c_, *meets_a)) return by_distance_then_height(c_, a_, *meets_a, meets_c);
+    if (meets_c && distance_depends(a_, *meets_c)) return by_distance_then_height(a_, c_, *meets_c, meets_a);
+    if (meets_a || meets_c) return "a joint turns about a point that it does not move: its angle changes nothing";
+    if (!a_.screw.revolute && !c_.screw.revolute) return two_slides();
+    if (!a_.screw.revolute) return slide_and_turn(a_, c_);
+    if (!c_.screw.revolute) return slide_and_turn(c_, a_);
+    return two_turns(around_axis_rows());
+  }
+
+  /// The height along axis b holds `u` alone; then the distance from axis b, in its plane, gives `w`.
+  std::string by_height_then_distance(const Block& u, const Block& w) {
+    turn_or_slide(u, b_.axis, w.form(b_.axis, scope_).constant, "height along the axis of " + b_.variable + ": the same");
+    keep_flat(u);
+    const ex square = builder_.keep("square_" + name(w), square_of(flats_[name(u)].x) + square_of(flats_[name(u)].y));
+    return by_distance(w, b_.point, square, true);
+  }
+
+  /// The distance from r holds `u` alone; then the height gives `w` (or its own distance from its own point).
+  std::string by_distance_then_height(const Block& u, const Block& w, const Vector& r, const std::optional<Vector>& own) {
+    const Vector arm = scope_.clean(point_of(w) - r);
+    const ex square = builder_.keep("square_" + name(u), square_of(arm));
+    const std::string reason = by_distance(u, r, square, false);
+    if (!reason.empty()) return reason;
+    keep_flat(u);
+    if (own && distance_depends(w, *own)) {
+      const ex other = builder_.keep("square_" + name(w), square_of(scope_.clean(point_of(u) - *own)));
+      by_distance(w, *own, other, false);
+    } else {
+      const ex height = builder_.keep("height_" + name(w), u.at_value(b_.axis, builder_));
+      turn_or_slide(w, b_.axis, height, "height along the axis of " + b_.variable + ": the same");
+    }
+    keep_flat(w);
+    return "";
+  }
+
+  /// Any point that the joint carries along has this one's distance from a point on its own axis.
+  Vector point_of(const Block& block) const {
+    if (!block.screw.revolute) return block.base;
+    return scope_.clean(block.base + block.x0.x * block.screw.first + block.x0.y * block.screw.second);
+  }
+
+  /// n·point(u) = rhs for the joint of u; the rhs may hold the other joint's solved value.
+  void turn_or_slide(const Block& u, const Vector& n, const ex& rhs, const std::string& equation) {
+    const Block::Form form = u.form(n, scope_);
+    const ex right = scope_.clean(rhs - form.constant);
+    if (u.screw.revolute) builder_.turn_by_line(u.screw, form.coefficients, right, equation);
+    else builder_.slide_by_value(u.screw, right / form.coefficients.x, equation);
+  }
+
+  /// |point(u) - r|² = square, in space or in the plane of axis b.
+  std::string by_distance(const Block& u, const Vector& r, const ex& square, bool planar) {
+    const Vector arm = scope_.clean(u.base - r);
+    const std::string equation = std::string("distance from ") + (planar ? "the axis" : "a point on the axis") + " of " +
+                                 b_.variable + ": the same";
+    if (!u.screw.revolute) {
+      const ex foot = scope_.clean(-u.sign * dot(u.screw.axis, arm));
+      const ex height = planar ? scope_.clean(square_of(dot(cross(b_.axis, u.screw.axis), arm)))
+                               : scope_.clean(square_of(dot(u.screw.first, arm)) + square_of(dot(u.screw.second, arm)));
+      builder_.slide_by_root(u.screw, foot, square, height, equation);
+      return "";
+    }
+    const Flat v{scope_.clean(dot(u.screw.first, arm)), scope_.clean(dot(u.screw.second, arm))};
+    if (scope_.is_zero(v.x) && scope_.is_zero(v.y)) return "the axes of " + name(u) + " and " + b_.variable + " coincide";
+    const ex along = planar ? ex(0) : scope_.clean(dot(u.screw.axis, arm));
+    builder_.turn_by_distance(u.screw, u.sign, v, u.x0, scope_.is_zero(along) ? square : ex(square - square_of(along)), equation);
+    return "";
+  }
+
+  bool distance_depends(const Block& u, const Vector& r) const {
+    if (!u.screw.revolute) return true;
+    const Vector arm = u.base - r;
+    return !scope_.is_zero(dot(u.screw.first, arm)) || !scope_.is_zero(dot(u.screw.second, arm));
+  }
+
+  /// Where axis b meets another revolute axis.
+  std::optional<Vector> common_point(const Screw& other) const {
+    if (!other.revolute) return std::nullopt;
+    const Vector normal = cross(b_.axis, other.axis);
+    const ex size = scope_.clean(dot(normal, normal));
+    if (scope_.is_zero(size)) return std::nullopt;
+    const Vector between = scope_.clean(other.point - b_.point);
+    if (!scope_.is_zero(dot(normal, between))) return std::nullopt;
+    const ex along = scope_.clean(dot(cross(between, other.axis), normal)) / size;
+    return scope_.clean(b_.point + along * b_.axis);
+  }
+
+  // --- plane coordinates about axis b, and joint b itself
+  void keep_flat(const Block& u) {
+    if (!b_.revolute || kept_.count(name(u)) > 0) return;
+    const auto along = [&](const Vector& n) { return u.at_value(n, builder_) - scope_.clean(dot(n, b_.point)); };
+    Step& step = builder_.plan().steps.back();
+    flats_[name(u)] = {scope_.define(step.after, "plane_" + name(u) + "_x", along(b_.first)),
+                       scope_.define(step.after, "plane_" + name(u) + "_y", along(b_.second))};
+    kept_.insert(name(u));
+  }
+
+  void middle() {
+    if (!b_.revolute) {
+      builder_.slide_by_value(b_, a_.at_value(b_.axis, builder_) - c_.at_value(b_.axis, builder_),
+                              "the displacement along " + b_.variable);
+      return;
+    }
+    keep_flat(a_);
+    keep_flat(c_);
+    const Flat turn = flats_[name(a_)] * conjugate(flats_[name(c_)]);
+    builder_.turn_by_pair(b_, turn, "the turn about the axis of " + b_.variable + " from one side's point to the other's");
+  }
+
+  // --- the outer joints when b is prismatic
+  std::optional<Vector> blind_direction(const Block& u) const {
+    if (!u.screw.revolute) {
+      const Vector n = scope_.clean(cross(u.screw.axis, b_.axis));
+      if (scope_.is_zero(n)) return std::nullopt;
+      return n;
+    }
+    if (!scope_.is_zero(dot(u.screw.axis, b_.axis))) return std::nullopt;
+    return u.screw.axis;
+  }
+
+  std::string along_axis() {
+    const std::optional<Vector> without_a = blind_direction(a_);
+    const std::optional<Vector> without_c = blind_direction(c_);
+    if (without_a && c_.depends(*without_a, scope_)) return by_two_planes(c_, a_, *without_a, without_c);
+    if (without_c && a_.depends(*without_c, scope_)) return by_two_planes(a_, c_, *without_c, without_a);
+    if (without_a || without_c) return "a plane along " + b_.variable + " is moved by neither of the other joints";
+    if (!a_.screw.revolute || !c_.screw.revolute) return "two parallel prismatic joints";
+    if (scope_.is_zero(cross(a_.screw.axis, c_.screw.axis)) && scope_.is_zero(cross(a_.screw.axis, b_.axis)))
+      return two_link_column();
+    Row first = row(b_.first);
+    Row second = row(b_.second);
+    return two_turns({first, second});
+  }
+
+  std::string by_two_planes(const Block& u, const Block& w, const Vector& without_w, const std::optional<Vector>& without_u) {
+    const std::string equation = "perpendicular to " + b_.variable + ", nothing changes";
+    turn_or_slide(u, without_w, w.form(without_w, scope_).constant, equation);
+    if (without_u && w.depends(*without_u, scope_)) {
+      turn_or_slide(w, *without_u, u.form(*without_u, scope_).constant, equation);
+      return "";
+    }
+    const Vector other = scope_.clean(cross(without_w, b_.axis));
+    if (!w.depends(other, scope_)) return name(w) + " does not move the point across " + b_.variable;
+    turn_or_slide(w, other, builder_.keep("height_" + name(w), u.at_value(other, builder_)), equation);
+    return "";
+  }
+
+  /// a, b, c parallel, b prismatic: a two-link arm in the plane.
+  std::string two_link_column() {
+    const ex square = builder_.keep("square_" + name(c_), square_of(a_.x0.x) + square_of(a_.x0.y));
+    const Vector arm = scope_.clean(c_.base - a_.screw.point);
+    const Flat v{scope_.clean(dot(c_.screw.first, arm)), scope_.clean(dot(c_.screw.second, arm))};
+    if (scope_.is_zero(v.x) && scope_.is_zero(v.y)) return "the axes of " + name(a_) + " and " + name(c_) + " coincide";
+    builder_.turn_by_distance(c_.screw, 1, v, c_.x0, square, "distance from the axis of " + name(a_) + ": the same");
+    const ex x = c_.at_value(a_.screw.first, builder_) - dot(a_.screw.first, a_.screw.point);
+    const ex y = c_.at_value(a_.screw.second, builder_) - dot(a_.screw.second, a_.screw.point);
+    const Flat turn = conjugate(Flat{scope_.clean(x), scope_.clean(y)} * conjugate(a_.x0));
+    builder_.turn_by_pair(a_.screw, turn, "the turn about the axis of " + name(a_));
+    return "";
+  }
+
+  // --- elimination: a conic on the unit circle
+  struct Row {  ///< k·(x1, x2) + constant + m·(cos q_c, sin q_c) = 0, x the in-plane coordinates of joint a
+    Flat k;
+    ex constant;
+    Flat m;
+  };
+
+  Row row(const Vector& n) const {
+    const Block::Form c = c_.form(n, scope_);
+    return {{scope_.clean(dot(n, a_.screw.first)), scope_.clean(dot(n, a_.screw.second))},
+            scope_.clean(dot(n, a_.base) - c.constant), {-c.coefficients.x, -c.coefficients.y}};
+  }
+
+  std::array<Row, 2> around_axis_rows() const {
+    const Vector arm_a = scope_.clean(a_.base - b_.point);
+    const Vector arm_c = scope_.clean(c_.base - b_.point);
+    const Block::Form c = c_.form(ex(2) * arm_c, scope_);
+    const ex own = square_of(arm_a) + square_of(a_.x0.x) + square_of(a_.x0.y);
+    const ex other = square_of(arm_c) + square_of(c_.x0.x) + square_of(c_.x0.y);
+    const Row distance{{scope_.clean(2 * dot(arm_a, a_.screw.first)), scope_.clean(2 * dot(arm_a, a_.screw.second))},
+                       own - other, {-c.coefficients.x, -c.coefficients.y}};
+    return {row(b_.axis), distance};
+  }
+
+  std::string two_turns(const std::array<Row, 2>& rows) {
+    const Row& r = rows[0];
+    const Row& s = rows[1];
+    const ex determinant = scope_.clean(r.k.x * s.k.y - r.k.y * s.k.x);
+    if (scope_.is_zero(determinant)) return name(a_) + " cannot be eliminated";
+    // x = -K^-1 (constant + m·u)
+    const auto solve = [&](const ex& e, const ex& f) {
+      return Flat{(r.k.y * f - s.k.y * e) / determinant, (s.k.x * e - r.k.x * f) / determinant};
+    };
+    const auto named = [&](const std::string& what, const Flat& v) {
+      return Flat{builder_.keep(what + "_x", v.x), builder_.keep(what + "_y", v.y)};
+    };
+    const Flat w0 = named("centre_" + name(a_), solve(r.constant, s.constant));
+    const Flat w1 = named("cosine_" + name(a_), solve(r.m.x, s.m.x));
+    const Flat w2 = named("sine_" + name(a_), solve(r.m.y, s.m.y));
+    const auto product = [](const Flat& p, const Flat& q) { return ex(p.x * q.x + p.y * q.y); };
+    const ex radius2 = square_of(a_.x0.x) + square_of(a_.x0.y);
+    builder_.turn_by_conic(c_.screw, {product(w1, w1), 2 * product(w1, w2), product(w2, w2), 2 * product(w0, w1),
+                                      2 * product(w0, w2), product(w0, w0) - radius2},
+                           name(a_) + " eliminated from two equations, its point on the circle about its axis");
+    const Scope::Turn u = builder_.value(c_.screw);
+    const Flat x{w0.x + w1.x * u.cosine + w2.x * u.sine, w0.y + w1.y * u.cosine + w2.y * u.sine};
+    builder_.turn_by_pair(a_.screw, conjugate(x * conjugate(a_.x0)), "the point that the elimination gave");
+    return "";
+  }
+
+  std::string two_slides() {
+    const Block::Form a = a_.form(b_.axis, scope_);
+    const Block::Form c = c_.form(b_.axis, scope_);
+    // t_a = u + v t_c from the height; then |g|² = |f|² is quadratic in t_c.
+    const ex v = scope_.clean(c.coefficients.x / a.coefficients.x);
+    const ex u = builder_.keep("offset_" + name(a_), (c.constant - a.constant) / a.coefficients.x);
+    const Vector g = scope_.clean(a_.base - b_.point);
+    const Vector f = scope_.clean(c_.base - b_.point);
+    const ex ga = a_.sign * dot(a_.screw.axis, g);
+    const ex fc = c_.sign * dot(c_.screw.axis, f);
+    builder_.slide_by_quadratic(c_.screw, scope_.clean(v * v - 1), u * v + ga * v - fc,
+                                u * u + 2 * ga * u + square_of(g) - square_of(f), "height, then distance: a quadratic");
+    builder_.slide_by_value(a_.screw, u + v * builder_.value(c_.screw).cosine, "the height along the axis of " + b_.variable);
+    return "";
+  }
+
+  std::string slide_and_turn(const Block& slide, const Block& turn) {
+    const Block::Form s = slide.form(b_.axis, scope_);
+    const Block::Form t = turn.form(b_.axis, scope_);
+    const ex u = builder_.keep("offset_" + name(slide), (t.constant - s.constant) / s.coefficients.x);
+    const ex k1 = builder_.keep("cosine_" + name(slide), t.coefficients.x / s.coefficients.x);
+    const ex k2 = builder_.keep("sine_" + name(slide), t.coefficients.y / s.coefficients.x);
+    const Vector g = scope_.clean(slide.base - b_.point);
+    const Vector arm = scope_.clean(turn.base - b_.point);
+    const Block::Form f = turn.form(ex(2) * arm, scope_);
+    const ex own = 2 * slide.sign * dot(slide.screw.axis, g);
+    const ex other = square_of(arm) + square_of(turn.x0.x) + square_of(turn.x0.y);
+    builder_.turn_by_conic(turn.screw, {k1 * k1, 2 * k1 * k2, k2 * k2, 2 * u * k1 + own * k1 - f.coefficients.x,
+                                        2 * u * k2 + own * k2 - f.coefficients.y, u * u + own * u + square_of(g) - other},
+                           name(slide) + " from the height, then the distance");
+    const Scope::Turn value = builder_.value(turn.screw);
+    builder_.slide_by_value(slide.screw, u + k1 * value.cosine + k2 * value.sine, "the height along the axis of " + b_.variable);
+    return "";
+  }
+
+  Builder& builder_;
+  Scope& scope_;
+  Screw b_;
+  Block a_;
+  Block c_;
+  Vector start_;
+  Vector goal_;
+  std::set<std::string> kept_;
+  std::map<std::string, Flat> flats_;
+};
+
+}  // namespace
+
+std::string solve_position(Builder& builder, const Screw& a, const Screw& b, const Screw& c, const Vector& start,
+                           const Vector& goal) {
+  return Position(builder, a, b, c, start, goal).solve();
+}
+
+}  // namespace qvgen::derive::inverse

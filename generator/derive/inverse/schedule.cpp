@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "derive/inverse/schedule.h"
+
+#include <algorithm>
+#include <set>
+
+#include "derive/inverse/inverse.h"
+#include "symbolic/model.h"
+
+namespace qvgen::derive::inverse {
+
+namespace {
+
+void collect(const GiNaC::ex& value, std::set<std::string>& names) {
+  if (GiNaC::is_a<GiNaC::symbol>(value)) names.insert(GiNaC::ex_to<GiNaC::symbol>(value).get_name());
+  for (std::size_t i = 0; i < value.nops(); ++i) collect(value.op(i), names);
+}
+
+void collect(const symbolic::Program& program, std::set<std::string>& names) {
+  std::set<std::string> own;
+  for (const auto& step : program.steps()) {
+    collect(step.value, names);
+    own.insert(step.name.get_name());
+  }
+  for (const auto& output : program.outputs()) collect(output.value, names);
+  for (const std::string& name : own) names.erase(name);
+}
+
+bool moves(const Step& step) { return step.kind == Kind::half; }
+
+}  // namespace
+
+std::vector<std::string> reads(const Step& step) {
+  std::set<std::string> names;
+  collect(step.before, names);
+  collect(step.after, names);
+  for (const std::string& name : writes(step)) names.erase(name);
+  return {names.begin(), names.end()};
+}
+
+std::vector<std::string> writes(const Step& step) {
+  std::vector<std::string> names;
+  for (const auto& output : step.after.outputs()) names.push_back(output.name);
+  for (const std::string& turn : step.turns) {
+    names.push_back("cos_" + turn);
+    names.push_back("sin_" + turn);
+    if (step.kind == Kind::polish) names.push_back(turn);
+  }
+  return names;
+}
+
+void schedule(Plan& plan) {
+  std::vector<Step> ordered;
+  for (Step& step : plan.steps) {
+    std::size_t place = ordered.size();
+    if (moves(step)) {
+      const std::vector<std::string> needs = reads(step);
+      const auto gives = [&](const Step& earlier) {
+        for (const std::string& name : writes(earlier))
+          if (std::find(needs.begin(), needs.end(), name) != needs.end()) return true;
+        return false;
+      };
+      while (place > 0 && !gives(ordered[place - 1])) --place;
+    }
+    ordered.insert(ordered.begin() + static_cast<std::ptrdiff_t>(place), std::move(step));
+  }
+  plan.steps = std::move(ordered);
+}
+
+void prune(Plan& plan) {
+  std::set<std::string> wanted = {size_square};
+  for (const JointValue& joint : plan.joints) {
+    wanted.insert(joint.cosine);
+    wanted.insert(joint.sine);
+  }
+  const auto kept = [&](const symbolic::Program& program) {
+    std::vector<std::string> names;
+    for (const auto& output : program.outputs())
+      if (wanted.count(output.name) > 0) names.push_back(output.name);
+    return names;
+  };
+  for (auto step = plan.steps.rbegin(); step != plan.steps.rend(); ++step) {
+    step->kept = kept(step->after);
+    for (const std::string& name : reads(*step)) wanted.insert(name);
+  }
+  plan.target_kept = kept(plan.target);
+  // What steps read of the pose itself passes through the target under its own name.
+  for (const std::string& name : wanted) {
+    if (name.rfind(pose_quaternion, 0) != 0 && name.rfind(pose_position, 0) != 0) continue;
+    plan.target.output(name, symbolic::symbol(name));
+    plan.target_kept.push_back(name);
+  }
+}
+
+}  // namespace qvgen::derive::inverse

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "derive/inverse/plan.h"
+
+namespace qvgen::derive::inverse {
+
+/// Moves every step without branches up to where its inputs are known, so that nothing is computed once for each
+/// branch of an unknown it does not depend on.
+void schedule(Plan& plan);
+
+/// Drops named values that nobody reads.
+void prune(Plan& plan);
+
+/// Names of symbols that a step reads, and names that it leaves.
+std::vector<std::string> reads(const Step& step);
+std::vector<std::string> writes(const Step& step);
+
+}  // namespace qvgen::derive::inverse

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include "derive/inverse/scope.h"
+
+#include "symbolic/model.h"
+
+namespace qvgen::derive::inverse {
+
+using GiNaC::ex;
+using GiNaC::numeric;
+using symbolic::Quaternion;
+using symbolic::Vector;
+
+namespace {
+
+/// GiNaC's number of digits is a global of the process: set while a Scope computes, and put back.
+class Digits {
+ public:
+  Digits() : before_(GiNaC::Digits) { GiNaC::Digits = 60; }
+  ~Digits() { GiNaC::Digits = before_; }
+  Digits(const Digits&) = delete;
+  Digits& operator=(const Digits&) = delete;
+
+ private:
+  long before_;
+};
+
+ex value_at(const ex& value, const GiNaC::exmap& point) {
+  return value.subs(point, GiNaC::subs_options::no_pattern).evalf();
+}
+
+}  // namespace
+
+Scope::Scope(const model::Robot& robot) {
+  for (const auto& parameter : robot.geometry) length(parameter.name);
+}
+
+numeric Scope::random() {
+  state_ ^= state_ << 13;
+  state_ ^= state_ >> 7;
+  state_ ^= state_ << 17;
+  return numeric(static_cast<long>(state_ % 9973) + 1000, 7919);
+}
+
+ex Scope::add(const std::string& name, const std::array<ex, points>& values) {
+  const GiNaC::symbol symbol = symbolic::symbol(name);
+  for (std::size_t i = 0; i < points; ++i) samples_[i][symbol] = values[i];
+  return symbol;
+}
+
+ex Scope::length(const std::string& name) {
+  std::array<ex, points> values;
+  for (ex& value : values) value = random();
+  return add(name, values);
+}
+
+Vector Scope::vector(const std::string& prefix) {
+  return {length(prefix + "_x"), length(prefix + "_y"), length(prefix + "_z")};
+}
+
+Scope::Turn Scope::turn(const std::string& name) {
+  std::array<ex, points> cosines;
+  std::array<ex, points> sines;
+  for (std::size_t i = 0; i < points; ++i) {
+    const ex t = random();
+    cosines[i] = (1 - t * t) / (1 + t * t);
+    sines[i] = 2 * t / (1 + t * t);
+  }
+  const ex cosine = add("cos_" + name, cosines);
+  return {cosine, add("sin_" + name, sines)};
+}
+
+Quaternion Scope::quaternion(const std::string& prefix) {
+  std::array<std::array<ex, points>, 4> values;
+  for (std::size_t i = 0; i < points; ++i) {
+    // The square of any rational quaternion, divided by its length, is a rational unit quaternion.
+    const Quaternion q{random(), -random(), random(), random()};
+    const Quaternion square = q * q;
+    const ex length = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
+    values[0][i] = square.w / length;
+    values[1][i] = square.x / length;
+    values[2][i] = square.y / length;
+    values[3][i] = square.z / length;
+  }
+  return {add(prefix + "_w", values[0]), add(prefix + "_x", values[1]), add(prefix + "_y", values[2]),
+          add(prefix + "_z", values[3])};
+}
+
+bool Scope::is_zero(const ex& value) const {
+  if (value.is_zero()) return true;
+  if (GiNaC::is_a<numeric>(value)) return false;
+  const Digits digits;
+  for (const GiNaC::exmap& point : samples_) {
+    const ex number = value_at(value, point);
+    if (!GiNaC::is_a<numeric>(number)) return false;
+    if (GiNaC::abs(GiNaC::ex_to<numeric>(number)) > GiNaC::pow(numeric(10), numeric(-45))) return false;
+  }
+  return true;
+}
+
+ex Scope::clean(const ex& value) const { return is_zero(value) ? ex(0) : value.expand(); }
+
+bool Scope::is_number(const ex& value) {
+  if (GiNaC::is_a<GiNaC::symbol>(value)) return false;
+  for (std::size_t i = 0; i < value.nops(); ++i)
+    if (!is_number(value.op(i))) return false;
+  return true;
+}
+
+double Scope::sample(const ex& value) const {
+  const Digits digits;
+  return GiNaC::ex_to<numeric>(value_at(value, samples_[0])).to_double();
+}
+
+ex Scope::define(symbolic::Program& program, const std::string& name, const ex& value) {
+  if (is_number(value) || GiNaC::is_a<GiNaC::symbol>(value) || GiNaC::is_a<GiNaC::symbol>(-value)) return value;
+  program.output(symbolic::symbol(name), value);
+  std::array<ex, points> values;
+  {
+    const Digits digits;
+    for (std::size_t i = 0; i < points; ++i) values[i] = value_at(value, samples_[i]);
+  }
+  return add(name, values);
+}
+
+Vector Scope::define(symbolic::Program& program, const std::string& name, const Vector& v) {
+  return {define(program, name + "_x", v.x), define(program, name + "_y", v.y), define(program, name + "_z", v.z)};
+}
+
+Quaternion Scope::define(symbolic::Program& program, const std::string& name, const Quaternion& q) {
+  return {define(program, name + "_w", q.w), define(program, name + "_x", q.x), define(program, name + "_y", q.y),
+          define(program, name + "_z", q.z)};
+}
+
+void Scope::input(symbolic::Program& program, const std::string& name, const ex& value) const {
+  program.output(name, value);
+}
+
+}  // namespace qvgen::derive::inverse

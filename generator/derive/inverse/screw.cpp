@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "derive/inverse/screw.h"
+
+#include <cmath>
+
+#include "symbolic/model.h"
+
+namespace qvgen::derive::inverse {
+
+using GiNaC::ex;
+using symbolic::cross;
+using symbolic::dot;
+using symbolic::Vector;
+
+void complete_frame(Screw& screw, const Scope& scope) {
+  const std::array<ex, 3> axis = {screw.axis.x, screw.axis.y, screw.axis.z};
+  std::size_t least = 0;
+  std::size_t largest = 0;
+  for (std::size_t i = 1; i < 3; ++i) {
+    if (std::abs(scope.sample(axis[i])) < std::abs(scope.sample(axis[least])) - 1e-9) least = i;
+    if (std::abs(scope.sample(axis[i])) > std::abs(scope.sample(axis[largest])) + 1e-9) largest = i;
+  }
+  std::array<ex, 3> unit = {0, 0, 0};
+  const bool along_axis = scope.is_zero(axis[(largest + 1) % 3]) && scope.is_zero(axis[(largest + 2) % 3]);
+  unit[along_axis ? (largest + 1) % 3 : least] = 1;
+  Vector first{unit[0], unit[1], unit[2]};
+  if (!along_axis) {
+    first = scope.clean(cross(screw.axis, first));
+    const ex square = scope.clean(dot(first, first));
+    first = scope.clean(ex(1) / GiNaC::sqrt(square) * first);
+  }
+  screw.first = first;
+  screw.second = scope.clean(cross(screw.axis, first));
+}
+
+Chain chain_of(const model::Robot& robot, const Scope& scope) {
+  Chain chain;
+  symbolic::Pair frame = symbolic::to_symbolic(robot.base);
+  const auto clean = [&](const symbolic::Pair& pair) {
+    return symbolic::Pair{{scope.clean(pair.q.w), scope.clean(pair.q.x), scope.clean(pair.q.y), scope.clean(pair.q.z)},
+                          scope.clean(pair.p)};
+  };
+  for (const model::Joint& joint : robot.joints) {
+    frame = clean(frame * symbolic::to_symbolic(joint.before));
+    Screw screw;
+    screw.revolute = joint.type == model::JointType::revolute;
+    screw.axis = scope.clean(symbolic::rotate(frame.q, symbolic::to_symbolic(joint.axis)));
+    screw.point = frame.p;
+    screw.variable = joint.variable;
+    screw.joint = static_cast<int>(chain.screws.size());
+    complete_frame(screw, scope);
+    chain.screws.push_back(screw);
+    frame = clean(frame * symbolic::to_symbolic(joint.after));
+  }
+  chain.home = clean(frame * symbolic::to_symbolic(robot.tool));
+  return chain;
+}
+
+Screw displaced(const symbolic::Pair& by, const Screw& screw, const Scope& scope) {
+  Screw result = screw;
+  result.axis = scope.clean(symbolic::rotate(by.q, screw.axis));
+  result.first = scope.clean(symbolic::rotate(by.q, screw.first));
+  result.second = scope.clean(symbolic::rotate(by.q, screw.second));
+  result.point = scope.clean(by * screw.point);
+  return result;
+}
+
+Screw reversed(const Screw& screw) {
+  Screw result = screw;
+  result.axis = -screw.axis;
+  result.second = -screw.second;
+  return result;
+}
+
+Vector apply(const Screw& screw, const ex& value, const ex& sine, const Vector& point) {
+  if (!screw.revolute) return point + value * screw.axis;
+  const Vector arm = point - screw.point;
+  const ex x = dot(screw.first, arm);
+  const ex y = dot(screw.second, arm);
+  return screw.point + dot(screw.axis, arm) * screw.axis + (value * x - sine * y) * screw.first +
+         (sine * x + value * y) * screw.second;
+}
+
+}  // namespace qvgen::derive::inverse

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "derive/inverse/scope.h"
+
+namespace qvgen::derive::inverse {
+
+/// A joint at the zero pose: axis, two unit vectors that complete it to a right-handed frame, a point on it.
+struct Screw {
+  bool revolute = true;
+  symbolic::Vector axis, first, second;
+  symbolic::Vector point;
+  std::string variable;
+  int joint = 0;
+};
+
+/// All joints and the tool at the zero pose, in the base frame.
+struct Chain {
+  std::vector<Screw> screws;
+  symbolic::Pair home;
+};
+
+Chain chain_of(const model::Robot& robot, const Scope& scope);
+
+/// The screw seen after a displacement of the whole axis.
+Screw displaced(const symbolic::Pair& by, const Screw& screw, const Scope& scope);
+/// The same joint read backwards: e(-axis, q) = e(axis, q)^-1.
+Screw reversed(const Screw& screw);
+/// exp of the screw at a known value, as the pair of cosine and sine or a length.
+symbolic::Vector apply(const Screw& screw, const GiNaC::ex& cosine_or_length, const GiNaC::ex& sine,
+                       const symbolic::Vector& point);
+/// Two vectors that make an orthonormal right-handed frame with the axis.
+void complete_frame(Screw& screw, const Scope& scope);
+
+}  // namespace qvgen::derive::inverse

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "derive/inverse/builder.h"
+
+namespace qvgen::derive::inverse {
+
+/// The pose and what it means for the arm at its zero pose, T = pose * home^-1, in named values.
+class Target {
+ public:
+  Target(Builder& builder, const symbolic::Pair& home);
+
+  /// T x.
+  [[nodiscard]] symbolic::Vector image(const symbolic::Vector& x) const;
+  /// T^-1 x.
+  [[nodiscard]] symbolic::Vector source(const symbolic::Vector& x) const;
+  /// T's quaternion, named on first use.
+  const symbolic::Quaternion& orientation();
+  /// T^-1, with its rotation as named matrix entries.
+  symbolic::Vector direction_source(const symbolic::Vector& v);
+
+  [[nodiscard]] const symbolic::Pair& pose() const { return pose_; }
+
+ private:
+  Builder& builder_;
+  symbolic::Pair home_;
+  symbolic::Pair pose_;
+  symbolic::Matrix3 matrix_;
+  symbolic::Quaternion orientation_;
+  bool named_ = false;
+};
+
+}  // namespace qvgen::derive::inverse

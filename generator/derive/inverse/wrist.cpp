@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "derive/inverse/wrist.h"
+
+namespace qvgen::derive::inverse {
+
+using GiNaC::ex;
+using symbolic::cross;
+using symbolic::dot;
+using symbolic::Matrix3;
+using symbolic::Quaternion;
+using symbolic::Vector;
+
+namespace {
+
+/// Unit quaternion of a constant rotation matrix, its largest component taken from the diagonal.
+Quaternion quaternion_of(const Matrix3& r, const Scope& scope) {
+  const std::array<ex, 4> squares = {1 + r[0][0] + r[1][1] + r[2][2], 1 + r[0][0] - r[1][1] - r[2][2],
+                                     1 - r[0][0] + r[1][1] - r[2][2], 1 - r[0][0] - r[1][1] + r[2][2]};
+  std::size_t largest = 0;
+  for (std::size_t i = 1; i < 4; ++i)
+    if (scope.sample(squares[i]) > scope.sample(squares[largest]) + 1e-9) largest = i;
+  const ex twice = GiNaC::sqrt(scope.clean(squares[largest]));  // twice the largest component
+  const auto part = [&](const ex& value) { return scope.clean(scope.clean(value) / (2 * twice)); };
+  const ex half = scope.clean(twice / 2);
+  const ex x = part(r[2][1] - r[1][2]), y = part(r[0][2] - r[2][0]), z = part(r[1][0] - r[0][1]);
+  const ex xy = part(r[0][1] + r[1][0]), xz = part(r[0][2] + r[2][0]), yz = part(r[1][2] + r[2][1]);
+  switch (largest) {
+    case 0: return {half, x, y, z};
+    case 1: return {x, half, xy, xz};
+    case 2: return {y, xy, half, yz};
+    default: return {z, xz, yz, half};
+  }
+}
+
+struct Frame {
+  Vector normal;
+  Quaternion orientation;  ///< of [normal, axis x normal, axis]
+};
+
+Frame frame(const Vector& normal_direction, const Vector& axis, const Scope& scope) {
+  const Vector raw = scope.clean(normal_direction);
+  const Vector normal = scope.clean(ex(1) / GiNaC::sqrt(scope.clean(dot(raw, raw))) * raw);
+  const Vector side = scope.clean(cross(axis, normal));
+  return {normal, quaternion_of({{{normal.x, side.x, axis.x}, {normal.y, side.y, axis.y}, {normal.z, side.z, axis.z}}}, scope)};
+}
+
+struct HalfAngle {
+  ex cosine, sine;
+};
+HalfAngle half_angle(const Vector& a, const Vector& b, const Scope& scope) {
+  const ex cosine = scope.clean(dot(a, b));
+  return {GiNaC::sqrt(scope.clean((1 + cosine) / 2)), GiNaC::sqrt(scope.clean((1 - cosine) / 2))};
+}
+
+void name_joint(Builder& builder, const Screw& screw) {
+  builder.scope().turn(screw.variable);
+  if (screw.joint < 0) return;
+  auto& value = builder.plan().joints[static_cast<std::size_t>(screw.joint)];
+  value = {true, "cos_" + screw.variable, "sin_" + screw.variable};
+}
+
+void set_right(Step& step, WristPlan& wrist, bool opposite_normals, const Quaternion& u) {
+  // u = -i conj(U11), v = -i conj(U12) with U11 = u_w - i u_z, U12 = -u_y - i u_x; at opposite normals the branch
+  // with the positive middle angle has the other sign of u.
+  const int sign = opposite_normals ? -1 : 1;
+  wrist.middle_swapped = !opposite_normals;
+  step.before.output("u_x", sign * u.z);
+  step.before.output("u_y", -sign * u.w);
+  step.before.output("v_x", u.x);
+  step.before.output("v_y", u.y);
+}
+
+}  // namespace
+
+bool is_wrist(const Screw& first, const Screw& middle, const Screw& last, const Scope& scope) {
+  if (!first.revolute || !middle.revolute || !last.revolute) return false;
+  const Vector n1 = scope.clean(cross(first.axis, middle.axis));
+  const Vector n2 = scope.clean(cross(middle.axis, last.axis));
+  if (scope.is_zero(n1) || scope.is_zero(n2)) return false;
+  for (const ex& entry : {n1.x, n1.y, n1.z, n2.x, n2.y, n2.z})
+    if (!Scope::is_number(entry)) return false;
+  return true;
+}
+
+void solve_wrist(Builder& builder, const Screw& first, const Screw& middle, const Screw& last, const Quaternion& rotation) {
+  const Scope& scope = builder.scope();
+  Plan& plan = builder.plan();
+  const Frame f4 = frame(cross(first.axis, middle.axis), first.axis, scope);
+  const Frame f6 = frame(cross(middle.axis, last.axis), last.axis, scope);
+  const Quaternion product = symbolic::inverse(f4.orientation) * (rotation * f6.orientation);
+  const Quaternion u{scope.clean(product.w), scope.clean(product.x), scope.clean(product.y), scope.clean(product.z)};
+  const HalfAngle a = half_angle(first.axis, middle.axis, scope);
+  const HalfAngle b = half_angle(middle.axis, last.axis, scope);
+  const ex cosine_delta = scope.clean(dot(f4.normal, f6.normal));
+  const ex sine_delta = scope.clean(dot(middle.axis, cross(f4.normal, f6.normal)));
+  const ex cosine_sum = scope.clean(a.cosine * b.cosine - a.sine * b.sine);
+  const ex sine_difference = scope.clean(a.sine * b.cosine - a.cosine * b.sine);
+  plan.has_wrist = true;
+  plan.wrist.joints = {first.joint, middle.joint, last.joint};
+  plan.wrist.right = cosine_sum.is_zero() && sine_difference.is_zero() && sine_delta.is_zero();
+  Step step;
+  step.kind = plan.wrist.right ? Kind::right_wrist : Kind::oblique_wrist;
+  step.branches = 2;
+  step.joint = middle.joint;
+  step.unknown = first.variable + ", " + middle.variable + ", " + last.variable;
+  step.equation = "the orientation that the wrist's three axes have to make, in half angles";
+  step.degenerate = plan.wrist.right ? "first and last axis in line: their sum or difference is free"
+                                     : "edge of the wrist's range: the two solutions coincide";
+  if (plan.wrist.right) {
+    set_right(step, plan.wrist, scope.sample(cosine_delta) < 0, u);
+  } else {
+    const ex four = 4 * a.cosine * a.sine * b.cosine * b.sine;
+    step.before.output("u_x", u.w);
+    step.before.output("u_y", -u.z);
+    step.before.output("v_x", -u.y);
+    step.before.output("v_y", -u.x);
+    step.before.output("cosine_sum", cosine_sum);
+    step.before.output("sine_sum", scope.clean(a.sine * b.cosine + a.cosine * b.sine));
+    step.before.output("cosine_difference", scope.clean(a.cosine * b.cosine + a.sine * b.sine));
+    step.before.output("sine_difference", -sine_difference);
+    step.before.output("product", scope.clean(four));
+    step.before.output("cosine_delta", cosine_delta);
+    step.before.output("sine_delta", sine_delta);
+  }
+  for (const Screw* screw : {&first, &middle, &last}) {
+    name_joint(builder, *screw);
+    step.turns.push_back(screw->variable);
+  }
+  plan.steps.push_back(std::move(step));
+}
+
+}  // namespace qvgen::derive::inverse

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <qvgen/inverse/scalar.h>
+
+namespace qvgen::inverse {
+
+/// Cosine and sine of an angle: solved angles stay algebraic, the arctangent is taken for the output alone.
+template <typename Scalar>
+struct Rotor {
+  Scalar cosine;
+  Scalar sine;
+};
+
+template <typename Scalar>
+Rotor<Scalar> operator*(const Rotor<Scalar>& a, const Rotor<Scalar>& b) {
+  return {a.cosine * b.cosine - a.sine * b.sine, a.sine * b.cosine + a.cosine * b.sine};
+}
+
+template <typename Scalar>
+Rotor<Scalar> operator*(const Scalar& factor, const Rotor<Scalar>& a) {
+  return {factor * a.cosine, factor * a.sine};
+}
+
+template <typename Scalar>
+Rotor<Scalar> inverse(const Rotor<Scalar>& a) {
+  return {a.cosine, -a.sine};
+}
+
+/// Angle in [-pi, pi], rad, of a pair that need not be normalised.
+template <typename Scalar>
+Scalar angle(const Rotor<Scalar>& rotor) {
+  using std::atan2;
+  return atan2(rotor.sine, rotor.cosine);
+}
+
+template <typename Scalar>
+Scalar pi() {
+  return Scalar(3.14159265358979323846);
+}
+
+/// Angle in (-pi, pi], rad: -pi, which a negative zero or a rounded sine would give, is pi.
+template <typename Scalar>
+Scalar output_angle(const Scalar& cosine, const Scalar& sine) {
+  using std::atan2;
+  const Scalar value = atan2(sine, cosine);
+  return select(value <= -pi<Scalar>(), pi<Scalar>(), value);
+}
+
+/// A pair brought to length one. Where its squared length is below `tiny`, any direction will do: the caller's choice is
+/// taken and the branch is marked.
+template <typename Scalar>
+Rotor<Scalar> direction(const Rotor<Scalar>& v, const Scalar& tiny, const Rotor<Scalar>& choice,
+                        Branch<Scalar>& branch) {
+  using std::sqrt;
+  const Scalar square = v.cosine * v.cosine + v.sine * v.sine;
+  const Mask<Scalar> is_free = square <= tiny;
+  branch.continuum = branch.continuum | (branch.exists & is_free);
+  const Scalar scale = Scalar(1) / sqrt(select(is_free, Scalar(1), square));
+  return {select(is_free, choice.cosine, Scalar(v.cosine * scale)), select(is_free, choice.sine, Scalar(v.sine * scale))};
+}
+
+/// Cosine and sine of half the angle (in (-pi/2, pi/2]) from a normalised pair, accurate near 0 and near pi.
+template <typename Scalar>
+Rotor<Scalar> half(const Rotor<Scalar>& rotor) {
+  using std::sqrt;
+  const Mask<Scalar> acute = rotor.cosine >= Scalar(0);
+  const Scalar larger = sqrt((Scalar(1) + select(acute, rotor.cosine, Scalar(-rotor.cosine))) / Scalar(2));
+  const Scalar other = rotor.sine / (Scalar(2) * larger);
+  return {select(acute, larger, select(other < Scalar(0), Scalar(-other), other)),
+          select(acute, other, with_sign(larger, rotor.sine))};
+}
+
+/// (-pi, pi] of an angle in (-3 pi, 3 pi].
+template <typename Scalar>
+Scalar wrapped(const Scalar& angle, const Scalar& pi) {
+  const Scalar down = select(angle > pi, Scalar(angle - Scalar(2) * pi), angle);
+  return select(down <= -pi, Scalar(down + Scalar(2) * pi), down);
+}
+
+/// The opposite direction: angle + pi for an angle in (-pi, pi], again in (-pi, pi]. A positive angle may be so small
+/// that the difference rounds to -pi.
+template <typename Scalar>
+Scalar opposite(const Scalar& angle, const Scalar& pi) {
+  const Scalar turned = angle + with_sign(pi, select(angle > Scalar(0), Scalar(-1), Scalar(1)));
+  return select(turned <= -pi, pi, turned);
+}
+
+/// -angle for an angle in [0, pi], again in (-pi, pi].
+template <typename Scalar>
+Scalar negative(const Scalar& angle, const Scalar& pi) {
+  return select(angle >= pi, pi, Scalar(-angle));
+}
+
+}  // namespace qvgen::inverse

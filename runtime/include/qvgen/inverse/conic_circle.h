@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <utility>
+
+#include <qvgen/inverse/angles.h>
+#include <qvgen/inverse/cubic.h>
+
+namespace qvgen::inverse {
+
+/// xx c² + xy c s + yy s² + x c + y s + one = 0 for the unit vector (c, s).
+template <typename Scalar>
+struct Conic {
+  Scalar xx, xy, yy, x, y, one;
+};
+
+template <typename Scalar>
+struct CircleRoots {
+  int count = 0;
+  std::array<Rotor<Scalar>, 4> root;
+};
+
+namespace conic {
+
+/// g (c² - s²) + 2 p c + 2 q s + k on the unit circle: the conic turned to its axes, its trace moved into k.
+template <typename Scalar>
+struct Aligned {
+  Scalar g, p, q, k;
+
+  [[nodiscard]] Scalar value(const Rotor<Scalar>& u) const {
+    return g * (u.cosine - u.sine) * (u.cosine + u.sine) + Scalar(2) * (p * u.cosine + q * u.sine) + k;
+  }
+  [[nodiscard]] Scalar slope(const Rotor<Scalar>& u) const {
+    return Scalar(-4) * g * u.cosine * u.sine + Scalar(2) * (q * u.cosine - p * u.sine);
+  }
+  [[nodiscard]] Scalar curvature(const Rotor<Scalar>& u) const {
+    return Scalar(-4) * g * (u.cosine - u.sine) * (u.cosine + u.sine) - Scalar(2) * (p * u.cosine + q * u.sine);
+  }
+};
+
+template <typename Scalar>
+using Matrix = std::array<std::array<Scalar, 3>, 3>;
+
+/// The degenerate member of the pencil conic + λ (circle - 1) that splits into two real lines, as the symmetric
+/// matrix of the pair of lines plus the skew matrix of their common point: a matrix of rank one.
+template <typename Scalar>
+Matrix<Scalar> line_pair(const Aligned<Scalar>& f, const Scalar& pi) {
+  using std::sqrt;
+  const Scalar square = f.p * f.p + f.q * f.q;
+  const auto roots = real_cubic(Scalar(-f.k), Scalar(square - f.g * f.g),
+                                Scalar(f.g * f.g * f.k - f.g * (f.p * f.p - f.q * f.q)), pi);
+  Scalar best(-1);
+  Scalar lambda(0);
+  std::size_t column = 0;
+  for (int i = 0; i < roots.count; ++i) {
+    const Scalar x = roots.root[static_cast<std::size_t>(i)];
+    const std::array<Scalar, 3> entries = {f.q * f.q - (x - f.g) * (f.k - x), f.p * f.p - (f.g + x) * (f.k - x),
+                                           -(f.g + x) * (x - f.g)};
+    for (std::size_t j = 0; j < 3; ++j) {
+      if (entries[j] > best || (i == 0 && j == 0)) {
+        best = entries[j];
+        lambda = x;
+        column = j;
+      }
+    }
+  }
+  Matrix<Scalar> m = {{{f.g + lambda, Scalar(0), f.p}, {Scalar(0), lambda - f.g, f.q}, {f.p, f.q, f.k - lambda}}};
+  if (!(best > Scalar(0))) return m;
+  std::array<Scalar, 3> point;
+  for (std::size_t r = 0; r < 3; ++r) {
+    const std::size_t r1 = (r + 1) % 3, r2 = (r + 2) % 3, c1 = (column + 1) % 3, c2 = (column + 2) % 3;
+    point[r] = (m[r1][c2] * m[r2][c1] - m[r1][c1] * m[r2][c2]) / sqrt(best);
+  }
+  for (std::size_t r = 0; r < 3; ++r) {
+    const std::size_t r1 = (r + 1) % 3, r2 = (r + 2) % 3;
+    m[r1][r2] -= point[r];
+    m[r2][r1] += point[r];
+  }
+  return m;
+}
+
+/// Moves a root along the circle: Newton, near a double root the local parabola's root or its extremum.
+template <typename Scalar>
+Rotor<Scalar> polished(const Aligned<Scalar>& f, Rotor<Scalar> u) {
+  using std::abs;
+  using std::sqrt;
+  for (int step = 0; step < 6; ++step) {
+    const Scalar value = f.value(u), slope = f.slope(u), curvature = f.curvature(u);
+    const Scalar discriminant = slope * slope - Scalar(2) * value * curvature;
+    Scalar move(0);
+    if (abs(slope) < Scalar(1e-3) && discriminant > Scalar(0)) {
+      const Scalar below = slope + with_sign(sqrt(discriminant), slope);
+      if (below != Scalar(0)) move = Scalar(-2) * value / below;
+    } else if (abs(slope) < Scalar(1e-4) && abs(curvature) > Scalar(1e-3)) {
+      move = -slope / curvature;
+    } else if (slope != Scalar(0)) {
+      move = -value / slope;
+    }
+    if (abs(move) > Scalar(0.1)) move = with_sign(Scalar(0.1), move);
+    // A rotation by 2 atan(move/2), exact in length.
+    const Scalar t = move / Scalar(2);
+    const Scalar scale = Scalar(1) / (Scalar(1) + t * t);
+    u = Rotor<Scalar>{(Scalar(1) - t) * (Scalar(1) + t) * scale, Scalar(2) * t * scale} * u;
+    if (abs(move) < epsilon<Scalar>() / Scalar(2)) break;
+  }
+  const Scalar scale = Scalar(1) / sqrt(Scalar(u.cosine * u.cosine + u.sine * u.sine));
+  return {u.cosine * scale, u.sine * scale};
+}
+
+/// Adds a root unless it is no root or stands there already.
+template <typename Scalar>
+void add_root(const Aligned<Scalar>& f, const Rotor<Scalar>& start, CircleRoots<Scalar>& found) {
+  using std::abs;
+  const Rotor<Scalar> u = polished(f, start);
+  if (!(abs(f.value(u)) < Scalar(3e-11)) || found.count == 4) return;
+  for (int i = 0; i < found.count; ++i) {
+    const Rotor<Scalar>& other = found.root[static_cast<std::size_t>(i)];
+    if (abs(Scalar(u.cosine - other.cosine)) + abs(Scalar(u.sine - other.sine)) < Scalar(1e-9)) return;
+  }
+  found.root[static_cast<std::size_t>(found.count++)] = u;
+}
+
+/// The points of the line a·u + d = 0 on the unit circle; a line that misses it narrowly touches it.
+template <typename Scalar>
+void intersect(const Aligned<Scalar>& f, const std::array<Scalar, 3>& line, CircleRoots<Scalar>& found) {
+  using std::abs;
+  using std::sqrt;
+  const Scalar length = sqrt(Scalar(line[0] * line[0] + line[1] * line[1]));
+  if (!(length > Scalar(1e-12) * abs(line[2]))) return;
+  const Scalar a = line[0] / length, b = line[1] / length, d = -line[2] / length;
+  if (abs(d) > Scalar(1 + 1e-5)) return;
+  const Scalar foot = smaller(Scalar(1), Scalar(abs(d)));
+  const Scalar height = sqrt(Scalar((Scalar(1) - foot) * (Scalar(1) + foot)));
+  const Scalar along = with_sign(foot, d);
+  add_root(f, {a * along - b * height, b * along + a * height}, found);
+  add_root(f, {a * along + b * height, b * along - a * height}, found);
+}
+
+}  // namespace conic
+
+/// The up to four angles of a conic on the unit circle, by the pencil of the two conics: a real root of one cubic,
+/// then two lines. No half-angle tangent occurs, so no angle is special. Ordered by angle; double roots once.
+template <typename Scalar>
+CircleRoots<Scalar> conic_circle(const Conic<Scalar>& conic, const Scalar& pi) {
+  using std::abs;
+  using std::atan2;
+  using std::sqrt;
+  CircleRoots<Scalar> found;
+  const Scalar difference = (conic.xx - conic.yy) / Scalar(2);
+  const Scalar mixed = conic.xy / Scalar(2);
+  const Scalar g = sqrt(Scalar(difference * difference + mixed * mixed));
+  const Scalar one = conic.one + (conic.xx + conic.yy) / Scalar(2);
+  const Scalar scale = g + abs(conic.x) + abs(conic.y) + abs(one);
+  if (!(scale > Scalar(0))) return found;
+  const Rotor<Scalar> axis = g > Scalar(0) ? half(Rotor<Scalar>{difference / g, mixed / g}) : Rotor<Scalar>{1, 0};
+  const Scalar p = (axis.cosine * conic.x + axis.sine * conic.y) / Scalar(2);
+  const Scalar q = (axis.cosine * conic.y - axis.sine * conic.x) / Scalar(2);
+  const conic::Aligned<Scalar> f{g / scale, p / scale, q / scale, one / scale};
+  if (f.g < Scalar(1e-13)) {
+    conic::intersect(f, {Scalar(2) * f.p, Scalar(2) * f.q, f.k}, found);
+  } else {
+    const conic::Matrix<Scalar> lines = conic::line_pair(f, pi);
+    std::size_t row = 0, column = 0;
+    for (std::size_t i = 0; i < 9; ++i) {
+      if (abs(lines[i / 3][i % 3]) > abs(lines[row][column])) {
+        row = i / 3;
+        column = i % 3;
+      }
+    }
+    conic::intersect(f, lines[row], found);
+    conic::intersect(f, {lines[0][column], lines[1][column], lines[2][column]}, found);
+  }
+  std::array<Scalar, 4> order{};
+  for (int i = 0; i < found.count; ++i) {
+    const auto place = static_cast<std::size_t>(i);
+    found.root[place] = axis * found.root[place];
+    order[place] = angle(found.root[place]);
+    for (std::size_t j = place; j > 0 && order[j] < order[j - 1]; --j) {
+      std::swap(order[j], order[j - 1]);
+      std::swap(found.root[j], found.root[j - 1]);
+    }
+  }
+  return found;
+}
+
+}  // namespace qvgen::inverse

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <qvgen/inverse/angles.h>
+
+namespace qvgen::inverse {
+
+/// cos φ = (high - low) / (high + low), the two angles ±φ at which a line or circle meets a circle.
+///
+/// For a·x = d, |x| = r: low = r|a| - d, high = r|a| + d, φ counted from a. For |v + x| = δ:
+/// low = (|v|+r)² - δ², high = δ² - (|v|-r)², φ counted from v. Both tell sin² and cos² of φ/2 without
+/// cancellation, so the angle is exact to rounding at φ = 0 and φ = pi; both may have their signs flipped.
+/// Outside by more than `tolerance` (a share of high + low), or NaN: the branch does not exist. A double root is
+/// one branch, that of sign +1; which shares count as double is for the caller to say: `merge_share`, or 0 where
+/// low or high is a sum of squares and small values are exact.
+template <typename Scalar>
+Rotor<Scalar> circle_angle(const Scalar& low, const Scalar& high, const Scalar& sign, const Scalar& tolerance,
+                           const Scalar& merge_low, const Scalar& merge_high, Branch<Scalar>& branch) {
+  using std::sqrt;
+  const Scalar scale = Scalar(1) / (low + high);
+  const Scalar sine2 = low * scale;
+  const Scalar cosine2 = high * scale;
+  const Scalar margin = smaller(sine2, cosine2);
+  const Mask<Scalar> twin = (sine2 <= merge_low) | (cosine2 <= merge_high);
+  branch.exists = branch.exists & (margin >= -tolerance) & !(twin & (sign < Scalar(0)));
+  const Scalar cosine = cosine2 - sine2;
+  const Scalar sine = sign * (Scalar(2) * sqrt(not_negative(Scalar(sine2 * cosine2))));
+  return {select(twin, with_sign(Scalar(1), cosine), cosine), select(twin, Scalar(0), sine)};
+}
+
+/// The angle ±φ from a direction (x, y) that the pose gives, low and high as for `circle_angle`. Where the direction's
+/// squared length is below `tiny`, low + high vanishes too: the angle is free if high - low is as small, and else
+/// there is no solution.
+template <typename Scalar>
+Rotor<Scalar> free_circle_angle(const Scalar& low, const Scalar& high, const Rotor<Scalar>& from, const Scalar& tiny,
+                                const Rotor<Scalar>& choice, const Scalar& sign, const Scalar& tolerance,
+                                Branch<Scalar>& branch) {
+  using std::sqrt;
+  const Scalar square = from.cosine * from.cosine + from.sine * from.sine;
+  const Mask<Scalar> is_free = square <= tiny;
+  const Scalar gap = high - low;
+  const Mask<Scalar> holds = gap * gap <= Scalar(64) * tiny;
+  Branch<Scalar> regular = branch;
+  const Rotor<Scalar> turn = circle_angle(low, high, sign, tolerance, merge_share<Scalar>(), merge_share<Scalar>(), regular);
+  branch.exists = (branch.exists & is_free & holds) | (regular.exists & !is_free);
+  branch.continuum = branch.continuum | (branch.exists & is_free);
+  const Scalar scale = Scalar(1) / sqrt(select(is_free, Scalar(1), square));
+  const Rotor<Scalar> found = turn * Rotor<Scalar>{from.cosine * scale, from.sine * scale};
+  return {select(is_free, Scalar(sign * choice.cosine), found.cosine),
+          select(is_free, Scalar(sign * choice.sine), found.sine)};
+}
+
+/// ±sqrt(square), where `square` = r² - m² may be negative by rounding, `scale` = m² telling how much that is.
+/// With scale 0 it is a sum of squares and only an exact zero is a double root.
+template <typename Scalar>
+Scalar signed_root(const Scalar& square, const Scalar& scale, const Scalar& sign, const Scalar& tolerance,
+                   Branch<Scalar>& branch) {
+  using std::sqrt;
+  const Mask<Scalar> twin = square <= merge_share<Scalar>() * scale;
+  branch.exists = branch.exists & (square >= -tolerance * scale) & !(twin & (sign < Scalar(0)));
+  return select(twin, Scalar(0), Scalar(sign * sqrt(not_negative(square))));
+}
+
+/// The root of a t² + 2 b t + c = 0, a not zero, that belongs to the sign: (-b ± sqrt(b² - a c)) / a without
+/// cancellation between -b and the square root.
+template <typename Scalar>
+Scalar quadratic_root(const Scalar& a, const Scalar& b, const Scalar& c, const Scalar& sign,
+                      const Scalar& tolerance, Branch<Scalar>& branch) {
+  using std::sqrt;
+  const Scalar half = -b / a;
+  const Scalar product = c / a;
+  const Scalar square = half * half;
+  const Scalar scale = square + select(product < Scalar(0), Scalar(-product), product);
+  const Scalar discriminant = square - product;
+  const Mask<Scalar> twin = discriminant <= merge_share<Scalar>() * scale;
+  branch.exists = branch.exists & (discriminant >= -tolerance * scale) & !(twin & (sign < Scalar(0)));
+  const Scalar root = select(twin, Scalar(0), sqrt(not_negative(discriminant)));
+  const Scalar large = half + with_sign(root, half);
+  const Mask<Scalar> wants_large = (half < Scalar(0)) == (sign < Scalar(0));
+  const Scalar small = select(large == Scalar(0), Scalar(0), Scalar(product / select(large == Scalar(0), Scalar(1), large)));
+  return select(wants_large, large, small);
+}
+
+/// Requires an equation that the pose must satisfy for the arm to reach it at all (a planar arm's plane, say).
+template <typename Scalar>
+void require_zero(const Scalar& residual, const Scalar& scale, const Scalar& tolerance, Branch<Scalar>& branch) {
+  branch.exists = branch.exists & (residual <= tolerance * scale) & (residual >= -tolerance * scale);
+}
+
+}  // namespace qvgen::inverse

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+
+namespace qvgen {
+
+/// Outcome of inverse kinematics for a pose as a whole.
+enum class Status {
+  solved,       ///< every solution is in the set
+  singular,     ///< infinitely many: at least one row stands for a continuum and is marked
+  unreachable,  ///< no joints reach the pose; the set is empty
+  invalid       ///< NaN, infinite, or not a rotation; the set is empty
+};
+
+/// What a generated inverse kinematics solves.
+struct InverseInfo {
+  int capacity;           ///< the most solutions that a pose can have
+  bool uses_orientation;  ///< false: the position alone is reached
+  int given_joint;        ///< index of the joint whose value the caller gives, -1 for none
+};
+
+/// One row of a solution set.
+template <int dof>
+struct Solution {
+  Eigen::Matrix<double, dof, 1> q;  ///< revolute: rad in (-pi, pi]; prismatic: m
+  int branch;                       ///< which sign each step took; stays the same along a continuous path
+  bool continuum;                   ///< true: a free angle was chosen, from the seed or zero
+};
+
+/// The solutions of a pose: fixed capacity, no heap, in the order of their branches, none twice.
+template <int dof, int capacity>
+class Solutions {
+ public:
+  static constexpr int max_size = capacity;
+  Status status = Status::unreachable;
+
+  Solutions() {}  // NOLINT(modernize-use-equals-default): leaves the rows uninitialised, also for `= {}`
+  Solutions(const Solutions& other) : status(other.status), size_(other.size_) {
+    std::copy(other.begin(), other.end(), begin());
+  }
+  Solutions& operator=(const Solutions& other) {
+    status = other.status;
+    size_ = other.size_;
+    if (this != &other) std::copy(other.begin(), other.end(), begin());
+    return *this;
+  }
+  ~Solutions() = default;
+
+  [[nodiscard]] int size() const { return size_; }
+  [[nodiscard]] bool empty() const { return size_ == 0; }
+  [[nodiscard]] const Solution<dof>& operator[](int index) const { return rows_[static_cast<std::size_t>(index)]; }
+  [[nodiscard]] Solution<dof>& operator[](int index) { return rows_[static_cast<std::size_t>(index)]; }
+  [[nodiscard]] const Solution<dof>* begin() const { return rows_.data(); }
+  [[nodiscard]] const Solution<dof>* end() const { return rows_.data() + size_; }
+  [[nodiscard]] Solution<dof>* begin() { return rows_.data(); }
+  [[nodiscard]] Solution<dof>* end() { return rows_.data() + size_; }
+
+  /// A new row to be filled in. The caller keeps to the capacity.
+  Solution<dof>& append() { return rows_[static_cast<std::size_t>(size_++)]; }
+  void clear() { size_ = 0; }
+  void truncate(int size) { size_ = size; }
+
+  /// solved, singular or unreachable from the rows that were found.
+  void conclude() {
+    bool marked = false;
+    for (const Solution<dof>& row : *this) marked = marked || row.continuum;
+    status = empty() ? Status::unreachable : marked ? Status::singular : Status::solved;
+  }
+
+ private:
+  int size_ = 0;
+  // Rows beyond size() are left as they are: filling them would cost more than many an arm's solution.
+  std::array<Solution<dof>, static_cast<std::size_t>(capacity)> rows_;
+};
+
+namespace inverse {
+
+/// Appends a row; for generated code.
+template <int dof, int capacity>
+void append(Solutions<dof, capacity>& found, const Eigen::Matrix<double, dof, 1>& q, int branch, bool continuum) {
+  Solution<dof>& row = found.append();
+  row.q = q;
+  row.branch = branch;
+  row.continuum = continuum;
+}
+
+}  // namespace inverse
+}  // namespace qvgen

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <qvgen/inverse/angles.h>
+
+namespace qvgen::inverse {
+
+/// The three angles of a spherical wrist, first + last and first - last being what the equations give.
+template <typename Scalar>
+struct WristAngles {
+  Scalar first, middle, last;
+};
+
+/// Below this length of U11 or U12 its argument is noise: the angle is free, and whatever is chosen changes the
+/// orientation by no more than this.
+template <typename Scalar>
+Scalar wrist_noise() {
+  return Scalar(32) * epsilon<Scalar>();
+}
+
+/// Arguments of the two complex numbers; one that vanishes gets what makes their sum equal to `first`.
+template <typename Scalar>
+void arguments(const Rotor<Scalar>& u, const Rotor<Scalar>& v, const Scalar& u_square, const Scalar& v_square,
+               const Scalar& first, Scalar& u_argument, Scalar& v_argument, Branch<Scalar>& branch) {
+  const Scalar noise = wrist_noise<Scalar>() * wrist_noise<Scalar>();
+  const Mask<Scalar> u_free = u_square <= noise;
+  const Mask<Scalar> v_free = v_square <= noise;
+  const Scalar u_angle = angle(u);
+  const Scalar v_angle = angle(v);
+  u_argument = select(u_free, Scalar(first - v_angle), u_angle);
+  v_argument = select(v_free, Scalar(first - u_angle), v_angle);
+  branch.continuum = branch.continuum | (branch.exists & (u_free | v_free));
+}
+
+/// Wrist with right angles between neighbouring axes: the thesis's Euler wrist in half-angle form.
+///
+/// u, v: the entries of the wrist's SU(2) matrix, turned so that first = arg u + arg v, last = arg u - arg v and
+/// middle = 2 atan2(|v|, |u|), in [0, pi] (with `swapped` the other way round). The second branch is (first + pi, -middle, last + pi). Accurate at
+/// middle = 0 and pi, where v or u vanishes: there first - last or first + last is free.
+template <typename Scalar>
+WristAngles<Scalar> right_wrist(const Rotor<Scalar>& u, const Rotor<Scalar>& v, bool swapped, const Scalar& seed,
+                                const Scalar& pi, Branch<Scalar>& branch) {
+  using std::atan2;
+  using std::sqrt;
+  const Scalar u_square = u.cosine * u.cosine + u.sine * u.sine;
+  const Scalar v_square = v.cosine * v.cosine + v.sine * v.sine;
+  Scalar u_argument;
+  Scalar v_argument;
+  arguments(u, v, u_square, v_square, seed, u_argument, v_argument, branch);
+  return {wrapped(Scalar(u_argument + v_argument), pi), Scalar(2) * (swapped ? atan2(sqrt(u_square), sqrt(v_square)) : atan2(sqrt(v_square), sqrt(u_square))),
+          wrapped(Scalar(u_argument - v_argument), pi)};
+}
+
+/// A wrist's angles as cosines and sines, for arms that go on from there.
+template <typename Scalar>
+struct WristTurns {
+  Rotor<Scalar> first, middle, last;
+};
+
+/// Both branches of `right_wrist`, by sign, without any arctangent.
+template <typename Scalar>
+WristTurns<Scalar> right_wrist_turns(const Rotor<Scalar>& u, const Rotor<Scalar>& v, bool swapped,
+                                     const Rotor<Scalar>& choice, const Scalar& sign, Branch<Scalar>& branch) {
+  using std::sqrt;
+  const Scalar noise = wrist_noise<Scalar>() * wrist_noise<Scalar>();
+  const Scalar u_square = u.cosine * u.cosine + u.sine * u.sine;
+  const Scalar v_square = v.cosine * v.cosine + v.sine * v.sine;
+  const Scalar product = Scalar(2) * sqrt(Scalar(u_square * v_square));
+  const Scalar gap = swapped ? Scalar(v_square - u_square) : Scalar(u_square - v_square);
+  const Rotor<Scalar> along_u = direction(u, noise, choice, branch);
+  const Rotor<Scalar> along_v = direction(v, noise, Rotor<Scalar>(choice * inverse(along_u)), branch);
+  const Rotor<Scalar> first = along_u * along_v;
+  const Rotor<Scalar> last = along_u * inverse(along_v);
+  const Scalar scale = Scalar(1) / (u_square + v_square);
+  return {{sign * first.cosine, sign * first.sine},
+          {gap * scale, sign * product * scale},
+          {sign * last.cosine, sign * last.sine}};
+}
+
+/// Constants of a wrist with any angles α, α' between its axes: cosine and sine of (α+α')/2 and (α-α')/2,
+/// product = sin α sin α', and the angle between the normals. Exact zeros make the limits exact.
+template <typename Scalar>
+struct WristShape {
+  Scalar cosine_sum, sine_sum, cosine_difference, sine_difference, product;
+};
+
+/// Wrist with oblique axes, U = F4ᵀ R F6: |U11|² = cos²((α+α')/2) + sin α sin α' sin²(θ/2) and so on, θ the middle
+/// angle from the normals' coincidence.
+template <typename Scalar>
+WristAngles<Scalar> oblique_wrist(const Rotor<Scalar>& u11, const Rotor<Scalar>& u12, const WristShape<Scalar>& shape,
+                                  const Scalar& sign, const Scalar& seed, const Scalar& tolerance, const Scalar& pi,
+                                  Branch<Scalar>& branch) {
+  using std::atan2;
+  using std::sqrt;
+  const Scalar zero(0);
+  const Scalar u11_square = u11.cosine * u11.cosine + u11.sine * u11.sine;
+  const Scalar u12_square = u12.cosine * u12.cosine + u12.sine * u12.sine;
+  const Scalar sine2 = (u11_square - shape.cosine_sum * shape.cosine_sum) / shape.product;
+  const Scalar cosine2 = (u12_square - shape.sine_difference * shape.sine_difference) / shape.product;
+  const Scalar margin = smaller(sine2, cosine2);
+  const Mask<Scalar> sine_twin = (sine2 <= merge_share<Scalar>()) & (shape.cosine_sum != zero);
+  const Mask<Scalar> cosine_twin = (cosine2 <= merge_share<Scalar>()) & (shape.sine_difference != zero);
+  branch.exists = branch.exists & (margin >= -tolerance) & !((sine_twin | cosine_twin) & (sign < zero));
+  const Scalar s = select(sine_twin, zero, sqrt(not_negative(sine2)));
+  const Scalar c = select(cosine_twin, zero, sqrt(not_negative(cosine2)));
+  // z1 = M11 conj(U11), z2 = M12 conj(U12); at a right sum or difference the limit direction is kept.
+  const Mask<Scalar> right_sum = shape.cosine_sum == zero;
+  const Mask<Scalar> right_difference = shape.sine_difference == zero;
+  const Scalar m11_real = shape.cosine_sum * c;
+  const Scalar m11_imaginary = -sign * select(right_sum, Scalar(1), Scalar(shape.cosine_difference * s));
+  const Scalar m12_real = -sign * (shape.sine_difference * s);
+  const Scalar m12_imaginary = -select(right_difference, Scalar(1), Scalar(shape.sine_sum * c));
+  const Rotor<Scalar> z1 = Rotor<Scalar>{m11_real, m11_imaginary} * inverse(u11);
+  const Rotor<Scalar> z2 = Rotor<Scalar>{m12_real, m12_imaginary} * inverse(u12);
+  Scalar first_argument;
+  Scalar second_argument;
+  arguments(z1, z2, u11_square, u12_square, seed, first_argument, second_argument, branch);
+  return {wrapped(Scalar(first_argument + second_argument), pi), Scalar(2) * sign * atan2(s, c),
+          wrapped(Scalar(first_argument - second_argument), pi)};
+}
+
+}  // namespace qvgen::inverse

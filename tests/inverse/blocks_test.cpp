@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+// The building blocks of inverse kinematics by themselves.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include <qvgen/inverse/conic_circle.h>
+#include <qvgen/inverse/polish.h>
+#include <qvgen/inverse/roots.h>
+#include <qvgen/inverse/wrist.h>
+
+namespace {
+
+using namespace qvgen::inverse;
+constexpr double eps = std::numeric_limits<double>::epsilon();
+
+struct Random {
+  std::mt19937_64 engine{7};
+  double operator()(double low = -1, double high = 1) { return std::uniform_real_distribution<double>(low, high)(engine); }
+};
+
+TEST(CircleAngle, SolvesALine) {
+  Random random;
+  for (int i = 0; i < 10000; ++i) {
+    const double amplitude = random(0.1, 3);
+    const double angle = random(0, 3.14);
+    const double d = amplitude * std::cos(angle);
+    for (const double sign : {1.0, -1.0}) {
+      Branch<double> branch;
+      const Rotor<double> found =
+          circle_angle(amplitude - d, amplitude + d, sign, 1e-12, merge_share<double>(), merge_share<double>(), branch);
+      ASSERT_TRUE(branch.exists || (sign < 0 && std::sin(angle) < 1e-6));
+      // cos φ carries the rounding of d; near 0 and pi the angle magnifies it by 1/sin φ.
+      if (branch.exists) {
+        ASSERT_NEAR(std::atan2(found.sine, found.cosine), sign * angle, 8 * eps / std::max(std::sin(angle), 1e-7));
+      }
+    }
+  }
+}
+
+TEST(CircleAngle, FlippedSignsMeanTheSame) {
+  Branch<double> a;
+  Branch<double> b;
+  const auto x = circle_angle(0.3, 1.1, 1.0, 1e-12, 0.0, 0.0, a);
+  const auto y = circle_angle(-0.3, -1.1, 1.0, 1e-12, 0.0, 0.0, b);
+  EXPECT_TRUE(a.exists && b.exists);
+  EXPECT_EQ(x.cosine, y.cosine);
+  EXPECT_EQ(x.sine, y.sine);
+}
+
+TEST(CircleAngle, BoundaryOutsideAndNaN) {
+  const auto exists = [](double low, double high, double sign) {
+    Branch<double> branch;
+    circle_angle(low, high, sign, 1e-12, merge_share<double>(), merge_share<double>(), branch);
+    return branch.exists;
+  };
+  EXPECT_TRUE(exists(0.0, 2.0, 1));
+  EXPECT_FALSE(exists(0.0, 2.0, -1)) << "a double root is one solution";
+  EXPECT_TRUE(exists(-1e-13, 2.0, 1));
+  EXPECT_FALSE(exists(-1e-9, 2.0, 1));
+  EXPECT_FALSE(exists(3.0, -1.0, 1));
+  EXPECT_FALSE(exists(0.0, 0.0, 1));
+  EXPECT_FALSE(exists(std::numeric_limits<double>::quiet_NaN(), 1.0, 1));
+}
+
+TEST(FreeCircleAngle, VanishingDirectionTakesTheChoice) {
+  Branch<double> branch;
+  const Rotor<double> choice{std::cos(0.7), std::sin(0.7)};
+  const auto plus = free_circle_angle(0.0, 0.0, {0.0, 0.0}, 1e-28, choice, 1.0, 1e-12, branch);
+  EXPECT_TRUE(branch.exists);
+  EXPECT_TRUE(branch.continuum);
+  EXPECT_EQ(plus.sine, choice.sine);
+  Branch<double> impossible;
+  free_circle_angle(-0.5, 0.5, {0.0, 0.0}, 1e-28, choice, 1.0, 1e-12, impossible);
+  EXPECT_FALSE(impossible.exists);
+}
+
+TEST(SignedRoot, KeepsSmallExactValuesAndMergesNoise) {
+  Branch<double> exact;
+  EXPECT_EQ(signed_root(1e-40, 0.0, -1.0, 1e-12, exact), -1e-20);
+  EXPECT_TRUE(exact.exists);
+  Branch<double> noise;
+  EXPECT_EQ(signed_root(-1e-16, 1.0, 1.0, 1e-12, noise), 0.0);
+  EXPECT_TRUE(noise.exists);
+  Branch<double> outside;
+  signed_root(-1e-9, 1.0, 1.0, 1e-12, outside);
+  EXPECT_FALSE(outside.exists);
+}
+
+TEST(QuadraticRoot, BothRootsToRounding) {
+  Random random;
+  for (int i = 0; i < 10000; ++i) {
+    const double s = std::pow(10, random(-6, 2)) * (random() < 0 ? -1 : 1);
+    const double t = std::pow(10, random(-6, 2)) * (random() < 0 ? -1 : 1);
+    const double a = random(0.2, 2);
+    if (std::abs(s - t) < 1e-3 * std::abs(s)) continue;
+    for (const double sign : {1.0, -1.0}) {
+      Branch<double> branch;
+      const double found = quadratic_root(a, -a * (s + t) / 2, a * s * t, sign, 1e-12, branch);
+      const double expected = sign > 0 ? std::max(s, t) : std::min(s, t);
+      ASSERT_TRUE(branch.exists);
+      ASSERT_NEAR(found, expected, 1e-11 * std::abs(expected));
+    }
+  }
+}
+
+TEST(Half, IsAccurateEverywhere) {
+  for (double angle = -3.14159; angle < 3.14159; angle += 1e-3) {
+    const auto found = half(Rotor<double>{std::cos(angle), std::sin(angle)});
+    ASSERT_NEAR(found.cosine, std::cos(angle / 2), 4 * eps);
+    ASSERT_NEAR(found.sine, std::sin(angle / 2), 4 * eps);
+  }
+}
+
+TEST(Angles, StayInTheHalfOpenInterval) {
+  EXPECT_GT(output_angle(-1.0, -0.0), 3.14);
+  EXPECT_GT(output_angle(-1.0, -1e-30), 3.14);
+  EXPECT_GT(opposite(0.0, pi<double>()), 3.14);
+  EXPECT_EQ(opposite(pi<double>(), pi<double>()), 0.0);
+  EXPECT_EQ(negative(pi<double>(), pi<double>()), pi<double>());
+  EXPECT_GT(wrapped(-pi<double>(), pi<double>()), 3.14);
+}
+
+TEST(ConicCircle, FindsTheRootsAndNothingElse) {
+  Random random;
+  for (int i = 0; i < 20000; ++i) {
+    const double angle = random(-3.14, 3.14);
+    const double c = std::cos(angle);
+    const double s = std::sin(angle);
+    Conic<double> conic{random(), random(), random(), random(), random(), 0};
+    conic.one = -(conic.xx * c * c + conic.xy * c * s + conic.yy * s * s + conic.x * c + conic.y * s);
+    const auto found = conic_circle(conic, pi<double>());
+    double nearest = 1;
+    for (int k = 0; k < found.count; ++k) {
+      const auto& u = found.root[static_cast<std::size_t>(k)];
+      nearest = std::min(nearest, std::hypot(u.cosine - c, u.sine - s));
+      const double value = conic.xx * u.cosine * u.cosine + conic.xy * u.cosine * u.sine + conic.yy * u.sine * u.sine +
+                           conic.x * u.cosine + conic.y * u.sine + conic.one;
+      ASSERT_LT(std::abs(value), 2e-14);
+    }
+    // Near a double root the angle is known to the root of the rounding only.
+    ASSERT_LT(nearest, 1e-6);
+  }
+}
+
+TEST(ConicCircle, AsManyRootsAsThereAreChangesOfSign) {
+  Random random;
+  for (int i = 0; i < 500; ++i) {
+    const Conic<double> conic{random(), random(), random(), random(), random(), random()};
+    const auto value = [&](double t) {
+      return conic.xx * std::cos(t) * std::cos(t) + conic.xy * std::cos(t) * std::sin(t) + conic.yy * std::sin(t) * std::sin(t) +
+             conic.x * std::cos(t) + conic.y * std::sin(t) + conic.one;
+    };
+    int changes = 0;
+    constexpr int steps = 20000;
+    for (int k = 0; k < steps; ++k)
+      changes += (value(2 * pi<double>() * k / steps) < 0) != (value(2 * pi<double>() * (k + 1) / steps) < 0) ? 1 : 0;
+    ASSERT_EQ(conic_circle(conic, pi<double>()).count, changes);
+  }
+}
+
+TEST(PolishPosition, GivesBackTheLastDigits) {
+  Random random;
+  const std::array<Screw<double>, 3> arm = {Screw<double>{true, {0, 0, 1}, {0, 0, 0}}, Screw<double>{true, {0, 1, 0}, {0.3, 0, 0.5}},
+                                            Screw<double>{false, {1, 0, 0}, {0, 0, 0}}};
+  const Triple<double> start = {0.4, 0.2, 0.9};
+  for (int i = 0; i < 200; ++i) {
+    const double q1 = random(-3, 3);
+    const double q2 = random(-1, 1);
+    const double q3 = random(0.5, 1);
+    const std::array<Rotor<double>, 3> exact = {Rotor<double>{std::cos(q1), std::sin(q1)}, Rotor<double>{std::cos(q2), std::sin(q2)},
+                                                Rotor<double>{q3, 0}};
+    const auto goal = moved(arm[0], exact[0], moved(arm[1], exact[1], moved(arm[2], exact[2], start)));
+    std::array<Rotor<double>, 3> values = {Rotor<double>{std::cos(q1 + 1e-6), std::sin(q1 + 1e-6)}, exact[1], Rotor<double>{q3 - 1e-6, 0}};
+    polish_position(arm, start, goal, values);
+    const auto reached = moved(arm[0], values[0], moved(arm[1], values[1], moved(arm[2], values[2], start)));
+    const auto miss = difference(goal, reached);
+    ASSERT_LT(dot(miss, miss), 1e-29);
+  }
+}
+
+}  // namespace

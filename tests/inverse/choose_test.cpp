@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <qvgen/inverse/choose.h>
+
+namespace {
+
+using Joints = Eigen::Vector2d;
+using Set = qvgen::Solutions<2, 4>;
+constexpr std::array<bool, 2> kinds = {true, false};
+constexpr double pi = 3.14159265358979323846;
+
+Set set_of(std::initializer_list<Joints> rows) {
+  Set set;
+  int branch = 0;
+  for (const Joints& q : rows) qvgen::inverse::append(set, q, branch++, false);
+  set.conclude();
+  return set;
+}
+
+TEST(Choose, NearestGoesRoundTheShortWay) {
+  const Set set = set_of({{3.0, 0.0}, {-1.0, 0.0}});
+  const auto* row = qvgen::nearest(set, Joints(-3.1, 0.0), kinds);
+  ASSERT_NE(row, nullptr);
+  EXPECT_EQ(row->branch, 0);
+  EXPECT_EQ(qvgen::nearest(Set(), Joints(0, 0), kinds), nullptr);
+}
+
+TEST(Choose, PathsDoNotJump) {
+  Joints q(3.1, 0.2);
+  for (double angle = 3.1; angle < 20; angle += 0.1) {
+    const Set set = set_of({{std::remainder(angle, 2 * pi), 0.2}, {std::remainder(angle + 2, 2 * pi), 0.2}});
+    Joints next;
+    ASSERT_TRUE(qvgen::continued(set, q, kinds, next));
+    EXPECT_NEAR(next[0], angle, 1e-12);
+    q = next;
+  }
+  Joints untouched(1, 2);
+  EXPECT_FALSE(qvgen::continued(Set(), q, kinds, untouched));
+  EXPECT_EQ(untouched, Joints(1, 2));
+}
+
+TEST(Choose, LimitsCountWholeTurns) {
+  const Set set = set_of({{0.5, 1.0}, {-2.0, 5.0}});
+  const auto found = qvgen::within_limits(set, qvgen::JointLimits<2>{{-3 * pi, 0.0}, {3 * pi, 2.0}}, kinds);
+  ASSERT_EQ(found.size(), 3);
+  EXPECT_NEAR(found[0].q[0], 0.5 - 2 * pi, 1e-15);
+  EXPECT_EQ(found[1].q[0], 0.5);
+  EXPECT_TRUE(found.complete);
+  EXPECT_EQ(qvgen::within_limits(set, qvgen::JointLimits<2>{{1.0, 0.0}, {2.0, 2.0}}, kinds).status, qvgen::Status::unreachable);
+}
+
+TEST(Choose, TooManyTurnsAreSaid) {
+  const Set set = set_of({{0.5, 1.0}});
+  const auto found = qvgen::within_limits(set, qvgen::JointLimits<2>{{-1000.0, 0.0}, {1000.0, 2.0}}, kinds);
+  EXPECT_EQ(found.size(), found.max_size);
+  EXPECT_FALSE(found.complete);
+}
+
+TEST(Choose, SortIsStable) {
+  Set set = set_of({{2.0, 0.0}, {1.0, 0.0}, {-1.0, 0.0}});
+  qvgen::sort_by_distance(set, Joints(0, 0), kinds);
+  EXPECT_EQ(set[0].branch, 1);
+  EXPECT_EQ(set[1].branch, 2);
+  EXPECT_EQ(set[2].branch, 0);
+}
+
+}  // namespace

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// Seeds at singular poses, order, limits.
+#include "check.h"
+
+namespace qvgen::test {
+namespace {
+
+class InverseSeed : public Inverse {};
+
+TEST_P(InverseSeed, NearestComesFirst) {
+  for (int i = 0; i < 100; ++i) {
+    const Eigen::VectorXd q = test().joints();
+    const Eigen::VectorXd seed = q + 1e-3 * test().joints();
+    const Found found = GetParam().solve_from(Pose<double>::from_isometry(test().tool(q)), test().given(q), seed);
+    ASSERT_FALSE(found.rows.empty());
+    double last = 0;
+    for (const Row& row : found.rows) {
+      const double distance = test().difference(seed, row.q).norm();
+      EXPECT_GE(distance, last);
+      last = distance;
+    }
+  }
+}
+
+/// With the last but one joint at zero or a half turn an Euler wrist is singular: the seed decides.
+TEST_P(InverseSeed, FreeAngleIsTakenFromTheSeed) {
+  if (GetParam().dof < 6) GTEST_SKIP() << "no wrist";
+  int singular = 0;
+  for (int i = 0; i < 200; ++i) {
+    Eigen::VectorXd q = test().joints();
+    q[GetParam().dof - 2] = 0;
+    const Eigen::Isometry3d target = test().tool(q);
+    const Found found = GetParam().solve_from(Pose<double>::from_isometry(target), test().given(q), q);
+    for (const Row& row : found.rows) EXPECT_LT(test().miss(row.q, target), 1e-12 * (1 + target.translation().norm()));
+    if (found.status != Status::singular) continue;
+    ++singular;
+    ASSERT_FALSE(found.rows.empty());
+    // Seeded with the sampled joints, the representative of the continuum is the sample itself.
+    EXPECT_LT(test().distance(found.rows.front().q, q), 1e-6) << GetParam().name << ": " << q.transpose() << "\n" << found.rows.front().q.transpose();
+  }
+  EXPECT_GT(singular, 150);
+}
+
+TEST_P(InverseSeed, LimitsKeepWhatIsInsideWithWholeTurns) {
+  for (int i = 0; i < 50; ++i) {
+    const Eigen::VectorXd q = test().joints();
+    const Pose<double> pose = Pose<double>::from_isometry(test().tool(q));
+    Eigen::VectorXd lower = Eigen::VectorXd::Constant(GetParam().dof, -1e9);
+    Eigen::VectorXd upper = -lower;
+    for (int k = 0; k < GetParam().dof; ++k) {
+      if (!test().revolute(k)) continue;
+      lower[k] = k == 0 ? -2 * pi : -pi;
+      upper[k] = k == 0 ? 2 * pi : pi;
+    }
+    const Found all = test().solve(q);
+    const Found wide = GetParam().solve_within(pose, test().given(q), lower, upper);
+    EXPECT_EQ(wide.rows.size(), all.rows.size() * (test().revolute(0) && GetParam().info.given_joint != 0 ? 2 : 1));
+    lower[0] = q[0] - 1e-6;
+    upper[0] = q[0] + 1e-6;
+    const Found narrow = GetParam().solve_within(pose, test().given(q), lower, upper);
+    EXPECT_FALSE(narrow.rows.empty());
+    for (const Row& row : narrow.rows) EXPECT_NEAR(row.q[0], q[0], 1e-6);
+    upper[0] = lower[0] - 1;
+    EXPECT_TRUE(GetParam().solve_within(pose, test().given(q), lower, upper).rows.empty());
+  }
+}
+
+std::string name_of(const testing::TestParamInfo<InverseUnderTest>& info) { return info.param.name; }
+INSTANTIATE_TEST_SUITE_P(Robots, InverseSeed, testing::ValuesIn(inverses()), name_of);
+
+}  // namespace
+}  // namespace qvgen::test
