@@ -10,10 +10,10 @@ namespace qvgen::derive::inverse {
 
 /// One attempt at a plan: a fresh scope, so that what a failed attempt has named is gone.
 struct Attempt {
-  explicit Attempt(const model::Robot& robot) : scope(robot), chain(chain_of(robot, scope)), builder(robot, scope, plan) {}
+  explicit Attempt(const model::Robot& robot) : scope(robot), chain(chain_of(robot, scope, plan.target)), builder(robot, scope, plan) {}
   Scope scope;
-  Chain chain;
   Plan plan;
+  Chain chain;
   Builder builder;
 };
 

@@ -19,6 +19,7 @@ Polar polar(const Flat& v, const Scope& scope) {
 
 Builder::Builder(const model::Robot& robot, Scope& scope, Plan& plan) : scope_(scope), plan_(plan) {
   for (const auto& parameter : robot.geometry) constants_.insert(symbolic::symbol(parameter.name));
+  for (const auto& output : plan.target.outputs()) constants_.insert(symbolic::symbol(output.name));
   plan_.joints.resize(robot.joints.size());
   scope_.turn("result");
   scope_.length("result");

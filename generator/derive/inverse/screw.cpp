@@ -33,26 +33,62 @@ void complete_frame(Screw& screw, const Scope& scope) {
   screw.second = scope.clean(cross(screw.axis, first));
 }
 
-Chain chain_of(const model::Robot& robot, const Scope& scope) {
+namespace {
+
+bool holds_function(const ex& value) {
+  if (GiNaC::is_a<GiNaC::function>(value)) return true;
+  for (std::size_t i = 0; i < value.nops(); ++i)
+    if (holds_function(value.op(i))) return true;
+  return false;
+}
+
+/// Accumulates the displacements of a chain. What holds the sine of a symbolic twist gets a name of its own: multiplied
+/// out over six joints such expressions have thousands of terms.
+class Frames {
+ public:
+  Frames(Scope& scope, symbolic::Program& constants) : scope_(scope), constants_(constants) {}
+
+  symbolic::Pair clean(const symbolic::Pair& pair) {
+    ++count_;
+    return {{small(pair.q.w, "qw"), small(pair.q.x, "qx"), small(pair.q.y, "qy"), small(pair.q.z, "qz")},
+            {small(pair.p.x, "px"), small(pair.p.y, "py"), small(pair.p.z, "pz")}};
+  }
+  Vector clean(const Vector& v) {
+    ++count_;
+    return {small(v.x, "x"), small(v.y, "y"), small(v.z, "z")};
+  }
+
+ private:
+  ex small(const ex& value, const char* part) {
+    const ex cleaned = scope_.clean(value);
+    if (Scope::is_number(cleaned) || !holds_function(cleaned)) return cleaned;
+    return scope_.define(constants_, "chain_" + std::to_string(count_) + "_" + part, cleaned);
+  }
+
+  Scope& scope_;
+  symbolic::Program& constants_;
+  int count_ = 0;
+};
+
+}  // namespace
+
+Chain chain_of(const model::Robot& robot, Scope& scope, symbolic::Program& constants) {
   Chain chain;
+  Frames frames(scope, constants);
   symbolic::Pair frame = symbolic::to_symbolic(robot.base);
-  const auto clean = [&](const symbolic::Pair& pair) {
-    return symbolic::Pair{{scope.clean(pair.q.w), scope.clean(pair.q.x), scope.clean(pair.q.y), scope.clean(pair.q.z)},
-                          scope.clean(pair.p)};
-  };
   for (const model::Joint& joint : robot.joints) {
-    frame = clean(frame * symbolic::to_symbolic(joint.before));
+    frame = frames.clean(frame * symbolic::to_symbolic(joint.before));
     Screw screw;
     screw.revolute = joint.type == model::JointType::revolute;
-    screw.axis = scope.clean(symbolic::rotate(frame.q, symbolic::to_symbolic(joint.axis)));
+    screw.axis = frames.clean(symbolic::rotate(frame.q, symbolic::to_symbolic(joint.axis)));
     screw.point = frame.p;
     screw.variable = joint.variable;
     screw.joint = static_cast<int>(chain.screws.size());
     complete_frame(screw, scope);
     chain.screws.push_back(screw);
-    frame = clean(frame * symbolic::to_symbolic(joint.after));
+    frame = frames.clean(frame * symbolic::to_symbolic(joint.after));
   }
-  chain.home = clean(frame * symbolic::to_symbolic(robot.tool));
+  chain.home = frames.clean(frame * symbolic::to_symbolic(robot.tool));
   return chain;
 }
 

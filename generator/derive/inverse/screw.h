@@ -23,7 +23,8 @@ struct Chain {
   symbolic::Pair home;
 };
 
-Chain chain_of(const model::Robot& robot, const Scope& scope);
+/// What depends on symbolic twists is named in `constants`.
+Chain chain_of(const model::Robot& robot, Scope& scope, symbolic::Program& constants);
 
 /// The screw seen after a displacement of the whole axis.
 Screw displaced(const symbolic::Pair& by, const Screw& screw, const Scope& scope);
