@@ -22,10 +22,10 @@ namespace comparison {
 /// Random configurations, uniform in [-pi, pi) or metres in [-1, 1); enough of them that no branch is learnt,
 /// few enough to stay in the first-level cache.
 template <class Joints>
-std::vector<Joints> configurations(const reference::Chain& chain) {
+std::vector<Joints> configurations(const reference::Chain& chain, std::size_t count = 256) {
   std::mt19937_64 random(42);
   std::uniform_real_distribution<double> unit(-1, 1);
-  std::vector<Joints> result(256);
+  std::vector<Joints> result(count);
   for (Joints& q : result) {
     for (Eigen::Index i = 0; i < q.size(); ++i) {
       q[i] = unit(random) * (chain.joints[static_cast<std::size_t>(i)].revolute ? 3.14159265358979 : 1.0);
