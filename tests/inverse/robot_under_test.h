@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <functional>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,9 @@ struct InverseUnderTest {
   std::function<Found(const Eigen::Matrix3d&, const Eigen::Vector3d&, double given)> solve_matrix;
   std::function<Found(const Pose<double>&, double given, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper)> solve_within;
 };
+
+/// For GoogleTest's messages.
+inline void PrintTo(const InverseUnderTest& robot, std::ostream* stream) { *stream << robot.name; }
 
 inline std::vector<InverseUnderTest>& inverses() {
   static std::vector<InverseUnderTest> all;

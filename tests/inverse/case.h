@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <random>
+
+#include "reference/load.h"
+#include "robot_under_test.h"
+
+namespace qvgen::test {
+
+inline constexpr double pi = 3.14159265358979323846;
+
+/// One robot with its reference chain, which shares no code with the generator: samples joints, measures rows.
+class Case {
+ public:
+  explicit Case(const InverseUnderTest& robot);
+  Case(const InverseUnderTest& robot, reference::Chain chain);
+
+  [[nodiscard]] const InverseUnderTest& robot() const { return robot_; }
+  [[nodiscard]] const reference::Chain& chain() const { return chain_; }
+  [[nodiscard]] int dof() const { return robot_.dof; }
+  [[nodiscard]] bool revolute(int joint) const { return chain_.joints[static_cast<std::size_t>(joint)].revolute; }
+
+  /// Uniform in [-pi, pi), metres for slides.
+  Eigen::VectorXd joints();
+  double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
+
+  [[nodiscard]] Eigen::Isometry3d tool(const Eigen::VectorXd& q) const {
+    return reference::forward_kinematics(chain_, q);
+  }
+  [[nodiscard]] double given(const Eigen::VectorXd& q) const {
+    return robot_.info.given_joint < 0 ? 0 : q[robot_.info.given_joint];
+  }
+  [[nodiscard]] Found solve(const Eigen::VectorXd& q) const {
+    return robot_.solve(Pose<double>::from_isometry(tool(q)), given(q), 1e-12);
+  }
+
+  struct Miss {
+    double position = 0;     ///< m
+    double orientation = 0;  ///< rad; 0 if the solver leaves the orientation out
+    [[nodiscard]] double largest() const { return std::max(position, orientation); }
+  };
+  [[nodiscard]] Miss miss(const Eigen::VectorXd& q, const Eigen::Isometry3d& target) const;
+
+  /// What is left to the target, in the rows of `jacobian`: displacement, then rotation vector.
+  [[nodiscard]] Eigen::VectorXd residual(const Eigen::VectorXd& q, const Eigen::Isometry3d& target) const;
+
+  /// b - a, revolute joints the short way round.
+  [[nodiscard]] Eigen::VectorXd difference(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const;
+  [[nodiscard]] double distance(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const {
+    return difference(a, b).cwiseAbs().maxCoeff();
+  }
+
+  /// The Jacobian of what the pose fixes with respect to the joints that are solved for.
+  [[nodiscard]] Eigen::MatrixXd jacobian(const Eigen::VectorXd& q) const;
+  /// q moved by a step of the joints that are solved for.
+  [[nodiscard]] Eigen::VectorXd moved(const Eigen::VectorXd& q, const Eigen::VectorXd& step) const;
+
+ private:
+  InverseUnderTest robot_;
+  reference::Chain chain_;
+  std::mt19937_64 random_{20070711};
+};
+
+}  // namespace qvgen::test

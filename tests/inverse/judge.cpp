@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "judge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include <Eigen/QR>
+
+namespace qvgen::test {
+namespace {
+
+/// The demand is 1e-12 m and rad; of a pose metres away, that share.
+double allowed(const Sample& sample) { return 1e-12 * (1 + sample.target.translation().norm()); }
+
+class Judge {
+ public:
+  Judge(const Case& test, const Sample& sample, const Found& found) : test_(test), sample_(sample), found_(found) {}
+
+  Verdict result() {
+    verdict_.rows = static_cast<int>(found_.rows.size());
+    if (verdict_.rows > test_.robot().info.capacity) blame("more rows than the capacity");
+    for (std::size_t i = 0; i < found_.rows.size(); ++i) row(i);
+    status();
+    if (sample_.expect == Expect::joints && !contains(test_, found_, sample_)) {
+      verdict_.missing = true;
+      blame("the sampled joints are missing");
+    }
+    return verdict_;
+  }
+
+ private:
+  void blame(const std::string& what) {
+    if (!verdict_.fault.empty()) return;
+    std::ostringstream text;
+    text.precision(17);
+    text << test_.robot().name << ": " << what << "; sampled " << sample_.q.transpose() << "; " << found_.rows.size()
+         << " rows";
+    for (const Row& r : found_.rows) text << "\n  " << r.q.transpose() << (r.continuum ? " (continuum)" : "");
+    verdict_.fault = text.str();
+  }
+
+  void row(std::size_t i) {
+    const Row& own = found_.rows[i];
+    const Case::Miss miss = test_.miss(own.q, sample_.target);
+    verdict_.miss.position = std::max(verdict_.miss.position, miss.position);
+    verdict_.miss.orientation = std::max(verdict_.miss.orientation, miss.orientation);
+    if (!(miss.largest() < allowed(sample_))) {
+      ++verdict_.bad;
+      blame("row " + std::to_string(i) + " misses the pose by " + std::to_string(miss.largest() * 1e12) + "e-12");
+    }
+    for (int k = 0; k < test_.dof(); ++k)
+      if (test_.revolute(k) && k != test_.robot().info.given_joint && !(own.q[k] > -pi && own.q[k] <= pi))
+        blame("an angle outside (-pi, pi]");
+    for (std::size_t j = 0; j < i; ++j) {
+      if (found_.rows[j].branch >= own.branch) blame("branches out of order");
+      if (test_.distance(found_.rows[j].q, own.q) > 1e-9) continue;
+      ++verdict_.repeated;
+      blame("rows " + std::to_string(j) + " and " + std::to_string(i) + " are the same");
+    }
+  }
+
+  void status() {
+    bool continuum = false;
+    for (const Row& r : found_.rows) continuum = continuum || r.continuum;
+    const Status status = found_.status;
+    const bool none = status == Status::unreachable || status == Status::invalid;
+    if (found_.rows.empty() != none) blame("status and rows disagree");
+    if (!none && (status == Status::singular) != continuum) blame("status and marks of a continuum disagree");
+    if (sample_.expect == Expect::invalid && status != Status::invalid) blame("should be invalid");
+    if (sample_.expect != Expect::invalid && status == Status::invalid) blame("should not be invalid");
+    if (sample_.expect == Expect::unreachable && status != Status::unreachable) blame("should be unreachable");
+  }
+
+  const Case& test_;
+  const Sample& sample_;
+  const Found& found_;
+  Verdict verdict_;
+};
+
+/// Whether a curve of joints that all reach the pose leads from the sample to a row: points of the straight line come
+/// to the pose by small steps across it. Between two separate solutions they do not.
+bool joined(const Case& test, const Sample& sample, const Eigen::VectorXd& way) {
+  // Near a singularity of the arm its joints carry the pose's rounding magnified; the wrist cannot make up for that.
+  double noise = 0;
+  for (int k = 0; k < test.dof() - 3; ++k)
+    if (std::abs(way[k]) < 1e-6) noise = std::max(noise, std::abs(way[k]));
+  const double limit = allowed(sample) + 4 * noise * (1 + sample.target.translation().norm());
+  for (const double share : {0.5, 0.25}) {
+    const Eigen::VectorXd start = sample.q + share * way;
+    Eigen::VectorXd q = start;
+    for (int step = 0; step < 4 && test.miss(q, sample.target).largest() >= limit; ++step) {
+      Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> parts;
+      parts.setThreshold(1e-5);
+      parts.compute(test.jacobian(q));
+      q = test.moved(q, parts.solve(test.residual(q, sample.target)));
+    }
+    const bool stayed = (q - start).norm() < 0.1 * way.norm();
+    if (!stayed || test.miss(q, sample.target).largest() >= limit) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+bool contains(const Case& test, const Found& found, const Sample& sample) {
+  bool continuum = false;
+  for (const Row& row : found.rows) {
+    const Eigen::VectorXd way = test.difference(sample.q, row.q);
+    if (way.cwiseAbs().maxCoeff() < 1e-6 || joined(test, sample, way)) return true;
+    continuum = continuum || row.continuum;
+  }
+  if (!continuum) return false;
+  const Found seeded = test.robot().solve_from(sample.pose, test.given(sample.q), sample.q);
+  return !seeded.rows.empty() && test.distance(seeded.rows.front().q, sample.q) < 1e-6;
+}
+
+Verdict judge(const Case& test, const Sample& sample, const Found& found) {
+  return Judge(test, sample, found).result();
+}
+
+}  // namespace qvgen::test

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "case.h"
+
+namespace qvgen::test {
+
+/// What must come of a pose.
+enum class Expect {
+  joints,       ///< the sampled joints are among the solutions, or on a marked continuum
+  clean,        ///< whatever is returned is right; nothing need be
+  unreachable,  ///< Status::unreachable
+  invalid       ///< Status::invalid
+};
+
+struct Sample {
+  Pose<double> pose;         ///< what the solver gets
+  Eigen::Isometry3d target;  ///< what its rows have to reach
+  Eigen::VectorXd q;         ///< sampled joints
+  Expect expect = Expect::joints;
+};
+
+/// One of the ten sets of poses, at ordinary places and at those where solvers fail.
+struct PoseSet {
+  std::string name;
+  /// The i-th pose; nothing if the arm has no such pose (then it has none for any i) or the search for it failed.
+  std::function<std::optional<Sample>(Case&, int i)> draw;
+};
+
+const std::vector<PoseSet>& pose_sets();
+const PoseSet& pose_set(const std::string& name);
+
+/// A pose that the sampled joints reach.
+Sample sample_at(Case& test, const Eigen::VectorXd& q);
+
+}  // namespace qvgen::test
