@@ -6,7 +6,8 @@
 namespace qvgen::test {
 
 Case::Case(const InverseUnderTest& robot)
-    : Case(robot, reference::load(std::string(QVGEN_SOURCE_DIR) + "/generator/robots/" + robot.robot + ".toml")) {}
+    : Case(robot, reference::load(std::string(QVGEN_SOURCE_DIR) + "/generator/robots/" + robot.robot + ".toml",
+                                  robot.geometry)) {}
 
 Case::Case(const InverseUnderTest& robot, reference::Chain chain) : robot_(robot), chain_(std::move(chain)) {}
 

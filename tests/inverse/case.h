@@ -21,6 +21,8 @@ class Case {
   [[nodiscard]] int dof() const { return robot_.dof; }
   [[nodiscard]] bool revolute(int joint) const { return chain_.joints[static_cast<std::size_t>(joint)].revolute; }
 
+  void seed(unsigned number) { random_.seed(number); }
+
   /// Uniform in [-pi, pi), metres for slides.
   Eigen::VectorXd joints();
   double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }

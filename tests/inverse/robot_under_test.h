@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Geometry>
 #include <functional>
 #include <ostream>
 #include <string>
 #include <vector>
 
+#include <Eigen/Geometry>
 #include <qvgen/inverse/solutions.h>
 #include <qvgen/pose.h>
+
+#include "reference/expression.h"
 
 namespace qvgen::test {
 
@@ -30,16 +32,40 @@ Found copy(const SolutionSet& set) {
   return found;
 }
 
-/// The generated inverse kinematics of one robot behind one type; geometry is that of the defaults.
+/// The compiled functions of one robot, whatever its types; the values are those of geometric constants by name, the
+/// defaults for others.
+struct InverseFunctions {
+  std::function<Found(const Pose<double>&, double given, double tolerance, const reference::Values&)> solve;
+  std::function<Found(const Pose<double>&, double given, const Eigen::VectorXd& seed, const reference::Values&)>
+      solve_from;
+  std::function<Found(const Eigen::Matrix3d&, const Eigen::Vector3d&, double given)> solve_matrix;
+  std::function<Found(const Pose<double>&, double given, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper)>
+      solve_within;
+};
+
+/// The generated inverse kinematics of one robot behind one type.
 struct InverseUnderTest {
   std::string name;
   std::string robot;
   int dof = 0;
   InverseInfo info;
-  std::function<Found(const Pose<double>&, double given, double tolerance)> solve;
-  std::function<Found(const Pose<double>&, double given, const Eigen::VectorXd& seed)> solve_from;
-  std::function<Found(const Eigen::Matrix3d&, const Eigen::Vector3d&, double given)> solve_matrix;
-  std::function<Found(const Pose<double>&, double given, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper)> solve_within;
+  std::vector<std::string> constants;  ///< names of the geometric constants
+  InverseFunctions functions;
+  reference::Values geometry = {};  ///< constants with other values than the defaults
+
+  [[nodiscard]] Found solve(const Pose<double>& pose, double given, double tolerance) const {
+    return functions.solve(pose, given, tolerance, geometry);
+  }
+  [[nodiscard]] Found solve_from(const Pose<double>& pose, double given, const Eigen::VectorXd& seed) const {
+    return functions.solve_from(pose, given, seed, geometry);
+  }
+  [[nodiscard]] Found solve_matrix(const Eigen::Matrix3d& r, const Eigen::Vector3d& p, double given) const {
+    return functions.solve_matrix(r, p, given);
+  }
+  [[nodiscard]] Found solve_within(const Pose<double>& pose, double given, const Eigen::VectorXd& lower,
+                                   const Eigen::VectorXd& upper) const {
+    return functions.solve_within(pose, given, lower, upper);
+  }
 };
 
 /// For GoogleTest's messages.
