@@ -47,6 +47,16 @@ void measure(const std::string& name, Function function) {
   });
 }
 
+/// The pose that KDL has given as a position and the rows of a rotation.
+inline Eigen::Isometry3d isometry(const double* kdl) {
+  const Eigen::Map<const Eigen::Matrix<double, 3, 4>> numbers(kdl);
+  Eigen::Isometry3d result;
+  result.setIdentity();
+  result.translation() = numbers.col(0);
+  result.linear() = numbers.rightCols<3>().transpose();
+  return result;
+}
+
 /// Largest difference in m and rad of what is compared, over all configurations.
 template <class Arm>
 double disagreement(const reference::Chain& chain, KdlArm& kdl,
@@ -57,7 +67,7 @@ double disagreement(const reference::Chain& chain, KdlArm& kdl,
   };
   for (const auto& q : joints) {
     const Eigen::Isometry3d truth = reference::forward_kinematics(chain, q);
-    compare(kdl.forward_kinematics(q), truth);
+    compare(isometry(kdl.forward_kinematics(q.data())), truth);
     compare(Arm::forward_kinematics(q).isometry(), truth);
     compare(Arm::forward_kinematics(q, Arm::angles(q)).isometry(), truth);
     compare(Arm::homogeneous_transform(q), truth);
@@ -74,7 +84,7 @@ bool add_arm() {
     const std::string robot = Arm::name;
     const reference::Chain chain = load_robot(robot);
     const auto joints = std::make_shared<std::vector<Joints>>(configurations<Joints>(chain));
-    const auto kdl = std::make_shared<KdlArm>(chain);
+    const auto kdl = std::make_shared<KdlArm>(description_of(robot));
     require_agreement(robot, disagreement<Arm>(chain, *kdl, *joints));
 
     // The angles behind the sines and cosines, so that a scalar library can be timed on the same work.
@@ -89,7 +99,7 @@ bool add_arm() {
     }
 
     const std::string pose = "forward kinematics/" + robot + "/";
-    measure(pose + "KDL", [=](std::size_t i) { return kdl->raw_forward_kinematics((*joints)[i]); });
+    measure(pose + "KDL", [=](std::size_t i) { return kdl->forward_kinematics((*joints)[i].data()); });
     measure(pose + "qvgen", [=](std::size_t i) { return Arm::forward_kinematics((*joints)[i]); });
     measure(pose + "qvgen matrix", [=](std::size_t i) { return Arm::homogeneous_transform((*joints)[i]); });
     measure(pose + "qvgen libm", [=](std::size_t i) {

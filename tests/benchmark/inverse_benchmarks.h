@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -21,7 +22,7 @@ template <class Arm>
 struct Goal {
   typename Arm::Joints q, start;
   qvgen::Pose<double> pose;
-  KDL::Frame frame;
+  std::array<double, 12> numbers;  ///< of the pose, as KDL's
 };
 
 template <class Arm>
@@ -29,8 +30,9 @@ std::vector<Goal<Arm>> goals(const reference::Chain& chain, KdlArm& kdl, std::si
   const auto q = configurations<typename Arm::Joints>(chain, count);
   std::vector<Goal<Arm>> result;
   for (std::size_t i = 0; i < q.size(); ++i) {
-    const KDL::Frame frame = kdl.raw_forward_kinematics(q[i]);
-    result.push_back({q[i], q[(i + 85) % q.size()], Arm::forward_kinematics(q[i]), frame});
+    Goal<Arm> goal{q[i], q[(i + 85) % q.size()], Arm::forward_kinematics(q[i]), {}};
+    std::copy_n(kdl.forward_kinematics(q[i].data()), 12, goal.numbers.begin());
+    result.push_back(goal);
   }
   return result;
 }
@@ -99,7 +101,8 @@ double share_reached(const reference::Chain& chain, const std::vector<Goal<Arm>>
   double reached = 0;
   for (const Goal<Arm>& goal : all) {
     if (method(goal) < 0) continue;
-    const Eigen::Isometry3d pose = reference::forward_kinematics(chain, kdl.result());
+    const Eigen::VectorXd joints = Eigen::Map<const Eigen::VectorXd>(kdl.result(), chain.size());
+    const Eigen::Isometry3d pose = reference::forward_kinematics(chain, joints);
     const Eigen::Isometry3d truth = reference::forward_kinematics(chain, goal.q);
     reached += (pose.matrix() - truth.matrix()).cwiseAbs().maxCoeff() < 1e-5 ? 1 : 0;
   }
@@ -112,14 +115,16 @@ bool add_arm_inverse() {
   add_setup([] {
     const std::string robot = Arm::name;
     const reference::Chain chain = load_robot(robot);
-    KdlArm model(chain);
+    KdlArm model(description_of(robot));
     const auto all = std::make_shared<std::vector<Goal<Arm>>>(goals<Arm>(chain, model, 256));
     const auto outside = std::make_shared<std::vector<qvgen::Pose<double>>>(just_unreachable(*all));
-    const auto kdl = std::make_shared<KdlInverse>(model.chain());
+    const auto kdl = std::make_shared<KdlInverse>(description_of(robot));
     const auto lma = [kdl](const Goal<Arm>& goal) {
-      return kdl->levenberg_marquardt(goal.start, goal.frame);
+      return kdl->levenberg_marquardt(goal.start.data(), goal.numbers.data());
     };
-    const auto newton = [kdl](const Goal<Arm>& goal) { return kdl->newton(goal.start, goal.frame); };
+    const auto newton = [kdl](const Goal<Arm>& goal) {
+      return kdl->newton(goal.start.data(), goal.numbers.data());
+    };
     const Agreement found = agreement(chain, goals<Arm>(chain, model, 20000));
     require_agreement(robot + " inverse kinematics", found.complete ? found.error : 1);
     std::fprintf(stderr,

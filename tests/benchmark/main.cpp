@@ -19,9 +19,11 @@ std::vector<std::function<void()>>& setups() {
 
 }  // namespace
 
-reference::Chain load_robot(const std::string& name) {
-  return reference::load(QVGEN_SOURCE_DIR "/generator/robots/" + name + ".toml");
+std::string description_of(const std::string& robot) {
+  return QVGEN_SOURCE_DIR "/generator/robots/" + robot + ".toml";
 }
+
+reference::Chain load_robot(const std::string& robot) { return reference::load(description_of(robot)); }
 
 void add_setup(std::function<void()> setup) { setups().push_back(std::move(setup)); }
 

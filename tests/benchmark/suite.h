@@ -10,8 +10,9 @@
 
 namespace comparison {
 
-/// The description of a robot of the project, by name.
-reference::Chain load_robot(const std::string& name);
+/// The file that describes a robot of the project, and what it says.
+std::string description_of(const std::string& robot);
+reference::Chain load_robot(const std::string& robot);
 
 /// To be run once main has begun, in the order of names.
 void add_setup(std::function<void()> setup);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "kdl.h"
+#include "chain.h"
 
 #include <cmath>
 #include <string>
@@ -38,6 +38,8 @@ KDL::RigidBodyInertia to_kdl(const reference::Joint& link, const Eigen::Isometry
                                KDL::RotationalInertia(i(0, 0), i(1, 1), i(2, 2), i(0, 1), i(0, 2), i(1, 2)));
 }
 
+}  // namespace
+
 /// A KDL segment is a joint, then a constant frame. So the constant parts before a joint go to the segment
 /// before it; what stands before the first joint goes into that joint's axis and its constant frame.
 KDL::Chain to_kdl(const reference::Chain& chain) {
@@ -58,21 +60,6 @@ KDL::Chain to_kdl(const reference::Chain& chain) {
     }
     const std::string name = "link" + std::to_string(i + 1);
     result.addSegment(KDL::Segment(name, to_kdl(joint, axis, point), to_kdl(after), to_kdl(joint, behind)));
-  }
-  return result;
-}
-
-}  // namespace
-
-KdlArm::KdlArm(const reference::Chain& chain)
-    : chain_(to_kdl(chain)), solver_(chain_), joints_(static_cast<unsigned>(chain.size())) {}
-
-Eigen::Isometry3d KdlArm::forward_kinematics(const Eigen::VectorXd& q) {
-  const KDL::Frame frame = raw_forward_kinematics(q);
-  Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) result(i, j) = frame.M(i, j);
-    result(i, 3) = frame.p(i);
   }
   return result;
 }
