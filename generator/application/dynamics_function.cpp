@@ -131,6 +131,7 @@ dag::IsFree free_symbols(const model::Robot& robot) {
           derive::dynamics::acceleration_of(joint.variable), derive::dynamics::force_of(joint.variable),
           derive::dynamics::direction_of(joint.variable)})
       moving.insert(name);
+  for (std::size_t k = 0; k < 6; ++k) moving.insert(derive::dynamics::wrench_component(k));
   return [moving](const std::string& name) { return !moving.contains(name); };
 }
 
@@ -155,7 +156,10 @@ void certify(DynamicsFunction& function, int points,
 std::optional<dag::Function> with_default_values(const model::Robot& robot,
                                                  const DynamicsFunction& function) {
   std::map<std::string, Number> values{
-      {derive::dynamics::gravity_symbol, Number(cln::cl_RA(980665) / 100000)}};
+      {derive::dynamics::gravity_symbol, Number(cln::cl_RA(980665) / 100000)},
+      {derive::dynamics::gravity_component(0), 3},
+      {derive::dynamics::gravity_component(1), -4},
+      {derive::dynamics::gravity_component(2), -8}};
   for (const auto& [name, value] : model::default_bindings(robot))
     if (const auto rational = model::rational_value(value)) values.emplace(name, Number(*rational));
   const auto known = [&](const dag::Function& f) {
@@ -191,9 +195,10 @@ bool has_inertia(const model::Robot& robot) {
 DynamicsFunction generate_dynamics(const model::Robot& robot, const DynamicsQuantity& quantity,
                                    const DynamicsEffort& effort) {
   Trials trials(robot, quantity);
-  try_choices(robot, quantity, trials, effort.trial_steps);
+  if (!effort.choices) try_choices(robot, quantity, trials, effort.trial_steps);
   constexpr int restarts = 2;
-  const Candidate best = trials.run(trials.best(), effort.final_steps, restarts);
+  const Candidate best =
+      trials.run(effort.choices ? *effort.choices : trials.best(), effort.final_steps, restarts);
   const passes::FreePart parts =
       passes::split_free_part(best.found, best.formulation.constants, trials.is_free());
   DynamicsFunction result;
@@ -202,6 +207,7 @@ DynamicsFunction generate_dynamics(const model::Robot& robot, const DynamicsQuan
   result.constants = parts.constants;
   result.counts = best.counts;
   result.constant_counts = dag::count(parts.constants);
+  result.chosen = best.choices;
   result.choices = describe(robot, best.choices);
   result.unit = unit_of(robot, best.choices, false);
   certify(result, effort.certificate_points,

@@ -29,6 +29,13 @@ struct DynamicsQuantity {
 /// All quantities, in the order of the generated header.
 const std::vector<DynamicsQuantity>& dynamics_quantities();
 
+/// The quantity under gravity in any direction, or a wrench on the tool as well: an overload of `base`.
+struct LoadedQuantity {
+  std::string base;
+  DynamicsQuantity quantity;
+};
+const std::vector<LoadedQuantity>& loaded_quantities();
+
 /// A quantity after search, split into what depends on the configuration and what can be computed beforehand.
 struct DynamicsFunction {
   std::string name;
@@ -36,8 +43,9 @@ struct DynamicsFunction {
   dag::Function constants;               ///< the constants in the description's symbols and gravity
   dag::OperationCounts counts;           ///< of `function`
   dag::OperationCounts constant_counts;  ///< of `constants`
-  std::string choices;                   ///< unit of length, shifted masses: for the record
-  std::string unit;                      ///< symbolic unit of length, by which the set-up divides; or nothing
+  derive::dynamics::Choices chosen;
+  std::string choices;  ///< the same as text: unit of length, shifted masses:
+  std::string unit;     ///< symbolic unit of length, by which the set-up divides; or nothing
   int certified_points = 0;
   double largest_error = 0;
 };
@@ -46,6 +54,8 @@ struct DynamicsEffort {
   long trial_steps = 60'000;  ///< annealing steps for each combination of choices
   long final_steps = 1'000'000;
   int certificate_points = 2;
+  /// Not to be tried: these it shall be.
+  std::optional<derive::dynamics::Choices> choices = {};
 };
 
 /// Tries the choices (unit of length, frame of the last link, shifted masses), searches on with the best,

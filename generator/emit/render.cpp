@@ -53,7 +53,10 @@ std::string render(const std::string& template_name, const nlohmann::json& value
   mustache::mustache text(place->second);
   if (!text.is_valid()) throw std::invalid_argument("template " + template_name + ": " + text.error_message());
   text.set_custom_escape([](const std::string& plain) { return plain; });
-  const mustache::data data = to_data(values);
+  mustache::data data = to_data(values);
+  for (const auto& [name, part] : known)
+    if (const auto end = name.rfind(".partial"); end != std::string::npos)
+      data.set(name.substr(0, end), part.substr(0, part.size() - 1));  // its last line ends where it is put
   StrictContext context(&data);
   const std::string result = text.render(context);
   if (!context.missing().empty())

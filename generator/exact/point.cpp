@@ -23,21 +23,7 @@ cln::cl_RA small_rational(std::uint64_t bits) {
 
 Number ExactPoint::symbol(const std::string& name) const { return small_rational(combine(seed_, hash(name))); }
 
-ExactPoint::Turn ExactPoint::then(const Turn& a, const Turn& b) {
-  return {a.cosine * b.cosine - a.sine * b.sine, a.sine * b.cosine + a.cosine * b.sine};
-}
-
-ExactPoint::Turn ExactPoint::times(Turn base, long count) {
-  if (count < 0) return times({base.cosine, -base.sine}, -count);
-  Turn result;
-  for (; count > 0; count /= 2) {
-    if (count % 2 == 1) result = then(result, base);
-    base = then(base, base);
-  }
-  return result;
-}
-
-ExactPoint::Turn ExactPoint::quarter_of(const std::string& name) const {
+CosineSine ExactPoint::quarter_of(const std::string& name) const {
   // tan(angle/8) within +-tan(pi/8), so that the angle covers (-pi, pi)
   const std::uint64_t bits = combine(seed_, hash("tan(" + name + "/8)"));
   const cln::cl_RA t = cln::cl_RA(static_cast<long>(bits % 835) - 417) / (1009 + static_cast<long>((bits >> 20) % 61));
@@ -45,9 +31,13 @@ ExactPoint::Turn ExactPoint::quarter_of(const std::string& name) const {
   return {Number((1 - t * t) / n), Number(2 * t / n)};
 }
 
-ExactPoint::Turn ExactPoint::turn(const Angle& angle) const {
-  Turn result;
+CosineSine ExactPoint::turn(const Angle& angle) const {
+  CosineSine result;
   for (const auto& [name, coefficient] : angle.terms) {
+    if (const auto known = constant_angle(name); known && cln::denominator(coefficient) == 1) {
+      result = then(result, times(*known, cln::cl_I_to_long(cln::numerator(coefficient))));
+      continue;
+    }
     const cln::cl_RA quarters = coefficient * 4;
     if (cln::denominator(quarters) != 1) throw std::domain_error("angle " + to_string(angle) + " is no multiple of a quarter");
     result = then(result, times(quarter_of(name), cln::cl_I_to_long(cln::numerator(quarters))));

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "exact/angle.h"
+#include "exact/constant_angle.h"
 #include "exact/number.h"
 
 namespace qvgen::exact {
@@ -27,14 +28,8 @@ class ExactPoint {
   Number arctangent(const Number& y, const Number& x) const;
 
  private:
-  struct Turn {
-    Number cosine = 1;
-    Number sine = 0;
-  };
-  static Turn then(const Turn& a, const Turn& b);
-  static Turn times(Turn base, long count);
-  Turn quarter_of(const std::string& name) const;
-  Turn turn(const Angle& angle) const;
+  CosineSine quarter_of(const std::string& name) const;
+  CosineSine turn(const Angle& angle) const;
 
   std::uint64_t seed_;
 };

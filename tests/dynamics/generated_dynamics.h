@@ -60,6 +60,10 @@ class GeneratedDynamics : public testing::Test {
     for (int i = 0; i < dof; ++i) result[i] = 3 * unit(random_);
     return result;
   }
+  Eigen::Vector3d random_vector(double size) {
+    const double x = unit(random_), y = unit(random_), z = unit(random_);
+    return size * Eigen::Vector3d(x, y, z);
+  }
   Vector reference_torque(const Joints& q, const Joints& qd, const Joints& qdd, double g) const {
     return reference::inverse_dynamics(chain_, q, qd, qdd, reference::Vector3d(0, 0, g));
   }
@@ -134,6 +138,37 @@ TYPED_TEST_P(GeneratedDynamics, GravityAndCoriolisAreItsParts) {
                        this->reference_torque(q, zero, zero, this->gravity));
     this->expect_close(TypeParam::template coriolis<double>(q, qd, this->inertia_),
                        this->reference_torque(q, qd, zero, 0));
+  }
+}
+
+/// C qd are the forces of the velocities, by the generated function and by the reference (the robots have no
+/// friction).
+TYPED_TEST_P(GeneratedDynamics, CoriolisMatrixTimesRatesIsTheCoriolisTorque) {
+  using Column = typename TypeParam::template Joints<double>;
+  const Column zero = Column::Zero();
+  for (int k = 0; k < this->configurations; ++k) {
+    const auto q = this->random_joints(), qd = this->random_joints();
+    const Column torque = TypeParam::template coriolis_matrix<double>(q, qd, this->inertia_) * qd;
+    this->expect_close(torque, TypeParam::template coriolis<double>(q, qd, this->inertia_));
+    this->expect_close(torque, this->reference_torque(q, qd, zero, 0));
+  }
+}
+
+/// dM/dt - 2 C is skew-symmetric, dM/dt by forward differentiation of the generated mass matrix. Of the many C
+/// with the same C qd, this singles out those that keep power in passivity arguments.
+TYPED_TEST_P(GeneratedDynamics, RateOfMassMatrixMinusTwiceCoriolisMatrixIsSkewSymmetric) {
+  using Square = Eigen::Matrix<double, TypeParam::dof, TypeParam::dof>;
+  const auto inertia = with_scalar<typename TypeParam::template Inertia<Dual>>(this->inertia_);
+  for (int k = 0; k < this->configurations; ++k) {
+    const auto q = this->random_joints(), qd = this->random_joints();
+    const auto mass = TypeParam::template mass<Dual>(along(q, qd), inertia);
+    const Square coriolis = TypeParam::template coriolis_matrix<double>(q, qd, this->inertia_);
+    const Square rate = Square::NullaryExpr([&](Eigen::Index i, Eigen::Index j) {
+      const Dual& entry = mass(i, j);
+      return entry.derivatives().size() > 0 ? entry.derivatives()[0] : 0;
+    });
+    const Square skew = rate - 2 * coriolis;
+    EXPECT_LE((skew + skew.transpose()).cwiseAbs().maxCoeff(), 1e-12 * (1 + rate.cwiseAbs().maxCoeff()));
   }
 }
 
@@ -238,6 +273,52 @@ TYPED_TEST_P(GeneratedDynamics, DerivativesAreThoseOfTheInverseDynamics) {
   }
 }
 
+/// Free fall along any direction: all functions that know of gravity, against the reference.
+TYPED_TEST_P(GeneratedDynamics, GravityInAnyDirectionIsTheReference) {
+  using Column = typename TypeParam::template Joints<double>;
+  const Column zero = Column::Zero();
+  for (int k = 0; k < this->configurations; ++k) {
+    const auto q = this->random_joints(), qd = this->random_joints(), qdd = this->random_joints();
+    const Eigen::Vector3d falling = this->random_vector(10);
+    const Column torque = TypeParam::inverse(q, qd, qdd, this->inertia_, falling);
+    this->expect_close(torque, reference::inverse_dynamics(this->chain_, q, qd, qdd, -falling));
+    this->expect_close(TypeParam::gravity(q, this->inertia_, falling),
+                       reference::inverse_dynamics(this->chain_, q, zero, zero, -falling));
+    const Column found = TypeParam::forward(q, qd, torque, this->inertia_, falling);
+    this->expect_close(reference::inverse_dynamics(this->chain_, q, qd, found, -falling), torque, 1e-10);
+    const double potential = reference::potential_energy(this->chain_, q, -falling);
+    EXPECT_NEAR(TypeParam::potential(q, this->inertia_, falling), potential, 1e-11 * (1 + std::abs(potential)));
+  }
+}
+
+/// The magnitude alone means along -z.
+TYPED_TEST_P(GeneratedDynamics, MagnitudeOfGravityMeansDownward) {
+  const Eigen::Vector3d down(0, 0, -this->gravity);
+  const auto q = this->random_joints(), qd = this->random_joints(), qdd = this->random_joints();
+  this->expect_close(TypeParam::inverse(q, qd, qdd, this->inertia_, down),
+                     TypeParam::template inverse<double>(q, qd, qdd, this->inertia_, this->gravity));
+  this->expect_close(TypeParam::gravity(q, this->inertia_, down),
+                     TypeParam::template gravity<double>(q, this->inertia_, this->gravity));
+}
+
+/// By the principle of virtual work the drives are relieved of J^T w.
+TYPED_TEST_P(GeneratedDynamics, WrenchOnTheToolRelievesTheDrivesByTheTransposedJacobian) {
+  using Column = typename TypeParam::template Joints<double>;
+  for (int k = 0; k < this->configurations; ++k) {
+    const auto q = this->random_joints(), qd = this->random_joints(), qdd = this->random_joints();
+    const Eigen::Vector3d falling = this->random_vector(10);
+    Eigen::Matrix<double, 6, 1> wrench;
+    wrench << this->random_vector(50), this->random_vector(20);
+    const Column relief = reference::jacobian(this->chain_, q).transpose() * wrench;
+    const Column torque = TypeParam::inverse(q, qd, qdd, this->inertia_, falling, wrench);
+    this->expect_close(torque, reference::inverse_dynamics(this->chain_, q, qd, qdd, -falling) - relief);
+    EXPECT_EQ(torque, TypeParam::inverse_prepared(q, qd, qdd, this->inertia_, falling, wrench));
+    const Column found = TypeParam::forward(q, qd, torque, this->inertia_, falling, wrench);
+    this->expect_close(reference::inverse_dynamics(this->chain_, q, qd, found, -falling) - relief, torque,
+                       1e-10);
+  }
+}
+
 /// Ten seconds without joint forces by the classical Runge-Kutta method: its error is of fourth order in the
 /// step.
 TYPED_TEST_P(GeneratedDynamics, FreeSwingKeepsItsEnergy) {
@@ -285,7 +366,12 @@ TYPED_TEST_P(GeneratedDynamics, RegressorTimesBaseParametersIsInverseDynamicsAnd
   EXPECT_GT(singular[singular.size() - 1], 1e-9 * singular[0]);
 }
 
-REGISTER_TYPED_TEST_SUITE_P(GeneratedDynamics, InverseDynamicsIsTheReference, GravityAndCoriolisAreItsParts,
+REGISTER_TYPED_TEST_SUITE_P(GeneratedDynamics, InverseDynamicsIsTheReference,
+                            GravityInAnyDirectionIsTheReference, MagnitudeOfGravityMeansDownward,
+                            WrenchOnTheToolRelievesTheDrivesByTheTransposedJacobian,
+                            GravityAndCoriolisAreItsParts,
+                            CoriolisMatrixTimesRatesIsTheCoriolisTorque,
+                            RateOfMassMatrixMinusTwiceCoriolisMatrixIsSkewSymmetric,
                             MassMatrixIsTheReferenceSymmetricAndPositive,
                             ForwardDynamicsUndoesInverseDynamics, EnergiesAreTheReference,
                             PowerOfTheForcesIsTheRateOfEnergy, LagrangesEquationsGiveTheSameForces,

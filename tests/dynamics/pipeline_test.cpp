@@ -20,10 +20,15 @@ model::Robot read(const std::string& text) {
   return result.robot.value();
 }
 
-/// A few joints of both kinds anywhere, axes along coordinate axes, offsets on both sides, all inertias free.
-std::string random_robot(std::uint64_t seed, const std::string& kinds) {
+using Axes = std::vector<std::string>;
+const Axes coordinate_axes = {"\"+x\"", "\"-x\"", "\"+y\"", "\"-y\"", "\"+z\"", "\"-z\""};
+const Axes oblique_axes = {"[\"3/5\", 0, \"-4/5\"]",       "[0, \"5/13\", \"12/13\"]",
+                           "[\"2/3\", \"-1/3\", \"2/3\"]", "[\"sqrt(2)/2\", \"1/2\", \"-1/2\"]",
+                           "[\"-sqrt(3)/2\", \"1/2\", 0]", "\"+y\""};
+
+/// A few joints of both kinds anywhere, offsets on both sides, a base and a tool, all inertias free.
+std::string random_robot(std::uint64_t seed, const std::string& kinds, const Axes& axes = coordinate_axes) {
   Random random(seed);
-  const std::string axes[] = {"+x", "-x", "+y", "-y", "+z", "-z"};
   std::string text = "name = \"random\"\ntitle = \"random\"\ninertia = \"free\"\n";
   const auto offset = [&](const std::string& name) {
     std::string list;
@@ -32,10 +37,12 @@ std::string random_robot(std::uint64_t seed, const std::string& kinds) {
           (list.empty() ? "" : ", ") + (random.chance(100) ? "\"" + name + axis + "\"" : std::string("0"));
     return "[" + list + "]";
   };
+  text += "[base]\ntranslation = " + offset("b") + "\nturns = [{ axis = " + axes[random.below(6)] +
+          ", angle = \"90 deg\" }]\n[tool]\ntranslation = " + offset("t") + "\n";
   for (std::size_t i = 0; i < kinds.size(); ++i) {
     const std::string n = std::to_string(i + 1);
     text += "[[joint]]\ntype = \"" + std::string(kinds[i] == 'R' ? "revolute" : "prismatic") +
-            "\"\naxis = \"" + axes[random.below(6)] + "\"\nvariable = \"q" + n +
+            "\"\naxis = " + axes[random.below(6)] + "\nvariable = \"q" + n +
             "\"\norigin = " + offset("o" + n) + "\n";
     if (kinds[i] == 'R') text += "link = " + offset("l" + n) + "\n";
   }
@@ -44,17 +51,57 @@ std::string random_robot(std::uint64_t seed, const std::string& kinds) {
 
 constexpr DynamicsEffort little{.trial_steps = 1'000, .final_steps = 5'000, .certificate_points = 1};
 
+const DynamicsQuantity& quantity(const std::string& name) {
+  for (const DynamicsQuantity& q : dynamics_quantities())
+    if (q.name == name) return q;
+  throw std::invalid_argument(name);
+}
+
+std::vector<DynamicsQuantity> all_quantities() {
+  std::vector<DynamicsQuantity> all = dynamics_quantities();
+  for (const LoadedQuantity& loaded : loaded_quantities()) all.push_back(loaded.quantity);
+  return all;
+}
+
 /// The certificate in generate_dynamics holds every function against the plain recursion, so this throws if
 /// any frame, gauge or formulation is wrong for some arrangement of joints.
 TEST(Dynamics, RandomRobotsPassTheirCertificates) {
   std::uint64_t seed = 0;
-  for (const char* kinds : {"R", "P", "PR", "RP", "RR", "PRR", "RPR", "RRP", "PPR", "RRR", "RPP"})
-    for (int k = 0; k < 2; ++k) {
-      const std::string text = random_robot(++seed, kinds);
+  for (const Axes& axes : {coordinate_axes, oblique_axes})
+    for (const char* kinds : {"R", "P", "PR", "RP", "RR", "PRR", "RPR", "RRP", "PPR", "RRR", "RPP", "PRP"}) {
+      const std::string text = random_robot(++seed, kinds, axes);
       const model::Robot robot = read(text);
-      for (const DynamicsQuantity& quantity : dynamics_quantities())
+      for (const DynamicsQuantity& quantity : all_quantities())
         EXPECT_NO_THROW(generate_dynamics(robot, quantity, little)) << quantity.name << "\n" << text;
     }
+}
+
+/// Two axes at any angle meet in z x z: nothing stands between two links, and no offset is left sideways.
+TEST(Dynamics, ObliqueAxesNeedNoLinksInBetween) {
+  const Axes rational(oblique_axes.begin(), oblique_axes.begin() + 3);
+  for (std::uint64_t seed = 1; seed < 10; ++seed) {
+    dag::Graph graph;
+    Axes axes = rational;
+    axes.insert(axes.end(), rational.begin(), rational.end());
+    const model::Robot robot = read(random_robot(seed, "RRRR", axes));
+    const auto chain = derive::dynamics::make_chain(robot, graph);
+    EXPECT_EQ(chain.links.size(), 4U);
+    for (const auto& link : chain.links) EXPECT_TRUE(link.b.is_zero() || link.alpha.terms.empty());
+  }
+}
+
+TEST(Dynamics, AnAxisThatIsNotExactIsRefusedWithAReason) {
+  const std::string text =
+      "name = \"x\"\ntitle = \"x\"\ninertia = \"free\"\n[[joint]]\ntype = \"revolute\"\nvariable = \"q1\"\n"
+      "axis = [\"sin(20 deg)\", 0, \"cos(20 deg)\"]\n";
+  try {
+    generate_dynamics(read(text), dynamics_quantities().front(), little);
+    FAIL() << "nothing thrown";
+  } catch (const std::domain_error& error) {
+    EXPECT_EQ(std::string(error.what()),
+              "dynamics: sin(1/9*pi) in the direction of an axis is not exact; write the axis as \"+z\" "
+              "after turns that lead there");
+  }
 }
 
 std::string pendulum = R"(
@@ -90,11 +137,40 @@ TEST(Dynamics, CertificateRefusesAWrongFunction) {
 TEST(Dynamics, DrivesAddTheirInertiaAndFriction) {
   const std::string driven =
       pendulum + "rotor_inertia = \"Ir\"\nviscous_friction = \"b\"\ncoulomb_friction = \"f\"\n";
-  for (const DynamicsQuantity& quantity : dynamics_quantities())
+  for (const DynamicsQuantity& quantity : all_quantities())
     EXPECT_NO_THROW(generate_dynamics(read(driven), quantity, little)) << quantity.name;
   const DynamicsFunction function = generate_dynamics(read(driven), dynamics_quantities().front(), little);
   EXPECT_LE(function.counts.multiplications, 5);
   EXPECT_LE(function.counts.additions, 4);
+}
+
+/// C qd has no friction in it, whatever the drives: coriolis_torque is that product.
+TEST(Dynamics, CoriolisTorqueLeavesFrictionOut) {
+  const std::string driven = pendulum + "viscous_friction = \"b\"\ncoulomb_friction = \"f\"\n";
+  const DynamicsFunction function = generate_dynamics(read(driven), quantity("coriolis_torque"), little);
+  EXPECT_EQ(function.constants.outputs.size(), 0U);
+  EXPECT_TRUE(function.function.graph.is_zero(function.function.outputs.front().value));
+}
+
+TEST(Dynamics, CertificateRefusesACoriolisMatrixThatIsNotOfChristoffelsSymbols) {
+  // C + [[q2', -q1'], [0, 0]] gives the same C q', but M' - 2 C is skew-symmetric no more.
+  const model::Robot robot = read(random_robot(4, "RR"));
+  DynamicsQuantity wrong = quantity("coriolis_matrix");
+  const auto formulate = wrong.formulate;
+  wrong.formulate = [formulate](const model::Robot& r, const derive::dynamics::Choices& choices) {
+    derive::dynamics::Formulation result = formulate(r, choices);
+    dag::Graph& graph = result.function.graph;
+    const auto add = [&](const std::string& entry, const std::string& rate, bool negative) {
+      for (dag::Output& output : result.function.outputs) {
+        const dag::Edge term = graph.symbol(derive::dynamics::velocity_of(rate));
+        if (output.name == entry) output.value = graph.sum({output.value, negative ? -term : term});
+      }
+    };
+    add("c1_1", "q2", false);
+    add("c1_2", "q1", true);
+    return result;
+  };
+  EXPECT_THROW(generate_dynamics(robot, wrong, little), CertificateError);
 }
 
 TEST(Dynamics, ARobotWithoutInertiaHasNone) {

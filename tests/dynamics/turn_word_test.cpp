@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "exact/constant_angle.h"
 #include "exact/point.h"
 #include "passes/search/random.h"
 
@@ -74,6 +75,22 @@ TEST(TurnWord, TakesZToEachAxis) {
 TEST(TurnWord, InverseIsTheInverse) {
   const TurnWord word = {{2, symbol("a")}, {0, quarter(1)}, {2, symbol("b")}};
   EXPECT_TRUE(reduced(word * inverse(word)).empty());
+}
+
+/// Rotations between oblique axes are z x z too, with angles that are known by sine and cosine.
+TEST(TurnWord, ConstantRotationsAreRecomposed) {
+  passes::search_detail::Random random(5);
+  const exact::ExactPoint point(1);
+  const Number three = Number(3) / Number(5), four = Number(4) / Number(5);
+  const exact::Angle oblique{{{exact::constant_angle({four, three}), 1}}, 0};
+  for (int round = 0; round < 100; ++round) {
+    TurnWord word;
+    for (int k = 0; k < 7; ++k)
+      word.push_back({random.chance(128) ? 0U : 2U, random.chance(128) ? oblique : quarter(random.below(4))});
+    const TurnWord short_word = recomposed(reduced(word));
+    EXPECT_LE(short_word.size(), 3U);
+    EXPECT_EQ(matrix_of(short_word, point), matrix_of(word, point));
+  }
 }
 
 }  // namespace

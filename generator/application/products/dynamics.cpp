@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "application/products/dynamics.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -65,38 +66,82 @@ bool has_defaults(const model::Robot& robot) {
   return false;
 }
 
-/// A function with a header, definitions and source of its own, named after `part`.
-void add_part(const model::Robot& robot, DynamicsFunction function, const std::string& part,
-              const std::vector<dag::Angle>& angles, json values, RobotOutput& output) {
+/// Adds one header with its definitions and source, for the functions' values in `values` and their
+/// instances.
+void add_files(const model::Robot& robot, const std::string& part, const json& values, RobotOutput& output) {
+  const std::string headers = "include/qvgen/robots/" + robot.name + "/";
+  output.files.push_back({headers + part + ".h", emit::render(part + ".h", values)});
+  output.files.push_back({headers + part + "_definitions.h", emit::render(part + "_definitions.h", values)});
+  output.files.push_back({"source/" + robot.name + "/" + part + ".cpp", emit::render(part + ".cpp", values)});
+}
+
+json angles_and_name(const model::Robot& robot, const std::vector<dag::Angle>& angles,
+                     const std::string& angles_type) {
+  const emit::Names names = leaf_names(robot, angles);
+  return {{"name", robot.name},
+          {"angles", angle_values(angles, names)},
+          {"angle_count", angles.size()},
+          {"angles_type", angles_type},
+          {"sines_cosines", sines_cosines_code(angles, names, angles_type)}};
+}
+
+/// A header of several functions that share sines and cosines.
+void add_functions(const model::Robot& robot, const std::vector<DynamicsFunction>& functions,
+                   const std::string& part, json values, RobotOutput& output) {
+  const auto angles = angles_of(functions);
+  const auto values_for = [&](const std::string& scalar) {
+    json list = json::array();
+    for (const DynamicsFunction& function : functions)
+      list.push_back(dynamics_values(robot, function, dynamics_interface(function.name), angles, scalar));
+    return list;
+  };
+  values.update(angles_and_name(robot, angles, part == "dynamics" ? "DynamicsAngles" : "LoadAngles"));
+  values["functions"] = values_for("Scalar");
+  values["instances"] = json::array();
+  for (const char* scalar : {"double", "float"})
+    values["instances"].push_back({{"scalar", scalar}, {"functions", values_for(scalar)}});
+  add_files(robot, part, values, output);
+  for (const DynamicsFunction& function : functions) output.counts[function.name] = entry_of(function);
+}
+
+/// A header of a single function.
+void add_function(const model::Robot& robot, DynamicsFunction function, const std::string& part,
+                  const std::vector<dag::Angle>& angles, json values, RobotOutput& output) {
   measure(robot, function);
   const auto values_for = [&](const std::string& scalar) {
     return dynamics_values(robot, function, dynamics_interface(function.name), angles, scalar);
   };
   values.update(values_for("Scalar"));
-  values["name"] = robot.name;
-  const emit::Names names = leaf_names(robot, angles);
-  values["angles"] = angle_values(angles, names);
-  values["angle_count"] = angles.size();
-  values["sines_cosines"] =
-      sines_cosines_code(angles, names, part == "regressor" ? "RegressorAngles" : "DynamicsAngles");
+  values.update(angles_and_name(robot, angles, part == "regressor" ? "RegressorAngles" : "DynamicsAngles"));
   values["instances"] = json::array();
   for (const char* scalar : {"double", "float"}) {
     json instance = values_for(scalar);
     instance["scalar"] = scalar;
     values["instances"].push_back(instance);
   }
-  const std::string headers = "include/qvgen/robots/" + robot.name + "/";
-  output.files.push_back({headers + part + ".h", emit::render(part + ".h", values)});
-  output.files.push_back({headers + part + "_definitions.h", emit::render(part + "_definitions.h", values)});
-  output.files.push_back({"source/" + robot.name + "/" + part + ".cpp", emit::render(part + ".cpp", values)});
+  add_files(robot, part, values, output);
   output.counts[function.name] = entry_of(function);
+}
+
+/// With the choices that were best for the functions that they overload.
+std::vector<DynamicsFunction> loaded_functions(const model::Robot& robot,
+                                               const std::vector<DynamicsFunction>& functions) {
+  std::vector<DynamicsFunction> result;
+  for (const auto& [base, quantity] : loaded_quantities()) {
+    const auto is_base = [&, name = base](const DynamicsFunction& f) { return f.name == name; };
+    DynamicsEffort effort;
+    effort.choices = std::find_if(functions.begin(), functions.end(), is_base)->chosen;
+    result.push_back(generate_dynamics(robot, quantity, effort));
+    measure(robot, result.back());
+  }
+  return result;
 }
 
 void add_regressor(const model::Robot& robot, RobotOutput& output) {
   const derive::dynamics::Regressor regressor = derive::dynamics::regressor(robot);
   const DynamicsFunction function = regressor_function(robot, regressor);
-  add_part(robot, function, "regressor", angles_of(std::vector{function}),
-           base_parameter_values(robot, regressor), output);
+  add_function(robot, function, "regressor", angles_of(std::vector{function}),
+               base_parameter_values(robot, regressor), output);
 }
 
 }  // namespace
@@ -104,34 +149,14 @@ void add_regressor(const model::Robot& robot, RobotOutput& output) {
 void generate_dynamics_product(const model::Robot& robot, RobotOutput& output) {
   if (!has_inertia(robot)) return;
   const std::vector<DynamicsFunction> functions = all_functions(robot);
-  const auto angles = angles_of(functions);
-  const emit::Names names = leaf_names(robot, angles);
-  const auto values_for = [&](const std::string& scalar) {
-    json list = json::array();
-    for (const DynamicsFunction& function : functions)
-      list.push_back(dynamics_values(robot, function, dynamics_interface(function.name), angles, scalar));
-    return list;
-  };
-  json values{{"name", robot.name},
-              {"parameters", parameters_of(robot)},
-              {"parameter_count", robot.inertia_parameters.size()},
-              {"has_parameters", !robot.inertia_parameters.empty()},
-              {"has_defaults", has_defaults(robot)},
-              {"angles", angle_values(angles, names)},
-              {"angle_count", angles.size()},
-              {"sines_cosines", sines_cosines_code(angles, names, "DynamicsAngles")},
-              {"functions", values_for("Scalar")},
-              {"instances", json::array()}};
-  for (const char* scalar : {"double", "float"})
-    values["instances"].push_back({{"scalar", scalar}, {"functions", values_for(scalar)}});
-  const std::string headers = "include/qvgen/robots/" + robot.name + "/";
-  output.files.push_back({headers + "dynamics.h", emit::render("dynamics.h", values)});
-  output.files.push_back(
-      {headers + "dynamics_definitions.h", emit::render("dynamics_definitions.h", values)});
-  output.files.push_back({"source/" + robot.name + "/dynamics.cpp", emit::render("dynamics.cpp", values)});
-  for (const DynamicsFunction& function : functions) output.counts[function.name] = entry_of(function);
-  add_part(robot, inverse_dynamics_derivatives(robot, functions.front()), "dynamics_derivatives", angles,
-           json::object(), output);
+  const json inertia{{"parameters", parameters_of(robot)},
+                     {"parameter_count", robot.inertia_parameters.size()},
+                     {"has_parameters", !robot.inertia_parameters.empty()},
+                     {"has_defaults", has_defaults(robot)}};
+  add_functions(robot, functions, "dynamics", inertia, output);
+  add_function(robot, inverse_dynamics_derivatives(robot, functions.front()), "dynamics_derivatives",
+               angles_of(functions), json::object(), output);
+  add_functions(robot, loaded_functions(robot, functions), "dynamics_loads", json::object(), output);
   add_regressor(robot, output);
 }
 

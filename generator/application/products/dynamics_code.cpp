@@ -94,12 +94,16 @@ emit::Names names_of(const model::Robot& robot, const std::vector<dag::Angle>& a
     known[derive::dynamics::direction_of(variable)] =
         "(Scalar(0) < qd" + index + " ? Scalar(1) : qd" + index + " < Scalar(0) ? Scalar(-1) : Scalar(0))";
   }
+  for (std::size_t k = 0; k < 6; ++k)
+    known[derive::dynamics::wrench_component(k)] = "wrench[" + std::to_string(k) + "]";
   return leaf_names(robot, angles, [known](const std::string& name) { return known.at(name); });
 }
 
 /// In the set-up function, sines and cosines are of constant angles.
 emit::Names set_up_names(const model::Robot& robot) {
   std::map<std::string, std::string> known{{derive::dynamics::gravity_symbol, "gravity"}};
+  for (std::size_t k = 0; k < 3; ++k)
+    known[derive::dynamics::gravity_component(k)] = "gravity[" + std::to_string(k) + "]";
   for (const model::Parameter& parameter : robot.inertia_parameters)
     known[parameter.name] = "inertia." + parameter.name;
   emit::Names names = leaf_names(robot, {}, [known](const std::string& name) { return known.at(name); });
@@ -144,6 +148,33 @@ std::vector<dag::Angle> angles_of(const std::vector<DynamicsFunction>& functions
   return angles;
 }
 
+namespace {
+
+/// How gravity is given, with `scalar` for its type; the magnitude has a default.
+json gravity_values(Gravity gravity, const std::string& scalar) {
+  if (gravity == Gravity::none)
+    return {
+        {"gravity_declared", ""}, {"gravity_parameter", ""}, {"gravity_argument", ""}, {"gravity_type", ""}};
+  const bool magnitude = gravity == Gravity::magnitude;
+  const std::string type =
+      magnitude ? "NonDeduced<Scalar> gravity" : "const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity";
+  return {{"gravity_declared", ", " + type + (magnitude ? " = Scalar(9.80665)" : "")},
+          {"gravity_parameter", ",\n    [[maybe_unused]] " + type},
+          {"gravity_argument", ", gravity"},
+          {"gravity_type", magnitude ? ", " + scalar : ", const Eigen::Matrix<" + scalar + ", 3, 1>&"}};
+}
+
+json wrench_values(bool wrench, const std::string& scalar) {
+  if (!wrench)
+    return {{"wrench_parameter", ""}, {"wrench_unused", ""}, {"wrench_argument", ""}, {"wrench_type", ""}};
+  return {{"wrench_parameter", ", const NonDeduced<Wrench<Scalar>>& wrench"},
+          {"wrench_unused", ", [[maybe_unused]] const Wrench<Scalar>& wrench"},
+          {"wrench_argument", ", wrench"},
+          {"wrench_type", ", const Wrench<" + scalar + ">&"}};
+}
+
+}  // namespace
+
 json dynamics_values(const model::Robot& robot, const DynamicsFunction& function,
                      const DynamicsInterface& interface, const std::vector<dag::Angle>& angles,
                      const std::string& scalar) {
@@ -156,26 +187,24 @@ json dynamics_values(const model::Robot& robot, const DynamicsFunction& function
     unused += (unused.empty() ? "" : ", ") + ("[[maybe_unused]] " + vector + " " + name);
   std::string arguments;
   for (const std::string& name : interface.arguments) arguments += (arguments.empty() ? "" : ", ") + name;
-  const std::string gravity =
-      interface.has_gravity ? ",\n    [[maybe_unused]] NonDeduced<Scalar> gravity" : "";
-  return {{"function", function.name},
-          {"doc", doc_of(function, interface)},
-          {"type", replaced(interface.type, "{scalar}", scalar)},
-          {"parameters", joined(interface.arguments, vector, " ")},
-          {"unused_parameters", unused},
-          {"types", joined(interface.arguments, vector, "")},
-          {"arguments", arguments},
-          {"gravity_default",
-           interface.has_gravity ? ", NonDeduced<Scalar> gravity = Scalar(9.80665)" : ""},
-          {"gravity_parameter", gravity},
-          {"gravity_argument", interface.has_gravity ? ", gravity" : ""},
-          {"gravity_type", interface.has_gravity ? ", " + scalar : ""},
-          {"constants", camel_case(function.name) + "Constants"},
-          {"constant_count", constants.stored.outputs.size()},
-          {"set_up", list_of(set_up.temporaries)},
-          {"stored", list_of(set_up.outputs)},
-          {"temporaries", list_of(code.temporaries)},
-          {"statements", list_of(code.outputs, interface.in_struct)}};
+  json values{{"entry", function.name},
+              {"function", interface.overloads.empty() ? function.name : interface.overloads},
+              {"doc", doc_of(function, interface)},
+              {"type", replaced(interface.type, "{scalar}", scalar)},
+              {"parameters", joined(interface.arguments, vector, " ")},
+              {"unused_parameters", unused},
+              {"types", joined(interface.arguments, vector, "")},
+              {"arguments", arguments},
+              {"default", interface.gravity == Gravity::vector ? "" : " = {}"},
+              {"constants", camel_case(function.name) + "Constants"},
+              {"constant_count", constants.stored.outputs.size()},
+              {"set_up", list_of(set_up.temporaries)},
+              {"stored", list_of(set_up.outputs)},
+              {"temporaries", list_of(code.temporaries)},
+              {"statements", list_of(code.outputs, interface.in_struct)}};
+  values.update(gravity_values(interface.gravity, scalar));
+  values.update(wrench_values(interface.wrench, scalar));
+  return values;
 }
 
 json base_parameter_values(const model::Robot& robot, const derive::dynamics::Regressor& regressor) {
@@ -196,50 +225,6 @@ json base_parameter_values(const model::Robot& robot, const derive::dynamics::Re
   return {{"parameters_of_base", parameters},
           {"base_set_up", list_of(code.temporaries)},
           {"base_count", code.outputs.size()}};
-}
-
-DynamicsInterface dynamics_interface(const std::string& name) {
-  const std::string vector = "JointVector<{scalar}>";
-  const std::string matrix = "Eigen::Matrix<{scalar}, dof, dof>";
-  static const std::map<std::string, DynamicsInterface> known = {
-      {"inverse_dynamics",
-       {{"q", "qd", "qdd"},
-        vector,
-        true,
-        "Joint forces for a motion: Newton-Euler recursion in base parameters (thesis 5.1-5.15)."}},
-      {"gravity_torque", {{"q"}, vector, true, "Joint forces that hold the robot against gravity at rest."}},
-      {"coriolis_torque",
-       {{"q", "qd"},
-        vector,
-        false,
-        "Joint forces that come from the joint rates alone, C(q, qd) qd, and friction."}},
-      {"mass_matrix",
-       {{"q"},
-        matrix,
-        false,
-        "Symmetric, positive definite M(q), by composite bodies in base parameters; rotors included."}},
-      {"forward_dynamics",
-       {{"q", "qd", "torque"},
-        vector,
-        true,
-        "Joint accelerations for given joint forces: M qdd = torque - C qd - gravity, by M = U D U^T."}},
-      {"kinetic_energy", {{"q", "qd"}, "{scalar}", false, "qd^T M qd / 2, J."}},
-      {"potential_energy",
-       {{"q"}, "{scalar}", true, "Sum of m g z over the links, z of the centre of mass in the world, J."}},
-      {"regressor",
-       {{"q", "qd", "qdd"},
-        "Eigen::Matrix<{scalar}, dof, base_parameter_count>",
-        true,
-        "Y with inverse_dynamics = Y base_parameters for all inertias, without drives. `inertia` has no "
-        "influence."}},
-      {"inverse_dynamics_derivatives",
-       {{"q", "qd", "qdd"},
-        "InverseDynamicsDerivatives<{scalar}>",
-        true,
-        "Joint forces for a motion, and their derivatives by q and qd; the one by qdd is mass_matrix.",
-        true}},
-  };
-  return known.at(name);
 }
 
 }  // namespace qvgen::application

@@ -11,13 +11,19 @@
 
 namespace qvgen::application {
 
+/// How a function is told of gravity: not at all, by the magnitude of what falls along the world's -z, or by
+/// the acceleration of free fall.
+enum class Gravity { none, magnitude, vector };
+
 /// How a generated function of dynamics looks from outside.
 struct DynamicsInterface {
   std::vector<std::string> arguments;  ///< of "q", "qd", "qdd", "torque"
   std::string type;                    ///< what it returns, in terms of {scalar}
-  bool has_gravity = false;
-  std::string summary;     ///< first lines of its doc comment, without ///
-  bool in_struct = false;  ///< the result has members: torque, by_position, by_rate
+  Gravity gravity = Gravity::none;
+  std::string summary;         ///< first lines of its doc comment, without ///
+  bool in_struct = false;      ///< the result has members: torque, by_position, by_rate
+  std::string overloads = {};  ///< the function that it is an overload of, or nothing
+  bool wrench = false;         ///< whether it takes a wrench on the tool
 };
 
 /// The angles of all functions together: what DynamicsAngles holds.

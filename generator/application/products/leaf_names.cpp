@@ -8,6 +8,7 @@
 
 #include "dag/rebuild.h"
 #include "emit/literal.h"
+#include "exact/constant_angle.h"
 
 namespace qvgen::application {
 
@@ -60,6 +61,7 @@ emit::Names leaf_names(const model::Robot& robot, const std::vector<Angle>& angl
   for (std::size_t i = 0; i < robot.joints.size(); ++i) known[robot.joints[i].variable] = "q[" + std::to_string(i) + "]";
   for (const model::Parameter& parameter : robot.geometry) known[parameter.name] = "g." + parameter.name;
   const auto symbol = [known, others](const std::string& name) {
+    if (const auto constant = exact::constant_angle(name)) return scalar(exact::Number(exact::radians(*constant)));
     const auto place = known.find(name);
     if (place != known.end()) return place->second;
     if (!others) throw std::logic_error("symbol " + name + " has no place in the generated code");

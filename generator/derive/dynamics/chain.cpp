@@ -7,6 +7,7 @@
 #include <cln/integer.h>
 
 #include "derive/dynamics/turn_word.h"
+#include "exact/constant_angle.h"
 
 namespace qvgen::derive::dynamics {
 namespace {
@@ -33,8 +34,6 @@ bool is_multiple_of_half_turn(const Angle& angle) {
   return angle.terms.empty() && cln::denominator(angle.pi) == 1;
 }
 
-bool is_odd_quarter(const Angle& angle) { return angle.terms.empty() && cln::denominator(angle.pi) == 2; }
-
 Angle quarter(long count) { return {{}, cln::cl_RA(count) / 2}; }
 
 /// The constant way from one joint frame (z along its axis) to the next: Rz(phi) T(0,0,d) T(a,b,0) Rx(alpha)
@@ -52,10 +51,11 @@ Angle take(TurnWord& word, std::size_t axis) {
   return angle;
 }
 
-/// Moves the origins along the two axes to the feet of their common normal where that needs no division.
+/// Moves the origins along the two axes to the feet of their common normal where that needs no division by a
+/// variable quantity.
 Passage make_passage(TurnWord word, const Vector3& t, dag::Graph& graph) {
   Passage passage;
-  word = reduced(std::move(word));
+  word = recomposed(reduced(std::move(word)));
   passage.phi = take(word, 2);
   passage.alpha = take(word, 0);
   Vector3 offset = unrotate(2, circle(passage.phi, graph), t);
@@ -68,8 +68,10 @@ Passage make_passage(TurnWord word, const Vector3& t, dag::Graph& graph) {
     }
     passage.next_d = circle(passage.alpha, graph).cosine * offset[2];
     offset[2] = Scalar();
-  } else if (is_odd_quarter(passage.alpha)) {
-    passage.next_d = -circle(passage.alpha, graph).sine * offset[1];
+  } else if (exact::value_of(passage.alpha)) {
+    const auto [cosine, sine] = circle(passage.alpha, graph);
+    passage.next_d = -offset[1] / sine;
+    offset[2] = offset[2] - passage.next_d * cosine;
     offset[1] = Scalar();
   }
   passage.a = offset[0];
@@ -89,11 +91,9 @@ class ChainBuilder {
     const model::Joint& first = robot_.joints.front();
     TurnWord word = to_word(robot_.base.turns) * to_word(first.before.turns) * from_z_to(first.axis);
     Passage passage = make_passage(std::move(word), {}, graph_);
-    chain_.up =
-        unrotate(2, circle(passage.phi, graph_), {Scalar(), Scalar(), Scalar(graph_, graph_.constant(1))});
-    const Vector3 start =
-        rotated(to_word(robot_.base.turns), to_vector(first.before.translation, graph_), graph_);
-    chain_.height = to_scalar(robot_.base.translation[2], graph_) + start[2];
+    chain_.yaw = passage.phi;
+    chain_.start = to_vector(robot_.base.translation, graph_) +
+                   rotated(to_word(robot_.base.turns), to_vector(first.before.translation, graph_), graph_);
     for (std::size_t j = 0; j < robot_.joints.size(); ++j) {
       arrive(j, std::move(passage));
       passage = j + 1 < robot_.joints.size() ? passage_behind(j) : last_passage();
@@ -158,6 +158,15 @@ class ChainBuilder {
     inertia = shifted(inertia, to_vector(joint.after.translation, graph_));
     inertia = rotated(TurnWord{{2, cln::cl_RA(-1) * passage.phi}} * back, inertia, graph_);
     link.inertia = shifted(inertia, 2, -passage.d);
+    if (j + 1 == robot_.joints.size()) place_tool(joint, back, passage);
+  }
+
+  void place_tool(const model::Joint& last, const TurnWord& back, const Passage& passage) {
+    const Vector3 tool =
+        to_vector(last.after.translation, graph_) +
+        rotated(to_word(last.after.turns), to_vector(robot_.tool.translation, graph_), graph_);
+    chain_.tool = rotated(back, tool, graph_);
+    chain_.tool[2] = chain_.tool[2] - passage.d;
   }
 
   void read_drive(const model::Joint& joint, Link& link) {
@@ -178,7 +187,10 @@ Chain make_chain(const model::Robot& robot, dag::Graph& graph, Inertias inertias
   return ChainBuilder(robot, graph, inertias).build();
 }
 
+/// Constant angles alone become numbers; in the company of a variable they stay inside its sine and cosine.
 Circle circle(const Angle& angle, dag::Graph& graph) {
+  if (const auto known = exact::value_of(angle))
+    return {Scalar(graph, graph.constant(known->cosine)), Scalar(graph, graph.constant(known->sine))};
   return {Scalar(graph, graph.cosine(angle)), Scalar(graph, graph.sine(angle))};
 }
 

@@ -15,7 +15,7 @@ enum class Motion { revolute, prismatic, none };
 
 /// A joint with its link, all frames z-aligned (Khalil and Kleinfinger 1986):
 /// frame(j) = frame(j-1) * T(a, b, 0) * Rx(alpha) * Rz(angle) * T(0, 0, d), the variable added to `angle` or
-/// to d. b is zero wherever the common normal of neighbouring axes is a coordinate axis away. Where two axes
+/// to d. b is zero wherever the angle between neighbouring axes is a known number. Where two axes
 /// need more turns than x z, links without mass or motion stand between.
 struct Link {
   Motion motion = Motion::none;
@@ -31,9 +31,9 @@ struct Link {
 /// A robot in those frames. Lengths and inertias are exact expressions of the description's symbols.
 struct Chain {
   std::vector<Link> links;
-  /// Unit vector against gravity (+z of the world) in the frame that link 0 starts from.
-  Vector3 up;
-  Scalar height;  ///< of that frame's origin in the world
+  exact::Angle yaw;  ///< link 0 starts from a frame that is the world's turned by this about z,
+  Vector3 start;     ///< with its origin here in the world
+  Vector3 tool;      ///< the tool point in the last link's frame
 };
 
 /// Whose inertias a chain has: the description's, or symbols for all ten standard parameters of every link

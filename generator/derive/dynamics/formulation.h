@@ -18,9 +18,14 @@ std::string force_of(const std::string& variable);
 /// Symbol of the sign of a joint's rate, which Coulomb friction depends on: theta1~.
 std::string direction_of(const std::string& variable);
 
-/// What a formulation leaves to choose before the search.
+/// Symbols of the wrench that acts on the tool from outside: force, then moment about the tool point, in the
+/// world frame.
+std::string wrench_component(std::size_t index);
+
+/// What a formulation leaves to choose before the search, and what acts on the robot.
 struct Choices {
   Gauge gauge;
+  bool wrench = false;              ///< on the tool, from outside
   bool last_link_unrotated = true;  ///< the last link's frame does not turn: its parameters do
   /// Links whose wrench is offered in the frame before their joint's rotation as well.
   std::set<std::size_t> unrotated = {1};
@@ -32,8 +37,8 @@ struct Formulation {
   dag::Function constants;  ///< the constants in the description's symbols
 };
 
-/// Which generalised forces: of the whole motion, of gravity alone (at rest), of velocities alone, or of both
-/// of these (all that does not depend on the accelerations).
+/// Which generalised forces: of the whole motion, of gravity alone (at rest), of velocities alone (without
+/// friction: C q'), or all that does not depend on the accelerations.
 enum class Effects { all, gravity, velocity, bias };
 
 /// Outputs tau1 ... taun: the Newton-Euler recursion in pseudo-inertia base parameters.
@@ -49,6 +54,10 @@ Formulation inverse_dynamics(const model::Robot& robot, const Choices& choices,
 /// Outputs m11, m12, ... (upper triangle, row by row): composite bodies (Walker and Orin 1982, Featherstone
 /// 1987) in pseudo-inertia form.
 Formulation mass_matrix(const model::Robot& robot, const Choices& choices);
+
+/// Outputs c11, c12, ... (row by row): the matrix of Christoffel's symbols, for which C q' are the forces of
+/// Effects::velocity and M' - 2 C is skew-symmetric.
+Formulation coriolis_matrix(const model::Robot& robot, const Choices& choices);
 
 /// Outputs qdd1 ...: M^-1 (force - bias), by M = U D U^T from the last joint inward, without a square root.
 Formulation forward_dynamics(const model::Robot& robot, const Choices& choices);

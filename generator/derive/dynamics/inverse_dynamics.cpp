@@ -67,6 +67,7 @@ class Recursion {
 
   void run(dag::Function& out) {
     for (const Link& link : p_.chain.links) joints_.push_back(joint_of(link));
+    const Circle last = joints_.back().angle;
     if (choices_.last_link_unrotated) unrotate_last();
     State state;
     if (effects_ != Effects::velocity) state.v = p_.gravity;
@@ -74,7 +75,7 @@ class Recursion {
       state = joints_[j].moving == Motion::revolute ? turn(j, state) : slide(j, state);
       states_.push_back(state);
     }
-    backward(out);
+    backward(choices_.wrench ? wrench_to_balance(last) : Wrench(), out);
   }
 
  private:
@@ -109,11 +110,10 @@ class Recursion {
                 link.joint};
     if (link.motion == Motion::none) return joint;
     const Scalar scale = link.motion == Motion::prismatic ? p_.per_unit : Scalar(graph_, graph_.constant(1));
-    if (effects_ != Effects::gravity) {
-      joint.rate = symbol(velocity_of(link.variable)) * scale;
+    if (effects_ != Effects::gravity) joint.rate = symbol(velocity_of(link.variable)) * scale;
+    if (effects_ == Effects::all || effects_ == Effects::bias)
       joint.drive = link.viscous * symbol(velocity_of(link.variable)) +
                     link.coulomb * symbol(direction_of(link.variable));
-    }
     if (effects_ == Effects::all) {
       joint.acceleration = symbol(acceleration_of(link.variable)) * scale;
       joint.drive = joint.drive + link.rotor * symbol(acceleration_of(link.variable));
@@ -224,8 +224,32 @@ class Recursion {
     unrotated_[j] = link_wrench(rotated(joint.inertia, 2, joint.angle), u, v, suggest_);
   }
 
-  void backward(dag::Function& out) {
-    Wrench behind;
+  /// Minus the wrench on the tool, about the origin of the last link in that link's frame, which has not
+  /// turned by its joint's angle if that is so chosen. Forces are per unit of length.
+  Wrench wrench_to_balance(const Circle& last) {
+    const auto component = [&](std::size_t k) { return symbol(wrench_component(k)); };
+    const Circle yaw = circle(p_.chain.yaw, graph_);
+    const Vector3 force = outward(unrotate(2, yaw, {component(0), component(1), component(2)}));
+    const Vector3 moment = outward(unrotate(2, yaw, {component(3), component(4), component(5)}));
+    const bool turned = choices_.last_link_unrotated && joints_.back().moving == Motion::revolute;
+    const Vector3 tool = turned ? rotate(2, last, p_.chain.tool) : p_.chain.tool;
+    const Vector3 scaled = p_.unit * force;
+    return {-scaled, -(moment + cross(tool, scaled))};
+  }
+
+  /// A vector of the frame that link 0 starts from, in the last link's frame.
+  Vector3 outward(Vector3 v) {
+    Vector3 arriving;
+    for (std::size_t j = 0; j < joints_.size(); ++j) {
+      if (j > 0 && is_parallel(j))
+        suggest_(unrotate(2, sum_of(joints_[j - 1].angle, joints_[j].angle), arriving));
+      arriving = unrotate(0, joints_[j].alpha, v);
+      v = unrotate(2, joints_[j].angle, arriving);
+    }
+    return v;
+  }
+
+  void backward(Wrench behind, dag::Function& out) {
     std::vector<Scalar> torques(robot_.joints.size());
     for (std::size_t j = joints_.size(); j-- > 0;) {
       const Joint& joint = joints_[j];
@@ -321,6 +345,7 @@ std::string velocity_of(const std::string& variable) { return variable + "'"; }
 std::string acceleration_of(const std::string& variable) { return variable + "''"; }
 std::string force_of(const std::string& variable) { return variable + "!"; }
 std::string direction_of(const std::string& variable) { return variable + "~"; }
+std::string wrench_component(std::size_t index) { return "&" + std::to_string(index); }
 
 Formulation inverse_dynamics(const model::Robot& robot, const Choices& choices, Effects effects) {
   Formulation result;

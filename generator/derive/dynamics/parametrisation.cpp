@@ -53,6 +53,7 @@ std::vector<Scalar*> constants_of(Parametrisation& p) {
     for (std::size_t row = 0; row < 4; ++row)
       for (std::size_t column = row; column < 4; ++column) result.push_back(&link.inertia.at(row, column));
   }
+  for (Scalar& component : p.chain.tool) result.push_back(&component);
   return result;
 }
 
@@ -64,9 +65,19 @@ void rescale(Chain& chain, const Scalar& unit) {
     for (std::size_t k = 0; k < 3; ++k) link.inertia.at(k, 3) = link.inertia.at(k, 3) * unit;
     link.inertia.at(3, 3) = link.inertia.at(3, 3) * unit * unit;
   }
+  for (Scalar& component : chain.tool) component = component / unit;
+}
+
+/// Of the world: minus the acceleration of free fall.
+Vector3 base_acceleration(Gravity gravity, dag::Graph& graph) {
+  const auto symbol = [&](const std::string& name) { return Scalar(graph, graph.symbol(name)); };
+  if (gravity == Gravity::down) return {Scalar(), Scalar(), symbol(gravity_symbol)};
+  return {-symbol(gravity_component(0)), -symbol(gravity_component(1)), -symbol(gravity_component(2))};
 }
 
 }  // namespace
+
+std::string gravity_component(std::size_t axis) { return "^" + std::to_string(axis); }
 
 bool is_constant_symbol(const std::string& name) { return name.front() == '$'; }
 
@@ -103,18 +114,20 @@ Parametrisation parametrise(const model::Robot& robot, const Gauge& gauge, dag::
   const Scalar one(source, source.constant(1));
   result.unit = gauge.unit ? unit_candidates(chain)[*gauge.unit] : one;
   if (gauge.unit) rescale(chain, result.unit);
-  result.gravity = (Scalar(source, source.symbol(gravity_symbol)) / result.unit) * chain.up;
+  const Vector3 up = base_acceleration(gauge.gravity, source);
+  const Vector3 turned = unrotate(2, circle(chain.yaw, source), up);
   result.per_unit = one / result.unit;
-  result.height =
-      (Scalar(source, source.symbol(gravity_symbol)) / result.unit) * (chain.height / result.unit);
+  for (std::size_t k = 0; k < 3; ++k) {
+    result.gravity[k] = turned[k] / result.unit;
+    result.height = result.height + (up[k] / result.unit) * (chain.start[k] / result.unit);
+  }
 
   const auto places = constants_of(result);
   std::vector<dag::Edge> edges;
   for (const Scalar* place : places) edges.push_back(place->in(source));
   Naming naming(std::move(source), std::move(edges), graph);
   for (std::size_t i = 0; i < places.size(); ++i) *places[i] = naming.name(i);
-  chain.up = {};
-  chain.height = {};
+  chain.start = {};
   result.constants = naming.take();
   return result;
 }

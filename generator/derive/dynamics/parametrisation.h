@@ -11,6 +11,10 @@
 
 namespace qvgen::derive::dynamics {
 
+/// Which gravity the constants are made of: along the world's -z with a magnitude, or any vector. What is
+/// zero in the first costs nothing.
+enum class Gravity { down, any };
+
 /// Which of several equivalent descriptions of the same robot a formulation starts from.
 struct Gauge {
   /// Length that becomes the unit of length: its products cost nothing. Index into unit_candidates().
@@ -22,6 +26,7 @@ struct Gauge {
   bool standard = false;
   /// All inertias free, whatever the description says; see standard_parameter().
   Inertias inertias = Inertias::described;
+  Gravity gravity = Gravity::down;
 };
 
 /// A robot whose constants are symbols, ready for a recursion, and what those symbols stand for.
@@ -34,12 +39,14 @@ struct Gauge {
 struct Parametrisation {
   Chain chain;      ///< in the graph given to parametrise(); symbols are the constants
   Vector3 gravity;  ///< base acceleration (against gravity) in the frame before link 0, in units of length
-  Scalar height;    ///< of that frame times gravity, in units of length squared
+  Scalar height;    ///< of that frame against gravity, times gravity, in units of length squared
   Scalar unit, per_unit;    ///< the unit of length and its inverse; one if none was chosen
   dag::Function constants;  ///< outputs "$0", ... in terms of the description's symbols and `gravity_symbol`
 };
 
+/// The magnitude, and the components of the acceleration of free fall in the world.
 inline constexpr const char* gravity_symbol = "gravity";
+std::string gravity_component(std::size_t axis);
 bool is_constant_symbol(const std::string& name);
 
 /// The lengths that may serve as the unit: nonzero a, b, d of the links.

@@ -42,6 +42,7 @@ PlainRecursion::PlainRecursion(const model::Robot& robot, const exact::ExactPoin
                                const cln::cl_RA& by)
     : point_(point) {
   base_ = frame_of(robot.base);
+  tool_ = vector_of(robot.tool.translation);
   for (const model::Joint& joint : robot.joints) {
     Link link;
     link.revolute = joint.type == model::JointType::revolute;
@@ -141,6 +142,10 @@ void PlainRecursion::take_standard_parameters() {
   }
 }
 
+void PlainRecursion::remove_friction() {
+  for (Link& link : links_) link.viscous = link.coulomb = 0;
+}
+
 PlainRecursion::Values PlainRecursion::rates() const {
   Values values;
   for (const Link& link : links_) values.push_back(point_.symbol(velocity_of(link.variable)));
@@ -159,6 +164,17 @@ PlainRecursion::Values PlainRecursion::forces() const {
   return values;
 }
 
+PlainRecursion::Load PlainRecursion::load(bool wrench) const {
+  Load load;
+  for (std::size_t k = 0; k < 3; ++k) {
+    load.gravity[k] = point_.symbol(gravity_component(k));
+    if (!wrench) continue;
+    load.force[k] = point_.symbol(wrench_component(k));
+    load.moment[k] = point_.symbol(wrench_component(3 + k));
+  }
+  return load;
+}
+
 std::vector<PlainRecursion::Frame> PlainRecursion::link_frames() const {
   std::vector<Frame> frames;
   Frame at = base_;
@@ -172,11 +188,11 @@ std::vector<PlainRecursion::Frame> PlainRecursion::link_frames() const {
 
 /// Everything in the world frame: 5.2-5.5 for the motion, 5.6-5.9 for force and moment, 5.10-5.15 inward.
 PlainRecursion::Values PlainRecursion::inverse_dynamics(const Values& rates, const Values& accelerations,
-                                                        const Number& gravity) const {
+                                                        const Load& load) const {
   const std::vector<Frame> frames = link_frames();
   const std::size_t n = links_.size();
   std::vector<Vector> axes(n), origins(n), force(n), moment(n), centres(n);
-  Vector w{}, dw{}, a{0, 0, gravity}, origin = base_.position;
+  Vector w{}, dw{}, a = Number(-1) * load.gravity, origin = base_.position;
   Matrix rotation = base_.rotation;
   for (std::size_t i = 0; i < n; ++i) {
     const Link& link = links_[i];
@@ -206,8 +222,10 @@ PlainRecursion::Values PlainRecursion::inverse_dynamics(const Values& rates, con
     moment[i] = inertia * dw + cross(w, inertia * w);
   }
   Values torques(n);
+  const Vector tool = frames.back().position + frames.back().rotation * tool_;
   for (std::size_t i = 0; i < n; ++i) {
-    Vector f{}, m{};
+    Vector f = Number(-1) * load.force;
+    Vector m = Number(-1) * load.moment + cross(tool + Number(-1) * origins[i], f);
     for (std::size_t k = i; k < n; ++k) {
       f = f + force[k];
       m = m + moment[k] + cross(centres[k] + Number(-1) * origins[i], force[k]);
@@ -255,12 +273,12 @@ Number PlainRecursion::kinetic_energy(const Values& rates) const {
   return twice / Number(2);
 }
 
-Number PlainRecursion::potential_energy(const Number& gravity) const {
+Number PlainRecursion::potential_energy(const Vector& gravity) const {
   const std::vector<Frame> frames = link_frames();
   Number sum = 0;
   for (std::size_t i = 0; i < links_.size(); ++i)
-    sum = sum + links_[i].mass * (frames[i].position + frames[i].rotation * links_[i].centre)[2];
-  return gravity * sum;
+    sum = sum - links_[i].mass * dot(gravity, frames[i].position + frames[i].rotation * links_[i].centre);
+  return sum;
 }
 
 }  // namespace qvgen::derive::dynamics

@@ -27,17 +27,33 @@ class PlainRecursion {
 
   /// All inertias from the standard parameters' values at the point, no drives.
   void take_standard_parameters();
+  void remove_friction();
 
-  /// Generalised forces for joint rates and accelerations; `gravity` is the base acceleration along the
-  /// world's +z. Drives (rotor inertia, friction of both kinds) are included.
+  using Vector = std::array<Number, 3>;
+  /// What acts on the robot besides its drives, in the world.
+  struct Load {
+    Vector gravity;        ///< acceleration of free fall
+    Vector force, moment;  ///< from outside on the tool, about the tool point
+  };
+  /// Gravity of that magnitude along -z and nothing else.
+  static Load falling(const Number& gravity) { return {{0, 0, -gravity}, {}, {}}; }
+  /// The values of the symbols at the point.
+  [[nodiscard]] Load load(bool wrench) const;
+
+  /// Generalised forces for joint rates and accelerations. Drives (rotor inertia, friction of both kinds) are
+  /// included.
   [[nodiscard]] Values inverse_dynamics(const Values& rates, const Values& accelerations,
-                                        const Number& gravity) const;
+                                        const Load& load) const;
+  [[nodiscard]] Values inverse_dynamics(const Values& rates, const Values& accelerations,
+                                        const Number& gravity) const {
+    return inverse_dynamics(rates, accelerations, falling(gravity));
+  }
   /// Row by row, both triangles: columns by unit accelerations at rest without gravity.
   [[nodiscard]] std::vector<Values> mass_matrix() const;
   /// Sum of m v^2/2 + w I w/2 over the links and of the rotors' energies.
   [[nodiscard]] Number kinetic_energy(const Values& rates) const;
-  /// Sum of m g z over the links' centres of mass, z in the world.
-  [[nodiscard]] Number potential_energy(const Number& gravity) const;
+  /// Minus the sum of m gravity . r over the links' centres of mass r in the world.
+  [[nodiscard]] Number potential_energy(const Vector& gravity) const;
 
   /// Values of the joints' rates, accelerations and forces at the point.
   [[nodiscard]] Values rates() const;
@@ -46,7 +62,6 @@ class PlainRecursion {
   [[nodiscard]] std::size_t size() const { return links_.size(); }
 
  private:
-  using Vector = std::array<Number, 3>;
   using Matrix = std::array<Vector, 3>;
   struct Frame {
     Matrix rotation;
@@ -70,6 +85,7 @@ class PlainRecursion {
 
   const exact::ExactPoint& point_;
   Frame base_;
+  Vector tool_;  ///< in the last link's frame
   std::vector<Link> links_;
 };
 

@@ -2,15 +2,21 @@
 #include "derive/dynamics/turn_word.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdlib>
 #include <optional>
 #include <stdexcept>
 
 #include <cln/integer.h>
 
+#include "exact/constant_angle.h"
+#include "exact/trigonometry.h"
+
 namespace qvgen::derive::dynamics {
 namespace {
 
 using exact::Angle;
+using exact::Number;
 using Kind = model::Expression::Kind;
 
 Angle quarter_turns(long count) { return {{}, cln::cl_RA(count) / 2}; }
@@ -36,6 +42,89 @@ std::optional<std::pair<std::size_t, long>> signed_axis(const model::Vector3& ax
     result = {i, cln::plusp(axis[i].number()) ? 1 : -1};
   }
   return result;
+}
+
+[[noreturn]] void refuse_axis(const std::string& what) {
+  throw std::domain_error(
+      "dynamics: " + what +
+      " in the direction of an axis is not exact; write the axis as \"+z\" after turns that "
+      "lead there");
+}
+
+Number root_of(const Number& value) {
+  if (value.is_rational()) return Number::root(value.rational());
+  refuse_axis("the root of " + to_string(value));
+}
+
+Number power(const Number& base, long exponent) {
+  Number result = 1;
+  for (long i = 0; i < std::labs(exponent); ++i) result = result * base;
+  return exponent < 0 ? result.inverse() : result;
+}
+
+/// The exact value of a constant; std::domain_error if it has none in the field of square roots.
+Number number_of(const model::Expression& expression) {
+  const auto operand = [&](std::size_t i) { return number_of(expression.operands()[i]); };
+  const auto combined = [&](Number result, const auto& combine) {
+    for (const auto& part : expression.operands()) result = combine(result, number_of(part));
+    return result;
+  };
+  const auto angle = [&] { return to_angle(expression.operands()[0]); };
+  const auto sine = [&](const Angle& of) {
+    const auto value = of.terms.empty() ? exact::exact_sine(of.pi) : std::nullopt;
+    if (!value) refuse_axis(to_string(expression));
+    return *value;
+  };
+  switch (expression.kind()) {
+    case Kind::number:
+      return expression.number();
+    case Kind::negate:
+      return -operand(0);
+    case Kind::sum:
+      return combined(0, [](const Number& a, const Number& b) { return a + b; });
+    case Kind::product:
+      return combined(1, [](const Number& a, const Number& b) { return a * b; });
+    case Kind::quotient:
+      return operand(0) / operand(1);
+    case Kind::power:
+      return power(operand(0), expression.exponent());
+    case Kind::root:
+      return root_of(operand(0));
+    case Kind::sine:
+      return sine(angle());
+    case Kind::cosine:
+      return sine(angle() + quarter_turns(1));
+    default:
+      refuse_axis(to_string(expression));
+  }
+}
+
+/// The angle of which these are cosine and sine: a part of a turn if it is a quarter, else a constant angle.
+Angle angle_of(const Number& cosine, const Number& sine) {
+  for (long k = 0; k < 4; ++k)
+    if (*exact::exact_sine(quarter_turns(k + 1).pi) == cosine &&
+        *exact::exact_sine(quarter_turns(k).pi) == sine)
+      return quarter_turns(k);
+  return {{{exact::constant_angle({cosine, sine}), 1}}, 0};
+}
+
+/// z(phi) x(alpha) takes +z to (sin phi sin alpha, -cos phi sin alpha, cos alpha).
+TurnWord from_z_to_oblique(const model::Vector3& axis) {
+  const Number x = number_of(axis[0]), y = number_of(axis[1]), z = number_of(axis[2]);
+  const Number sine = root_of(Number(1) - z * z);
+  return {{2, angle_of(-y / sine, x / sine)}, {0, angle_of(z, sine)}};
+}
+
+using Matrix = std::array<std::array<Number, 3>, 3>;
+
+/// Multiplies a rotation matrix by a turn from the right.
+void turn_columns(Matrix& m, std::size_t axis, const exact::CosineSine& by) {
+  const std::size_t i = (axis + 1) % 3, j = (axis + 2) % 3;
+  for (auto& row : m) {
+    const Number a = row[i], b = row[j];
+    row[i] = a * by.cosine + b * by.sine;
+    row[j] = b * by.cosine - a * by.sine;
+  }
 }
 
 bool drop_identity(TurnWord& word) {
@@ -103,7 +192,7 @@ bool turn_between_quarters(TurnWord& word) {
 
 TurnWord from_z_to(const model::Vector3& axis) {
   const auto known = signed_axis(axis);
-  if (!known) throw std::domain_error("dynamics: the axis of a joint or turn is not a coordinate axis");
+  if (!known) return from_z_to_oblique(axis);
   const auto [index, sign] = *known;
   if (index == 0) return {turn(2, sign), turn(0, 1)};
   if (index == 1) return {turn(0, -sign)};
@@ -135,6 +224,24 @@ TurnWord reduced(TurnWord word) {
          turn_between_quarters(word)) {
   }
   return word;
+}
+
+TurnWord recomposed(const TurnWord& word) {
+  const bool begins_with_x = !word.empty() && word.front().axis == 0;
+  if (word.size() < (begins_with_x ? 3U : 4U)) return word;  // the axes alternate: it is z x z or less
+  Matrix m{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  for (const Turn& t : word) {
+    const auto known = exact::value_of(t.angle);
+    if (!known) return word;
+    turn_columns(m, t.axis, *known);
+  }
+  const Number square = Number(1) - m[2][2] * m[2][2];
+  if (!square.is_rational()) return word;
+  if (square.is_zero()) return {{2, angle_of(m[0][0], m[1][0])}, {0, angle_of(m[2][2], 0)}};
+  const Number sine = Number::root(square.rational());
+  return {{2, angle_of(-m[1][2] / sine, m[0][2] / sine)},
+          {0, angle_of(m[2][2], sine)},
+          {2, angle_of(m[2][1] / sine, m[2][0] / sine)}};
 }
 
 exact::Angle to_angle(const model::Expression& expression) {

@@ -17,7 +17,8 @@ struct Turn {
 /// Product of elementary rotations, first to last.
 using TurnWord = std::vector<Turn>;
 
-/// A rotation that takes +z to the axis; throws std::domain_error unless it is +-x, +-y or +-z.
+/// A rotation that takes +z to the axis, of length one. An oblique axis gives constant angles with an exact
+/// sine and cosine; std::domain_error for components that are not exact.
 TurnWord from_z_to(const model::Vector3& axis);
 TurnWord to_word(const std::vector<model::Turn>& turns);
 TurnWord inverse(const TurnWord& word);
@@ -26,6 +27,9 @@ TurnWord operator*(TurnWord a, const TurnWord& b);
 /// Equal rotation with as few turns as right angles and half turns allow; two axes at a right angle or
 /// parallel, with whatever in between, come out as z x z at most (Khalil and Kleinfinger 1986).
 TurnWord reduced(TurnWord word);
+
+/// A constant rotation as z x z, with constant angles if need be. Words with variables stay as they are.
+TurnWord recomposed(const TurnWord& word);
 
 /// The angle of a description: linear in symbols and pi; throws std::domain_error otherwise.
 exact::Angle to_angle(const model::Expression& expression);

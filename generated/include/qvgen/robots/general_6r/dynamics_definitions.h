@@ -1436,6 +1436,801 @@ Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q, const 
 }
 
 template <class Scalar>
+CoriolisMatrixConstants<Scalar> coriolis_matrix_constants([[maybe_unused]] const BasicGeometry<Scalar>& g,
+    [[maybe_unused]] const BasicInertia<Scalar>& inertia) {
+  using std::cos;
+  using std::sin;
+  const Scalar t0 = inertia.c6x * inertia.m6;
+  const Scalar t1 = inertia.c6y * inertia.m6;
+  const Scalar t2 = g.a6 * inertia.m6;
+  const Scalar t3 = inertia.c5x * inertia.m5;
+  const Scalar t4 = inertia.c5y * inertia.m5;
+  const Scalar t5 = inertia.c6z * inertia.m6;
+  const Scalar t6 = g.d6 * inertia.m6 + t5;
+  const Scalar t7 = sin(g.alpha6) * t6;
+  const Scalar t8 = g.d5 * inertia.m5;
+  const Scalar t9 = inertia.c5z * inertia.m5;
+  const Scalar t10 = t9 + t8;
+  const Scalar t11 = t8 - t10;
+  const Scalar t12 = cos(g.alpha6) * t6;
+  const Scalar t13 = t11 - t12;
+  const Scalar t14 = inertia.m5 + inertia.m6;
+  const Scalar t15 = t13 - g.d5 * t14;
+  const Scalar t16 = sin(g.alpha5) * t15;
+  const Scalar t17 = inertia.c4y * inertia.m4;
+  const Scalar t18 = g.a5 * t14;
+  const Scalar t19 = inertia.c4x * inertia.m4;
+  const Scalar t20 = inertia.m4 + t14;
+  const Scalar t21 = inertia.c4z * inertia.m4;
+  const Scalar t22 = g.d4 * inertia.m4;
+  const Scalar t23 = t21 + t22;
+  const Scalar t24 = t23 - t22;
+  const Scalar t25 = cos(g.alpha5) * t15;
+  const Scalar t26 = t24 - t25;
+  const Scalar t27 = g.d4 * t20 + t26;
+  const Scalar t28 = sin(g.alpha4) * t27;
+  const Scalar t29 = inertia.c3y * inertia.m3;
+  const Scalar t30 = g.a4 * t20;
+  const Scalar t31 = inertia.c3x * inertia.m3;
+  const Scalar t32 = cos(g.alpha4) * t27;
+  const Scalar t33 = g.d3 * inertia.m3;
+  const Scalar t34 = inertia.c3z * inertia.m3;
+  const Scalar t35 = t34 + t33;
+  const Scalar t36 = t33 - t35;
+  const Scalar t37 = t32 - t36;
+  const Scalar t38 = inertia.m3 + t20;
+  const Scalar t39 = t37 + g.d3 * t38;
+  const Scalar t40 = sin(g.alpha3) * t39;
+  const Scalar t41 = inertia.c2y * inertia.m2;
+  const Scalar t42 = g.a3 * t38;
+  const Scalar t43 = inertia.c2x * inertia.m2;
+  const Scalar t44 = g.a2 / g.a3;
+  const Scalar t45 = inertia.I6xy - inertia.c6y * t0;
+  const Scalar t46 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t47 = (inertia.I6xx - t46) - inertia.c6x * t0;
+  const Scalar t48 = (inertia.I6yy - t46) - inertia.c6y * t1;
+  const Scalar t49 = g.a6 / g.a3;
+  const Scalar t50 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t51 = (inertia.c5x * t3 - (inertia.I5xx - t50)) + g.a6 * t2;
+  const Scalar t52 = t47 + t48;
+  const Scalar t53 = (inertia.c6z * t5 - (inertia.I6zz - t46)) + g.d6 * (t6 + t5);
+  const Scalar t54 = sin(g.alpha6) * t53;
+  const Scalar t55 = sin(g.alpha6) * t54;
+  const Scalar t56 = g.a5 / g.a3;
+  const Scalar t57 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t58 = g.a5 * t18 - ((inertia.I4xx - t57) - inertia.c4x * t19);
+  const Scalar t59 = g.d5 / g.a3;
+  const Scalar t60 = g.d5 * t4;
+  const Scalar t61 = (t60 + ((inertia.I5yz - inertia.c5z * t4) - t60)) + cos(g.alpha6) * t54;
+  const Scalar t62 = g.d5 * t3;
+  const Scalar t63 = (t62 - (t62 - (inertia.I5xz - inertia.c5z * t3))) - g.a6 * t12;
+  const Scalar t64 = (inertia.c5z * t9 - (inertia.I5zz - t50)) + g.d5 * (t9 + t10);
+  const Scalar t65 = (g.d5 * (t11 - t10) + t64) + (t53 - t55);
+  const Scalar t66 = g.d5 * (t13 + t15) - t65;
+  const Scalar t67 = sin(g.alpha5) * t66;
+  const Scalar t68 = sin(g.alpha5) * t67;
+  const Scalar t69 = g.d4 * t19;
+  const Scalar t70 = g.a5 * t25 + (((inertia.I4xz - inertia.c4z * t19) - t69) + t69);
+  const Scalar t71 = g.d4 / g.a3;
+  const Scalar t72 = g.d4 * t17;
+  const Scalar t73 = cos(g.alpha5) * t67 - (t72 - (t72 - (inertia.I4yz - inertia.c4z * t17)));
+  const Scalar t74 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t75 = ((inertia.I4zz - t57) - inertia.c4z * t21) - g.d4 * (t23 + t21);
+  const Scalar t76 = (g.d4 * (t24 + t23) + t75) - (t68 - t66);
+  const Scalar t77 = t76 - g.d4 * (t26 + t27);
+  const Scalar t78 = sin(g.alpha4) * t77;
+  const Scalar t79 = sin(g.alpha4) * t78;
+  const Scalar t80 = g.a4 / g.a3;
+  const Scalar t81 = g.a4 * t30 + (inertia.c3x * t31 - (inertia.I3xx - t74));
+  const Scalar t82 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t83 = g.a3 * t42 + (inertia.c2x * t43 - (inertia.I2xx - t82));
+  const Scalar t84 = g.d3 / g.a3;
+  const Scalar t85 = g.d3 * t29;
+  const Scalar t86 = cos(g.alpha4) * t78 - (t85 - (t85 - (inertia.I3yz - inertia.c3z * t29)));
+  const Scalar t87 = g.d3 * t31;
+  const Scalar t88 = g.a4 * t32 - (t87 - (t87 - (inertia.I3xz - inertia.c3z * t31)));
+  const Scalar t89 = g.d3 * (t34 + t35) - ((inertia.I3zz - t74) - inertia.c3z * t34);
+  const Scalar t90 = (t79 - t77) + (t89 - g.d3 * (t35 - t36));
+  const Scalar t91 = sin(g.alpha3) * (t90 + g.d3 * (t37 + t39));
+  const Scalar t92 = ((inertia.I2yy - t82) - inertia.c2y * t41) - sin(g.alpha3) * t91;
+  const Scalar t93 = g.d2 / g.a3;
+  const Scalar t94 = g.d2 * t43;
+  const Scalar t95 = g.a3 * cos(g.alpha3) * t39 - (((inertia.I2xz - inertia.c2z * t43) - t94) + t94);
+  const Scalar t96 = g.d2 * t41;
+  const Scalar t97 = ((t96 - (inertia.I2yz - inertia.c2z * t41)) - t96) - cos(g.alpha3) * t91;
+  return { g.a3 * t0,
+           g.a3 * t1,
+           cos(g.alpha5) * sin(g.alpha6),
+           g.a3 * (t2 + t3),
+           cos(g.alpha6),
+           g.a3 * (t4 - t7),
+           sin(g.alpha5),
+           cos(g.alpha4),
+           cos(g.alpha5),
+           sin(g.alpha6),
+           g.a3 * (t16 + t17),
+           g.a3 * (t18 + t19),
+           sin(g.alpha4),
+           sin(g.alpha3),
+           g.a3 * (t28 - t29),
+           g.a3 * (t30 + t31),
+           cos(g.alpha3),
+           g.a3 * (t40 - t41),
+           sin(g.alpha5) * sin(g.alpha6),
+           g.a3 * (t42 + t43),
+           t44,
+           Scalar(2) * t45,
+           t47 - t48,
+           t47,
+           Scalar(2) * t49,
+           t51,
+           t52,
+           g.d6 * t1 - (inertia.I6yz - inertia.c6z * t1),
+           (inertia.I6xz - inertia.c6z * t0) - g.d6 * t0,
+           Scalar(2) * cos(g.alpha6),
+           (inertia.c5y * t4 - (inertia.I5yy - t50)) + t55,
+           t45,
+           cos(g.alpha6) * t49,
+           (inertia.I5xy - inertia.c5y * t3) + g.a6 * t7,
+           Scalar(2) * t56,
+           t58,
+           Scalar(2) * t59,
+           t59,
+           t61,
+           t49,
+           t63,
+           Scalar(2) * cos(g.alpha5),
+           t68 + ((inertia.I4yy - t57) - inertia.c4y * t17),
+           t56,
+           g.a5 * t16 - (inertia.I4xy - inertia.c4y * t19),
+           t70,
+           t71,
+           t73,
+           Scalar(2) * t71,
+           ((inertia.I3yy - t74) - inertia.c3y * t29) + t79,
+           Scalar(2) * t80,
+           t81,
+           t80,
+           (inertia.I3xy - inertia.c3y * t31) + g.a4 * t28,
+           t83,
+           sin(g.alpha6) * t49,
+           sin(g.alpha6) * t59,
+           t84,
+           t86,
+           t88,
+           g.a3 * t40 + (inertia.I2xy - inertia.c2y * t43),
+           Scalar(2) * t84,
+           t92,
+           t93,
+           t95,
+           t97,
+           cos(g.alpha2) * sin(g.alpha2),
+           sin(g.alpha2) * sin(g.alpha2),
+           cos(g.alpha2) * cos(g.alpha2),
+           sin(g.alpha2),
+           sin(g.alpha2) * t44,
+           cos(g.alpha2),
+           cos(g.alpha2) * t44,
+           sin(g.alpha2) * t93,
+           t48,
+           Scalar(2) * sin(g.alpha3),
+           sin(g.alpha4) * t80,
+           cos(g.alpha3) * sin(g.alpha4),
+           cos(g.alpha4) * t80,
+           sin(g.alpha3) * sin(g.alpha4),
+           sin(g.alpha4) * sin(g.alpha5),
+           cos(g.alpha4) * sin(g.alpha5),
+           sin(g.alpha5) * t56,
+           cos(g.alpha5) * t56,
+           cos(g.alpha5) * t71,
+           cos(g.alpha3) * t84,
+           sin(g.alpha6) * t52,
+           cos(g.alpha6) * t52 };
+}
+
+namespace detail {
+
+template <class Scalar, class Angles>
+inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix([[maybe_unused]] const JointVector<Scalar>& q, [[maybe_unused]] const JointVector<Scalar>& qd, [[maybe_unused]] const Angles& angles,
+    [[maybe_unused]] const CoriolisMatrixConstants<Scalar>& k) {
+  [[maybe_unused]] const auto& [s, c] = angles;
+  const Scalar t0 = k[0] * c[4] - k[1] * s[4];
+  const Scalar t1 = k[3] + t0;
+  const Scalar t2 = k[0] * s[4] + k[1] * c[4];
+  const Scalar t3 = k[4] * t2;
+  const Scalar t4 = k[5] + t3;
+  const Scalar t5 = c[3] * t1 - s[3] * t4;
+  const Scalar t6 = k[11] + t5;
+  const Scalar t7 = k[9] * t2;
+  const Scalar t8 = s[3] * t1 + c[3] * t4;
+  const Scalar t9 = k[6] * t7 - k[8] * t8;
+  const Scalar t10 = k[10] - t9;
+  const Scalar t11 = s[2] * t6 + c[2] * t10;
+  const Scalar t12 = k[2] * t2 + k[6] * t8;
+  const Scalar t13 = k[7] * t11 - k[12] * t12;
+  const Scalar t14 = k[14] - t13;
+  const Scalar t15 = qd[5] * t0;
+  const Scalar t16 = qd[5] * t2;
+  const Scalar t17 = qd[4] * t4 + t16;
+  const Scalar t18 = k[4] * t15;
+  const Scalar t19 = t18 + qd[4] * t1;
+  const Scalar t20 = s[3] * t17 - c[3] * t19;
+  const Scalar t21 = k[18] * t15 + k[8] * t20;
+  const Scalar t22 = t21 - qd[3] * t6;
+  const Scalar t23 = c[3] * t17 + s[3] * t19;
+  const Scalar t24 = t23 + qd[3] * t10;
+  const Scalar t25 = s[2] * t22 - c[2] * t24;
+  const Scalar t26 = qd[2] * t14 + t25;
+  const Scalar t27 = s[2] * t10 - c[2] * t6;
+  const Scalar t28 = k[15] - t27;
+  const Scalar t29 = c[2] * t22 + s[2] * t24;
+  const Scalar t30 = k[2] * t0;
+  const Scalar t31 = qd[5] * t30 - k[6] * t20;
+  const Scalar t32 = k[7] * t29 + k[12] * t31;
+  const Scalar t33 = qd[2] * t28 - t32;
+  const Scalar t34 = s[1] * t26 + c[1] * t33;
+  const Scalar t35 = k[12] * t29 - k[7] * t31;
+  const Scalar t36 = k[16] * t34 + k[13] * t35;
+  const Scalar t37 = s[1] * t14 + c[1] * t28;
+  const Scalar t38 = k[19] + t37;
+  const Scalar t39 = t36 + qd[1] * t38;
+  const Scalar t40 = c[1] * t26 - s[1] * t33;
+  const Scalar t41 = c[1] * t14 - s[1] * t28;
+  const Scalar t42 = k[12] * t11 + k[7] * t12;
+  const Scalar t43 = k[16] * t41 + k[13] * t42;
+  const Scalar t44 = k[17] + t43;
+  const Scalar t45 = t40 + qd[1] * t44;
+  const Scalar t46 = s[0] * t39 - c[0] * t45;
+  const Scalar t47 = k[21] * c[4] + k[22] * s[4];
+  const Scalar t48 = k[23] - s[4] * t47;
+  const Scalar t49 = qd[5] * t48;
+  const Scalar t50 = k[25] + (k[24] * t0 - t48);
+  const Scalar t51 = (k[4] * t49 - k[32] * t15) - qd[4] * t50;
+  const Scalar t52 = k[28] * c[4] + k[27] * s[4];
+  const Scalar t53 = k[9] * t52;
+  const Scalar t54 = k[31] - c[4] * t47;
+  const Scalar t55 = t53 + k[4] * t54;
+  const Scalar t56 = k[33] - (t55 + k[32] * t2);
+  const Scalar t57 = qd[5] * t55;
+  const Scalar t58 = qd[4] * t56 - k[4] * t57;
+  const Scalar t59 = k[39] * t16;
+  const Scalar t60 = k[4] * t52;
+  const Scalar t61 = t60 - k[9] * t54;
+  const Scalar t62 = qd[5] * t61;
+  const Scalar t63 = k[9] * t62;
+  const Scalar t64 = t59 - t63;
+  const Scalar t65 = c[3] * t51 - s[3] * (t58 - t64);
+  const Scalar t66 = k[27] * c[4] - k[28] * s[4];
+  const Scalar t67 = k[26] - t48;
+  const Scalar t68 = k[9] * t67;
+  const Scalar t69 = k[29] * t66 - t68;
+  const Scalar t70 = k[9] * t69;
+  const Scalar t71 = k[30] - (t70 + t67);
+  const Scalar t72 = k[9] * t66;
+  const Scalar t73 = qd[4] * t71 - (qd[5] * t72 + k[4] * qd[5] * t67);
+  const Scalar t74 = c[3] * t73 - s[3] * t58;
+  const Scalar t75 = s[3] * t65 + (t58 + s[3] * t74);
+  const Scalar t76 = k[9] * t57;
+  const Scalar t77 = k[9] * t49 - k[55] * t15;
+  const Scalar t78 = c[3] * t76 - s[3] * t77;
+  const Scalar t79 = k[6] * t78;
+  const Scalar t80 = k[8] * t75 + t79;
+  const Scalar t81 = k[8] * t80;
+  const Scalar t82 = k[56] * t15 - t63;
+  const Scalar t83 = qd[5] * t66;
+  const Scalar t84 = k[4] * t83 - qd[5] * t68;
+  const Scalar t85 = k[38] + (t66 - k[4] * t69);
+  const Scalar t86 = k[37] * t17 + (t84 - qd[4] * t85);
+  const Scalar t87 = k[4] * t62;
+  const Scalar t88 = k[40] + (t61 - k[39] * t7);
+  const Scalar t89 = (t87 + qd[4] * t88) - k[37] * t19;
+  const Scalar t90 = s[3] * t86 + c[3] * t89;
+  const Scalar t91 = t90 - t78;
+  const Scalar t92 = k[6] * t91;
+  const Scalar t93 = k[8] * t82 - (t92 + t79);
+  const Scalar t94 = k[8] * t93;
+  const Scalar t95 = k[43] * t23;
+  const Scalar t96 = t95 - (t75 - t64);
+  const Scalar t97 = (t81 + (t94 - t82)) + t96;
+  const Scalar t98 = c[3] * t74;
+  const Scalar t99 = c[3] * t65;
+  const Scalar t100 = (t98 - t73) + t99;
+  const Scalar t101 = c[3] * t77 + s[3] * t76;
+  const Scalar t102 = k[43] * t21 + (k[8] * t100 - k[6] * t101);
+  const Scalar t103 = c[3] * t56;
+  const Scalar t104 = s[3] * (t71 - t50) + (t103 + t103);
+  const Scalar t105 = s[3] * t104;
+  const Scalar t106 = t105 + t50;
+  const Scalar t107 = k[35] + (k[34] * t5 + t106);
+  const Scalar t108 = t102 - qd[3] * t107;
+  const Scalar t109 = t88 - k[37] * t1;
+  const Scalar t110 = k[37] * t4 - t85;
+  const Scalar t111 = c[3] * t109 + s[3] * t110;
+  const Scalar t112 = c[3] * t104 - t56;
+  const Scalar t113 = k[43] * t9 - (k[6] * t111 - k[8] * t112);
+  const Scalar t114 = k[44] - t113;
+  const Scalar t115 = t96 + qd[3] * t114;
+  const Scalar t116 = c[2] * t108 + s[2] * t115;
+  const Scalar t117 = s[3] * t89 - c[3] * t86;
+  const Scalar t118 = (t99 - t51) + t98;
+  const Scalar t119 = s[3] * t109 - c[3] * t110;
+  const Scalar t120 = k[36] * t7 + t70;
+  const Scalar t121 = t105 - t71;
+  const Scalar t122 = k[41] * t119 + k[6] * (t120 + t121);
+  const Scalar t123 = k[6] * t122;
+  const Scalar t124 = k[42] - (t123 - t121);
+  const Scalar t125 = (k[6] * t117 + k[8] * t118) - qd[3] * t124;
+  const Scalar t126 = c[2] * (t97 - t115) + s[2] * t125;
+  const Scalar t127 = s[2] * t116 + c[2] * t126;
+  const Scalar t128 = k[52] * t25 - (t97 - t127);
+  const Scalar t129 = k[47] + (t119 - k[8] * t122);
+  const Scalar t130 = t129 + k[46] * t10;
+  const Scalar t131 = k[43] * t12 - (k[8] * t111 + k[6] * t112);
+  const Scalar t132 = k[45] - t131;
+  const Scalar t133 = k[46] * t6 - t132;
+  const Scalar t134 = s[2] * t130 - c[2] * t133;
+  const Scalar t135 = Scalar(2) * c[2] * t114 + s[2] * (t124 + t107);
+  const Scalar t136 = t114 - c[2] * t135;
+  const Scalar t137 = k[52] * t13 + (k[12] * t134 - k[7] * t136);
+  const Scalar t138 = k[53] - t137;
+  const Scalar t139 = qd[2] * t138;
+  const Scalar t140 = c[2] * t116;
+  const Scalar t141 = s[2] * t126;
+  const Scalar t142 = t140 - t141;
+  const Scalar t143 = (k[8] * t101 + k[6] * t100) - k[43] * t31;
+  const Scalar t144 = k[6] * t80;
+  const Scalar t145 = k[6] * t93;
+  const Scalar t146 = (t144 - t78) + t145;
+  const Scalar t147 = c[2] * t143 - s[2] * t146;
+  const Scalar t148 = k[52] * t32 + (k[7] * t142 - k[12] * t147);
+  const Scalar t149 = t124 - t107;
+  const Scalar t150 = t124 - s[2] * t135;
+  const Scalar t151 = k[51] - (k[50] * t27 + (t149 - t150));
+  const Scalar t152 = t148 - qd[2] * t151;
+  const Scalar t153 = s[1] * (t128 + t139) - c[1] * t152;
+  const Scalar t154 = c[1] * t153;
+  const Scalar t155 = k[6] * t118 - k[8] * t117;
+  const Scalar t156 = k[46] * t24 + (qd[3] * t129 + t155);
+  const Scalar t157 = t144 + (t145 + t90);
+  const Scalar t158 = (qd[3] * t132 + t157) + k[46] * t22;
+  const Scalar t159 = s[2] * t156 + c[2] * t158;
+  const Scalar t160 = (t94 - (t75 - t81)) + k[46] * t31;
+  const Scalar t161 = k[7] * t159 + k[12] * t160;
+  const Scalar t162 = k[12] * t161;
+  const Scalar t163 = s[2] * t143 + c[2] * t146;
+  const Scalar t164 = k[12] * t163 - k[7] * t127;
+  const Scalar t165 = k[7] * t164;
+  const Scalar t166 = t162 + t165;
+  const Scalar t167 = s[2] * t133 + c[2] * t130;
+  const Scalar t168 = k[7] * t167;
+  const Scalar t169 = k[48] * t12 - (t123 - t120);
+  const Scalar t170 = Scalar(2) * t168 - k[12] * (t169 + t150);
+  const Scalar t171 = k[12] * t170;
+  const Scalar t172 = k[49] + (t150 + t171);
+  const Scalar t173 = (t140 - t108) - (t141 - t125);
+  const Scalar t174 = c[2] * t156 - s[2] * t158;
+  const Scalar t175 = qd[2] * t172 - (k[7] * t173 - k[12] * t174);
+  const Scalar t176 = c[1] * (t166 - t139) + s[1] * t175;
+  const Scalar t177 = s[1] * t176;
+  const Scalar t178 = t154 - t177;
+  const Scalar t179 = k[12] * t164;
+  const Scalar t180 = k[7] * t161;
+  const Scalar t181 = (t163 - t179) + (t180 - t159);
+  const Scalar t182 = (k[12] * t142 + k[7] * t147) + k[52] * t35;
+  const Scalar t183 = s[1] * t181 - c[1] * t182;
+  const Scalar t184 = c[1] * t138;
+  const Scalar t185 = (t184 + t184) - s[1] * (t172 + t151);
+  const Scalar t186 = t172 + s[1] * t185;
+  const Scalar t187 = t172 - t151;
+  const Scalar t188 = k[54] + (Scalar(2) * t37 + (t186 - t187));
+  const Scalar t189 = (t36 + (k[16] * t178 - k[13] * t183)) + qd[1] * t188;
+  const Scalar t190 = k[58] + (k[7] * t170 - t167);
+  const Scalar t191 = (k[12] * t136 + k[7] * t134) - k[52] * t42;
+  const Scalar t192 = k[59] - t191;
+  const Scalar t193 = (s[1] * t190 - c[1] * t192) - k[57] * t37;
+  const Scalar t194 = c[1] * t185 - t138;
+  const Scalar t195 = k[60] + (t43 - (k[13] * t193 - k[16] * t194));
+  const Scalar t196 = c[1] * t176 + s[1] * t153;
+  const Scalar t197 = t128 + t166;
+  const Scalar t198 = (t196 - t197) - t40;
+  const Scalar t199 = qd[1] * t195 - t198;
+  const Scalar t200 = k[7] * t174 + k[12] * t173;
+  const Scalar t201 = (qd[2] * t190 + t200) - k[57] * t26;
+  const Scalar t202 = t180 - t179;
+  const Scalar t203 = (t202 - qd[2] * t192) - k[57] * t33;
+  const Scalar t204 = c[1] * t201 - s[1] * t203;
+  const Scalar t205 = (t175 - t177) + (t154 + t152);
+  const Scalar t206 = k[57] * t41 - (c[1] * t190 + s[1] * t192);
+  const Scalar t207 = k[16] * t206;
+  const Scalar t208 = k[13] * (t186 + (k[61] * t42 + (t169 + t171)));
+  const Scalar t209 = (t207 + t207) + t208;
+  const Scalar t210 = k[62] - (k[13] * t209 - t186);
+  const Scalar t211 = (k[13] * t204 + k[16] * t205) + qd[1] * t210;
+  const Scalar t212 = s[1] * t182 + c[1] * t181;
+  const Scalar t213 = k[16] * t212 - k[13] * t196;
+  const Scalar t214 = k[13] * t213;
+  const Scalar t215 = c[1] * t203 + s[1] * t201;
+  const Scalar t216 = ((t127 + t165) + (t162 - t160)) + k[57] * t35;
+  const Scalar t217 = k[16] * t215 - k[13] * t216;
+  const Scalar t218 = k[13] * t217;
+  const Scalar t219 = ((t214 + t196) + t218) - t198;
+  const Scalar t220 = s[0] * (c[0] * t211 - s[0] * (t219 - t199));
+  const Scalar t221 = c[0] * (s[0] * t189 - c[0] * t199) + t220;
+  const Scalar t222 = k[13] * t34 - k[16] * t35;
+  const Scalar t223 = s[0] * (t222 + (k[16] * t183 + k[13] * t178));
+  const Scalar t224 = k[16] * t213;
+  const Scalar t225 = k[16] * t217;
+  const Scalar t226 = t223 - c[0] * (t224 + (t225 - t215));
+  const Scalar t227 = k[67] * (k[63] * t222 - (t214 + (t216 + t218)));
+  const Scalar t228 = t225 - (t212 - t224);
+  const Scalar t229 = (k[13] * t194 + k[16] * t193) + (k[13] * t41 - k[16] * t42);
+  const Scalar t230 = k[64] - t229;
+  const Scalar t231 = c[0] * (k[63] * t39 - (t228 - qd[1] * t230));
+  const Scalar t232 = k[13] * t205 - k[16] * t204;
+  const Scalar t233 = k[65] - (k[16] * t209 - t206);
+  const Scalar t234 = s[0] * (k[63] * t45 + (t232 - qd[1] * t233));
+  const Scalar t235 = t231 + t234;
+  const Scalar t236 = (k[68] * (t219 + t221) - k[66] * t226) + (t227 - k[66] * t235);
+  const Scalar t237 = k[71] * t219;
+  const Scalar t238 = qd[1] + k[71] * qd[0];
+  const Scalar t239 = k[69] * qd[0];
+  const Scalar t240 = c[0] * t239;
+  const Scalar t241 = s[0] * t239;
+  const Scalar t242 = (t238 * t230 - t228) - (t195 * t240 - t241 * t188);
+  const Scalar t243 = t36 + t238 * t38;
+  const Scalar t244 = (t232 - t238 * t233) + (t210 * t240 + t241 * t195);
+  const Scalar t245 = t238 * t44 + t40;
+  const Scalar t246 = c[0] * (t242 + k[63] * t243) + s[0] * (t244 + k[63] * t245);
+  const Scalar t247 = k[72] * (c[0] * t245 - s[0] * t243) + k[70] * (t240 * t44 - t241 * t38);
+  const Scalar t248 = (t237 - k[69] * t246) + t247;
+  const Scalar t249 = qd[2] + (k[16] * t238 - k[13] * t240);
+  const Scalar t250 = t28 * t249 - t32;
+  const Scalar t251 = t14 * t249 + t25;
+  const Scalar t252 = c[1] * t250 + s[1] * t251;
+  const Scalar t253 = k[13] * t238 + k[16] * t240;
+  const Scalar t254 = c[1] * t241 + s[1] * t253;
+  const Scalar t255 = c[1] * t253 - s[1] * t241;
+  const Scalar t256 = t28 * t254 - t255 * t14;
+  const Scalar t257 = s[1] * t250 - c[1] * t251;
+  const Scalar t258 = k[13] * t256 + k[16] * t257;
+  const Scalar t259 = (t254 * t138 + t255 * t172) - (t249 * t190 + t200);
+  const Scalar t260 = k[57] * t251 + t259;
+  const Scalar t261 = (t254 * t151 - t255 * t138) - (t202 - t192 * t249);
+  const Scalar t262 = t261 + k[57] * t250;
+  const Scalar t263 = k[13] * t257 - k[16] * t256;
+  const Scalar t264 = c[1] * t262 + s[1] * t260;
+  const Scalar t265 = c[0] * (t263 - (k[13] * t197 + k[16] * t264));
+  const Scalar t266 = s[0] * (c[1] * t260 - s[1] * t262) - t265;
+  const Scalar t267 = k[73] * (c[0] * t252 - s[0] * t258) + k[69] * t266;
+  const Scalar t268 = k[16] * t197;
+  const Scalar t269 = t258 + (k[13] * t264 - t268);
+  const Scalar t270 = k[70] * t263 - k[72] * (s[0] * t252 + c[0] * t258);
+  const Scalar t271 = (t267 + k[71] * t269) - t270;
+  const Scalar t272 = qd[3] + (k[7] * t249 - k[12] * t255);
+  const Scalar t273 = t21 - t272 * t6;
+  const Scalar t274 = t23 + t272 * t10;
+  const Scalar t275 = c[2] * t273 + s[2] * t274;
+  const Scalar t276 = k[12] * t249 + k[7] * t255;
+  const Scalar t277 = c[2] * t254 + s[2] * t276;
+  const Scalar t278 = s[2] * t254 - c[2] * t276;
+  const Scalar t279 = t6 * t277 - t10 * t278;
+  const Scalar t280 = c[2] * t274 - s[2] * t273;
+  const Scalar t281 = k[12] * t279 + k[7] * t280;
+  const Scalar t282 = s[1] * t275 - c[1] * t281;
+  const Scalar t283 = k[12] * t280 - k[7] * t279;
+  const Scalar t284 = k[16] * t282 + k[13] * t283;
+  const Scalar t285 = (t107 * t277 - t114 * t278) - (t272 * t132 + t157);
+  const Scalar t286 = (t272 * t129 + t155) + (t124 * t278 + t114 * t277);
+  const Scalar t287 = (s[2] * t285 + c[2] * t286) + k[46] * t280;
+  const Scalar t288 = k[46] * t275 + (s[2] * t286 - c[2] * t285);
+  const Scalar t289 = k[12] * t97;
+  const Scalar t290 = k[52] * t283 + (k[7] * t288 + t289);
+  const Scalar t291 = s[1] * t281 + c[1] * t275;
+  const Scalar t292 = (s[1] * t287 + c[1] * t290) + k[57] * t291;
+  const Scalar t293 = k[7] * t97;
+  const Scalar t294 = k[52] * t281 - (k[12] * t288 - t293);
+  const Scalar t295 = t284 + (k[13] * t292 - k[16] * t294);
+  const Scalar t296 = k[16] * t283 - k[13] * t282;
+  const Scalar t297 = (t296 + (k[13] * t294 + k[16] * t292)) + k[63] * t291;
+  const Scalar t298 = (c[1] * t287 - s[1] * t290) - k[57] * t282;
+  const Scalar t299 = c[0] * t297 + s[0] * (t298 - k[63] * t284);
+  const Scalar t300 = k[72] * (c[0] * t284 + s[0] * t291) + k[70] * t296;
+  const Scalar t301 = (k[71] * t295 + k[69] * t299) + t300;
+  const Scalar t302 = k[8] * t278 - k[6] * t272;
+  const Scalar t303 = c[3] * t277 - s[3] * t302;
+  const Scalar t304 = c[3] * t302 + s[3] * t277;
+  const Scalar t305 = qd[4] + (k[6] * t278 + k[8] * t272);
+  const Scalar t306 = (t303 * t50 + t304 * t56) - (t87 + t305 * t88);
+  const Scalar t307 = (t303 * t56 + t71 * t304) + (t305 * t85 - t84);
+  const Scalar t308 = t305 * t4 + t16;
+  const Scalar t309 = t18 + t305 * t1;
+  const Scalar t310 = s[3] * t308 - c[3] * t309;
+  const Scalar t311 = (c[3] * t306 + s[3] * t307) - k[37] * t310;
+  const Scalar t312 = k[8] * t64;
+  const Scalar t313 = c[3] * t308 + s[3] * t309;
+  const Scalar t314 = t303 * t1 - t4 * t304;
+  const Scalar t315 = k[8] * t313 + k[6] * t314;
+  const Scalar t316 = (k[6] * t311 + t312) + k[43] * t315;
+  const Scalar t317 = k[8] * t314 - k[6] * t313;
+  const Scalar t318 = k[6] * t64;
+  const Scalar t319 = k[46] * t310 - (k[43] * t317 - (t318 - k[8] * t311));
+  const Scalar t320 = (s[3] * t306 - c[3] * t307) + k[37] * t313;
+  const Scalar t321 = k[46] * t315 + t320;
+  const Scalar t322 = c[2] * t319 + s[2] * t321;
+  const Scalar t323 = s[2] * t310 - c[2] * t315;
+  const Scalar t324 = k[7] * t317 + k[12] * t323;
+  const Scalar t325 = (k[12] * t316 + k[7] * t322) - k[52] * t324;
+  const Scalar t326 = c[2] * t310 + s[2] * t315;
+  const Scalar t327 = t325 + k[57] * t326;
+  const Scalar t328 = k[12] * t317 - k[7] * t323;
+  const Scalar t329 = (s[2] * t319 - c[2] * t321) - k[57] * t328;
+  const Scalar t330 = c[1] * t327 - s[1] * t329;
+  const Scalar t331 = (k[7] * t316 - k[12] * t322) + k[52] * t328;
+  const Scalar t332 = s[1] * t326 - c[1] * t328;
+  const Scalar t333 = k[16] * t332 - k[13] * t324;
+  const Scalar t334 = (k[13] * t330 - k[16] * t331) + t333;
+  const Scalar t335 = k[63] * t333 + (s[1] * t327 + c[1] * t329);
+  const Scalar t336 = c[1] * t326 + s[1] * t328;
+  const Scalar t337 = k[13] * t332 + k[16] * t324;
+  const Scalar t338 = k[63] * t336 - (t337 - (k[13] * t331 + k[16] * t330));
+  const Scalar t339 = k[71] * t334 - k[69] * (s[0] * t335 - c[0] * t338);
+  const Scalar t340 = k[72] * (c[0] * t333 + s[0] * t336) - k[70] * t337;
+  const Scalar t341 = t339 + t340;
+  const Scalar t342 = qd[5] + (k[9] * t304 + k[4] * t305);
+  const Scalar t343 = t342 * t0;
+  const Scalar t344 = k[9] * t305 - k[4] * t304;
+  const Scalar t345 = s[4] * t344 + c[4] * t303;
+  const Scalar t346 = s[4] * t303 - c[4] * t344;
+  const Scalar t347 = k[0] * t345 - k[1] * t346;
+  const Scalar t348 = k[9] * t347 + t3 * t342;
+  const Scalar t349 = s[3] * t343 + c[3] * t348;
+  const Scalar t350 = k[4] * t347 - t342 * t7;
+  const Scalar t351 = k[8] * t349 + k[6] * t350;
+  const Scalar t352 = c[3] * t343 - s[3] * t348;
+  const Scalar t353 = s[2] * t351 - c[2] * t352;
+  const Scalar t354 = s[2] * t352 + c[2] * t351;
+  const Scalar t355 = k[6] * t349 - k[8] * t350;
+  const Scalar t356 = k[7] * t354 - k[12] * t355;
+  const Scalar t357 = s[1] * t353 - c[1] * t356;
+  const Scalar t358 = k[12] * t354 + k[7] * t355;
+  const Scalar t359 = k[13] * t357 - k[16] * t358;
+  const Scalar t360 = k[16] * t357 + k[13] * t358;
+  const Scalar t361 = s[1] * t356 + c[1] * t353;
+  const Scalar t362 = k[70] * t359 - k[72] * (c[0] * t360 + s[0] * t361);
+  const Scalar t363 = (k[23] * t345 - k[31] * t346) + k[28] * t342;
+  const Scalar t364 = (k[74] * t346 - k[31] * t345) + k[27] * t342;
+  const Scalar t365 = s[4] * t363 - c[4] * t364;
+  const Scalar t366 = s[4] * t364 + c[4] * t363;
+  const Scalar t367 = k[4] * t366 - k[39] * t350;
+  const Scalar t368 = k[37] * t352 + (s[3] * t365 - c[3] * t367);
+  const Scalar t369 = k[9] * t366 - k[39] * t348;
+  const Scalar t370 = k[43] * t355 - (k[8] * t368 + k[6] * t369);
+  const Scalar t371 = (c[3] * t365 + s[3] * t367) - k[37] * t349;
+  const Scalar t372 = (c[2] * t370 - s[2] * t371) + k[46] * t353;
+  const Scalar t373 = k[43] * t351 + (k[6] * t368 - k[8] * t369);
+  const Scalar t374 = (k[7] * t372 + k[12] * t373) + k[52] * t358;
+  const Scalar t375 = k[57] * t353 + t374;
+  const Scalar t376 = (s[2] * t370 + c[2] * t371) - k[46] * t354;
+  const Scalar t377 = k[57] * t356 - t376;
+  const Scalar t378 = (s[1] * t375 - c[1] * t377) + k[63] * t360;
+  const Scalar t379 = k[52] * t356 + (k[7] * t373 - k[12] * t372);
+  const Scalar t380 = s[1] * t377 + c[1] * t375;
+  const Scalar t381 = ((k[13] * t379 + k[16] * t380) - t359) + k[63] * t361;
+  const Scalar t382 = t360 + (k[13] * t380 - k[16] * t379);
+  const Scalar t383 = k[69] * (s[0] * t378 - c[0] * t381) - k[71] * t382;
+  const Scalar t384 = t362 + t383;
+  const Scalar t385 = k[72] * t46 + (k[69] * (t235 + t226) - (t237 + t237));
+  const Scalar t386 = k[13] * t40;
+  const Scalar t387 = k[16] * t40;
+  const Scalar t388 = t387 + qd[1] * t41;
+  const Scalar t389 = t34 + k[16] * qd[1] * t37;
+  const Scalar t390 = k[70] * t386 - k[72] * (c[0] * t388 - s[0] * t389);
+  const Scalar t391 = qd[1] * ((k[13] * t187 + t207) - k[13] * t37);
+  const Scalar t392 = s[0] * (k[63] * t388 + ((t183 - t204) + t391));
+  const Scalar t393 = t212 + t215;
+  const Scalar t394 = qd[1] * t193 - (t386 + (k[75] * t197 - k[16] * t393));
+  const Scalar t395 = k[69] * (t392 + c[0] * (k[63] * t389 - t394));
+  const Scalar t396 = (k[13] * t393 + (t268 + t268)) + t387;
+  const Scalar t397 = t163 + t159;
+  const Scalar t398 = (Scalar(2) * t289 + k[7] * t397) - k[76] * t25;
+  const Scalar t399 = k[7] * t27;
+  const Scalar t400 = t29 + qd[2] * t399;
+  const Scalar t401 = (t398 + qd[2] * t134) + k[57] * t400;
+  const Scalar t402 = k[7] * t25 - qd[2] * t11;
+  const Scalar t403 = k[76] * t27 - (t168 - k[12] * t149);
+  const Scalar t404 = k[57] * t402 - ((t174 + t147) - qd[2] * t403);
+  const Scalar t405 = c[1] * t401 - s[1] * t404;
+  const Scalar t406 = k[78] * t25 - (Scalar(2) * t293 - k[12] * t397);
+  const Scalar t407 = c[1] * t402 + s[1] * t400;
+  const Scalar t408 = k[16] * t407 - k[79] * t25;
+  const Scalar t409 = (k[13] * t405 + k[16] * t406) + t408;
+  const Scalar t410 = c[1] * t399 + s[1] * t11;
+  const Scalar t411 = (c[1] * t400 - s[1] * t402) + qd[1] * (k[16] * t410 - k[79] * t27);
+  const Scalar t412 = k[13] * t407 + k[77] * t25;
+  const Scalar t413 = (c[1] * t134 - s[1] * t403) + k[57] * t410;
+  const Scalar t414 = ((k[16] * t405 - k[13] * t406) - t412) + qd[1] * t413;
+  const Scalar t415 = s[1] * t399 - c[1] * t11;
+  const Scalar t416 = (s[1] * t134 + c[1] * t403) + k[57] * t415;
+  const Scalar t417 = (k[7] * t149 + k[12] * t167) + k[78] * t27;
+  const Scalar t418 = (k[13] * t410 + k[77] * t27) + (k[16] * t416 + k[13] * t417);
+  const Scalar t419 = qd[1] * t418 + (s[1] * t401 + c[1] * t404);
+  const Scalar t420 = t408 + qd[1] * t415;
+  const Scalar t421 = c[0] * (k[63] * t411 + t414) - s[0] * (t419 + k[63] * t420);
+  const Scalar t422 = k[70] * t412 - k[72] * (s[0] * t411 + c[0] * t420);
+  const Scalar t423 = t301 - ((k[71] * t409 + k[69] * t421) - t422);
+  const Scalar t424 = k[8] * t5;
+  const Scalar t425 = c[2] * t424 - s[2] * t8;
+  const Scalar t426 = k[81] * t5 + k[12] * t425;
+  const Scalar t427 = t106 - t121;
+  const Scalar t428 = k[82] * t5 + (k[6] * t427 - k[8] * t119);
+  const Scalar t429 = t428 + k[46] * t8;
+  const Scalar t430 = k[84] * t5 - t111;
+  const Scalar t431 = c[2] * t429 + s[2] * t430;
+  const Scalar t432 = (k[6] * t119 + k[8] * t427) + k[43] * t424;
+  const Scalar t433 = k[52] * t426 + (k[7] * t431 + k[12] * t432);
+  const Scalar t434 = c[2] * t430 - s[2] * t429;
+  const Scalar t435 = s[2] * t424 + c[2] * t8;
+  const Scalar t436 = k[80] * t5 - k[7] * t425;
+  const Scalar t437 = s[1] * t435 + c[1] * t436;
+  const Scalar t438 = (s[1] * t433 - c[1] * t434) + k[57] * t437;
+  const Scalar t439 = qd[3] * t8 + k[8] * t23;
+  const Scalar t440 = k[46] * t439 - ((t117 - t101) - qd[3] * t428);
+  const Scalar t441 = qd[3] * t424 - t20;
+  const Scalar t442 = k[6] * t95 + (k[8] * t91 + (t318 + t318));
+  const Scalar t443 = k[46] * t441 - (qd[3] * t111 + t442);
+  const Scalar t444 = qd[2] * t433 + (c[2] * t440 + s[2] * t443);
+  const Scalar t445 = s[2] * t440 - c[2] * t443;
+  const Scalar t446 = k[83] * t23 + (Scalar(2) * t312 - t92);
+  const Scalar t447 = c[2] * t439 + s[2] * t441;
+  const Scalar t448 = k[81] * t23 + k[12] * t447;
+  const Scalar t449 = (k[7] * t445 + k[12] * t446) + k[52] * t448;
+  const Scalar t450 = qd[2] * t434 - t449;
+  const Scalar t451 = qd[2] * t436 + (s[2] * t439 - c[2] * t441);
+  const Scalar t452 = k[80] * t23 - k[7] * t447;
+  const Scalar t453 = t452 - qd[2] * t435;
+  const Scalar t454 = c[1] * t451 - s[1] * t453;
+  const Scalar t455 = (s[1] * t444 - c[1] * t450) + k[57] * t454;
+  const Scalar t456 = (k[12] * t445 - k[7] * t446) + k[52] * t452;
+  const Scalar t457 = s[1] * t451 + c[1] * t453;
+  const Scalar t458 = k[16] * t448 - k[13] * t457;
+  const Scalar t459 = qd[1] * t438 + ((k[16] * t455 - k[13] * t456) + t458);
+  const Scalar t460 = qd[1] * (k[13] * t426 + k[16] * t437) + t454;
+  const Scalar t461 = c[1] * t435 - s[1] * t436;
+  const Scalar t462 = k[85] * t461 + k[16] * (c[1] * t433 + s[1] * t434);
+  const Scalar t463 = (k[7] * t432 - k[12] * t431) - k[52] * t436;
+  const Scalar t464 = (t462 + k[13] * t463) + (k[16] * t426 - k[13] * t437);
+  const Scalar t465 = k[57] * t457 - (s[1] * t450 + c[1] * t444);
+  const Scalar t466 = k[16] * t457 + k[13] * t448;
+  const Scalar t467 = t466 - qd[1] * t461;
+  const Scalar t468 = s[0] * ((qd[1] * t464 - t465) - k[63] * t467);
+  const Scalar t469 = k[69] * (c[0] * (t459 + k[63] * t460) + t468);
+  const Scalar t470 = t466 + (k[16] * t456 + k[13] * t455);
+  const Scalar t471 = k[70] * t458 + k[72] * (s[0] * t460 + c[0] * t467);
+  const Scalar t472 = k[4] * t0;
+  const Scalar t473 = s[3] * t472 + c[3] * t2;
+  const Scalar t474 = c[3] * t472 - s[3] * t2;
+  const Scalar t475 = k[8] * t474 - k[18] * t0;
+  const Scalar t476 = s[2] * t473 - c[2] * t475;
+  const Scalar t477 = k[6] * t474 + t30;
+  const Scalar t478 = k[7] * t476 + k[12] * t477;
+  const Scalar t479 = qd[4] * t472 + t15;
+  const Scalar t480 = qd[5] * t3;
+  const Scalar t481 = t480 + qd[4] * t2;
+  const Scalar t482 = s[3] * t479 + c[3] * t481;
+  const Scalar t483 = k[8] * t482 - k[18] * t16;
+  const Scalar t484 = qd[3] * t473 + t483;
+  const Scalar t485 = (s[3] * t481 - c[3] * t479) - qd[3] * t475;
+  const Scalar t486 = qd[2] * t478 + (s[2] * t484 + c[2] * t485);
+  const Scalar t487 = c[2] * t473 + s[2] * t475;
+  const Scalar t488 = k[2] * t16 + k[6] * t482;
+  const Scalar t489 = c[2] * t484 - s[2] * t485;
+  const Scalar t490 = k[12] * t488 - k[7] * t489;
+  const Scalar t491 = qd[2] * t487 - t490;
+  const Scalar t492 = k[12] * t476 - k[7] * t477;
+  const Scalar t493 = s[1] * t487 + c[1] * t478;
+  const Scalar t494 = (c[1] * t486 + s[1] * t491) - qd[1] * (k[13] * t492 - k[16] * t493);
+  const Scalar t495 = k[12] * t489 + k[7] * t488;
+  const Scalar t496 = s[1] * t486 - c[1] * t491;
+  const Scalar t497 = k[16] * t495 - k[13] * t496;
+  const Scalar t498 = k[39] * t472 - (k[87] + t72);
+  const Scalar t499 = (k[86] - k[4] * t66) - k[55] * t0;
+  const Scalar t500 = k[37] * t2 - t499;
+  const Scalar t501 = k[37] * t472 - t52;
+  const Scalar t502 = c[3] * t500 + s[3] * t501;
+  const Scalar t503 = k[43] * t475 + (k[8] * t498 - k[6] * t502);
+  const Scalar t504 = s[3] * t500 - c[3] * t501;
+  const Scalar t505 = t504 - k[46] * t475;
+  const Scalar t506 = (k[6] * t498 + k[8] * t502) + k[43] * t477;
+  const Scalar t507 = t506 + k[46] * t473;
+  const Scalar t508 = s[2] * t505 - c[2] * t507;
+  const Scalar t509 = k[52] * t492 - (k[12] * t503 - k[7] * t508);
+  const Scalar t510 = (qd[5] * t60 + k[9] * t59) + qd[4] * t52;
+  const Scalar t511 = k[37] * t479 - t510;
+  const Scalar t512 = (qd[4] * t499 - t83) - k[37] * t481;
+  const Scalar t513 = c[3] * t511 + s[3] * t512;
+  const Scalar t514 = k[39] * t480 - qd[5] * t53;
+  const Scalar t515 = (k[8] * t513 - k[6] * t514) - k[43] * t488;
+  const Scalar t516 = (t515 - qd[3] * t504) - k[46] * t485;
+  const Scalar t517 = (s[3] * t511 - c[3] * t512) + qd[3] * t506;
+  const Scalar t518 = t517 + k[46] * t484;
+  const Scalar t519 = qd[2] * t509 - (s[2] * t516 + c[2] * t518);
+  const Scalar t520 = k[57] * t491 - t519;
+  const Scalar t521 = c[2] * t505 + s[2] * t507;
+  const Scalar t522 = c[2] * t516 - s[2] * t518;
+  const Scalar t523 = (k[8] * t514 + k[6] * t513) + k[43] * t483;
+  const Scalar t524 = (k[7] * t522 - k[12] * t523) - k[52] * t495;
+  const Scalar t525 = k[57] * t486 + (qd[2] * t521 - t524);
+  const Scalar t526 = s[1] * t520 + c[1] * t525;
+  const Scalar t527 = (k[12] * t522 + k[7] * t523) - k[52] * t490;
+  const Scalar t528 = (s[1] * t509 - c[1] * t521) - k[57] * t493;
+  const Scalar t529 = (t497 + (k[16] * t526 + k[13] * t527)) - qd[1] * t528;
+  const Scalar t530 = k[16] * t496 + k[13] * t495;
+  const Scalar t531 = s[1] * t478 - c[1] * t487;
+  const Scalar t532 = t530 + qd[1] * t531;
+  const Scalar t533 = k[52] * t478 - (k[12] * t508 + k[7] * t503);
+  const Scalar t534 = (s[1] * t521 + c[1] * t509) + k[57] * t531;
+  const Scalar t535 = (k[13] * t533 + k[16] * t534) + (k[16] * t492 + k[13] * t493);
+  const Scalar t536 = qd[1] * t535 - (c[1] * t520 - s[1] * t525);
+  const Scalar t537 = c[0] * (k[63] * t494 + t529) - s[0] * (k[63] * t532 + t536);
+  const Scalar t538 = t530 + (k[13] * t526 - k[16] * t527);
+  const Scalar t539 = k[70] * t497 + k[72] * (c[0] * t532 + s[0] * t494);
+  const Scalar t540 = t384 + ((k[69] * t537 + k[71] * t538) + t539);
+  Eigen::Matrix<Scalar, dof, dof> result;
+  result(0, 0) = t236 - (k[20] * t46 + t221);
+  result(0, 1) = t248;
+  result(0, 2) = -t271;
+  result(0, 3) = t301;
+  result(0, 4) = t341;
+  result(0, 5) = -t384;
+  result(1, 0) = -t248 - t385;
+  result(1, 1) = t219;
+  result(1, 2) = -t269;
+  result(1, 3) = t295;
+  result(1, 4) = t334;
+  result(1, 5) = t382;
+  result(2, 0) = t271 - (t390 + (t395 - k[71] * t396));
+  result(2, 1) = t269 + t396;
+  result(2, 2) = t197;
+  result(2, 3) = -t294;
+  result(2, 4) = -t331;
+  result(2, 5) = -t379;
+  result(3, 0) = -t423;
+  result(3, 1) = t409 - t295;
+  result(3, 2) = t406 + t294;
+  result(3, 3) = -t97;
+  result(3, 4) = -t316;
+  result(3, 5) = -t373;
+  result(4, 0) = ((t469 + k[71] * t470) + t471) - t341;
+  result(4, 1) = t470 - t334;
+  result(4, 2) = t331 + t456;
+  result(4, 3) = t316 - t446;
+  result(4, 4) = -t64;
+  result(4, 5) = t369;
+  result(5, 0) = t540;
+  result(5, 1) = t538 - t382;
+  result(5, 2) = t379 - t527;
+  result(5, 3) = t373 - t523;
+  result(5, 4) = -t369 - t514;
+  result(5, 5) = Scalar(0);
+  return result;
+}
+
+}  // namespace detail
+
+template <class Scalar>
+Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const BasicGeometry<Scalar>& g,
+    const BasicInertia<Scalar>& inertia) {
+  return detail::coriolis_matrix<Scalar>(q, qd, sines_and_cosines<Scalar>(q[1], q[2], q[3], q[4], q[5]),
+      coriolis_matrix_constants<Scalar>(g, inertia));
+}
+
+template <class Scalar>
+Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const DynamicsAngles<Scalar>& angles,
+    const CoriolisMatrixConstants<Scalar>& constants) {
+  return detail::coriolis_matrix<Scalar>(q, qd, angles, constants);
+}
+
+template <class Scalar>
 ForwardDynamicsConstants<Scalar> forward_dynamics_constants([[maybe_unused]] const BasicGeometry<Scalar>& g,
     [[maybe_unused]] const BasicInertia<Scalar>& inertia,
     [[maybe_unused]] NonDeduced<Scalar> gravity) {

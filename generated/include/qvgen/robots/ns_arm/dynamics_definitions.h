@@ -242,6 +242,68 @@ Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q, const 
 }
 
 template <class Scalar>
+CoriolisMatrixConstants<Scalar> coriolis_matrix_constants([[maybe_unused]] const BasicGeometry<Scalar>& g,
+    [[maybe_unused]] const BasicInertia<Scalar>& inertia) {
+  using std::cos;
+  using std::sin;
+  const Scalar t0 = Scalar(0.5) * (inertia.Iyy2 + (inertia.Ixx2 + inertia.Izz2));
+  const Scalar t1 = Scalar(0.5) * (inertia.Izz3 + (inertia.Ixx3 + inertia.Iyy3));
+  const Scalar t2 = (inertia.Iyy2 - t0) - (Scalar(0.25) * inertia.l3 * inertia.l3 * inertia.m3 - (inertia.Izz3 - t1));
+  return { (inertia.Ixx2 - t0) + (inertia.Ixx3 - t1),
+           inertia.m3,
+           inertia.l3 * inertia.m3,
+           t2,
+           Scalar(0.5) * inertia.l3 * inertia.m3,
+           g.d2 * inertia.m3,
+           g.d2 };
+}
+
+namespace detail {
+
+template <class Scalar, class Angles>
+inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix([[maybe_unused]] const JointVector<Scalar>& q, [[maybe_unused]] const JointVector<Scalar>& qd, [[maybe_unused]] const Angles& angles,
+    [[maybe_unused]] const CoriolisMatrixConstants<Scalar>& k) {
+  [[maybe_unused]] const auto& [s, c] = angles;
+  const Scalar t0 = k[1] * q[2];
+  const Scalar t1 = k[3] + q[2] * (k[2] - t0);
+  const Scalar t2 = k[4] - t0;
+  const Scalar t3 = qd[2] * t2;
+  const Scalar t4 = s[0] * (c[0] * qd[1] * t1 + s[0] * t3);
+  const Scalar t5 = c[0] * s[0];
+  const Scalar t6 = k[5] * c[0];
+  const Scalar t7 = qd[1] * t2;
+  const Scalar t8 = qd[0] * (k[0] - t1) * t5;
+  const Scalar t9 = (qd[2] * t6 + s[0] * k[6] * t7) - t8;
+  const Scalar t10 = qd[0] * s[0] * s[0] * t2;
+  Eigen::Matrix<Scalar, dof, dof> result;
+  result(0, 0) = k[0] * qd[1] * t5 - t4;
+  result(0, 1) = -t9;
+  result(0, 2) = -qd[1] * t6 - t10;
+  result(1, 0) = -t8;
+  result(1, 1) = -t3;
+  result(1, 2) = -t7;
+  result(2, 0) = t10;
+  result(2, 1) = t7;
+  result(2, 2) = Scalar(0);
+  return result;
+}
+
+}  // namespace detail
+
+template <class Scalar>
+Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const BasicGeometry<Scalar>& g,
+    const BasicInertia<Scalar>& inertia) {
+  return detail::coriolis_matrix<Scalar>(q, qd, sines_and_cosines<Scalar>(q[1]),
+      coriolis_matrix_constants<Scalar>(g, inertia));
+}
+
+template <class Scalar>
+Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const DynamicsAngles<Scalar>& angles,
+    const CoriolisMatrixConstants<Scalar>& constants) {
+  return detail::coriolis_matrix<Scalar>(q, qd, angles, constants);
+}
+
+template <class Scalar>
 ForwardDynamicsConstants<Scalar> forward_dynamics_constants([[maybe_unused]] const BasicGeometry<Scalar>& g,
     [[maybe_unused]] const BasicInertia<Scalar>& inertia,
     [[maybe_unused]] NonDeduced<Scalar> gravity) {

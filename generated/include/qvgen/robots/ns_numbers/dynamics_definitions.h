@@ -220,6 +220,60 @@ Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q, const 
 }
 
 template <class Scalar>
+CoriolisMatrixConstants<Scalar> coriolis_matrix_constants([[maybe_unused]] const BasicGeometry<Scalar>& g,
+    [[maybe_unused]] const BasicInertia<Scalar>& inertia) {
+  using std::cos;
+  using std::sin;
+
+  return {  };
+}
+
+namespace detail {
+
+template <class Scalar, class Angles>
+inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix([[maybe_unused]] const JointVector<Scalar>& q, [[maybe_unused]] const JointVector<Scalar>& qd, [[maybe_unused]] const Angles& angles,
+    [[maybe_unused]] const CoriolisMatrixConstants<Scalar>& k) {
+  [[maybe_unused]] const auto& [s, c] = angles;
+  const Scalar t0 = Scalar(2) * q[2];
+  const Scalar t1 = Scalar(0.175) + q[2] * (Scalar(0.8) + t0);
+  const Scalar t2 = Scalar(0.4) + t0;
+  const Scalar t3 = qd[2] * t2;
+  const Scalar t4 = s[0] * (c[0] * qd[1] * t1 + s[0] * t3);
+  const Scalar t5 = c[0] * s[0];
+  const Scalar t6 = Scalar(0.4) * c[0];
+  const Scalar t7 = qd[2] * t6 - Scalar(0.2) * s[0] * qd[1] * (Scalar(0.3) + t2);
+  const Scalar t8 = qd[0] * t5 * (Scalar(0.025) - t1);
+  const Scalar t9 = s[0] * t2 * qd[0] * s[0];
+  const Scalar t10 = qd[1] * t2;
+  Eigen::Matrix<Scalar, dof, dof> result;
+  result(0, 0) = t4 - Scalar(0.025) * qd[1] * t5;
+  result(0, 1) = -t7 - t8;
+  result(0, 2) = t9 - qd[1] * t6;
+  result(1, 0) = t8;
+  result(1, 1) = t3;
+  result(1, 2) = t10;
+  result(2, 0) = -t9;
+  result(2, 1) = -t10;
+  result(2, 2) = Scalar(0);
+  return result;
+}
+
+}  // namespace detail
+
+template <class Scalar>
+Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const BasicGeometry<Scalar>& g,
+    const BasicInertia<Scalar>& inertia) {
+  return detail::coriolis_matrix<Scalar>(q, qd, sines_and_cosines<Scalar>(q[1]),
+      coriolis_matrix_constants<Scalar>(g, inertia));
+}
+
+template <class Scalar>
+Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const DynamicsAngles<Scalar>& angles,
+    const CoriolisMatrixConstants<Scalar>& constants) {
+  return detail::coriolis_matrix<Scalar>(q, qd, angles, constants);
+}
+
+template <class Scalar>
 ForwardDynamicsConstants<Scalar> forward_dynamics_constants([[maybe_unused]] const BasicGeometry<Scalar>& g,
     [[maybe_unused]] const BasicInertia<Scalar>& inertia,
     [[maybe_unused]] NonDeduced<Scalar> gravity) {

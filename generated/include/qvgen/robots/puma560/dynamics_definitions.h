@@ -422,6 +422,250 @@ Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q, const 
 }
 
 template <class Scalar>
+CoriolisMatrixConstants<Scalar> coriolis_matrix_constants([[maybe_unused]] const BasicGeometry<Scalar>& g,
+    [[maybe_unused]] const BasicInertia<Scalar>& inertia) {
+  using std::cos;
+  using std::sin;
+
+  return {  };
+}
+
+namespace detail {
+
+template <class Scalar, class Angles>
+inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix([[maybe_unused]] const JointVector<Scalar>& q, [[maybe_unused]] const JointVector<Scalar>& qd, [[maybe_unused]] const Angles& angles,
+    [[maybe_unused]] const CoriolisMatrixConstants<Scalar>& k) {
+  [[maybe_unused]] const auto& [s, c] = angles;
+  const Scalar t0 = Scalar(0.001243584) * s[3];
+  const Scalar t1 = qd[4] * t0;
+  const Scalar t2 = Scalar(0.00020216) * s[3];
+  const Scalar t3 = c[3] * t2;
+  const Scalar t4 = t3 + t0;
+  const Scalar t5 = qd[4] * t4;
+  const Scalar t6 = t1 - t5;
+  const Scalar t7 = Scalar(2e-05) * qd[5];
+  const Scalar t8 = c[3] * t7;
+  const Scalar t9 = Scalar(0.00077) * qd[3] + t8;
+  const Scalar t10 = s[2] * t9;
+  const Scalar t11 = Scalar(0.00042216) - s[3] * t2;
+  const Scalar t12 = Scalar(0.00064216) - t11;
+  const Scalar t13 = Scalar(0.00065) + t12;
+  const Scalar t14 = qd[3] * t13 + t8;
+  const Scalar t15 = s[2] * t14 + c[2] * t6;
+  const Scalar t16 = c[2] * (t10 - t15);
+  const Scalar t17 = Scalar(0.001243584) * c[3];
+  const Scalar t18 = qd[4] * t17;
+  const Scalar t19 = s[2] * t18;
+  const Scalar t20 = qd[3] * c[2];
+  const Scalar t21 = t19 + t20 * t0;
+  const Scalar t22 = Scalar(0.34749884205650766) * t21;
+  const Scalar t23 = Scalar(0.341234958) + (Scalar(0.002487168) * c[3] + t11);
+  const Scalar t24 = c[2] * t0;
+  const Scalar t25 = s[2] * (Scalar(0.00077) - t13);
+  const Scalar t26 = Scalar(0.0167651125) - (Scalar(0.09402501157943492) * t24 - (t13 + s[2] * t25));
+  const Scalar t27 = Scalar(0.04701250578971746) * t17;
+  const Scalar t28 = c[2] * t4;
+  const Scalar t29 = Scalar(0.011273199) + (t27 - t28);
+  const Scalar t30 = s[1] * (t23 - t26) - Scalar(2) * c[1] * t29;
+  const Scalar t31 = Scalar(0.384876294) + t17;
+  const Scalar t32 = Scalar(0.010956925) - t24;
+  const Scalar t33 = (c[1] * t30 + t29) - (c[1] * t31 + s[1] * t32);
+  const Scalar t34 = Scalar(0.0070992) - t33;
+  const Scalar t35 = s[3] * t7;
+  const Scalar t36 = qd[4] * t12;
+  const Scalar t37 = s[2] * t35 + c[2] * t36;
+  const Scalar t38 = qd[2] * t26 - (Scalar(0.04701250578971746) * t1 - t37);
+  const Scalar t39 = c[2] * t18;
+  const Scalar t40 = s[2] * t0;
+  const Scalar t41 = t39 - qd[3] * t40;
+  const Scalar t42 = Scalar(0.04701250578971746) * t41;
+  const Scalar t43 = t16 - t42;
+  const Scalar t44 = qd[2] * t29;
+  const Scalar t45 = c[1] * t38 + s[1] * (t43 - t44);
+  const Scalar t46 = s[2] * t4;
+  const Scalar t47 = t18 + qd[4] * t11;
+  const Scalar t48 = t36 - t47;
+  const Scalar t49 = qd[3] * t46 + c[2] * t48;
+  const Scalar t50 = qd[2] * t23 - (t49 - t37);
+  const Scalar t51 = s[1] * t50 - c[1] * (t44 - t5);
+  const Scalar t52 = qd[1] * t34 + (s[1] * t45 - c[1] * t51);
+  const Scalar t53 = s[1] * t30;
+  const Scalar t54 = Scalar(0.0731264) + (t23 - t53);
+  const Scalar t55 = c[1] * t45;
+  const Scalar t56 = s[1] * t51;
+  const Scalar t57 = qd[1] * t54 + ((t38 - t55) + (t50 - t56));
+  const Scalar t58 = qd[2] * t32 - t1;
+  const Scalar t59 = t41 + qd[2] * t31;
+  const Scalar t60 = c[1] * t58 - s[1] * t59;
+  const Scalar t61 = (t26 + t53) - Scalar(2) * (s[1] * t31 - c[1] * t32);
+  const Scalar t62 = Scalar(1.674987602) + t61;
+  const Scalar t63 = s[0] * ((t60 + (t56 + t55)) + qd[1] * t62);
+  const Scalar t64 = s[1] * t58 + c[1] * t59;
+  const Scalar t65 = t43 - t5;
+  const Scalar t66 = t64 - t65;
+  const Scalar t67 = s[0] * (s[0] * t52 + c[0] * t57) - c[0] * (t63 + c[0] * (t66 + t52));
+  const Scalar t68 = qd[0] * c[0];
+  const Scalar t69 = qd[0] * s[0];
+  const Scalar t70 = t20 * t4 - s[2] * t48;
+  const Scalar t71 = c[2] * t35 - s[2] * t36;
+  const Scalar t72 = t70 - t71;
+  const Scalar t73 = s[2] * t10;
+  const Scalar t74 = s[2] * t15;
+  const Scalar t75 = (t73 + (t14 - t74)) - Scalar(0.04701250578971746) * t21;
+  const Scalar t76 = Scalar(0.04701250578971746) * t40 + c[2] * t25;
+  const Scalar t77 = t70 + qd[2] * t76;
+  const Scalar t78 = Scalar(0.0047376) + t46;
+  const Scalar t79 = t74 + (t9 - t73);
+  const Scalar t80 = (qd[2] * t78 - t79) + t75;
+  const Scalar t81 = (c[1] * t77 - s[1] * t80) + Scalar(0.34749884205650766) * t60;
+  const Scalar t82 = Scalar(0.34749884205650766) * t31 + t78;
+  const Scalar t83 = Scalar(0.34749884205650766) * t32 + t76;
+  const Scalar t84 = s[1] * t82 - c[1] * t83;
+  const Scalar t85 = t81 + qd[1] * (Scalar(0.6903913435) - (t84 - t40));
+  const Scalar t86 = (t34 * t68 + t69 * t62) - ((c[1] * t72 - s[1] * t75) - t85);
+  const Scalar t87 = c[1] * t82 + s[1] * t83;
+  const Scalar t88 = (s[1] * t77 + c[1] * t80) + Scalar(0.34749884205650766) * t64;
+  const Scalar t89 = s[1] * t72 + c[1] * t75;
+  const Scalar t90 = qd[1] * (Scalar(0.023751) + t87) + (t88 - t89);
+  const Scalar t91 = s[0] * (t90 + (t34 * t69 + t68 * t54));
+  const Scalar t92 = c[0] * t86 - t91;
+  const Scalar t93 = c[1] * s[0] + c[0] * s[1];
+  const Scalar t94 = s[0] * s[1] - c[0] * c[1];
+  const Scalar t95 = qd[1] + qd[2];
+  const Scalar t96 = t95 * t32 - t1;
+  const Scalar t97 = qd[0] * t93;
+  const Scalar t98 = qd[0] * t94;
+  const Scalar t99 = (t71 + t95 * t76) + (t97 * t26 - t29 * t98);
+  const Scalar t100 = (t97 * t29 - t23 * t98) + (t95 * t78 - t79);
+  const Scalar t101 = t95 * t31 + t41;
+  const Scalar t102 = (Scalar(0.34749884205650766) * t96 + t99) * t94 + (t100 + Scalar(0.34749884205650766) * t101) * t93;
+  const Scalar t103 = t68 * (t32 * t93 - t94 * t31) - t102;
+  const Scalar t104 = qd[3] - t98;
+  const Scalar t105 = t104 * t40 - t39;
+  const Scalar t106 = t19 + t24 * t104;
+  const Scalar t107 = ((t6 - Scalar(0.04701250578971746) * t105) - Scalar(0.34749884205650766) * t106) * t94;
+  const Scalar t108 = c[2] * t95 + s[2] * t97;
+  const Scalar t109 = Scalar(0.00077) * t108 - t47;
+  const Scalar t110 = s[3] * t104;
+  const Scalar t111 = s[2] * t95 - c[2] * t97;
+  const Scalar t112 = Scalar(0.001243584) * t110 + (t13 * t111 - (t35 - t3 * t104));
+  const Scalar t113 = Scalar(0.000432144) * s[3];
+  const Scalar t114 = (c[2] * t109 + s[2] * t112) + t113 * t111;
+  const Scalar t115 = c[0] * t105 + (t107 - t114 * t93);
+  const Scalar t116 = qd[4] + t108;
+  const Scalar t117 = c[3] * t104 + s[3] * t111;
+  const Scalar t118 = Scalar(0.001243584) * t117;
+  const Scalar t119 = t40 * t116 - c[2] * t118;
+  const Scalar t120 = t110 - c[3] * t111;
+  const Scalar t121 = Scalar(0.00022) * t120;
+  const Scalar t122 = Scalar(0.00042216) * t117 - t7;
+  const Scalar t123 = s[3] * t121 + c[3] * t122;
+  const Scalar t124 = t17 * t116;
+  const Scalar t125 = t93 * ((t119 - c[2] * t123) - Scalar(0.34749884205650766) * t124);
+  const Scalar t126 = c[3] * t121 - s[3] * t122;
+  const Scalar t127 = t24 * t116 + s[2] * t118;
+  const Scalar t128 = t94 * ((t126 - Scalar(0.04701250578971746) * t119) - Scalar(0.34749884205650766) * t127);
+  const Scalar t129 = c[0] * t119 - (t125 - t128);
+  const Scalar t130 = Scalar(2e-05) * t116;
+  const Scalar t131 = Scalar(2e-05) * t120;
+  const Scalar t132 = (c[2] * c[3] * t130 - s[2] * t131) * t93;
+  const Scalar t133 = s[3] * t130;
+  const Scalar t134 = t132 - t94 * t133;
+  const Scalar t135 = c[0] * t85 + s[0] * ((t21 - t89) - t90);
+  const Scalar t136 = s[1] * t96 + c[1] * t101;
+  const Scalar t137 = t0 * t111;
+  const Scalar t138 = Scalar(0.04701250578971746) * t137 - (c[2] * t112 - s[2] * t109);
+  const Scalar t139 = t138 + (s[1] * t106 + c[1] * t137);
+  const Scalar t140 = (s[2] * t123 + t127) + Scalar(0.04701250578971746) * t124;
+  const Scalar t141 = (c[1] * t124 - s[1] * t127) + t140;
+  const Scalar t142 = c[3] * s[2];
+  const Scalar t143 = c[2] * t131 + t142 * t130;
+  const Scalar t144 = c[0] * (qd[1] * t84 - t81) + s[0] * (qd[1] * t87 + t88);
+  const Scalar t145 = s[2] * t113;
+  const Scalar t146 = Scalar(0.04701250578971746) * t24 - (Scalar(0.00077) + t13);
+  const Scalar t147 = t145 - t146;
+  const Scalar t148 = t22 - ((t42 + (t6 + t6)) - qd[2] * t28);
+  const Scalar t149 = qd[2] * t145 + (t49 - qd[2] * t146);
+  const Scalar t150 = qd[1] * (c[1] * t28 - s[1] * t147) - (t41 - (c[1] * t148 - s[1] * t149));
+  const Scalar t151 = qd[1] * (t24 - (c[1] * t147 + s[1] * t28));
+  const Scalar t152 = s[0] * (t151 - (s[1] * t148 + c[1] * t149));
+  const Scalar t153 = t70 - (s[1] * t21 + c[1] * qd[2] * t40);
+  const Scalar t154 = Scalar(0.001243584) * t142;
+  const Scalar t155 = s[2] * t27;
+  const Scalar t156 = c[2] * t17;
+  const Scalar t157 = t155 + Scalar(0.34749884205650766) * t156;
+  const Scalar t158 = Scalar(0.00064216) * s[2];
+  const Scalar t159 = t158 + t154;
+  const Scalar t160 = t159 + t113;
+  const Scalar t161 = qd[1] * (t154 + (c[1] * t157 - s[1] * t160));
+  const Scalar t162 = qd[3] * t156 - s[2] * t1;
+  const Scalar t163 = qd[3] * t154 + qd[4] * t24;
+  const Scalar t164 = qd[2] * t0 + t163;
+  const Scalar t165 = (qd[2] * t159 - Scalar(0.04701250578971746) * t162) + Scalar(0.34749884205650766) * t164;
+  const Scalar t166 = qd[2] * t156 + t18;
+  const Scalar t167 = (qd[2] * t155 + (t162 + Scalar(0.00064216) * t20)) + Scalar(0.34749884205650766) * t166;
+  const Scalar t168 = s[0] * (t161 - (s[1] * t165 - c[1] * t167));
+  const Scalar t169 = (t162 - (s[1] * t167 + c[1] * t165)) - qd[1] * (s[1] * t157 + c[1] * t160);
+  const Scalar t170 = Scalar(0.04701250578971746) * t18 + (qd[3] * t158 + t163);
+  const Scalar t171 = t141 + ((s[1] * t164 - c[1] * t166) - t170);
+  const Scalar t172 = Scalar(4e-05) * qd[4];
+  const Scalar t173 = (t172 * t142 + Scalar(4e-05) * s[3] * t20) - t143;
+  Eigen::Matrix<Scalar, dof, dof> result;
+  result(0, 0) = t67 - ((t6 + t16) - t22);
+  result(0, 1) = -t92;
+  result(0, 2) = -t103;
+  result(0, 3) = t115;
+  result(0, 4) = t129;
+  result(0, 5) = -t134;
+  result(1, 0) = t92 - t135;
+  result(1, 1) = -t66;
+  result(1, 2) = t65 - t136;
+  result(1, 3) = t139;
+  result(1, 4) = -t141;
+  result(1, 5) = t143;
+  result(2, 0) = t103 + t144;
+  result(2, 1) = t136 - t66;
+  result(2, 2) = t65;
+  result(2, 3) = t138;
+  result(2, 4) = -t140;
+  result(2, 5) = t143;
+  result(3, 0) = (c[0] * t150 + t152) - t115;
+  result(3, 1) = -t139 - t153;
+  result(3, 2) = -t138 - t70;
+  result(3, 3) = -t6;
+  result(3, 4) = -t126;
+  result(3, 5) = -t133;
+  result(4, 0) = (t168 - c[0] * t169) - t129;
+  result(4, 1) = t171;
+  result(4, 2) = t140 - t170;
+  result(4, 3) = t126;
+  result(4, 4) = Scalar(0);
+  result(4, 5) = t131;
+  result(5, 0) = -t134;
+  result(5, 1) = t173;
+  result(5, 2) = t173;
+  result(5, 3) = -s[3] * (t172 - t130);
+  result(5, 4) = -t131;
+  result(5, 5) = Scalar(0);
+  return result;
+}
+
+}  // namespace detail
+
+template <class Scalar>
+Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const BasicGeometry<Scalar>& g,
+    const BasicInertia<Scalar>& inertia) {
+  return detail::coriolis_matrix<Scalar>(q, qd, sines_and_cosines<Scalar>(q[1], q[2], q[3], q[4]),
+      coriolis_matrix_constants<Scalar>(g, inertia));
+}
+
+template <class Scalar>
+Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const DynamicsAngles<Scalar>& angles,
+    const CoriolisMatrixConstants<Scalar>& constants) {
+  return detail::coriolis_matrix<Scalar>(q, qd, angles, constants);
+}
+
+template <class Scalar>
 ForwardDynamicsConstants<Scalar> forward_dynamics_constants([[maybe_unused]] const BasicGeometry<Scalar>& g,
     [[maybe_unused]] const BasicInertia<Scalar>& inertia,
     [[maybe_unused]] NonDeduced<Scalar> gravity) {

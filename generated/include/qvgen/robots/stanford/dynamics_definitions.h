@@ -383,6 +383,201 @@ Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q, const 
 }
 
 template <class Scalar>
+CoriolisMatrixConstants<Scalar> coriolis_matrix_constants([[maybe_unused]] const BasicGeometry<Scalar>& g,
+    [[maybe_unused]] const BasicInertia<Scalar>& inertia) {
+  using std::cos;
+  using std::sin;
+
+  return {  };
+}
+
+namespace detail {
+
+template <class Scalar, class Angles>
+inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix([[maybe_unused]] const JointVector<Scalar>& q, [[maybe_unused]] const JointVector<Scalar>& qd, [[maybe_unused]] const Angles& angles,
+    [[maybe_unused]] const CoriolisMatrixConstants<Scalar>& k) {
+  [[maybe_unused]] const auto& [s, c] = angles;
+  const Scalar t0 = Scalar(0.00015) * qd[5];
+  const Scalar t1 = s[2] * t0;
+  const Scalar t2 = Scalar(1.24731283) * s[2];
+  const Scalar t3 = c[2] * t2;
+  const Scalar t4 = t1 - qd[3] * t3;
+  const Scalar t5 = Scalar(0.00115) - s[2] * t2;
+  const Scalar t6 = Scalar(1.24501283) + t5;
+  const Scalar t7 = qd[4] * t6;
+  const Scalar t8 = Scalar(0.00106974) * c[2];
+  const Scalar t9 = Scalar(0.00536544) + t8;
+  const Scalar t10 = t7 - qd[3] * t9;
+  const Scalar t11 = Scalar(0.016126929) * s[2];
+  const Scalar t12 = c[1] * t11;
+  const Scalar t13 = Scalar(0.016126929) * c[2];
+  const Scalar t14 = qd[4] * t13;
+  const Scalar t15 = t14 - Scalar(0.006054678) * qd[3];
+  const Scalar t16 = qd[3] * t12 + s[1] * t15;
+  const Scalar t17 = Scalar(49.26108374384236) * q[2];
+  const Scalar t18 = (c[1] * t4 - s[1] * t10) - t16 * t17;
+  const Scalar t19 = Scalar(0.558231933) - t13;
+  const Scalar t20 = t19 - Scalar(0.131341) * q[2];
+  const Scalar t21 = Scalar(179.17632937) - ((t19 + t20) * t17 - t6);
+  const Scalar t22 = qd[4] * t11;
+  const Scalar t23 = Scalar(0.131341) * qd[2] - t22;
+  const Scalar t24 = Scalar(49.26108374384236) * qd[2];
+  const Scalar t25 = qd[4] * t3;
+  const Scalar t26 = t17 * t23 - (t19 * t24 + t25);
+  const Scalar t27 = s[1] * t11;
+  const Scalar t28 = Scalar(0.006054678) * c[1] + t27;
+  const Scalar t29 = (c[1] * t9 + s[1] * t3) + t17 * t28;
+  const Scalar t30 = qd[1] * t29;
+  const Scalar t31 = c[0] * (t18 - qd[1] * t21) - s[0] * (t26 - t30);
+  const Scalar t32 = Scalar(0.00106974) * s[2];
+  const Scalar t33 = s[1] * (Scalar(0.20742356) + t5) - Scalar(2) * c[1] * t32;
+  const Scalar t34 = Scalar(0.008) + (Scalar(0.20742356) - s[1] * t33);
+  const Scalar t35 = qd[4] * t32;
+  const Scalar t36 = t1 - t35;
+  const Scalar t37 = qd[4] * t5;
+  const Scalar t38 = t24 * t28 + (c[1] * t36 + s[1] * t37);
+  const Scalar t39 = c[2] * t0;
+  const Scalar t40 = qd[4] * t8;
+  const Scalar t41 = Scalar(0.20742356) * qd[3] + (t39 - t40);
+  const Scalar t42 = qd[3] * s[1];
+  const Scalar t43 = t42 * t32;
+  const Scalar t44 = c[1] * t41 + t43;
+  const Scalar t45 = qd[3] * t32;
+  const Scalar t46 = t39 - qd[3] * t5;
+  const Scalar t47 = c[1] * (t45 - t25) + s[1] * t46;
+  const Scalar t48 = s[1] * t44 - c[1] * t47;
+  const Scalar t49 = t48 - t25;
+  const Scalar t50 = s[0] * (qd[1] * t34 - t38) + c[0] * (t49 - t30);
+  const Scalar t51 = s[2] * t42;
+  const Scalar t52 = Scalar(0.016126929) * t51 - c[1] * t15;
+  const Scalar t53 = Scalar(7.586206896551724) * t52;
+  const Scalar t54 = (s[0] * t31 + c[0] * t50) - (t53 - (t52 - t48));
+  const Scalar t55 = t12 - Scalar(0.006054678) * s[1];
+  const Scalar t56 = (s[1] * t9 - c[1] * t3) - t17 * t55;
+  const Scalar t57 = s[1] * t47;
+  const Scalar t58 = c[1] * t44;
+  const Scalar t59 = qd[1] * (t56 + t20) + (((t57 - t46) - (t41 - t58)) - t16);
+  const Scalar t60 = qd[0] * s[0];
+  const Scalar t61 = qd[0] * c[0];
+  const Scalar t62 = s[0] * (t59 - (t29 * t60 - t61 * t21));
+  const Scalar t63 = s[1] * t4 + c[1] * t10;
+  const Scalar t64 = t24 * t55 + ((c[1] * t37 - s[1] * t36) + t63);
+  const Scalar t65 = t52 * t17;
+  const Scalar t66 = t64 - t65;
+  const Scalar t67 = (t66 + t23) + qd[1] * ((t32 + c[1] * t33) - t28);
+  const Scalar t68 = (t29 * t61 - t34 * t60) + (t67 + (t65 - t63));
+  const Scalar t69 = t62 + c[0] * t68;
+  const Scalar t70 = qd[1] * t20;
+  const Scalar t71 = t16 - t70;
+  const Scalar t72 = c[0] * (qd[1] * t28 - t23) + s[0] * t71;
+  const Scalar t73 = Scalar(0.0026662223) * qd[1];
+  const Scalar t74 = qd[1] * t55;
+  const Scalar t75 = t60 * t28 + t74;
+  const Scalar t76 = s[0] * t60 * t20;
+  const Scalar t77 = c[0] * (Scalar(7.586206896551724) * t73 - (t75 + t73)) + t76;
+  const Scalar t78 = qd[1] * c[1] + s[1] * t60;
+  const Scalar t79 = s[2] * t78;
+  const Scalar t80 = c[1] * t60 - qd[1] * s[1];
+  const Scalar t81 = qd[3] + t61;
+  const Scalar t82 = (Scalar(0.00106974) * t79 + Scalar(0.20742356) * t80) + (t7 - t81 * t9);
+  const Scalar t83 = c[2] * t78 + s[2] * t81;
+  const Scalar t84 = Scalar(0.00115) * t83;
+  const Scalar t85 = t79 - c[2] * t81;
+  const Scalar t86 = qd[4] - t80;
+  const Scalar t87 = Scalar(1.24616283) * t85 - (Scalar(0.00106974) * t86 - t0);
+  const Scalar t88 = c[2] * t84 - s[2] * t87;
+  const Scalar t89 = t35 - t88;
+  const Scalar t90 = t14 - Scalar(0.006054678) * t81;
+  const Scalar t91 = (t75 - (s[1] * t82 - c[1] * t89)) - t17 * (t81 * t12 + s[1] * t90);
+  const Scalar t92 = t81 * t27 - c[1] * t90;
+  const Scalar t93 = s[0] * (Scalar(7.586206896551724) * t75 - t91) + c[0] * (Scalar(7.586206896551724) * t92 + (t25 - t92));
+  const Scalar t94 = Scalar(0.016126929) * t85;
+  const Scalar t95 = c[1] * t94 + t86 * t27;
+  const Scalar t96 = t86 * t13;
+  const Scalar t97 = s[2] * t84 + c[2] * t87;
+  const Scalar t98 = (s[1] * t94 - t86 * t12) * t17 + (s[1] * t97 + t96);
+  const Scalar t99 = c[0] * (Scalar(7.586206896551724) * t95 - (t95 - t88)) + s[0] * (Scalar(7.586206896551724) * t96 - t98);
+  const Scalar t100 = Scalar(0.00015) * t83;
+  const Scalar t101 = Scalar(0.00015) * t86;
+  const Scalar t102 = c[2] * t101;
+  const Scalar t103 = s[2] * t101;
+  const Scalar t104 = s[0] * (c[1] * t100 + s[1] * t102) + c[0] * t103;
+  const Scalar t105 = c[0] * t67 + s[0] * (t59 + (t57 + t58));
+  const Scalar t106 = (s[1] * t89 + c[1] * t82) - t17 * t92;
+  const Scalar t107 = c[1] * t97 + t95 * t17;
+  const Scalar t108 = s[1] * t100 - c[1] * t102;
+  const Scalar t109 = Scalar(49.26108374384236) * t75;
+  const Scalar t110 = c[0] * (t53 - ((t52 - Scalar(2) * t25) - t30));
+  const Scalar t111 = qd[1] * ((Scalar(0.20742356) - t5) + t55) + (t18 - t38);
+  const Scalar t112 = t93 - (t110 - s[0] * (t111 - Scalar(7.586206896551724) * t74));
+  const Scalar t113 = s[1] * t13;
+  const Scalar t114 = t40 + Scalar(1.24501283) * qd[3];
+  const Scalar t115 = c[1] * t13;
+  const Scalar t116 = ((c[1] * t45 + s[1] * t114) - t14) - t24 * t115;
+  const Scalar t117 = t116 + (c[1] * t22 + qd[3] * t113) * t17;
+  const Scalar t118 = (qd[1] * (t113 - t8) - t117) - Scalar(7.586206896551724) * (qd[1] * t113 + t14);
+  const Scalar t119 = qd[3] * t115 - s[1] * t22;
+  const Scalar t120 = t17 * t115 + ((Scalar(1.24501283) * c[1] - s[1] * t32) + t11);
+  const Scalar t121 = Scalar(7.586206896551724) * (t119 - qd[1] * t11) - ((t35 + t119) - qd[1] * t120);
+  const Scalar t122 = ((c[1] * t114 - t43) + t24 * t113) + t119 * t17;
+  const Scalar t123 = Scalar(0.0003) * qd[4];
+  const Scalar t124 = t108 + (c[1] * c[2] * t123 - Scalar(0.0003) * t51);
+  Eigen::Matrix<Scalar, dof, dof> result;
+  result(0, 0) = -t54;
+  result(0, 1) = t69 + Scalar(7.586206896551724) * t72;
+  result(0, 2) = -Scalar(49.26108374384236) * t77;
+  result(0, 3) = t93;
+  result(0, 4) = t99;
+  result(0, 5) = -t104;
+  result(1, 0) = t105 - t69;
+  result(1, 1) = t26 - t49;
+  result(1, 2) = -Scalar(49.26108374384236) * t70;
+  result(1, 3) = t106;
+  result(1, 4) = -t107;
+  result(1, 5) = t108;
+  result(2, 0) = -Scalar(49.26108374384236) * (s[0] * t92 - t76);
+  result(2, 1) = -Scalar(49.26108374384236) * t71;
+  result(2, 2) = Scalar(0);
+  result(2, 3) = -t109;
+  result(2, 4) = -Scalar(49.26108374384236) * t96;
+  result(2, 5) = Scalar(0);
+  result(3, 0) = -t112;
+  result(3, 1) = t66 - t106;
+  result(3, 2) = t109;
+  result(3, 3) = t25;
+  result(3, 4) = t88;
+  result(3, 5) = -t103;
+  result(4, 0) = -(s[0] * t118 + c[0] * t121) - t99;
+  result(4, 1) = t122 + t107;
+  result(4, 2) = -Scalar(49.26108374384236) * t13 * t80;
+  result(4, 3) = t89;
+  result(4, 4) = Scalar(0);
+  result(4, 5) = t100;
+  result(5, 0) = -t104;
+  result(5, 1) = -t124;
+  result(5, 2) = Scalar(0);
+  result(5, 3) = t103 - s[2] * t123;
+  result(5, 4) = -t100;
+  result(5, 5) = Scalar(0);
+  return result;
+}
+
+}  // namespace detail
+
+template <class Scalar>
+Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const BasicGeometry<Scalar>& g,
+    const BasicInertia<Scalar>& inertia) {
+  return detail::coriolis_matrix<Scalar>(q, qd, sines_and_cosines<Scalar>(q[1], q[3], q[4]),
+      coriolis_matrix_constants<Scalar>(g, inertia));
+}
+
+template <class Scalar>
+Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const DynamicsAngles<Scalar>& angles,
+    const CoriolisMatrixConstants<Scalar>& constants) {
+  return detail::coriolis_matrix<Scalar>(q, qd, angles, constants);
+}
+
+template <class Scalar>
 ForwardDynamicsConstants<Scalar> forward_dynamics_constants([[maybe_unused]] const BasicGeometry<Scalar>& g,
     [[maybe_unused]] const BasicInertia<Scalar>& inertia,
     [[maybe_unused]] NonDeduced<Scalar> gravity) {

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+#include <map>
+
+#include "derive/dynamics/formulation.h"
+#include "derive/dynamics/inward.h"
+
+namespace qvgen::derive::dynamics {
+namespace {
+
+/// int r v^T dm over a composite body, v the velocity of the point r relative to the frame's own link; the
+/// last row int v^T dm. Pseudo-inertia and its rate in that frame are P and E + E^T.
+using Flow = std::array<Vector3, 4>;
+
+std::array<Scalar, 4> column(const PseudoInertia& p, std::size_t k) {
+  return {p.at(0, k), p.at(1, k), p.at(2, k), p.at(3, k)};
+}
+
+/// What the joint's own motion adds to the relative velocities of all behind it: e_z x r or e_z, times the
+/// rate.
+Flow with_own_motion(Flow flow, const Link& link, const PseudoInertia& composite, const Scalar& rate) {
+  const bool slides = link.motion == Motion::prismatic;
+  const auto x = column(composite, 0), y = column(composite, 1), mass = column(composite, 3);
+  for (std::size_t r = 0; r < 4; ++r) {
+    if (slides) {
+      flow[r][2] = flow[r][2] + rate * mass[r];
+    } else {
+      flow[r][0] = flow[r][0] - rate * y[r];
+      flow[r][1] = flow[r][1] + rate * x[r];
+    }
+  }
+  return flow;
+}
+
+Flow rotated(const Flow& flow, std::size_t axis, const Circle& by) {
+  Flow half;
+  for (std::size_t r = 0; r < 4; ++r) half[r] = rotate(axis, by, flow[r]);
+  Flow result = half;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const Vector3 turned = rotate(axis, by, {half[0][a], half[1][a], half[2][a]});
+    for (std::size_t r = 0; r < 3; ++r) result[r][a] = turned[r];
+  }
+  return result;
+}
+
+Flow shifted(const Flow& flow, const Vector3& t) {
+  Flow result = flow;
+  for (std::size_t r = 0; r < 3; ++r) result[r] = flow[r] + t[r] * flow[3];
+  return result;
+}
+
+PseudoInertia rate_of_inertia(const Flow& flow) {
+  PseudoInertia rate;
+  for (std::size_t r = 0; r < 3; ++r) {
+    for (std::size_t k = r; k < 3; ++k) rate.at(r, k) = flow[r][k] + flow[k][r];
+    rate.at(r, 3) = flow[3][r];
+  }
+  return rate;
+}
+
+/// The matrix of Christoffel's symbols. A body's pose as a 4x4 matrix X lies in a flat space whose metric is
+/// the body's constant pseudo-inertia, M_ij = sum tr(d_i X P d_j X^T), so that
+/// C_ij = sum tr(d_i X P (d/dt d_j X)^T): with S_j the joint's screw and V_j the link's velocity as 4x4
+/// matrices in the frame of link j, C_ij = tr(S_i G_j) for i <= j, G_j = P_j (V_j S_j)^T + E_j S_j^T.
+/// Below the diagonal C_ji = M'_ij - C_ij.
+class ChristoffelSymbols {
+ public:
+  ChristoffelSymbols(const model::Robot& robot, const Choices& choices, Formulation& out)
+      : graph_(out.function.graph),
+        suggest_(out.function),
+        p_(parametrise(robot, choices.gauge, graph_)),
+        inward_(p_, graph_, suggest_) {
+    out.constants = p_.constants;
+  }
+
+  void run(dag::Function& out) {
+    find_rotation_rates();
+    PseudoInertia composite;
+    Flow flow;
+    for (std::size_t j = p_.chain.links.size(); j-- > 0;) {
+      const Link& link = p_.chain.links[j];
+      composite = link.inertia + composite;
+      if (link.motion != Motion::none) open(j, composite, flow);
+      for (Open& other : open_) {
+        if (link.motion != Motion::none) record(link, other);
+        if (j > 0) carry(j, other);
+      }
+      if (j == 0) break;
+      if (link.motion != Motion::none) flow = with_own_motion(flow, link, composite, rate_of(link));
+      flow = carried(link, flow);
+      composite = inward_.carry(j, composite);
+    }
+    for (const auto& [place, value] : entries_)
+      out.outputs.push_back(
+          {"c" + std::to_string(place.first + 1) + "_" + std::to_string(place.second + 1), value.in(graph_)});
+  }
+
+ private:
+  /// Of one joint: its column of M, the column's rate in the frame that it has come to, and its column of C.
+  struct Open {
+    Column mass, rate, coriolis;
+  };
+
+  Scalar rate_of(const Link& link) const {
+    const Scalar rate = inward_.symbol(velocity_of(link.variable));
+    return link.motion == Motion::prismatic ? p_.per_unit * rate : rate;
+  }
+
+  void find_rotation_rates() {
+    Vector3 w, arriving;
+    for (const Link& link : p_.chain.links) {
+      const Circle angle = circle(link.angle, graph_), alpha = circle(link.alpha, graph_);
+      if (link.alpha.terms.empty() && link.alpha.pi == 0 && !rotation_rates_.empty())
+        offer_sum(angle, arriving);
+      arriving = unrotate(0, alpha, w);
+      w = unrotate(2, angle, arriving);
+      if (link.motion == Motion::revolute) w[2] = w[2] + rate_of(link);
+      rotation_rates_.push_back(w);
+    }
+  }
+
+  /// Two parallel axes in a row: what arrives at the first turned by the sum of both angles.
+  void offer_sum(const Circle& second, const Vector3& arriving) {
+    const Circle first = circle(p_.chain.links[rotation_rates_.size() - 1].angle, graph_);
+    const Circle both{first.cosine * second.cosine - first.sine * second.sine,
+                      first.sine * second.cosine + first.cosine * second.sine};
+    suggest_(unrotate(2, both, arriving));
+  }
+
+  void open(std::size_t j, const PseudoInertia& composite, const Flow& flow) {
+    const Link& link = p_.chain.links[j];
+    const Column coriolis = coriolis_column(link, composite, flow, rotation_rates_[j]);
+    open_.push_back({column_of(link, composite), column_of(link, rate_of_inertia(flow)), coriolis});
+  }
+
+  /// The wrench of G_j: the force is the last row, the moment the antisymmetric part of the others.
+  static Column coriolis_column(const Link& link, const PseudoInertia& composite, const Flow& flow,
+                                const Vector3& w) {
+    const bool slides = link.motion == Motion::prismatic;
+    const auto x = column(composite, 0), y = column(composite, 1), mass = column(composite, 3);
+    Flow g;
+    for (std::size_t r = 0; r < 4; ++r)
+      g[r] = slides
+                 ? Vector3{w[1] * mass[r], -(w[0] * mass[r]), Scalar()}
+                 : Vector3{-(w[2] * x[r]) - flow[r][1], flow[r][0] - w[2] * y[r], w[0] * x[r] + w[1] * y[r]};
+    return {link.joint, slides, g[3], {g[1][2] - g[2][1], g[2][0] - g[0][2], g[0][1] - g[1][0]}, {}};
+  }
+
+  void record(const Link& link, const Open& outer) {
+    const std::size_t i = link.joint, j = outer.mass.joint;
+    const Scalar above = entry(p_, link, outer.coriolis);
+    entries_[{i, j}] = above;
+    if (i != j) entries_[{j, i}] = entry(p_, link, outer.rate) - above;
+  }
+
+  /// The rate of what the joint turns or slides: rate (e_z x column), or rate e_z x force for the moment.
+  void carry(std::size_t j, Open& outer) {
+    const Link& link = p_.chain.links[j];
+    if (link.motion != Motion::none) {
+      const Scalar rate = rate_of(link);
+      const auto turned = [&](const Vector3& v) { return Vector3{-(rate * v[1]), rate * v[0], Scalar()}; };
+      const bool slides = link.motion == Motion::prismatic;
+      outer.rate.moment = outer.rate.moment + turned(slides ? outer.mass.force : outer.mass.moment);
+      if (!slides) outer.rate.force = outer.rate.force + turned(outer.mass.force);
+    }
+    for (Column* column : {&outer.mass, &outer.rate, &outer.coriolis}) inward_.carry(j, *column);
+  }
+
+  Flow carried(const Link& link, const Flow& flow) const {
+    const Vector3 along = {Scalar(), Scalar(), inward_.shift_of(link)};
+    const Flow turned =
+        rotated(rotated(shifted(flow, along), 2, circle(link.angle, graph_)), 0, circle(link.alpha, graph_));
+    return shifted(turned, {link.a, link.b, Scalar()});
+  }
+
+  dag::Graph& graph_;
+  Suggestions suggest_;
+  Parametrisation p_;
+  Inward inward_;
+  std::vector<Vector3> rotation_rates_;
+  std::vector<Open> open_;
+  std::map<std::pair<std::size_t, std::size_t>, Scalar> entries_;
+};
+
+}  // namespace
+
+Formulation coriolis_matrix(const model::Robot& robot, const Choices& choices) {
+  Formulation result;
+  ChristoffelSymbols(robot, choices, result).run(result.function);
+  return result;
+}
+
+}  // namespace qvgen::derive::dynamics

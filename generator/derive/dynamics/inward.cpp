@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "derive/dynamics/inward.h"
+
+namespace qvgen::derive::dynamics {
+namespace {
+
+/// The moment about a point d further in along z.
+Vector3 about(const Vector3& moment, const Vector3& force, const Scalar& d) {
+  return {moment[0] - d * force[1], moment[1] + d * force[0], moment[2]};
+}
+
+}  // namespace
+
+Scalar entry(const Parametrisation& p, const Link& link, const Column& column) {
+  const bool slides = link.motion == Motion::prismatic;
+  const Scalar value = slides ? p.per_unit * column.force[2] : column.moment[2];
+  return column.slides ? p.per_unit * value : value;
+}
+
+/// Acceleration of a turning body about its origin: f = e_z x h; of a sliding one: f = m e_z.
+Column column_of(const Link& link, const PseudoInertia& p) {
+  const Vector3 h = p.first_moments();
+  if (link.motion == Motion::prismatic)
+    return {link.joint, true, {Scalar(), Scalar(), p.mass()}, {h[1], -h[0], Scalar()}, {}};
+  const Vector3 moment = {-p.at(0, 2), -p.at(1, 2), p.at(0, 0) + p.at(1, 1)};
+  return {link.joint, false, {-h[1], h[0], Scalar()}, moment, {}};
+}
+
+Scalar Inward::shift_of(const Link& link) const {
+  return link.motion == Motion::prismatic ? link.d + p_.per_unit * symbol(link.variable) : link.d;
+}
+
+void Inward::carry(std::size_t j, Column& column) {
+  const Link& link = p_.chain.links[j];
+  const Circle angle = circle(link.angle, graph_), alpha = circle(link.alpha, graph_);
+  const Scalar d = shift_of(link);
+  const Vector3 at_axis = about(column.moment, column.force, d);
+  const Vector3 force = rotate(2, angle, column.force);
+  const Vector3 moment = rotate(2, angle, at_axis);
+  suggest_(about(rotate(2, angle, column.moment), force, d));
+  if (is_parallel(j + 1) && column.outer_moment) offer_parallel(j, column, angle);
+  column.outer_moment = at_axis;
+  column.outer_force = column.force;
+  column.force = rotate(0, alpha, force);
+  column.moment = rotate(0, alpha, moment) + cross(Vector3{link.a, link.b, Scalar()}, column.force);
+}
+
+bool Inward::is_parallel(std::size_t j) const {
+  if (j >= p_.chain.links.size()) return false;
+  const Link& link = p_.chain.links[j];
+  return link.alpha.terms.empty() && link.alpha.pi == 0 && link.b.is_zero() &&
+         link.motion == Motion::revolute && p_.chain.links[j - 1].motion == Motion::revolute;
+}
+
+/// What lies behind two parallel axes turned by the sum of both angles.
+void Inward::offer_parallel(std::size_t j, const Column& column, const Circle& first) {
+  const Link& link = p_.chain.links[j];
+  const Link& next = p_.chain.links[j + 1];
+  const Circle second = circle(next.angle, graph_);
+  const Circle both{first.cosine * second.cosine - first.sine * second.sine,
+                    first.sine * second.cosine + first.cosine * second.sine};
+  const Vector3 direct = rotate(2, both, *column.outer_moment);
+  const Vector3 force = rotate(2, both, *column.outer_force);
+  suggest_(force);
+  const Scalar z = (*column.outer_force)[2];
+  const Scalar lever_x = next.a * first.sine * z, lever_y = -(next.a * first.cosine * z);
+  const Vector3 turned = rotate(2, first, {Scalar(), -(next.a * z), Scalar()});
+  for (const Vector3& lever :
+       {Vector3{lever_x, lever_y, Scalar()}, Vector3{turned[0], turned[1], Scalar()}}) {
+    const Vector3 moment = Vector3{direct[0], direct[1], Scalar()} + lever;
+    suggest_(moment);
+    suggest_(about(moment, force, shift_of(link)));
+  }
+}
+
+PseudoInertia Inward::carry(std::size_t j, const PseudoInertia& inertia) {
+  const Link& link = p_.chain.links[j];
+  const Circle angle = circle(link.angle, graph_);
+  const Scalar d = shift_of(link);
+  offer(shifted(turned_about_z(inertia, angle), 2, d));
+  const PseudoInertia turned = turned_about_z(shifted(inertia, 2, d), angle);
+  return shifted(rotated(turned, 0, circle(link.alpha, graph_)), {link.a, link.b, Scalar()});
+}
+
+PseudoInertia Inward::turned_about_z(const PseudoInertia& inertia, const Circle& by) {
+  const auto& [c, s] = by;
+  if (!c.is_zero() && !s.is_zero()) {
+    const Scalar difference = inertia.at(0, 0) - inertia.at(1, 1),
+                 twice = inertia.at(0, 1) + inertia.at(0, 1);
+    const Scalar ss = s * s, sc = s * c, c2 = Scalar(graph_, graph_.constant(1)) - (ss + ss);
+    const Scalar u = ss * difference + sc * twice;
+    suggest_({inertia.at(0, 0) - u, inertia.at(1, 1) + u, sc * difference + c2 * inertia.at(0, 1)});
+  }
+  return rotated(inertia, 2, by);
+}
+
+void Inward::offer(const PseudoInertia& inertia) {
+  for (std::size_t row = 0; row < 4; ++row)
+    for (std::size_t column = row; column < 4; ++column) suggest_({inertia.at(row, column)});
+}
+
+}  // namespace qvgen::derive::dynamics
