@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <qvgen/inverse/scalar.h>
+#include <qvgen/inverse/arctangent.h>
 
 namespace qvgen::inverse {
 
@@ -30,8 +30,7 @@ Rotor<Scalar> inverse(const Rotor<Scalar>& a) {
 /// Angle in [-pi, pi], rad, of a pair that need not be normalised.
 template <typename Scalar>
 Scalar angle(const Rotor<Scalar>& rotor) {
-  using std::atan2;
-  return atan2(rotor.sine, rotor.cosine);
+  return arctangent(rotor.sine, rotor.cosine);
 }
 
 template <typename Scalar>
@@ -42,8 +41,7 @@ Scalar pi() {
 /// Angle in (-pi, pi], rad: -pi, which a negative zero or a rounded sine would give, is pi.
 template <typename Scalar>
 Scalar output_angle(const Scalar& cosine, const Scalar& sine) {
-  using std::atan2;
-  const Scalar value = atan2(sine, cosine);
+  const Scalar value = arctangent(sine, cosine);
   return select(value <= -pi<Scalar>(), pi<Scalar>(), value);
 }
 

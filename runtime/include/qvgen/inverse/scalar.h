@@ -23,9 +23,14 @@ Scalar epsilon() {
   return ScalarTraits<Scalar>::epsilon();
 }
 
+/// One of two values, for conditions that no processor can predict: a jump would cost more than both values.
 template <typename Scalar>
 Scalar select(bool condition, const Scalar& yes, const Scalar& no) {
+#if defined(__GNUC__)
+  return __builtin_expect_with_probability(condition, 1, 0.5) ? yes : no;
+#else
   return condition ? yes : no;
+#endif
 }
 
 inline bool any(bool condition) { return condition; }
@@ -44,6 +49,16 @@ inline constexpr double default_tolerance = 1e-12;
 template <typename Scalar>
 Scalar smaller(const Scalar& a, const Scalar& b) {
   return select(a < b, a, b);
+}
+
+template <typename Scalar>
+Scalar larger(const Scalar& a, const Scalar& b) {
+  return select(a > b, a, b);
+}
+
+template <typename Scalar>
+Scalar magnitude(const Scalar& a) {
+  return select(a < Scalar(0), Scalar(-a), a);
 }
 
 template <typename Scalar>

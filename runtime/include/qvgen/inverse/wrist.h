@@ -40,14 +40,15 @@ void arguments(const Rotor<Scalar>& u, const Rotor<Scalar>& v, const Scalar& u_s
 template <typename Scalar>
 WristAngles<Scalar> right_wrist(const Rotor<Scalar>& u, const Rotor<Scalar>& v, bool swapped, const Scalar& seed,
                                 const Scalar& pi, Branch<Scalar>& branch) {
-  using std::atan2;
   using std::sqrt;
   const Scalar u_square = u.cosine * u.cosine + u.sine * u.sine;
   const Scalar v_square = v.cosine * v.cosine + v.sine * v.sine;
+  const Scalar u_length = sqrt(u_square);
+  const Scalar v_length = sqrt(v_square);
   Scalar u_argument;
   Scalar v_argument;
   arguments(u, v, u_square, v_square, seed, u_argument, v_argument, branch);
-  return {wrapped(Scalar(u_argument + v_argument), pi), Scalar(2) * (swapped ? atan2(sqrt(u_square), sqrt(v_square)) : atan2(sqrt(v_square), sqrt(u_square))),
+  return {wrapped(Scalar(u_argument + v_argument), pi), Scalar(2) * (swapped ? acute_arctangent(u_length, v_length) : acute_arctangent(v_length, u_length)),
           wrapped(Scalar(u_argument - v_argument), pi)};
 }
 
@@ -90,7 +91,6 @@ template <typename Scalar>
 WristAngles<Scalar> oblique_wrist(const Rotor<Scalar>& u11, const Rotor<Scalar>& u12, const WristShape<Scalar>& shape,
                                   const Scalar& sign, const Scalar& seed, const Scalar& tolerance, const Scalar& pi,
                                   Branch<Scalar>& branch) {
-  using std::atan2;
   using std::sqrt;
   const Scalar zero(0);
   const Scalar u11_square = u11.cosine * u11.cosine + u11.sine * u11.sine;
@@ -115,7 +115,7 @@ WristAngles<Scalar> oblique_wrist(const Rotor<Scalar>& u11, const Rotor<Scalar>&
   Scalar first_argument;
   Scalar second_argument;
   arguments(z1, z2, u11_square, u12_square, seed, first_argument, second_argument, branch);
-  return {wrapped(Scalar(first_argument + second_argument), pi), Scalar(2) * sign * atan2(s, c),
+  return {wrapped(Scalar(first_argument + second_argument), pi), Scalar(2) * sign * acute_arctangent(s, c),
           wrapped(Scalar(first_argument - second_argument), pi)};
 }
 

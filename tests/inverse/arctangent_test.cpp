@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// The own arctangent against libm's in extended precision.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include <qvgen/inverse/arctangent.h>
+
+namespace qvgen::inverse {
+namespace {
+
+/// Difference in units of the last place of the true value.
+double ulps(double y, double x) {
+  const long double truth = std::atan2(static_cast<long double>(y), static_cast<long double>(x));
+  const double size = std::abs(static_cast<double>(truth));
+  const double ulp = std::nextafter(size, 10) - size;
+  return static_cast<double>(std::abs(arctangent(y, x) - truth)) / ulp;
+}
+
+static_assert(std::numeric_limits<long double>::digits > 53, "the reference needs more digits");
+
+TEST(Arctangent, WithinTwoUlps) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  double worst = 0;
+  for (int i = 0; i < 1000000; ++i) {
+    const double x = unit(random), y = unit(random);
+    const double far = std::exp(40 * unit(random));
+    const double diagonal = std::ldexp(1 + 0.1 * unit(random), i % 3 - 1);  // about the slopes 1/2, 1 and 2
+    worst = std::max({worst, ulps(y, x), ulps(y * far, x), ulps(x * diagonal, x), ulps(-x * diagonal, x)});
+  }
+  EXPECT_LT(worst, 2);
+}
+
+TEST(Arctangent, AxesDiagonalsAndTheOrigin) {
+  for (const double size : {1e-300, 0.7, 1.0, 1e150}) {
+    EXPECT_EQ(arctangent(0.0, size), 0);
+    EXPECT_EQ(arctangent(size, 0.0), std::atan2(1, 0));
+    EXPECT_EQ(arctangent(-size, 0.0), std::atan2(-1, 0));
+    EXPECT_EQ(arctangent(0.0, -size), std::atan2(0, -1));
+    for (const double y : {-size, size})
+      for (const double x : {-size, size}) EXPECT_EQ(arctangent(y, x), std::atan2(y, x));
+  }
+  EXPECT_EQ(arctangent(0.0, 0.0), 0);
+  EXPECT_EQ(acute_arctangent(0.0, 0.0), 0);
+}
+
+TEST(Arctangent, SmallAnglesAreTheirTangents) {
+  for (double y = 0.5; y > 1e-300; y /= 1024) {
+    EXPECT_NEAR(arctangent(y, 1.0) / std::atan(y), 1, 4e-16);
+    EXPECT_NEAR(arctangent(y, -1.0), std::atan2(y, -1), 4.5e-16);
+  }
+}
+
+}  // namespace
+}  // namespace qvgen::inverse
