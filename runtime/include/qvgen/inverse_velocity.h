@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 #include <Eigen/SVD>
 #include <qvgen/change_of_frame.h>
+#include <qvgen/detail/square.h>
 
 namespace qvgen {
 
@@ -35,6 +36,11 @@ struct InverseVelocity {
 
 namespace detail {
 
+template <class Scalar>
+using Matrix6 = Eigen::Matrix<Scalar, 6, 6>;
+template <class Scalar>
+using Vector6 = Eigen::Matrix<Scalar, 6, 1>;
+
 template <class Vector>
 bool all_finite(const Vector& v) {
   const auto difference = (v - v).eval();
@@ -42,18 +48,19 @@ bool all_finite(const Vector& v) {
 }
 
 /// Damped least squares by singular values: sum of sigma / (sigma^2 + lambda^2) v u^T, with lambda rising
-/// from 0 at the threshold to its full size at sigma = 0. Returns true if it had to be damped.
-template <class Scalar, int Rows, int Columns>
-bool damped_solve(const Eigen::Matrix<Scalar, Rows, Columns>& a, const Eigen::Matrix<Scalar, Rows, 1>& b,
-                  const InverseVelocityOptions<Scalar>& options, Eigen::Matrix<Scalar, Columns, 1>& x) {
-  const Eigen::JacobiSVD<Eigen::Matrix<Scalar, Rows, Columns>> svd(a,
-                                                                   Eigen::ComputeFullU | Eigen::ComputeFullV);
+/// from 0 at the threshold to its full size at sigma = 0, over the first `rank` ones: the others belong to
+/// rows and columns that only make the matrix square. Returns true if it had to be damped.
+template <class Scalar, int Size>
+bool damped_solve(const Eigen::Matrix<Scalar, Size, Size>& a, const Eigen::Matrix<Scalar, Size, 1>& b,
+                  Eigen::Index rank, const InverseVelocityOptions<Scalar>& options,
+                  Eigen::Matrix<Scalar, Size, 1>& x) {
+  const Eigen::JacobiSVD<Eigen::Matrix<Scalar, Size, Size>> svd(a, Eigen::ComputeFullU | Eigen::ComputeFullV);
   const auto& values = svd.singularValues();
   const Scalar largest = values(0) > options.scale ? values(0) : options.scale;
   const Scalar bound = options.threshold * largest;
   x.setZero();
   bool damped = false;
-  for (Eigen::Index i = 0; i < values.size(); ++i) {
+  for (Eigen::Index i = 0; i < rank; ++i) {
     const Scalar sigma = values(i);
     Scalar lambda = Scalar(0);
     if (sigma < bound) {
@@ -64,6 +71,16 @@ bool damped_solve(const Eigen::Matrix<Scalar, Rows, Columns>& a, const Eigen::Ma
   }
   return damped;
 }
+
+// In the library: the decomposition takes a second to compile.
+extern template bool damped_solve(const Matrix3<double>&, const Vector3<double>&, Eigen::Index,
+                                  const InverseVelocityOptions<double>&, Vector3<double>&);
+extern template bool damped_solve(const Matrix3<float>&, const Vector3<float>&, Eigen::Index,
+                                  const InverseVelocityOptions<float>&, Vector3<float>&);
+extern template bool damped_solve(const Matrix6<double>&, const Vector6<double>&, Eigen::Index,
+                                  const InverseVelocityOptions<double>&, Vector6<double>&);
+extern template bool damped_solve(const Matrix6<float>&, const Vector6<float>&, Eigen::Index,
+                                  const InverseVelocityOptions<float>&, Vector6<float>&);
 
 /// A 3 x 3 system by cofactors where it is far from singular: |det| against the product of the columns'
 /// lengths.
@@ -81,7 +98,7 @@ bool solve_3x3(const Matrix3<Scalar>& a, const Vector3<Scalar>& b,
     x = a.inverse() * b;
     return false;
   }
-  return damped_solve<Scalar, 3, 3>(a, b, options, x);
+  return damped_solve<Scalar, 3>(a, b, 3, options, x);
 }
 
 }  // namespace detail
@@ -97,7 +114,14 @@ InverseVelocity<Scalar, Joints> inverse_velocity(const Eigen::Matrix<Scalar, 6, 
                                                  const InverseVelocityOptions<Scalar>& options = {}) {
   InverseVelocity<Scalar, Joints> result;
   if (!detail::all_finite(jacobian) || !detail::all_finite(twist)) return result;
-  const bool damped = detail::damped_solve<Scalar, 6, Joints>(jacobian, twist, options, result.qd);
+  constexpr int size = Joints > 6 ? Joints : 6;
+  constexpr int rank = Joints > 6 ? 6 : Joints;
+  Eigen::Matrix<Scalar, size, 1> wanted = Eigen::Matrix<Scalar, size, 1>::Zero();
+  wanted.template head<6>() = twist;
+  Eigen::Matrix<Scalar, size, 1> rates;
+  const bool damped =
+      detail::damped_solve<Scalar, size>(detail::made_square(jacobian), wanted, rank, options, rates);
+  result.qd = rates.template head<Joints>();
   result.status = damped ? VelocityStatus::damped : VelocityStatus::solved;
   result.residual = (jacobian * result.qd - twist).norm();
   return result;

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <limits>
+#include <type_traits>
+
 #include <Eigen/Core>
 #include <Eigen/SVD>
+#include <qvgen/detail/square.h>
 
 namespace qvgen {
 
@@ -19,12 +23,17 @@ struct Manipulability {
 template <class Derived>
 Manipulability<typename Derived::Scalar> manipulability(const Eigen::MatrixBase<Derived>& jacobian) {
   using Scalar = typename Derived::Scalar;
-  static_assert(Derived::SizeAtCompileTime != Eigen::Dynamic, "fixed sizes need no heap");
-  const Scalar sum = jacobian.sum();
-  if (!(sum - sum == Scalar(0))) return {sum - sum, sum - sum, sum - sum};
-  using Matrix = Eigen::Matrix<Scalar, Derived::RowsAtCompileTime, Derived::ColsAtCompileTime>;
-  const auto values = Eigen::JacobiSVD<Matrix>(jacobian).singularValues().eval();
-  const Scalar smallest = values(values.size() - 1);
+  const auto square = detail::made_square(jacobian);
+  const Eigen::JacobiSVD<std::decay_t<decltype(square)>> decomposition(square);
+  if (decomposition.info() != Eigen::Success) {
+    const Scalar nan = std::numeric_limits<Scalar>::quiet_NaN();
+    return {nan, nan, nan};
+  }
+  constexpr int rows = Derived::RowsAtCompileTime;
+  constexpr int columns = Derived::ColsAtCompileTime;
+  constexpr int count = rows < columns ? rows : columns;
+  const auto values = decomposition.singularValues().template head<count>();
+  const Scalar smallest = values(count - 1);
   return {values.prod(), smallest, values(0) > Scalar(0) ? smallest / values(0) : Scalar(0)};
 }
 

@@ -7,7 +7,6 @@
 #include <array>
 
 #include <qvgen/inverse_velocity.h>
-#include <qvgen/manipulability.h>
 #include <qvgen/quaternion.h>
 #include <qvgen/robots/planar_3r/model.h>
 
