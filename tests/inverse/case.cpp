@@ -5,11 +5,7 @@
 
 namespace qvgen::test {
 
-Case::Case(const InverseUnderTest& robot)
-    : Case(robot, reference::load(std::string(QVGEN_SOURCE_DIR) + "/generator/robots/" + robot.robot + ".toml",
-                                  robot.geometry)) {}
-
-Case::Case(const InverseUnderTest& robot, reference::Chain chain) : robot_(robot), chain_(std::move(chain)) {}
+Case::Case(const InverseUnderTest& robot) : robot_(robot), chain_(reference::load(robot.description, robot.geometry)) {}
 
 Eigen::VectorXd Case::joints() {
   return Eigen::VectorXd::NullaryExpr(robot_.dof, [this] { return uniform(-pi, pi); });

@@ -14,7 +14,6 @@ inline constexpr double pi = 3.14159265358979323846;
 class Case {
  public:
   explicit Case(const InverseUnderTest& robot);
-  Case(const InverseUnderTest& robot, reference::Chain chain);
 
   [[nodiscard]] const InverseUnderTest& robot() const { return robot_; }
   [[nodiscard]] const reference::Chain& chain() const { return chain_; }

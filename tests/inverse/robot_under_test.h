@@ -46,7 +46,7 @@ struct InverseFunctions {
 /// The generated inverse kinematics of one robot behind one type.
 struct InverseUnderTest {
   std::string name;
-  std::string robot;
+  std::string description;  ///< path of the robot's description
   int dof = 0;
   InverseInfo info;
   std::vector<std::string> constants;  ///< names of the geometric constants

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Completeness: a numerical search from random starts, which knows nothing of branches, finds exactly the solutions
 // that the generated code returns, and as many as the derivation claims.
-#include <Eigen/SVD>
+#include "search.h"
+
 #include <algorithm>
 #include <vector>
 
@@ -27,49 +28,6 @@ class InverseSearch : public Inverse {
   void expect_nothing_new(const std::string& set, int poses);
 };
 
-/// Levenberg-Marquardt, to rounding, since near a double root the joints are known to its root only; true if it ends on
-/// the pose.
-bool descend(const Case& test, Eigen::VectorXd& q, const Eigen::Isometry3d& target) {
-  double damping = 1e-2;
-  Eigen::VectorXd r = test.residual(q, target);
-  for (int step = 0; step < 200 && r.norm() > 1e-16; ++step) {
-    const Eigen::MatrixXd jacobian = test.jacobian(q);
-    Eigen::MatrixXd normal = jacobian.transpose() * jacobian;
-    normal.diagonal().array() += damping;
-    const Eigen::VectorXd next = test.moved(q, normal.ldlt().solve(jacobian.transpose() * r));
-    const Eigen::VectorXd next_residual = test.residual(next, target);
-    const bool better = next_residual.norm() < r.norm();
-    if (!better && r.norm() < 1e-13) break;
-    damping = better ? damping / 5 : damping * 4;
-    if (better) {
-      q = next;
-      r = next_residual;
-    }
-  }
-  return r.norm() <= 1e-11;
-}
-
-/// Where two solutions nearly touch, thousands of searches may all end on one of them.
-bool nearly_singular(const Case& test, const Eigen::VectorXd& q) {
-  return Eigen::JacobiSVD<Eigen::MatrixXd>(test.jacobian(q)).singularValues().minCoeff() < 1e-3;
-}
-
-/// The distinct ends of a search that goes on until it has as many as were returned, and for a while beyond.
-std::vector<Eigen::VectorXd> search(const Case& test, const Sample& sample, std::size_t returned,
-                                    const std::function<Eigen::VectorXd()>& start) {
-  constexpr int at_least = 60;
-  constexpr int at_most = 4000;
-  std::vector<Eigen::VectorXd> ends;
-  for (int i = 0; i < at_most && (i < at_least || ends.size() < returned); ++i) {
-    Eigen::VectorXd q = start();
-    if (!descend(test, q, sample.target)) continue;
-    const bool known =
-        std::any_of(ends.begin(), ends.end(), [&](const auto& end) { return test.distance(end, q) < 1e-5; });
-    if (!known) ends.push_back(q);
-  }
-  return ends;
-}
-
 /// The capacity is the number of branches that the derivation claims. All of them exist at one pose at least.
 TEST_P(InverseSearch, ConfirmsTheBranches) {
   const int poses = std::clamp(pose_count() / 50, 10, 1000);
@@ -85,7 +43,8 @@ TEST_P(InverseSearch, ConfirmsTheBranches) {
     for (const Eigen::VectorXd& q : ends)
       EXPECT_TRUE(contains(test(), found, sample_at(test(), q))) << "not returned: " << q.transpose();
     for (const Row& row : found.rows)
-      EXPECT_TRUE(has(ends, row.q) || nearly_singular(test(), row.q)) << "not found by the search: " << row.q.transpose();
+      EXPECT_TRUE(has(ends, row.q) || nearly_singular(test(), row.q))
+          << "not found by the search: " << row.q.transpose();
     most = std::max(most, ends.size());
   }
   EXPECT_EQ(most, claimed);

@@ -67,6 +67,7 @@ json variant(const model::Robot& robot, const derive::inverse::Plan& derived) {
           {"locked", locked},
           {"locked_parameter", locked ? "double " + given + ", " : ""},
           {"locked_argument", locked ? ", " + given : ""},
+          {"quartic", derived.quartic()},
           {"capacity", derived.capacity},
           {"meaning", std::string(derived.position_only ? "its position; the orientation is not used" : "position and orientation") +
                           (locked ? "; " + given + ", rad, is given" : "")},

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "derive/inverse/attempt.h"
+#include "derive/inverse/freedom.h"
 #include "derive/inverse/inverse.h"
 #include "derive/inverse/orientation.h"
 #include "derive/inverse/position.h"
@@ -60,6 +61,11 @@ std::string by_locked_joint(Attempt& attempt, Target& target, const Vector& cent
   if (k != 4 || locked >= k) return "the wrist is not last";
   const Screw& lock = screws[locked];
   if (!lock.revolute) return "the locked joint is prismatic";
+  std::vector<std::size_t> free;
+  for (std::size_t i = 0; i < screws.size(); ++i)
+    if (i != locked) free.push_back(i);
+  const std::string dependent = dependent_joints(attempt, free, false);
+  if (!dependent.empty()) return "with " + lock.variable + " given: " + dependent;
   attempt.scope.turn(locked_joint);
   attempt.plan.locked = static_cast<int>(locked);
   attempt.plan.joints[locked] = {true, std::string("cos_") + locked_joint, std::string("sin_") + locked_joint};
@@ -120,6 +126,8 @@ std::string by_common_point(Attempt& attempt, std::size_t k, int locked) {
 
 std::string by_position(Attempt& attempt) {
   const auto& screws = attempt.chain.screws;
+  const std::string dependent = dependent_joints(attempt, {0, 1, 2}, true);
+  if (!dependent.empty()) return "three joints place the tool point, but " + dependent;
   Target target(attempt.builder, attempt.chain.home);
   const std::string reason = solve_position(attempt.builder, screws[0], screws[1], screws[2], attempt.chain.home.p, target.pose().p);
   if (!reason.empty()) return "three joints place the tool point, but: " + reason;

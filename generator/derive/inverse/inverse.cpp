@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "derive/inverse/attempt.h"
+#include "derive/inverse/freedom.h"
 #include "derive/inverse/schedule.h"
 
 namespace qvgen::derive::inverse {
@@ -39,6 +40,8 @@ Derivation derive(const model::Robot& robot) {
   std::vector<Method> methods;
   const std::size_t count = robot.joints.size();
   if (count == 6) {
+    const std::string reason = dependent_joints(Attempt(robot), {0, 1, 2, 3, 4, 5}, false);
+    if (!reason.empty()) return {false, {}, {reason}};
     for (const std::size_t k : {3U, 0U, 2U, 1U}) methods.push_back([k](Attempt& a) { return by_common_point(a, k); });
     for (const std::size_t k : {1U, 2U}) methods.push_back([k](Attempt& a) { return by_parallel_axes(a, k); });
   } else if (count == 3) {

@@ -106,10 +106,12 @@ bool Scope::is_number(const ex& value) {
   return true;
 }
 
-double Scope::sample(const ex& value) const {
+numeric Scope::value(const ex& value) const {
   const Digits digits;
-  return GiNaC::ex_to<numeric>(value_at(value, samples_[0])).to_double();
+  return GiNaC::ex_to<numeric>(value_at(value, samples_[0]));
 }
+
+double Scope::sample(const ex& value) const { return this->value(value).to_double(); }
 
 ex Scope::define(symbolic::Program& program, const std::string& name, const ex& value) {
   if (is_number(value) || GiNaC::is_a<GiNaC::symbol>(value) || GiNaC::is_a<GiNaC::symbol>(-value)) return value;

@@ -34,7 +34,9 @@ class Scope {
   [[nodiscard]] symbolic::Vector clean(const symbolic::Vector& v) const { return {clean(v.x), clean(v.y), clean(v.z)}; }
   /// A number, or made of numbers alone.
   [[nodiscard]] static bool is_number(const GiNaC::ex& value);
-  /// Value at the first sample point.
+  /// Value at the first sample point, a number of 60 digits.
+  [[nodiscard]] GiNaC::numeric value(const GiNaC::ex& value) const;
+  /// The same, rounded.
   [[nodiscard]] double sample(const GiNaC::ex& value) const;
 
   /// Names a value as an output of the program and returns its symbol; numbers and single symbols stay themselves.

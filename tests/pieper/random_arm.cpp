@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "random_arm.h"
+
+#include <array>
+#include <random>
+
+namespace qvgen::test {
+namespace {
+
+using Axis = std::array<int, 4>;  ///< x, y, z over a denominator: a unit vector
+
+constexpr std::array<Axis, 14> axes{{{1, 0, 0, 1},
+                                     {0, 1, 0, 1},
+                                     {0, 0, 1, 1},
+                                     {-1, 0, 0, 1},
+                                     {0, -1, 0, 1},
+                                     {0, 0, -1, 1},
+                                     {3, 0, 4, 5},
+                                     {0, -5, 12, 13},
+                                     {8, 15, 0, 17},
+                                     {2, -3, 6, 7},
+                                     {-1, 2, 2, 3},
+                                     {4, 4, -7, 9},
+                                     {6, 2, 3, 7},
+                                     {-4, 3, 0, 5}}};
+constexpr int along_coordinates = 6;
+
+bool parallel(const Axis& a, const Axis& b) {
+  return a[1] * b[2] == a[2] * b[1] && a[2] * b[0] == a[0] * b[2] && a[0] * b[1] == a[1] * b[0];
+}
+
+class Writer {
+ public:
+  explicit Writer(std::uint32_t seed) : random_(seed), place_(static_cast<int>(seed % 4)) {}
+
+  std::string description(const std::string& name) {
+    std::string joints;
+    for (int i = 0; i < 6; ++i) joints += i >= place_ && i < place_ + 3 ? wrist_joint(i) : arm_joint(i);
+    std::string text = "name = \"" + name + "\"\ntitle = \"random Pieper arm\"\n";
+    if (symbols_ > 0) text += "[defaults]\n";
+    for (int i = 0; i < symbols_; ++i)
+      text += "l" + std::to_string(i) + " = \"" + std::to_string(2 + 3 * i % 7) + "/11\"\n";
+    return text + joints;
+  }
+
+ private:
+  int below(int n) { return static_cast<int>(random_() % static_cast<std::uint32_t>(n)); }
+
+  Axis axis() {
+    const bool oblique = below(3) == 0;
+    return axes[static_cast<std::size_t>(oblique ? along_coordinates + below(8) : below(along_coordinates))];
+  }
+
+  static std::string vector(const std::array<std::string, 3>& v) {
+    return "[" + v[0] + ", " + v[1] + ", " + v[2] + "]";
+  }
+  static std::string quotient(int number, int by) {
+    return number == 0 ? "0" : "\"" + std::to_string(number) + "/" + std::to_string(by) + "\"";
+  }
+  static std::string text(const Axis& a) {
+    return vector({quotient(a[0], a[3]), quotient(a[1], a[3]), quotient(a[2], a[3])});
+  }
+
+  std::string length() {
+    switch (below(6)) {
+      case 0:
+        return "\"l" + std::to_string(symbols_++) + "\"";
+      case 1:
+        return "\"-" + std::to_string(1 + below(6)) + "/9\"";
+      case 2:
+        return "\"" + std::to_string(1 + below(6)) + "/7\"";
+      default:
+        return "0";
+    }
+  }
+  std::string offset() {
+    const std::string x = length();
+    const std::string y = length();
+    return vector({x, y, length()});
+  }
+
+  std::string joint(int i, bool revolute, const Axis& along, const std::string& origin, const std::string& link) {
+    std::string result = "[[joint]]\ntype = \"" + std::string(revolute ? "revolute" : "prismatic") +
+                         "\"\naxis = " + text(along) + "\nvariable = \"q" + std::to_string(i + 1) +
+                         "\"\norigin = " + origin + "\n";
+    if (revolute) result += "link = " + link + "\n";
+    return result;
+  }
+
+  std::string arm_joint(int i) {
+    const bool revolute = below(5) < 3;
+    const Axis along = axis();
+    const std::string origin = offset();
+    return joint(i, revolute, along, origin, revolute ? offset() : "");
+  }
+
+  /// Offsets before the first and after the last of the three only: their axes meet where the second stands.
+  std::string wrist_joint(int i) {
+    Axis along = axis();
+    while (i > place_ && parallel(along, before_)) along = axis();
+    before_ = along;
+    const std::string none = "[0, 0, 0]";
+    const std::string origin = i == place_ ? offset() : none;
+    return joint(i, true, along, origin, i == place_ + 2 ? offset() : none);
+  }
+
+  std::mt19937 random_;
+  int place_;
+  int symbols_ = 0;
+  Axis before_{};
+};
+
+}  // namespace
+
+std::string pieper_name(std::uint32_t seed) {
+  const std::string number = std::to_string(seed);
+  return "pieper_" + std::string(number.size() < 3 ? 3 - number.size() : 0, '0') + number;
+}
+
+std::string pieper_description(std::uint32_t seed) { return Writer(seed).description(pieper_name(seed)); }
+
+}  // namespace qvgen::test

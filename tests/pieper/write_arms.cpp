@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// write_pieper_arms TOOL FOLDER COUNT ARMS_IN_A_FILE: descriptions of random arms, what the tool generates from them,
+// and C++ files that register all of it with the test.
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <algorithm>
+#include <string>
+
+#include "random_arm.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using qvgen::test::pieper_name;
+
+struct Folder {
+  fs::path root;
+  [[nodiscard]] fs::path description(const std::string& name) const { return root / (name + ".toml"); }
+  [[nodiscard]] fs::path source(const std::string& name) const {
+    return root / "generated/source" / name / "inverse.cpp";
+  }
+  [[nodiscard]] fs::path header(const std::string& name) const {
+    return root / "generated/include/qvgen/robots" / name / "inverse.h";
+  }
+};
+
+constexpr const char* solved_arm = R"(#include "@SOURCE@"
+namespace {
+namespace @NAME@ {
+namespace robot = qvgen::robots::@NAME@;
+using Pose = qvgen::Pose<double>;
+using qvgen::test::copy;
+const bool registered = qvgen::test::add_inverse({"@NAME@", "@DESCRIPTION@", robot::dof, robot::inverse_info, {}, {
+    [](const Pose& pose, double, double tolerance, const reference::Values&) { return copy(robot::inverse_kinematics(pose, robot::Geometry{}, tolerance)); },
+    [](const Pose& pose, double, const Eigen::VectorXd& seed, const reference::Values&) { return copy(robot::inverse_kinematics(pose, robot::JointVector<double>(seed))); },
+    {}, {}}});
+}
+}
+)";
+
+constexpr const char* unsolved_arm =
+    R"(const bool @NAME@ = qvgen::test::add_unsolved({"@NAME@", "@DESCRIPTION@", R"text(@REASONS@)text"});
+)";
+
+std::string replaced(std::string text, const std::string& what, const std::string& by) {
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size()))
+    text.replace(at, what.size(), by);
+  return text;
+}
+
+/// The lines of a header without functions that say what was looked for.
+std::string reasons(const fs::path& header) {
+  std::ifstream file(header);
+  std::string result;
+  for (std::string line; std::getline(file, line);)
+    if (line.rfind("//   ", 0) == 0) result += line.substr(5) + "\n";
+  return result;
+}
+
+std::string registration(const Folder& folder, const std::string& name) {
+  const bool solved = fs::exists(folder.source(name));
+  std::string text = solved ? solved_arm : unsolved_arm;
+  text = replaced(text, "@NAME@", name);
+  text = replaced(text, "@SOURCE@", folder.source(name).string());
+  text = replaced(text, "@DESCRIPTION@", folder.description(name).string());
+  return replaced(text, "@REASONS@", solved ? "" : reasons(folder.header(name)));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 5) return 2;
+  const Folder folder{argv[2]};
+  const auto count = static_cast<std::uint32_t>(std::atoi(argv[3]));
+  const auto in_a_file = static_cast<std::uint32_t>(std::atoi(argv[4]));
+  fs::remove_all(folder.root);
+  fs::create_directories(folder.root);
+  std::string command = std::string(argv[1]) + " generate";
+  for (std::uint32_t i = 0; i < count; ++i) {
+    std::ofstream(folder.description(pieper_name(i))) << qvgen::test::pieper_description(i);
+    command += " " + folder.description(pieper_name(i)).string();
+  }
+  command += " --only inverse --output " + (folder.root / "generated").string() + " > " +
+             (folder.root / "log.txt").string() + " 2>&1";
+  if (std::system(command.c_str()) != 0) {
+    std::cerr << std::ifstream(folder.root / "log.txt").rdbuf() << command << " failed\n";
+    return 1;
+  }
+  for (std::uint32_t first = 0; first < count; first += in_a_file) {
+    std::ofstream file(folder.root / ("arms_" + std::to_string(first / in_a_file) + ".cpp"));
+    file << "#include \"robot_under_test.h\"\n#include \"unsolved.h\"\n";
+    for (std::uint32_t i = first; i < std::min(count, first + in_a_file); ++i)
+      file << registration(folder, pieper_name(i));
+  }
+  return 0;
+}
