@@ -77,13 +77,13 @@ TEST(FreeCircleAngle, VanishingDirectionTakesTheChoice) {
 
 TEST(SignedRoot, KeepsSmallExactValuesAndMergesNoise) {
   Branch<double> exact;
-  EXPECT_EQ(signed_root(1e-40, 0.0, -1.0, 1e-12, exact), -1e-20);
+  EXPECT_EQ(signed_root(1e-40, 0.0, 1e-60, -1.0, 1e-12, exact), -1e-20);
   EXPECT_TRUE(exact.exists);
   Branch<double> noise;
-  EXPECT_EQ(signed_root(-1e-16, 1.0, 1.0, 1e-12, noise), 0.0);
+  EXPECT_EQ(signed_root(-1e-16, 1.0, 1e-60, 1.0, 1e-12, noise), 0.0);
   EXPECT_TRUE(noise.exists);
   Branch<double> outside;
-  signed_root(-1e-9, 1.0, 1.0, 1e-12, outside);
+  signed_root(-1e-9, 1.0, 1e-60, 1.0, 1e-12, outside);
   EXPECT_FALSE(outside.exists);
 }
 

@@ -33,7 +33,7 @@ class Case {
     return robot_.info.given_joint < 0 ? 0 : q[robot_.info.given_joint];
   }
   [[nodiscard]] Found solve(const Eigen::VectorXd& q) const {
-    return robot_.solve(Pose<double>::from_isometry(tool(q)), given(q), 1e-12);
+    return robot_.solve(Pose<double>::from_isometry(tool(q)), given(q), inverse::default_tolerance);
   }
 
   struct Miss {

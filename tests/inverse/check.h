@@ -46,7 +46,7 @@ class Inverse : public testing::TestWithParam<InverseUnderTest> {
     for (int i = 0; i < count && !HasFailure(); ++i) {
       const std::optional<Sample> sample = set.draw(test(), i);
       if (!sample) continue;
-      const Found found = test().robot().solve(sample->pose, test().given(sample->q), 1e-12);
+      const Found found = test().robot().solve(sample->pose, test().given(sample->q), inverse::default_tolerance);
       ++tally.poses;
       tally.empty += found.rows.empty() ? 1 : 0;
       const Verdict verdict = judge(test(), *sample, found);

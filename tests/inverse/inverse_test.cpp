@@ -46,7 +46,7 @@ TEST_P(Inverse, BoundaryOfReach) {
       sample.expect = Expect::clean;
       return sample;
     };
-    const auto solve = [&](double s) { return GetParam().solve(at(s).pose, test().given(start.q), 1e-12); };
+    const auto solve = [&](double s) { return GetParam().solve(at(s).pose, test().given(start.q), inverse::default_tolerance); };
     double inside = 0;
     double outside = 100;
     if (!solve(outside).rows.empty() || solve(inside).rows.empty()) continue;
@@ -72,9 +72,9 @@ TEST_P(Inverse, OppositeQuaternionAndMatrixGiveTheSame) {
     const Eigen::VectorXd q = test().joints();
     const Eigen::Isometry3d target = test().tool(q);
     Pose<double> pose = Pose<double>::from_isometry(target);
-    const Found a = GetParam().solve(pose, test().given(q), 1e-12);
+    const Found a = GetParam().solve(pose, test().given(q), inverse::default_tolerance);
     pose.orientation.coeffs() *= -1;
-    const Found b = GetParam().solve(pose, test().given(q), 1e-12);
+    const Found b = GetParam().solve(pose, test().given(q), inverse::default_tolerance);
     const Found c = GetParam().solve_matrix(target.linear(), target.translation(), test().given(q));
     ASSERT_EQ(a.rows.size(), b.rows.size());
     ASSERT_EQ(a.rows.size(), c.rows.size());

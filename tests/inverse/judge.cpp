@@ -78,41 +78,46 @@ class Judge {
   Verdict verdict_;
 };
 
-/// Whether a curve of joints that all reach the pose leads from the sample to a row: points of the straight line come
-/// to the pose by small steps across it. Between two separate solutions they do not.
-bool joined(const Case& test, const Sample& sample, const Eigen::VectorXd& way) {
-  // Near a singularity of the arm its joints carry the pose's rounding magnified; the wrist cannot make up for that.
-  double noise = 0;
-  for (int k = 0; k < test.dof() - 3; ++k)
-    if (std::abs(way[k]) < 1e-6) noise = std::max(noise, std::abs(way[k]));
-  const double limit = allowed(sample) + 4 * noise * (1 + sample.target.translation().norm());
-  for (const double share : {0.5, 0.25}) {
-    const Eigen::VectorXd start = sample.q + share * way;
-    Eigen::VectorXd q = start;
-    for (int step = 0; step < 4 && test.miss(q, sample.target).largest() >= limit; ++step) {
-      Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> parts;
-      parts.setThreshold(1e-5);
-      parts.compute(test.jacobian(q));
-      q = test.moved(q, parts.solve(test.residual(q, sample.target)));
-    }
-    const bool stayed = (q - start).norm() < 0.1 * way.norm();
-    if (!stayed || test.miss(q, sample.target).largest() >= limit) return false;
+/// Brings joints to the pose by small steps across the directions in which it does not change.
+Eigen::VectorXd projected(const Case& test, const Sample& sample, Eigen::VectorXd q) {
+  for (int step = 0; step < 6 && test.miss(q, sample.target).largest() >= allowed(sample); ++step) {
+    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> parts;
+    parts.setThreshold(1e-5);
+    parts.compute(test.jacobian(q));
+    q = test.moved(q, parts.solve(test.residual(q, sample.target)));
   }
-  return true;
+  return q;
+}
+
+/// Whether a curve of joints that all reach the pose leads from the sample to a row: it is followed in steps. Between
+/// two separate solutions there is none: the steps fall back to the first, and a jump is left over at the end.
+bool joined(const Case& test, const Sample& sample, const Eigen::VectorXd& row) {
+  constexpr int steps = 40;
+  const double longest = 4 * test.distance(sample.q, row) / steps;
+  Eigen::VectorXd q = sample.q;
+  for (int left = steps; left > 0; --left) {
+    const Eigen::VectorXd next = projected(test, sample, q + test.difference(q, row) / left);
+    if (test.miss(next, sample.target).largest() >= allowed(sample) || test.distance(q, next) > longest) return false;
+    q = next;
+  }
+  return test.distance(q, row) < 1e-6;
 }
 
 }  // namespace
 
-bool contains(const Case& test, const Found& found, const Sample& sample) {
+bool contains(const Case& test, const Found& found, const Sample& sample, double close) {
   bool continuum = false;
   for (const Row& row : found.rows) {
-    const Eigen::VectorXd way = test.difference(sample.q, row.q);
-    if (way.cwiseAbs().maxCoeff() < 1e-6 || joined(test, sample, way)) return true;
+    if (test.distance(sample.q, row.q) < close) return true;
     continuum = continuum || row.continuum;
   }
-  if (!continuum) return false;
-  const Found seeded = test.robot().solve_from(sample.pose, test.given(sample.q), sample.q);
-  return !seeded.rows.empty() && test.distance(seeded.rows.front().q, sample.q) < 1e-6;
+  if (continuum) {
+    const Found seeded = test.robot().solve_from(sample.pose, test.given(sample.q), sample.q);
+    if (!seeded.rows.empty() && test.distance(seeded.rows.front().q, sample.q) < close) return true;
+  }
+  for (const Row& row : found.rows)
+    if (joined(test, sample, row.q)) return true;
+  return false;
 }
 
 Verdict judge(const Case& test, const Sample& sample, const Found& found) {

@@ -153,7 +153,7 @@ Drawn just_outside(Case& test, int) {
   const Sample start = sample_at(test, test.joints());
   const auto reached = [&](double s) {
     const Sample moved = outwards(start, s);
-    return !test.robot().solve(moved.pose, test.given(start.q), 1e-12).rows.empty();
+    return !test.robot().solve(moved.pose, test.given(start.q), inverse::default_tolerance).rows.empty();
   };
   double inside = 0;
   double outside = 100;

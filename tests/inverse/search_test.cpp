@@ -38,7 +38,7 @@ TEST_P(InverseSearch, ConfirmsTheBranches) {
     if (i % 10 == 5) change_geometry();
     const Sample sample = sample_at(test(), test().joints());
     const double given = test().given(sample.q);
-    const Found found = test().robot().solve(sample.pose, given, 1e-12);
+    const Found found = test().robot().solve(sample.pose, given, inverse::default_tolerance);
     const auto ends = search(test(), sample, found.rows.size(), [&] { return start(given); });
     for (const Eigen::VectorXd& q : ends)
       EXPECT_TRUE(contains(test(), found, sample_at(test(), q))) << "not returned: " << q.transpose();
@@ -56,12 +56,13 @@ void InverseSearch::expect_nothing_new(const std::string& set, int poses) {
     const auto sample = pose_set(set).draw(test(), i);
     if (!sample) continue;
     const double given = test().given(sample->q);
-    const Found found = test().robot().solve(sample->pose, given, 1e-12);
+    const Found found = test().robot().solve(sample->pose, given, inverse::default_tolerance);
     for (int k = 0; k < 30; ++k) {
       Eigen::VectorXd q = start(given);
       if (!descend(test(), q, sample->target)) continue;
       EXPECT_NE(sample->expect, Expect::unreachable) << "reached: " << q.transpose();
-      EXPECT_TRUE(contains(test(), found, {sample->pose, sample->target, q, Expect::joints}))
+      // Where two solutions meet a residual of 1e-11 is a distance of some 1e-5.
+      EXPECT_TRUE(contains(test(), found, {sample->pose, sample->target, q, Expect::joints}, 1e-4))
           << set << " lacks " << q.transpose();
     }
   }

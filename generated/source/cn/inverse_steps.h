@@ -58,17 +58,17 @@ inline void solve_d2([[maybe_unused]] const Target& t, [[maybe_unused]] const Ge
   using std::sqrt;
   Scalar result;
   {
-    const Scalar t0 = Scalar(t.pose_p_y) * Scalar(t.pose_p_y) - Scalar(2) * Scalar(g.h1) * Scalar(t.pose_p_x);
-    const Scalar t1 = Scalar(t.pose_p_x) * Scalar(t.pose_p_x) + Scalar(g.h1) * Scalar(g.h1);
-    const Scalar square = Scalar(t.square_d2) - t0 - t1;
-    const Scalar scale = t0 + t1;
-    result = inverse::signed_root<Scalar>(square, scale, sign, Scalar(t.tolerance), w.branch);
+    const Scalar t0 = Scalar(g.h1) - Scalar(t.pose_p_x);
+    const Scalar t1 = t0 * t0;
+    const Scalar t2 = Scalar(t.pose_p_y) * Scalar(t.pose_p_y);
+    const Scalar square = Scalar(t.square_d2) - t1 - t2;
+    const Scalar scale = t1 + t2;
+    result = inverse::signed_root<Scalar>(square, scale, Scalar(t.tiny1), sign, Scalar(t.tolerance), w.branch);
   }
 
-  const Scalar t0 = Scalar(t.pose_p_z) + result;
-  w.d2 = t0;
+  w.d2 = Scalar(t.pose_p_z) + result;
   w.plane_d2_x = Scalar(t.pose_p_x) - Scalar(g.h1);
-  w.height_theta3 = Scalar(t.pose_p_z) - t0;
+  w.height_theta3 = -result;
 }
 
 /// theta3: line or circle meets circle, 2 values.

@@ -61,16 +61,14 @@ inline void solve_d3([[maybe_unused]] const Target& t, [[maybe_unused]] const Ge
     const Scalar t0 = Scalar(g.l2) * Scalar(g.l2);
     const Scalar square = Scalar(t.square_d3) - t0;
     const Scalar scale = t0;
-    result = inverse::signed_root<Scalar>(square, scale, sign, Scalar(t.tolerance), w.branch);
+    result = inverse::signed_root<Scalar>(square, scale, Scalar(t.tiny1), sign, Scalar(t.tolerance), w.branch);
   }
 
-  const Scalar t0 = Scalar(g.d2) + Scalar(g.d4);
-  const Scalar t1 = result - t0;
-  w.d3 = t1;
-  w.height_theta1 = t0 + t1;
+  w.d3 = result - Scalar(g.d2) - Scalar(g.d4);
+  w.height_theta1 = result;
 }
 
-/// theta1: line or circle meets circle, 2 values.
+/// theta1: line meets circle, its discriminant in factors, 2 values.
 /// From: height along the axis of theta2: the same.
 /// Degenerate: boundary of reach: the two solutions coincide; the point on the axis: theta1 is free.
 template <typename Scalar>
@@ -79,12 +77,13 @@ inline void solve_theta1([[maybe_unused]] const Target& t, [[maybe_unused]] cons
   using std::sqrt;
   inverse::Rotor<Scalar> result;
   {
-    const Scalar t0 = sqrt(Scalar(t.pose_p_y) * Scalar(t.pose_p_y) + Scalar(t.pose_p_x) * Scalar(t.pose_p_x));
+    const Scalar t0 = Scalar(g.h1) - Scalar(t.pose_p_z);
     const Scalar x = -Scalar(t.pose_p_y);
     const Scalar y = Scalar(t.pose_p_x);
-    const Scalar low = t0 - w.height_theta1;
-    const Scalar high = w.height_theta1 + t0;
-    result = inverse::free_circle_angle<Scalar>(low, high, inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny1), inverse::Rotor<Scalar>{Scalar(t.choice[0].cosine), Scalar(t.choice[0].sine)}, sign, Scalar(t.tolerance), w.branch);
+    const Scalar rhs = w.height_theta1;
+    const Scalar low = Scalar(g.l2) + t0;
+    const Scalar high = Scalar(g.l2) - t0;
+    result = inverse::factored_line_angle<Scalar>(inverse::Rotor<Scalar>{x, y}, rhs, low, high, Scalar(t.tiny1), inverse::Rotor<Scalar>{Scalar(t.choice[0].cosine), Scalar(t.choice[0].sine)}, sign, Scalar(t.tolerance), w.branch);
   }
 
   w.cos_theta1 = result.cosine;

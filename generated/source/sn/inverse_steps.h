@@ -82,7 +82,7 @@ inline void solve_d1([[maybe_unused]] const Target& t, [[maybe_unused]] const Ge
     const Scalar t0 = Scalar(t.pose_p_x) * Scalar(t.pose_p_x);
     const Scalar square = w.square_d1 - t0;
     const Scalar scale = t0;
-    result = inverse::signed_root<Scalar>(square, scale, sign, Scalar(t.tolerance), w.branch);
+    result = inverse::signed_root<Scalar>(square, scale, Scalar(t.tiny1), sign, Scalar(t.tolerance), w.branch);
   }
 
   const Scalar t0 = Scalar(t.pose_p_z) + result;

@@ -103,7 +103,7 @@ inline void solve_d3([[maybe_unused]] const Target& t, [[maybe_unused]] const Ge
   {
     const Scalar square = w.square_d3;
     const Scalar scale = Scalar(0);
-    result = inverse::signed_root<Scalar>(square, scale, sign, Scalar(t.tolerance), w.branch);
+    result = inverse::signed_root<Scalar>(square, scale, Scalar(t.tiny1), sign, Scalar(t.tolerance), w.branch);
   }
 
   w.d3 = result;

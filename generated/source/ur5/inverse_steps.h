@@ -17,25 +17,14 @@ namespace all {
 /// What the pose says, once for all branches.
 struct Target : inverse::TargetBase<dof> {
   using TargetBase::TargetBase;
-  double turn_11;
-  double turn_12;
-  double turn_13;
-  double turn_21;
-  double turn_22;
-  double turn_23;
-  double turn_31;
-  double turn_32;
-  double turn_33;
   double size_square;
   double goal_x;
   double goal_y;
+  double goal_z;
   double target_q_w;
   double target_q_x;
   double target_q_y;
   double target_q_z;
-  double pose_p_x;
-  double pose_p_y;
-  double pose_p_z;
 };
 
 template <typename Scalar>
@@ -43,10 +32,14 @@ struct Work {
   inverse::Branch<Scalar> branch;
   Scalar cos_theta1;
   Scalar sin_theta1;
+  Scalar centre_x;
+  Scalar centre_y;
   Scalar after_theta1_w;
   Scalar after_theta1_x;
   Scalar after_theta1_y;
   Scalar after_theta1_z;
+  Scalar cos_free_sum;
+  Scalar sin_free_sum;
   Scalar cos_sum;
   Scalar sin_sum;
   Scalar cos_theta5;
@@ -83,6 +76,8 @@ inline void solve_theta1([[maybe_unused]] const Target& t, [[maybe_unused]] cons
 
   w.cos_theta1 = result.cosine;
   w.sin_theta1 = result.sine;
+  w.centre_x = Scalar(t.goal_z) - Scalar(0.089159);
+  w.centre_y = -Scalar(t.goal_y) * result.sine - result.cosine * Scalar(t.goal_x);
 }
 
 /// theta1: half angle, one value.
@@ -103,6 +98,26 @@ inline void solve_half_theta1([[maybe_unused]] const Target& t, [[maybe_unused]]
   w.after_theta1_z = result.cosine * Scalar(t.target_q_z) - result.sine * Scalar(t.target_q_w);
 }
 
+/// free_sum: a choice within reach, one value.
+/// From: the distance that the two links between leave open.
+template <typename Scalar>
+inline void solve_free_sum([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g, Work<Scalar>& w) {
+  using std::sqrt;
+  inverse::Rotor<Scalar> result;
+  {
+    const Scalar point_x = w.centre_x;
+    const Scalar point_y = w.centre_y;
+    const Scalar offset_x = Scalar(0.09465);
+    const Scalar offset_y = Scalar(0);
+    const Scalar inner = Scalar(0.0010725625);
+    const Scalar outer = Scalar(0.6678975625);
+    result = inverse::reachable_direction<Scalar>(inverse::Rotor<Scalar>{point_x, point_y}, inverse::Rotor<Scalar>{offset_x, offset_y}, inner, outer, inverse::Rotor<Scalar>{Scalar(t.choice[1].cosine), Scalar(t.choice[1].sine)} * inverse::Rotor<Scalar>{Scalar(t.choice[2].cosine), Scalar(t.choice[2].sine)} * inverse::Rotor<Scalar>{Scalar(t.choice[3].cosine), Scalar(t.choice[3].sine)});
+  }
+
+  w.cos_free_sum = result.cosine;
+  w.sin_free_sum = result.sine;
+}
+
 /// sum, theta5, theta6: wrist with right angles, half-angle form, 2 values.
 /// From: the orientation that the wrist's three axes have to make, in half angles.
 /// Degenerate: first and last axis in line: their sum or difference is free.
@@ -116,7 +131,9 @@ inline void solve_wrist([[maybe_unused]] const Target& t, [[maybe_unused]] const
     const Scalar u_y = -w.after_theta1_y;
     const Scalar v_x = -w.after_theta1_z;
     const Scalar v_y = w.after_theta1_x;
-    result = inverse::right_wrist_turns<Scalar>(inverse::Rotor<Scalar>{u_x, u_y}, inverse::Rotor<Scalar>{v_x, v_y}, false, inverse::Rotor<Scalar>{Scalar(t.choice[5].cosine), Scalar(t.choice[5].sine)}, sign, w.branch);
+    const Scalar choice_x = w.cos_free_sum;
+    const Scalar choice_y = w.sin_free_sum;
+    result = inverse::right_wrist_turns<Scalar>(inverse::Rotor<Scalar>{u_x, u_y}, inverse::Rotor<Scalar>{v_x, v_y}, false, inverse::Rotor<Scalar>{choice_x, choice_y}, sign, w.branch);
   }
 
   w.cos_sum = result.first.cosine;
@@ -125,16 +142,11 @@ inline void solve_wrist([[maybe_unused]] const Target& t, [[maybe_unused]] const
   w.sin_theta5 = result.middle.sine;
   w.cos_theta6 = result.last.cosine;
   w.sin_theta6 = result.last.sine;
-  const Scalar t0 = Scalar(0.10915) - Scalar(0.10915) * w.cos_theta5;
-  const Scalar t1 = Scalar(0.81725) - Scalar(0.09465) * w.sin_theta6 + Scalar(0.10915) * w.cos_theta6 * w.sin_theta5;
-  const Scalar t2 = Scalar(0.005491) - Scalar(0.10915) * w.sin_theta5 * w.sin_theta6 - Scalar(0.09465) * w.cos_theta6;
-  const Scalar t3 = Scalar(0.089159) - Scalar(t.pose_p_z) + Scalar(t.turn_33) * (Scalar(0.19145) - t0) - Scalar(t.turn_31) * (Scalar(0.81725) - t1) - Scalar(t.turn_32) * (Scalar(0.005491) - t2);
-  const Scalar t4 = w.cos_theta1 * (Scalar(t.pose_p_x) - Scalar(t.turn_11) * t1 + Scalar(t.turn_13) * t0 - Scalar(t.turn_12) * t2);
-  const Scalar t5 = w.sin_theta1 * (Scalar(t.pose_p_y) + Scalar(t.turn_23) * t0 - Scalar(t.turn_22) * t2 - Scalar(t.turn_21) * t1);
-  const Scalar t6 = t4 + t5 - Scalar(0.19145) * w.sin_theta1 * Scalar(t.turn_23) + Scalar(0.005491) * w.sin_theta1 * Scalar(t.turn_22) + Scalar(0.81725) * w.cos_theta1 * Scalar(t.turn_11) + Scalar(0.005491) * w.cos_theta1 * Scalar(t.turn_12) + Scalar(0.81725) * w.sin_theta1 * Scalar(t.turn_21) - Scalar(0.19145) * w.cos_theta1 * Scalar(t.turn_13);
-  w.reach_theta2_x = -t3;
-  w.reach_theta2_y = -t6;
-  w.square_theta3 = t3 * t3 + t6 * t6;
+  const Scalar t0 = w.centre_x + Scalar(0.09465) * w.cos_sum;
+  const Scalar t1 = w.centre_y + Scalar(0.09465) * w.sin_sum;
+  w.reach_theta2_x = t0;
+  w.reach_theta2_y = t1;
+  w.square_theta3 = t0 * t0 + t1 * t1;
 }
 
 /// theta3: line or circle meets circle, 2 values.

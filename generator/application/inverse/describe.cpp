@@ -14,6 +14,7 @@ std::string kind_name(Kind kind) {
   switch (kind) {
     case Kind::circle: return "line or circle meets circle";
     case Kind::free_circle: return "line or circle meets circle";
+    case Kind::factored: return "line meets circle, its discriminant in factors";
     case Kind::opposite: return "two opposite directions";
     case Kind::pair: return "turn of one known vector into another";
     case Kind::root: return "foot of the perpendicular and square root";
@@ -21,6 +22,7 @@ std::string kind_name(Kind kind) {
     case Kind::linear: return "linear";
     case Kind::conic: return "conic meets circle (quartic)";
     case Kind::require: return "condition";
+    case Kind::reach: return "a choice within reach";
     case Kind::half: return "half angle";
     case Kind::polish: return "Newton steps";
     case Kind::right_wrist: return "wrist with right angles, half-angle form";

@@ -124,6 +124,12 @@ class Execution {
       case Kind::free_circle:
         return set(known, free_circle_angle(in.at("low"), in.at("high"), Rotor{in.at("x"), in.at("y")}, tiny(step.degree), choice,
                                             sign, tolerance(), branch));
+      case Kind::factored:
+        return set(known, factored_line_angle(Rotor{in.at("x"), in.at("y")}, in.at("rhs"), in.at("low"), in.at("high"),
+                                              tiny(step.degree), choice, sign, tolerance(), branch));
+      case Kind::reach:
+        return set(known, reachable_direction(Rotor{in.at("point_x"), in.at("point_y")}, Rotor{in.at("offset_x"), in.at("offset_y")},
+                                              in.at("inner"), in.at("outer"), choice));
       case Kind::opposite: {
         const Rotor along = direction(Rotor{in.at("x"), in.at("y")}, tiny(step.degree), choice, branch);
         return set(known, {sign * along.cosine, sign * along.sine});
@@ -131,7 +137,7 @@ class Execution {
       case Kind::pair: return set(known, direction(Rotor{in.at("x"), in.at("y")}, tiny(step.degree), choice, branch));
       case Kind::half: return set(known, half(Rotor{in.at("cosine"), in.at("sine")}));
       case Kind::root:
-        known["result"] = signed_root(in.at("square"), in.at("scale"), sign, tolerance(), branch);
+        known["result"] = signed_root(in.at("square"), in.at("scale"), tiny(1), sign, tolerance(), branch);
         return;
       case Kind::quadratic:
         known["result"] = quadratic_root(in.at("a"), in.at("b"), in.at("c"), sign, tolerance(), branch);

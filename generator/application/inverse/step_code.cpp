@@ -50,9 +50,20 @@ json values(const std::vector<emit::Code::Value>& list) {
 
 std::string rotor(const std::string& x, const std::string& y) { return "inverse::Rotor<Scalar>{" + x + ", " + y + "}"; }
 
-std::string choice(const Step& step) {
-  const std::string joint = "t.choice[" + std::to_string(step.joint) + "]";
+std::string choice(int index) {
+  const std::string joint = "t.choice[" + std::to_string(index) + "]";
   return rotor("Scalar(" + joint + ".cosine)", "Scalar(" + joint + ".sine)");
+}
+std::string choice(const Step& step) { return choice(step.joint); }
+
+/// The turn that the seed's angles add up to.
+std::string seeds(const Step& step) {
+  std::string product;
+  for (const Step::Seed& seed : step.seeds) {
+    const std::string turn = choice(seed.joint);
+    product += (product.empty() ? "" : " * ") + (seed.sense > 0 ? turn : "inverse::inverse(" + turn + ")");
+  }
+  return product;
 }
 
 std::string tiny(const Step& step) { return "Scalar(t.tiny" + std::to_string(step.degree) + ")"; }
@@ -70,12 +81,18 @@ std::pair<std::string, std::string> block(const LoweredPlan& plan, const Step& s
     case Kind::free_circle:
       return {turn, "inverse::free_circle_angle<Scalar>(low, high, " + rotor("x", "y") + ", " + tiny(step) + ", " + choice(step) +
                         ", sign, " + tolerance + ", w.branch)"};
+    case Kind::factored:
+      return {turn, "inverse::factored_line_angle<Scalar>(" + rotor("x", "y") + ", rhs, low, high, " + tiny(step) + ", " + choice(step) +
+                        ", sign, " + tolerance + ", w.branch)"};
+    case Kind::reach:
+      return {turn, "inverse::reachable_direction<Scalar>(" + rotor("point_x", "point_y") + ", " + rotor("offset_x", "offset_y") +
+                        ", inner, outer, " + seeds(step) + ")"};
     case Kind::opposite:
       return {turn, "sign * inverse::direction<Scalar>(" + rotor("x", "y") + ", " + tiny(step) + ", " + choice(step) + ", w.branch)"};
     case Kind::pair:
       return {turn, "inverse::direction<Scalar>(" + rotor("x", "y") + ", " + tiny(step) + ", " + choice(step) + ", w.branch)"};
     case Kind::half: return {turn, "inverse::half<Scalar>(" + rotor("cosine", "sine") + ")"};
-    case Kind::root: return {"Scalar", "inverse::signed_root<Scalar>(square, scale, sign, " + tolerance + ", w.branch)"};
+    case Kind::root: return {"Scalar", "inverse::signed_root<Scalar>(square, scale, Scalar(t.tiny1), sign, " + tolerance + ", w.branch)"};
     case Kind::quadratic: return {"Scalar", "inverse::quadratic_root<Scalar>(a, b, c, sign, " + tolerance + ", w.branch)"};
     case Kind::require: return {"", "inverse::require_zero<Scalar>(residual, scale, " + tolerance + ", w.branch)"};
     case Kind::conic:
@@ -86,9 +103,7 @@ std::pair<std::string, std::string> block(const LoweredPlan& plan, const Step& s
       if (ends(plan, step))
         return {"inverse::WristAngles<Scalar>", "inverse::right_wrist<Scalar>(" + uv + "Scalar(t.seed[" + std::to_string(plan.plan.wrist.joints[0]) +
                                                     "]), inverse::pi<Scalar>(), w.branch)"};
-      const int free = std::max(plan.plan.wrist.joints[0], plan.plan.wrist.joints[2]);
-      return {"inverse::WristTurns<Scalar>", "inverse::right_wrist_turns<Scalar>(" + uv + rotor("Scalar(t.choice[" + std::to_string(free) + "].cosine)",
-                  "Scalar(t.choice[" + std::to_string(free) + "].sine)") + ", sign, w.branch)"};
+      return {"inverse::WristTurns<Scalar>", "inverse::right_wrist_turns<Scalar>(" + uv + rotor("choice_x", "choice_y") + ", sign, w.branch)"};
     }
     case Kind::oblique_wrist:
       return {"inverse::WristAngles<Scalar>",

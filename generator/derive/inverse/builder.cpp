@@ -56,8 +56,18 @@ Scope::Turn Builder::value(const Screw& screw) {
   return {symbolic::symbol(value.cosine), value.revolute ? ex(symbolic::symbol(value.sine)) : ex(0)};
 }
 
-ex Builder::keep(const std::string& name, const ex& value) {
-  return scope_.define(plan_.steps.empty() || is_constant(value) ? plan_.target : plan_.steps.back().after, name, value);
+ex Builder::without_foot(const ex& value) const {
+  if (roots_.empty() || plan_.steps.empty() || symbolic::symbol(plan_.steps.back().unknown) != roots_.back().value) return value;
+  if (GiNaC::is_a<GiNaC::symbol>(value) || roots_.back().foot.is_zero()) return value;
+  return value.subs(roots_.back().value == roots_.back().foot + symbolic::symbol("result")).expand();
+}
+
+ex Builder::keep(const std::string& name, const ex& wanted) {
+  symbolic::Program& program = plan_.steps.empty() || is_constant(wanted) ? plan_.target : plan_.steps.back().after;
+  const ex value = without_foot(wanted);
+  const ex symbol = value.is_equal(wanted) ? scope_.define(program, name, wanted) : scope_.rename(program, name, value);
+  if (!symbol.is_equal(wanted)) named_[symbol] = wanted;
+  return symbol;
 }
 
 void Builder::set_turn(Step& step, const Screw& screw, const Flat& v) {
@@ -76,6 +86,32 @@ ex result_length() { return symbolic::symbol("result"); }
 
 }  // namespace
 
+std::optional<Flat> Builder::without_root(const Flat& k, const ex& rhs) const {
+  const GiNaC::symbol root("root");
+  for (const Root& solved : roots_) {
+    const ex written = rhs.subs(named_).subs(solved.value == solved.foot + root).expand();
+    if (!written.has(root)) continue;
+    ex gap = (k.x * k.x + k.y * k.y - written * written).expand();
+    gap = (gap + gap.coeff(root, 2) * (solved.square.subs(named_) - root * root)).expand();
+    if (gap.has(root) || !gap.info(GiNaC::info_flags::rational_polynomial)) continue;
+    const ex factors = GiNaC::factor(gap);
+    if (!GiNaC::is_a<GiNaC::mul>(factors)) continue;
+    // Two factors, and a number perhaps; which of the two GiNaC puts first changes nothing but names.
+    std::vector<ex> parts;
+    ex number = 1;
+    for (const ex& factor : factors) {
+      if (GiNaC::is_a<GiNaC::numeric>(factor)) number *= factor;
+      else parts.push_back(factor);
+    }
+    if (parts.size() != 2 || GiNaC::is_a<GiNaC::power>(parts[0]) || GiNaC::is_a<GiNaC::power>(parts[1])) continue;
+    Flat factored{number * parts[0], parts[1]};
+    if (scope_.sample(parts[0] - parts[1]) > 0) factored = {number * parts[1], parts[0]};
+    if (scope_.sample(factored.x) < 0 && scope_.sample(factored.y) < 0) factored = {-factored.x, -factored.y};
+    return factored;
+  }
+  return std::nullopt;
+}
+
 void Builder::turn_by_line(const Screw& screw, const Flat& k, const ex& rhs, const std::string& equation) {
   // The coefficients are lengths where a height is compared: see Step::degree.
   if (scope_.is_zero(rhs)) {
@@ -93,6 +129,17 @@ void Builder::turn_by_line(const Screw& screw, const Flat& k, const ex& rhs, con
     step.before.output("high", amplitude.length + rhs);
     step.degenerate = "boundary of reach: the two solutions coincide";
     set_turn(step, screw, result_turn() * amplitude.direction);
+    return;
+  }
+  if (const auto factors = without_root(k, rhs)) {
+    Step& step = add(Kind::factored, &screw, 2, equation);
+    step.before.output("x", k.x);
+    step.before.output("y", k.y);
+    step.before.output("rhs", rhs);
+    step.before.output("low", factors->x);
+    step.before.output("high", factors->y);
+    step.degenerate = "boundary of reach: the two solutions coincide; the point on the axis: " + screw.variable + " is free";
+    set_turn(step, screw, result_turn());
     return;
   }
   Step& step = add(Kind::free_circle, &screw, 2, equation);
@@ -157,6 +204,7 @@ void Builder::slide_by_root(const Screw& screw, const ex& foot, const ex& square
   step.before.output("scale", height_square);
   step.degenerate = "the point at the foot of the perpendicular: the two solutions coincide";
   set_length(step, screw, foot + result_length());
+  roots_.push_back({symbolic::symbol(screw.variable), foot, square - height_square});
 }
 
 void Builder::slide_by_value(const Screw& screw, const ex& value, const std::string& equation) {
@@ -179,6 +227,22 @@ void Builder::turn_by_conic(const Screw& screw, const std::array<ex, 6>& conic, 
   for (std::size_t i = 0; i < 6; ++i) step.before.output(names[i], conic[i]);
   step.degenerate = "boundary of reach: solutions coincide";
   set_turn(step, screw, result_turn());
+}
+
+Scope::Turn Builder::reachable(const std::string& name, const std::vector<Step::Seed>& seeds, const Flat& point,
+                               const Flat& offset, const ex& inner, const ex& outer) {
+  Step& step = add(Kind::reach, nullptr, 1, "the distance that the two links between leave open");
+  step.unknown = name;
+  step.seeds = seeds;
+  step.before.output("point_x", point.x);
+  step.before.output("point_y", point.y);
+  step.before.output("offset_x", offset.x);
+  step.before.output("offset_y", offset.y);
+  step.before.output("inner", inner);
+  step.before.output("outer", outer);
+  step.after.output(symbolic::symbol("cos_" + name), symbolic::symbol("cos_result"));
+  step.after.output(symbolic::symbol("sin_" + name), symbolic::symbol("sin_result"));
+  return scope_.turn(name);
 }
 
 void Builder::require_zero(const ex& residual, const ex& scale, const std::string& equation) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "derive/inverse/plan.h"
@@ -46,6 +47,9 @@ class Builder {
                           const std::string& equation);
   /// w0 + w1 cos q + ... as a conic: coefficients xx, xy, yy, x, y, one.
   void turn_by_conic(const Screw& screw, const std::array<GiNaC::ex, 6>& conic, const std::string& equation);
+  /// The direction of a free angle for which |point + turned offset|² lies in [inner, outer]: names cos_NAME, sin_NAME.
+  Scope::Turn reachable(const std::string& name, const std::vector<Step::Seed>& seeds, const Flat& point, const Flat& offset,
+                        const GiNaC::ex& inner, const GiNaC::ex& outer);
   void require_zero(const GiNaC::ex& residual, const GiNaC::ex& scale, const std::string& equation);
   /// Newton steps on e_a e_b e_c start = goal once all three are known.
   void polish(const std::array<Screw, 3>& arm, const symbolic::Vector& start, const symbolic::Vector& goal);
@@ -58,6 +62,10 @@ class Builder {
   GiNaC::ex keep(const std::string& name, const GiNaC::ex& value);
 
  private:
+  /// A value of the slide that the latest step solved, written with its root, so that a foot which cancels costs no digits.
+  [[nodiscard]] GiNaC::ex without_foot(const GiNaC::ex& value) const;
+  /// x² + y² - rhs² for a rhs with a square root in it that was solved before, as two factors without that root.
+  [[nodiscard]] std::optional<Flat> without_root(const Flat& k, const GiNaC::ex& rhs) const;
   Step& add(Kind kind, const Screw* screw, int branches, const std::string& equation);
   void set_turn(Step& step, const Screw& screw, const Flat& cosine_sine);
   void set_length(Step& step, const Screw& screw, const GiNaC::ex& value);
@@ -65,6 +73,11 @@ class Builder {
   Scope& scope_;
   Plan& plan_;
   GiNaC::exset constants_;
+  GiNaC::exmap named_;  ///< what the names of `keep` stand for
+  struct Root {
+    GiNaC::ex value, foot, square;  ///< (value - foot)² = square
+  };
+  std::vector<Root> roots_;
 };
 
 }  // namespace qvgen::derive::inverse

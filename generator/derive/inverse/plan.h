@@ -13,6 +13,7 @@ namespace qvgen::derive::inverse {
 enum class Kind {
   circle,       ///< cos φ = (high-low)/(high+low): ±φ from a direction that is a constant of the arm
   free_circle,  ///< the same from a direction (x, y) of the pose, which vanishes where the angle is free
+  factored,     ///< cos φ = rhs/|(x, y)| and sin² φ |(x, y)|² = low*high, which rounding does not touch
   opposite,     ///< ±(x, y): a·x = 0 on a circle
   pair,         ///< the direction (x, y): the angle that turns one known vector into another
   root,         ///< ±sqrt(square)
@@ -21,6 +22,7 @@ enum class Kind {
   conic,        ///< a conic on the unit circle: a quartic in the half-angle tangent
   require,      ///< no unknown: an equation that the pose must satisfy
   half,         ///< cosine and sine of half an angle already known
+  reach,        ///< no unknown: the value that a free angle takes so that the joints after it are in reach
   polish,       ///< Newton steps on the position, after a quartic
   right_wrist,  ///< three axes at right angles through a point
   oblique_wrist
@@ -39,6 +41,11 @@ struct Step {
   symbolic::Program before;          ///< the block's inputs, by the block's names
   symbolic::Program after;           ///< names that stay
   std::vector<std::string> turns;    ///< wrist, polish: the joints whose values it leaves, in order
+  struct Seed {
+    int joint;
+    int sense;
+  };
+  std::vector<Seed> seeds;           ///< reach: the joints whose angles, with their senses, add up to the free one
   std::vector<std::string> kept;     ///< those of `after` that a later step or the result reads
   bool exact_low = false;            ///< circle: low is a sum of squares, so that only an exact zero is a double root
   bool exact_high = false;

@@ -102,8 +102,9 @@ class Position {
                                  b_.variable + ": the same";
     if (!u.screw.revolute) {
       const ex foot = scope_.clean(-u.sign * dot(u.screw.axis, arm));
-      const ex height = planar ? scope_.clean(square_of(dot(cross(b_.axis, u.screw.axis), arm)))
-                               : scope_.clean(square_of(dot(u.screw.first, arm)) + square_of(dot(u.screw.second, arm)));
+      // Squares as they stand: multiplied out they would cancel where the height is small.
+      const auto along = [&](const Vector& n) { return square_of(scope_.clean(dot(n, arm))); };
+      const ex height = planar ? along(cross(b_.axis, u.screw.axis)) : along(u.screw.first) + along(u.screw.second);
       builder_.slide_by_root(u.screw, foot, square, height, equation);
       return "";
     }

@@ -115,6 +115,10 @@ double Scope::sample(const ex& value) const { return this->value(value).to_doubl
 
 ex Scope::define(symbolic::Program& program, const std::string& name, const ex& value) {
   if (is_number(value) || GiNaC::is_a<GiNaC::symbol>(value) || GiNaC::is_a<GiNaC::symbol>(-value)) return value;
+  return rename(program, name, value);
+}
+
+ex Scope::rename(symbolic::Program& program, const std::string& name, const ex& value) {
   program.output(symbolic::symbol(name), value);
   std::array<ex, points> values;
   {

@@ -41,6 +41,8 @@ class Scope {
 
   /// Names a value as an output of the program and returns its symbol; numbers and single symbols stay themselves.
   GiNaC::ex define(symbolic::Program& program, const std::string& name, const GiNaC::ex& value);
+  /// The same for any value, symbols too: one that does not outlive its step, say.
+  GiNaC::ex rename(symbolic::Program& program, const std::string& name, const GiNaC::ex& value);
   symbolic::Vector define(symbolic::Program& program, const std::string& name, const symbolic::Vector& value);
   symbolic::Quaternion define(symbolic::Program& program, const std::string& name, const symbolic::Quaternion& value);
   /// As an output even if it is a number: what a building block asks for by name.

@@ -50,13 +50,68 @@ Rotor<Scalar> free_circle_angle(const Scalar& low, const Scalar& high, const Rot
           select(is_free, Scalar(sign * choice.sine), found.sine)};
 }
 
-/// ±sqrt(square), where `square` = r² - m² may be negative by rounding, `scale` = m² telling how much that is.
-/// With scale 0 it is a sum of squares and only an exact zero is a double root.
+/// The angle ±φ from a direction v = (x, y) that the pose gives, with v·u = rhs for the unit vector u: sin φ |v| is the
+/// root of |v|² - rhs², known as the product low * high of two lengths, and so exact where the difference would not be.
+/// Outside by more than `tolerance` (a share of low + high): the branch does not exist. Where |v|² is below `tiny` the
+/// angle is free if rhs is as small.
 template <typename Scalar>
-Scalar signed_root(const Scalar& square, const Scalar& scale, const Scalar& sign, const Scalar& tolerance,
-                   Branch<Scalar>& branch) {
+Rotor<Scalar> factored_line_angle(const Rotor<Scalar>& v, const Scalar& rhs, const Scalar& low, const Scalar& high,
+                                  const Scalar& tiny, const Rotor<Scalar>& choice, const Scalar& sign,
+                                  const Scalar& tolerance, Branch<Scalar>& branch) {
   using std::sqrt;
-  const Mask<Scalar> twin = square <= merge_share<Scalar>() * scale;
+  const Scalar square = v.cosine * v.cosine + v.sine * v.sine;
+  const Mask<Scalar> is_free = square <= tiny;
+  const Scalar range = low + high;
+  const Scalar scale = Scalar(1) / range;
+  const Scalar low_share = low * scale;
+  const Scalar high_share = high * scale;
+  const Scalar margin = smaller(low_share, high_share);
+  const Mask<Scalar> twin = margin <= merge_share<Scalar>();
+  const Mask<Scalar> holds = select(is_free, Scalar(rhs * rhs - Scalar(64) * tiny), Scalar(-tolerance - margin)) <= Scalar(0);
+  branch.exists = branch.exists & holds & !(twin & !is_free & (sign < Scalar(0)));
+  branch.continuum = branch.continuum | (branch.exists & is_free);
+  const Scalar share = low_share * high_share;
+  const Scalar size = select(range < Scalar(0), Scalar(-range), range);
+  const Scalar height = select(twin, Scalar(0), Scalar(sign * size * sqrt(not_negative(share))));
+  const Scalar length = sqrt(select(is_free, Scalar(1), Scalar(rhs * rhs + height * height)));
+  const Scalar unit = Scalar(1) / (length * sqrt(select(is_free, Scalar(1), square)));
+  const Rotor<Scalar> found = Rotor<Scalar>{rhs * unit, height * unit} * v;
+  return {select(is_free, Scalar(sign * choice.cosine), found.cosine),
+          select(is_free, Scalar(sign * choice.sine), found.sine)};
+}
+
+/// Of the directions u with inner <= |point + u offset|² <= outer (u turns the offset), the one nearest to `choice`: what
+/// a free angle may be if the joints after it are to stay in reach. Without any such direction, the least wrong one.
+template <typename Scalar>
+Rotor<Scalar> reachable_direction(const Rotor<Scalar>& point, const Rotor<Scalar>& offset, const Scalar& inner,
+                                  const Scalar& outer, const Rotor<Scalar>& choice) {
+  using std::sqrt;
+  const Rotor<Scalar> product = inverse(point) * offset;
+  const Scalar square = product.cosine * product.cosine + product.sine * product.sine;
+  const Mask<Scalar> round = square == Scalar(0);
+  const Scalar length = sqrt(select(round, Scalar(1), square));
+  const Rotor<Scalar> along{select(round, Scalar(1), Scalar(product.cosine / length)),
+                            select(round, Scalar(0), Scalar(product.sine / length))};
+  const Rotor<Scalar> now = choice * along;
+  const Scalar sum = point.cosine * point.cosine + point.sine * point.sine + offset.cosine * offset.cosine + offset.sine * offset.sine;
+  const Scalar least = (inner - sum) / (Scalar(2) * length);
+  const Scalar most = (outer - sum) / (Scalar(2) * length);
+  const Scalar above = select(now.cosine < least, least, now.cosine);
+  const Scalar within = smaller(above, most);
+  const Scalar cosine = smaller(select(within < Scalar(-1), Scalar(-1), within), Scalar(1));
+  const Rotor<Scalar> moved{cosine, with_sign(sqrt(not_negative(Scalar((Scalar(1) - cosine) * (Scalar(1) + cosine)))), now.sine)};
+  const Rotor<Scalar> found = moved * inverse(along);
+  const Mask<Scalar> stays = (cosine == now.cosine) | round;
+  return {select(stays, choice.cosine, found.cosine), select(stays, choice.sine, found.sine)};
+}
+
+/// ±sqrt(square), where `square` = r² - m² may be negative by rounding, `scale` = m² telling how much that is.
+/// With scale 0 it is a sum of squares, and a double root is what lies below `tiny`, the square of a length that is noise.
+template <typename Scalar>
+Scalar signed_root(const Scalar& square, const Scalar& scale, const Scalar& tiny, const Scalar& sign,
+                   const Scalar& tolerance, Branch<Scalar>& branch) {
+  using std::sqrt;
+  const Mask<Scalar> twin = square <= merge_share<Scalar>() * scale + tiny;
   branch.exists = branch.exists & (square >= -tolerance * scale) & !(twin & (sign < Scalar(0)));
   return select(twin, Scalar(0), Scalar(sign * sqrt(not_negative(square))));
 }

@@ -42,9 +42,10 @@ Scalar merge_share() {
   return Scalar(18) * epsilon<Scalar>();
 }
 
-/// How far outside the reachable range a pose may lie and still be solved at the boundary, relative to the range:
-/// the returned joints then miss the pose by no more than this share of the arm's size.
-inline constexpr double default_tolerance = 1e-12;
+/// How far outside the reachable range a pose may lie and still be solved at the boundary, as a share of the range of
+/// the equation that shows it. The joints that are returned there miss the pose by about this share of the arm's size,
+/// times the ratio of the longest to the shortest link where one equation's miss is another one's lever.
+inline constexpr double default_tolerance = 1e-13;
 
 template <typename Scalar>
 Scalar smaller(const Scalar& a, const Scalar& b) {

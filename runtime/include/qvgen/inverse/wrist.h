@@ -68,8 +68,12 @@ WristTurns<Scalar> right_wrist_turns(const Rotor<Scalar>& u, const Rotor<Scalar>
   const Scalar v_square = v.cosine * v.cosine + v.sine * v.sine;
   const Scalar product = Scalar(2) * sqrt(Scalar(u_square * v_square));
   const Scalar gap = swapped ? Scalar(v_square - u_square) : Scalar(u_square - v_square);
-  const Rotor<Scalar> along_u = direction(u, noise, choice, branch);
-  const Rotor<Scalar> along_v = direction(v, noise, Rotor<Scalar>(choice * inverse(along_u)), branch);
+  // One of the two vanishes at most: what it leaves free makes the first angle the choice.
+  const Rotor<Scalar> v_or_choice = direction(v, noise, choice, branch);
+  const Rotor<Scalar> along_u = direction(u, noise, Rotor<Scalar>(choice * inverse(v_or_choice)), branch);
+  const Rotor<Scalar> rest = choice * inverse(along_u);
+  const Mask<Scalar> v_free = v_square <= noise;
+  const Rotor<Scalar> along_v{select(v_free, rest.cosine, v_or_choice.cosine), select(v_free, rest.sine, v_or_choice.sine)};
   const Rotor<Scalar> first = along_u * along_v;
   const Rotor<Scalar> last = along_u * inverse(along_v);
   const Scalar scale = Scalar(1) / (u_square + v_square);

@@ -18,7 +18,7 @@ inline constexpr InverseInfo inverse_info{ 8, true, -1 };
 ///
 /// Derived from the description: the axes of joints 4, 5 and 6 meet in one point: position and orientation decouple.
 /// - d3: foot of the perpendicular and square root, 2 values.
-/// - theta1: line or circle meets circle, 2 values.
+/// - theta1: line meets circle, its discriminant in factors, 2 values.
 /// - theta2: turn of one known vector into another, one value.
 /// - theta4, theta5, theta6: wrist with right angles, half-angle form, 2 values.
 ///

@@ -18,6 +18,7 @@ inline constexpr InverseInfo inverse_info{ 8, true, -1 };
 ///
 /// Derived from the description: the axes of joints 2, 3 and 4 are parallel.
 /// - theta1: line or circle meets circle, 2 values.
+/// - free_sum: a choice within reach, one value.
 /// - sum, theta5, theta6: wrist with right angles, half-angle form, 2 values.
 /// - theta3: line or circle meets circle, 2 values.
 /// - theta2: turn of one known vector into another, one value.
