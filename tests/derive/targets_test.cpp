@@ -40,6 +40,33 @@ TEST(Targets, MatrixFormIsBelowSympy) {
     EXPECT_LT(operations(counts.at(robot).at("homogeneous_transform").at("emitted")), bound) << robot;
 }
 
+TEST(Targets, JacobianIsBelowItsThreeMethodsAndSympy) {
+  const std::map<std::string, int> sympy{{"puma560", 91 + 46}, {"stanford", 76 + 36}, {"ur5", 114 + 57}, {"iiwa14", 113 + 57}};
+  const auto counts = committed();
+  for (const auto& [robot, bound] : sympy)
+    EXPECT_LT(operations(counts.at(robot).at("forward_kinematics_and_jacobian").at("emitted")), bound) << robot;
+  for (const auto& [robot, functions] : counts.items()) {
+    const int jacobian = operations(functions.at("jacobian").at("emitted"));
+    const int transform = operations(functions.at("homogeneous_transform").at("emitted"));
+    EXPECT_LE(operations(functions.at("forward_kinematics_and_jacobian").at("emitted")), jacobian + transform) << robot;
+    ASSERT_EQ(functions.at("jacobian").at("forms").size(), 3U) << robot;
+    for (const auto& [method, method_counts] : functions.at("jacobian").at("forms").items())
+      EXPECT_LE(jacobian, operations(method_counts)) << robot << ", " << method;
+  }
+}
+
+/// What axes and vectors with their derivatives in one frame give; columns differentiated on their way through the
+/// frames cost half as much again.
+TEST(Targets, DerivativesOfTheJacobian) {
+  const std::map<std::string, std::pair<int, int>> most{
+      {"iiwa14", {291, 188}}, {"general_6r", {483, 303}}, {"puma560", {93, 89}}, {"ur5", {103, 97}}, {"stanford", {77, 74}}};
+  const auto counts = committed();
+  for (const auto& [robot, bounds] : most) {
+    EXPECT_LE(operations(counts.at(robot).at("jacobian_dot").at("emitted")), bounds.first) << robot;
+    EXPECT_LE(operations(counts.at(robot).at("jacobian_dot_times_qd").at("emitted")), bounds.second) << robot;
+  }
+}
+
 TEST(Targets, NoMoreSinesThanMergedJoints) {
   const auto counts = committed();
   for (const auto& path : application::descriptions_in(std::string(QVGEN_SOURCE_DIR) + "/generator/robots")) {

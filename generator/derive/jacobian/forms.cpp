@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "derive/jacobian/forms.h"
 
+#include "derive/jacobian/axes_in_motion.h"
 #include "derive/jacobian/rates.h"
 #include "derive/turns.h"
 #include "symbolic/model.h"
@@ -141,6 +142,16 @@ Columns column_rates_by_frames(Program& program, const model::Robot& robot, std:
   for (const MovingTwist& each : gathered(frames, frames.columns(), middle, Target::base))
     columns.push_back({each.linear.rate, each.angular.rate});
   return columns;
+}
+
+Columns column_rates_by_axes(Program& program, const model::Robot& robot, std::size_t frame) {
+  const Linkage arm = linkage(robot);
+  return AxesInMotion(program, arm, frame, rates_of(arm), AxesInMotion::Order::first).column_rates();
+}
+
+Twist acceleration_by_axes(Program& program, const model::Robot& robot, std::size_t frame) {
+  const Linkage arm = linkage(robot);
+  return AxesInMotion(program, arm, frame, rates_of(arm), AxesInMotion::Order::second).acceleration();
 }
 
 }  // namespace qvgen::derive

@@ -129,6 +129,17 @@ MovingTwist Frames::move(const MovingTwist& twist, std::size_t from, std::size_t
   return {move(twist.linear, from, to), move(twist.angular, from, to)};
 }
 
+Vector Frames::brought(std::size_t pivots, const Vector& v, std::size_t to) {
+  if (pivots == 0) return move(Moving{v, {}, {}}, 0, to).value;
+  const Place& place = places_[pivots - 1];
+  if (place.ends_group) return move(Moving{v, {}, {}}, place.group + 1, to).value;
+  const Group& group = groups_[place.group];
+  // Behind the group or in front of it, whichever is nearer.
+  if (to > place.group)
+    return move(turned(group.axis, place.angle - group.angle, 0, {v, {}, {}}), place.group + 1, to).value;
+  return move(turned(group.axis, place.angle, 0, {v, {}, {}}), place.group, to).value;
+}
+
 MovingTwist Frames::to_tool(const MovingTwist& twist) {
   const Quaternion back = inverse(linkage_.home);
   const auto turn = [&](const Vector& v) {

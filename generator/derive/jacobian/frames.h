@@ -53,6 +53,8 @@ class Frames {
   /// The same vector in another frame, one group's turn after the other.
   Moving move(Moving v, std::size_t from, std::size_t to);
   MovingTwist move(const MovingTwist& twist, std::size_t from, std::size_t to);
+  /// A vector given behind the first pivots of the linkage.
+  symbolic::Vector brought(std::size_t pivots, const symbolic::Vector& v, std::size_t to);
   /// From the last frame into the tool's.
   MovingTwist to_tool(const MovingTwist& twist);
 

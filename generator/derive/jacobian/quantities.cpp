@@ -81,6 +81,29 @@ void add_forms_by_frames(Quantity& quantity, const model::Robot& robot, const Bu
   }
 }
 
+void output(Program& program, const Matrix3& r, const std::string& prefix) {
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      program.output(prefix + "r" + std::to_string(i + 1) + std::to_string(j + 1), r[i][j]);
+}
+
+std::vector<MatrixForm> orientations(const model::Robot& robot) {
+  if (const auto chain = zero_reference_chain(robot)) return matrix_forms(*chain);
+  return {{"axes turned", [=](Program& program) { return orientation_by_frames(program, robot); }}};
+}
+
+/// One form for each frame in which axes are written out. The orientation is a suggestion: it holds the axes.
+template <class Build>
+void add_forms_by_axes(Quantity& quantity, const model::Robot& robot, const Build& build) {
+  const auto matrices = orientations(robot);
+  for (std::size_t frame = 0; frame < frame_count(robot); ++frame) {
+    Program program;
+    output(program, matrices[frame % matrices.size()].build(program), "?");
+    output(program, build(program, frame));
+    quantity.forms.push_back({"axes in frame " + std::to_string(frame), program});
+  }
+}
+
 Program plain_tool_jacobian(const model::Robot& robot) {
   Program program;
   const PlainJacobian plain = plain_jacobian(robot, program);
@@ -93,9 +116,7 @@ Program plain_tool_jacobian(const model::Robot& robot) {
 }
 
 void output(Program& program, const Matrix3& r, const Vector& p, const std::string& prefix) {
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-      program.output(prefix + "r" + std::to_string(i + 1) + std::to_string(j + 1), r[i][j]);
+  output(program, r, prefix);
   program.output(prefix + "px", p.x);
   program.output(prefix + "py", p.y);
   program.output(prefix + "pz", p.z);
@@ -105,14 +126,8 @@ void output(Program& program, const Matrix3& r, const Vector& p, const std::stri
 /// matrix and the position are only suggestions: axes of the joints are among the matrix's intermediate
 /// results.
 std::vector<Form> forms_with_orientation(const model::Robot& robot, const std::string& prefix) {
-  const auto chain = zero_reference_chain(robot);
   const auto columns = columns_by_frames(robot, Target::base);
-  std::vector<MatrixForm> matrices;
-  if (chain)
-    matrices = matrix_forms(*chain);
-  else
-    matrices.push_back(
-        {"axes turned", [=](Program& program) { return orientation_by_frames(program, robot); }});
+  const std::vector<MatrixForm> matrices = orientations(robot);
   std::vector<Form> forms;
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const MatrixForm& matrix = matrices[i * matrices.size() / columns.size()];
@@ -183,6 +198,9 @@ Quantity jacobian_rate(const model::Robot& robot) {
   add_forms_by_frames(quantity, robot, [&](Program& program, std::size_t middle) {
     return column_rates_by_frames(program, robot, middle);
   });
+  add_forms_by_axes(quantity, robot, [&](Program& program, std::size_t frame) {
+    return column_rates_by_axes(program, robot, frame);
+  });
   return quantity;
 }
 
@@ -192,6 +210,9 @@ Quantity acceleration_bias(const model::Robot& robot) {
   add_forms_by_frames(quantity, robot, [&](Program& program, std::size_t middle) {
     const MovingTwist twist = twist_by_frames(program, robot, middle, true);
     return Twist{twist.linear.rate, twist.angular.rate};
+  });
+  add_forms_by_axes(quantity, robot, [&](Program& program, std::size_t frame) {
+    return acceleration_by_axes(program, robot, frame);
   });
   Program program;
   const Vector linear = position_in_motion(program, robot).second;

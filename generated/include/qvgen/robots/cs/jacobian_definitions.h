@@ -276,28 +276,23 @@ inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>&
     [[maybe_unused]] const JointVector<Scalar>& qd,
     [[maybe_unused]] const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
   [[maybe_unused]] const auto& [s, c] = angles;
-  const Scalar t0 = qd[2] * c[0] - qd[0] * (g.l1 * c[0] + q[2] * s[0]);
-  const Scalar t1 = qd[0] * c[0];
-  const Scalar t2 = qd[2] * s[0] + qd[0] * (q[2] * c[0] - g.l1 * s[0]);
-  const Scalar t3 = qd[0] * s[0];
-  const Scalar t4 = qd[3] * s[1];
-  const Scalar t5 = s[1] * s[2];
-  const Scalar t6 = qd[3] * c[1];
-  const Scalar t7 = qd[4] * c[2];
-  const Scalar t8 = s[2] * t6 + s[1] * t7;
-  const Scalar t9 = qd[4] * s[2];
-  const Scalar t10 = qd[0] * (c[0] * c[2] - s[0] * t5) + (c[0] * t8 - s[0] * t9);
-  const Scalar t11 = (c[0] * t9 + s[0] * t8) + qd[0] * (c[0] * t5 + c[2] * s[0]);
+  const Scalar t0 = qd[2] - g.l1 * qd[0];
+  const Scalar t1 = qd[0] * s[0];
+  const Scalar t2 = qd[0] * c[0];
+  const Scalar t3 = qd[3] * s[1];
+  const Scalar t4 = qd[3] * c[1];
+  const Scalar t5 = s[2] * t4 + c[2] * (qd[0] + qd[4] * s[1]);
+  const Scalar t6 = s[2] * (qd[4] + qd[0] * s[1]);
   Jacobian<Scalar> result;
-  result(0, 0) = t0;
+  result(0, 0) = c[0] * t0 - q[2] * t1;
   result(0, 1) = Scalar(0);
-  result(0, 2) = t1;
+  result(0, 2) = t2;
   result(0, 3) = Scalar(0);
   result(0, 4) = Scalar(0);
   result(0, 5) = Scalar(0);
-  result(1, 0) = t2;
+  result(1, 0) = q[2] * t2 + s[0] * t0;
   result(1, 1) = Scalar(0);
-  result(1, 2) = t3;
+  result(1, 2) = t1;
   result(1, 3) = Scalar(0);
   result(1, 4) = Scalar(0);
   result(1, 5) = Scalar(0);
@@ -310,21 +305,21 @@ inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>&
   result(3, 0) = Scalar(0);
   result(3, 1) = Scalar(0);
   result(3, 2) = Scalar(0);
-  result(3, 3) = t1;
-  result(3, 4) = -c[0] * t4 - c[1] * t3;
-  result(3, 5) = t10;
+  result(3, 3) = t2;
+  result(3, 4) = -c[0] * t3 - c[1] * t1;
+  result(3, 5) = c[0] * t5 - s[0] * t6;
   result(4, 0) = Scalar(0);
   result(4, 1) = Scalar(0);
   result(4, 2) = Scalar(0);
-  result(4, 3) = t3;
-  result(4, 4) = c[1] * t1 - s[0] * t4;
-  result(4, 5) = t11;
+  result(4, 3) = t1;
+  result(4, 4) = c[1] * t2 - s[0] * t3;
+  result(4, 5) = s[0] * t5 + c[0] * t6;
   result(5, 0) = Scalar(0);
   result(5, 1) = Scalar(0);
   result(5, 2) = Scalar(0);
   result(5, 3) = Scalar(0);
-  result(5, 4) = t6;
-  result(5, 5) = s[2] * t4 - c[1] * t7;
+  result(5, 4) = t4;
+  result(5, 5) = s[2] * t3 - c[2] * qd[4] * c[1];
 
   return result;
 }
@@ -334,27 +329,24 @@ inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Sc
     [[maybe_unused]] const JointVector<Scalar>& qd,
     [[maybe_unused]] const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
   [[maybe_unused]] const auto& [s, c] = angles;
-  const Scalar t0 = q[2] * qd[0];
-  const Scalar t1 = qd[2] - g.l1 * qd[0];
-  const Scalar t2 = qd[2] * c[0] - (s[0] * t0 - c[0] * t1);
-  const Scalar t3 = (c[0] * t0 + s[0] * t1) + qd[2] * s[0];
-  const Scalar t4 = qd[5] * c[2];
-  const Scalar t5 = qd[3] + t4;
-  const Scalar t6 = qd[4] * c[1];
-  const Scalar t7 = qd[5] * s[2];
-  const Scalar t8 = t6 + s[1] * t7;
-  const Scalar t9 = qd[4] * t7;
-  const Scalar t10 = qd[4] * s[1];
-  const Scalar t11 = qd[3] * (t10 - c[1] * t7) - t10 * t4;
-  const Scalar t12 = qd[0] * (c[0] * t5 - s[0] * t8) - (s[0] * t9 + c[0] * t11);
-  const Scalar t13 = qd[0] * (s[0] * t5 + c[0] * t8) - (s[0] * t11 - c[0] * t9);
+  const Scalar t0 = qd[2] * qd[0];
+  const Scalar t1 = qd[0] * qd[0];
+  const Scalar t2 = (t0 + t0) - g.l1 * t1;
+  const Scalar t3 = q[2] * t1;
+  const Scalar t4 = qd[4] * c[1];
+  const Scalar t5 = qd[5] * s[2];
+  const Scalar t6 = qd[0] * t4 + t5 * (qd[4] + qd[0] * s[1]);
+  const Scalar t7 = qd[4] * s[1];
+  const Scalar t8 = c[1] * qd[3] * s[2] + c[2] * (qd[0] + t7);
+  const Scalar t9 = qd[5] * t8 + (qd[0] * qd[3] - qd[3] * t7);
+  const Scalar t10 = qd[5] * c[2] * t4 - qd[3] * (t4 + s[1] * t5);
   Twist<Scalar> result;
-  result(0, 0) = qd[0] * t2;
-  result(1, 0) = qd[0] * t3;
+  result(0, 0) = c[0] * t2 - s[0] * t3;
+  result(1, 0) = c[0] * t3 + s[0] * t2;
   result(2, 0) = Scalar(0);
-  result(3, 0) = t12;
-  result(4, 0) = t13;
-  result(5, 0) = qd[3] * t8 - t6 * t4;
+  result(3, 0) = c[0] * t9 - s[0] * t6;
+  result(4, 0) = s[0] * t9 + c[0] * t6;
+  result(5, 0) = -t10;
 
   return result;
 }

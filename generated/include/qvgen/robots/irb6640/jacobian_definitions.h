@@ -367,102 +367,98 @@ inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>&
     [[maybe_unused]] const JointVector<Scalar>& qd,
     [[maybe_unused]] const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
   [[maybe_unused]] const auto& [s, c] = angles;
-  const Scalar t0 = qd[3] * c[2];
-  const Scalar t1 = qd[4] * c[3];
-  const Scalar t2 = s[3] * t0 + s[2] * t1;
-  const Scalar t3 = c[0] * t2;
-  const Scalar t4 = Scalar(1.075) * c[1];
-  const Scalar t5 = c[4] * s[3];
-  const Scalar t6 = qd[3] * s[2];
-  const Scalar t7 = s[3] * t6 - c[2] * t1;
-  const Scalar t8 = qd[4] * t5 - s[4] * t7;
-  const Scalar t9 = Scalar(0.2) * c[3];
-  const Scalar t10 = Scalar(1.1425) + t9;
-  const Scalar t11 = Scalar(0.2) * s[3];
-  const Scalar t12 = Scalar(0.2) - c[2] * t11;
-  const Scalar t13 = s[4] * t10 - c[4] * t12;
-  const Scalar t14 = qd[1] + qd[2];
-  const Scalar t15 = Scalar(0.2) * t8 + t13 * t14;
-  const Scalar t16 = qd[1] * t4 - t15;
-  const Scalar t17 = Scalar(1.075) * s[1];
-  const Scalar t18 = s[4] * t12 + c[4] * t10;
-  const Scalar t19 = Scalar(0.32) + (t17 + t18);
-  const Scalar t20 = s[0] * s[2];
-  const Scalar t21 = (Scalar(0.2) * t3 + s[0] * t16) + qd[0] * (c[0] * t19 - t11 * t20);
-  const Scalar t22 = s[4] * s[3];
-  const Scalar t23 = c[4] * t7 + qd[4] * t22;
-  const Scalar t24 = Scalar(0.2) * t23 - t14 * t18;
-  const Scalar t25 = qd[1] * t17 - t24;
-  const Scalar t26 = t13 - t4;
-  const Scalar t27 = qd[0] * s[0];
-  const Scalar t28 = Scalar(0.2) * t7;
-  const Scalar t29 = Scalar(0.2) * t2;
-  const Scalar t30 = c[4] * t14;
-  const Scalar t31 = s[2] * t30;
-  const Scalar t32 = s[4] * t29 + t11 * t31;
-  const Scalar t33 = qd[0] * (s[4] * t20 + c[0] * c[2]);
-  const Scalar t34 = (s[0] * t28 + c[0] * t32) - t11 * t33;
-  const Scalar t35 = qd[4] * t11;
-  const Scalar t36 = s[2] * t35 - t0 * t9;
-  const Scalar t37 = c[4] * c[3];
-  const Scalar t38 = c[2] * t35 + t9 * t6;
-  const Scalar t39 = Scalar(0.2) * qd[4];
-  const Scalar t40 = Scalar(0.2) * (c[2] * t37 - t22) * t14 - (s[4] * t38 - t39 * t37);
-  const Scalar t41 = c[3] * s[4];
-  const Scalar t42 = Scalar(0.2) * (t5 + c[2] * t41);
-  const Scalar t43 = c[0] * s[2];
-  const Scalar t44 = (s[0] * t36 - c[0] * t40) + qd[0] * (s[0] * t42 - t9 * t43);
-  const Scalar t45 = s[0] * t2;
-  const Scalar t46 = (c[0] * t16 - Scalar(0.2) * t45) - qd[0] * (t11 * t43 + s[0] * t19);
-  const Scalar t47 = qd[0] * c[0];
-  const Scalar t48 = qd[0] * (c[2] * s[0] - s[4] * t43);
-  const Scalar t49 = t11 * t48 - (s[0] * t32 - c[0] * t28);
-  const Scalar t50 = (c[0] * t36 + s[0] * t40) + qd[0] * (c[0] * t42 + t20 * t9);
-  const Scalar t51 = s[4] * t14;
-  const Scalar t52 = s[2] * t51;
-  const Scalar t53 = (t39 * t41 + c[4] * t38) + t42 * t14;
-  const Scalar t54 = t31 + s[4] * t0;
-  const Scalar t55 = (c[2] * t5 + t41) * t14 + t8;
-  const Scalar t56 = t37 - c[2] * t22;
-  const Scalar t57 = (c[0] * t55 + t45) + qd[0] * (s[3] * t43 + s[0] * t56);
-  const Scalar t58 = qd[0] * (c[0] * t56 - s[3] * t20) + (t3 - s[0] * t55);
+  const Scalar t0 = Scalar(0.2) * s[3];
+  const Scalar t1 = c[2] * t0;
+  const Scalar t2 = Scalar(0.2) - t1;
+  const Scalar t3 = Scalar(1.075) * c[1];
+  const Scalar t4 = t2 + t3;
+  const Scalar t5 = Scalar(1.075) * s[1];
+  const Scalar t6 = Scalar(0.2) * c[3];
+  const Scalar t7 = Scalar(1.1425) + t6;
+  const Scalar t8 = t5 - t7;
+  const Scalar t9 = qd[0] * (Scalar(0.32) + (s[4] * t4 - c[4] * t8));
+  const Scalar t10 = qd[4] * s[2];
+  const Scalar t11 = t10 * t6;
+  const Scalar t12 = t9 + (t11 + qd[3] * t1);
+  const Scalar t13 = qd[0] * s[2];
+  const Scalar t14 = c[4] * t13;
+  const Scalar t15 = qd[4] + (qd[2] * c[2] + (qd[1] * c[2] + t14));
+  const Scalar t16 = s[3] * t15;
+  const Scalar t17 = qd[1] + qd[2];
+  const Scalar t18 = Scalar(0.2) * (t16 - t17);
+  const Scalar t19 = qd[1] * t3 - t18;
+  const Scalar t20 = qd[3] - qd[0] * s[4];
+  const Scalar t21 = s[2] * t20;
+  const Scalar t22 = qd[4] * c[2] + t17;
+  const Scalar t23 = s[3] * t21 - c[3] * t22;
+  const Scalar t24 = t6 * t17 + Scalar(0.2) * t23;
+  const Scalar t25 = qd[1] * t5;
+  const Scalar t26 = (t24 - t7 * t17) + t25;
+  const Scalar t27 = c[4] * t19 + s[4] * t26;
+  const Scalar t28 = s[4] * t0;
+  const Scalar t29 = t26 + t13 * t28;
+  const Scalar t30 = t0 * t14;
+  const Scalar t31 = t19 + t30;
+  const Scalar t32 = c[4] * t29 - s[4] * t31;
+  const Scalar t33 = s[4] * t8 + c[4] * t4;
+  const Scalar t34 = qd[0] * s[0];
+  const Scalar t35 = s[4] * t7 - c[4] * t2;
+  const Scalar t36 = t30 - t18;
+  const Scalar t37 = t25 - t29;
+  const Scalar t38 = s[4] * t36 + c[4] * t37;
+  const Scalar t39 = qd[0] * c[4];
+  const Scalar t40 = c[2] * t39 - s[2] * t17;
+  const Scalar t41 = c[4] * t40;
+  const Scalar t42 = t11 + t20 * t1;
+  const Scalar t43 = t0 * t41 - s[4] * t42;
+  const Scalar t44 = t10 + t39;
+  const Scalar t45 = c[2] * t20;
+  const Scalar t46 = t0 * t44 - t45 * t6;
+  const Scalar t47 = t0 * t22 + t21 * t6;
+  const Scalar t48 = c[4] * t15 * t6 - s[4] * t47;
+  const Scalar t49 = qd[0] * c[0];
+  const Scalar t50 = s[4] * t15;
+  const Scalar t51 = s[4] * t17;
+  const Scalar t52 = t41 - s[4] * t45;
+  const Scalar t53 = c[4] * t16 - s[4] * t23;
+  const Scalar t54 = c[3] * t44 + s[3] * t45;
   Jacobian<Scalar> result;
-  result(0, 0) = -t21;
-  result(0, 1) = t26 * t27 - c[0] * t25;
-  result(0, 2) = c[0] * t24 + t13 * t27;
-  result(0, 3) = t34;
-  result(0, 4) = t44;
+  result(0, 0) = -c[0] * t12 - s[0] * t27;
+  result(0, 1) = c[0] * t32 - t33 * t34;
+  result(0, 2) = t35 * t34 - c[0] * t38;
+  result(0, 3) = s[0] * t24 - c[0] * t43;
+  result(0, 4) = s[0] * t46 - c[0] * t48;
   result(0, 5) = Scalar(0);
-  result(1, 0) = t46;
-  result(1, 1) = -s[0] * t25 - t47 * t26;
-  result(1, 2) = s[0] * t24 - t47 * t13;
-  result(1, 3) = -t49;
-  result(1, 4) = -t50;
+  result(1, 0) = c[0] * t27 - s[0] * t12;
+  result(1, 1) = t49 * t33 + s[0] * t32;
+  result(1, 2) = -s[0] * t38 - t49 * t35;
+  result(1, 3) = -c[0] * t24 - s[0] * t43;
+  result(1, 4) = -s[0] * t48 - c[0] * t46;
   result(1, 5) = Scalar(0);
   result(2, 0) = Scalar(0);
-  result(2, 1) = -t16;
-  result(2, 2) = t15;
-  result(2, 3) = c[4] * t29 - t11 * t52;
-  result(2, 4) = t53;
+  result(2, 1) = -s[4] * t29 - c[4] * t31;
+  result(2, 2) = s[4] * t37 - c[4] * t36;
+  result(2, 3) = c[4] * t42 + t28 * t40;
+  result(2, 4) = t50 * t6 + c[4] * t47;
   result(2, 5) = Scalar(0);
   result(3, 0) = Scalar(0);
-  result(3, 1) = -t47;
-  result(3, 2) = -t47;
-  result(3, 3) = -c[4] * t27 - c[0] * t51;
-  result(3, 4) = (c[0] * t54 + s[0] * t6) - t33;
-  result(3, 5) = -t57;
+  result(3, 1) = -t49;
+  result(3, 2) = -t49;
+  result(3, 3) = -c[0] * t51 - s[0] * t39;
+  result(3, 4) = s[0] * t21 - c[0] * t52;
+  result(3, 5) = -c[0] * t53 - s[0] * t54;
   result(4, 0) = Scalar(0);
-  result(4, 1) = -t27;
-  result(4, 2) = -t27;
-  result(4, 3) = c[4] * t47 - s[0] * t51;
-  result(4, 4) = -t48 - (qd[3] * t43 - s[0] * t54);
-  result(4, 5) = t58;
+  result(4, 1) = -t34;
+  result(4, 2) = -t34;
+  result(4, 3) = c[0] * t39 - s[0] * t51;
+  result(4, 4) = -c[0] * t21 - s[0] * t52;
+  result(4, 5) = c[0] * t54 - s[0] * t53;
   result(5, 0) = Scalar(0);
   result(5, 1) = Scalar(0);
   result(5, 2) = Scalar(0);
-  result(5, 3) = -t30;
-  result(5, 4) = c[4] * t0 - t52;
-  result(5, 5) = t23 - t56 * t14;
+  result(5, 3) = -c[4] * t17;
+  result(5, 4) = c[4] * t45 + s[4] * t40;
+  result(5, 5) = c[4] * t23 + s[3] * t50;
 
   return result;
 }
@@ -472,63 +468,53 @@ inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Sc
     [[maybe_unused]] const JointVector<Scalar>& qd,
     [[maybe_unused]] const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
   [[maybe_unused]] const auto& [s, c] = angles;
-  const Scalar t0 = c[2] * s[3];
-  const Scalar t1 = Scalar(0.2) * t0;
-  const Scalar t2 = qd[4] * s[2];
-  const Scalar t3 = Scalar(0.2) * c[3];
-  const Scalar t4 = t2 * t3;
-  const Scalar t5 = qd[3] * t1 + t4;
-  const Scalar t6 = qd[1] * Scalar(1.075) * c[1];
-  const Scalar t7 = qd[4] * c[2];
-  const Scalar t8 = t7 * t3;
-  const Scalar t9 = s[2] * s[3];
-  const Scalar t10 = t8 - Scalar(0.2) * qd[3] * t9;
-  const Scalar t11 = qd[4] * s[3];
-  const Scalar t12 = Scalar(0.2) * t11;
-  const Scalar t13 = s[4] * t10 + c[4] * t12;
-  const Scalar t14 = Scalar(1.1425) + t3;
-  const Scalar t15 = Scalar(0.2) - t1;
-  const Scalar t16 = qd[1] + qd[2];
-  const Scalar t17 = t13 + (s[4] * t14 - c[4] * t15) * t16;
-  const Scalar t18 = t6 - t17;
-  const Scalar t19 = c[0] * t5 + s[0] * t18;
-  const Scalar t20 = Scalar(1.075) * s[1];
-  const Scalar t21 = c[4] * t14 + s[4] * t15;
-  const Scalar t22 = Scalar(0.32) + (t20 + t21);
-  const Scalar t23 = qd[0] * (Scalar(0.2) * s[0] * t9 - c[0] * t22);
-  const Scalar t24 = qd[3] * (t10 + t8) - t2 * t12;
-  const Scalar t25 = c[4] * t10 - s[4] * t12;
-  const Scalar t26 = t21 * t16 + t25;
-  const Scalar t27 = qd[4] * qd[4];
-  const Scalar t28 = t3 * t27;
-  const Scalar t29 = t1 * t27 + qd[3] * (t4 + t5);
-  const Scalar t30 = t16 * t25 + (c[4] * t28 - s[4] * t29);
-  const Scalar t31 = qd[2] * t26 + (t30 + qd[1] * (t26 + qd[1] * t20));
-  const Scalar t32 = qd[0] * (t19 + (t19 - t23)) + (s[0] * t24 + c[0] * t31);
-  const Scalar t33 = s[0] * t5 - c[0] * t18;
-  const Scalar t34 = qd[0] * (s[0] * t22 + Scalar(0.2) * c[0] * t9);
-  const Scalar t35 = qd[0] * (t33 + (t33 + t34)) + (s[0] * t31 - c[0] * t24);
-  const Scalar t36 = (c[4] * t29 + s[4] * t28) + (t17 + t13) * t16;
-  const Scalar t37 = qd[5] * c[3];
-  const Scalar t38 = qd[3] + t37;
-  const Scalar t39 = t2 - qd[5] * t0;
-  const Scalar t40 = c[4] * t38 + s[4] * t39;
-  const Scalar t41 = t7 + qd[5] * t9;
-  const Scalar t42 = t16 + t41;
-  const Scalar t43 = qd[3] * t39 - t2 * t37;
-  const Scalar t44 = qd[5] * t11;
-  const Scalar t45 = qd[3] * t41 - t7 * t37;
-  const Scalar t46 = (c[4] * t44 - s[4] * t45) + (s[4] * t38 - c[4] * t39) * t16;
-  const Scalar t47 = qd[0] * (s[0] * t40 + c[0] * t42) - (s[0] * t43 - c[0] * t46);
-  const Scalar t48 = (c[0] * t43 + s[0] * t46) - qd[0] * (c[0] * t40 - s[0] * t42);
-  const Scalar t49 = t40 * t16 - (s[4] * t44 + c[4] * t45);
+  const Scalar t0 = qd[1] * c[1];
+  const Scalar t1 = qd[0] * c[4];
+  const Scalar t2 = qd[0] * s[4];
+  const Scalar t3 = qd[1] * s[1];
+  const Scalar t4 = qd[1] + qd[2];
+  const Scalar t5 = t4 * t1;
+  const Scalar t6 = Scalar(0.4) * t5 - Scalar(1.1425) * (t2 + t2) * t4;
+  const Scalar t7 = qd[3] - t2;
+  const Scalar t8 = s[2] * s[3];
+  const Scalar t9 = qd[4] * c[2];
+  const Scalar t10 = t9 + t4;
+  const Scalar t11 = t7 * t8 - c[3] * t10;
+  const Scalar t12 = c[2] * s[3];
+  const Scalar t13 = qd[4] * (c[2] * t1 - s[2] * t4) + t5;
+  const Scalar t14 = (qd[3] + t2) * t4 - t9 * t7;
+  const Scalar t15 = qd[4] * s[2];
+  const Scalar t16 = t15 + t1;
+  const Scalar t17 = t12 * t10 + t16 * t8;
+  const Scalar t18 = t12 * t13 + (c[3] * t14 + t17 * t16);
+  const Scalar t19 = Scalar(2.15) * (t0 * t1 + t2 * t3) + (t6 - Scalar(0.2) * (t11 * t7 + t18));
+  const Scalar t20 = qd[0] * t2;
+  const Scalar t21 = Scalar(1.075) * (c[1] * s[4] - c[4] * s[1]);
+  const Scalar t22 = t4 * t4;
+  const Scalar t23 = qd[0] * t1;
+  const Scalar t24 = s[4] * t23;
+  const Scalar t25 = Scalar(0.2) * (s[4] * t20 + t22) + Scalar(1.1425) * t24;
+  const Scalar t26 = t15 * t7 - qd[3] * t1;
+  const Scalar t27 = t12 * t7 + c[3] * t16;
+  const Scalar t28 = (c[3] * t26 + t27 * t7) - (t13 * t8 - t10 * t17);
+  const Scalar t29 = (t20 * t21 + Scalar(1.075) * qd[1] * t0) + (t25 - Scalar(0.2) * t28);
+  const Scalar t30 = Scalar(0.32) * t20 + t29;
+  const Scalar t31 = Scalar(1.1425) * (t22 + t1 * t1) + Scalar(0.2) * t24;
+  const Scalar t32 = (t27 * t16 - t14 * t8) - (t11 * t10 + t12 * t26);
+  const Scalar t33 = (t31 + Scalar(0.2) * t32) - (Scalar(1.075) * qd[1] * t3 - t23 * t21);
+  const Scalar t34 = t33 + Scalar(0.32) * t23;
+  const Scalar t35 = s[4] * t30 + c[4] * t34;
+  const Scalar t36 = t13 + qd[5] * t17;
+  const Scalar t37 = t14 - qd[5] * t11;
+  const Scalar t38 = c[4] * t36 + s[4] * t37;
+  const Scalar t39 = t26 - qd[5] * t27;
   Twist<Scalar> result;
-  result(0, 0) = -t32;
-  result(1, 0) = -t35;
-  result(2, 0) = t36 - qd[1] * t6;
-  result(3, 0) = -t47;
-  result(4, 0) = -t48;
-  result(5, 0) = -t49;
+  result(0, 0) = -s[0] * t19 - c[0] * t35;
+  result(1, 0) = c[0] * t19 - s[0] * t35;
+  result(2, 0) = s[4] * t34 - c[4] * t30;
+  result(3, 0) = s[0] * t39 - c[0] * t38;
+  result(4, 0) = -s[0] * t38 - c[0] * t39;
+  result(5, 0) = s[4] * t36 - c[4] * t37;
 
   return result;
 }
@@ -623,27 +609,27 @@ Twist<Scalar> velocity(const JointVector<Scalar>& q, const JointVector<Scalar>& 
 template <class Scalar>
 Jacobian<Scalar> jacobian_dot(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const BasicGeometry<Scalar>& g) {
-  return detail::jacobian_dot<Scalar>(q, qd, sines_and_cosines<Scalar>(q[0], q[1], q[3], q[4], q[1] + q[2]), g);
+  return detail::jacobian_dot<Scalar>(q, qd, sines_and_cosines<Scalar>(q[0], q[2], q[3], q[4], q[1] + q[2]), g);
 }
 
 template <class Scalar>
 Jacobian<Scalar> jacobian_dot(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     [[maybe_unused]] const JacobianAngles<Scalar>& angles, const BasicGeometry<Scalar>& g) {
   return detail::jacobian_dot<Scalar>(q, qd,
-      detail::JacobianSelection<Scalar, 5>{ { angles.sine[0], angles.sine[1], angles.sine[3], angles.sine[4], angles.sine[6] }, { angles.cosine[0], angles.cosine[1], angles.cosine[3], angles.cosine[4], angles.cosine[6] } }, g);
+      detail::JacobianSelection<Scalar, 5>{ { angles.sine[0], angles.sine[2], angles.sine[3], angles.sine[4], angles.sine[6] }, { angles.cosine[0], angles.cosine[2], angles.cosine[3], angles.cosine[4], angles.cosine[6] } }, g);
 }
 
 template <class Scalar>
 Twist<Scalar> jacobian_dot_times_qd(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const BasicGeometry<Scalar>& g) {
-  return detail::jacobian_dot_times_qd<Scalar>(q, qd, sines_and_cosines<Scalar>(q[0], q[1], q[3], q[4], q[1] + q[2]), g);
+  return detail::jacobian_dot_times_qd<Scalar>(q, qd, sines_and_cosines<Scalar>(q[0], q[2], q[3], q[4], q[1] + q[2]), g);
 }
 
 template <class Scalar>
 Twist<Scalar> jacobian_dot_times_qd(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     [[maybe_unused]] const JacobianAngles<Scalar>& angles, const BasicGeometry<Scalar>& g) {
   return detail::jacobian_dot_times_qd<Scalar>(q, qd,
-      detail::JacobianSelection<Scalar, 5>{ { angles.sine[0], angles.sine[1], angles.sine[3], angles.sine[4], angles.sine[6] }, { angles.cosine[0], angles.cosine[1], angles.cosine[3], angles.cosine[4], angles.cosine[6] } }, g);
+      detail::JacobianSelection<Scalar, 5>{ { angles.sine[0], angles.sine[2], angles.sine[3], angles.sine[4], angles.sine[6] }, { angles.cosine[0], angles.cosine[2], angles.cosine[3], angles.cosine[4], angles.cosine[6] } }, g);
 }
 
 template <class Scalar>

@@ -218,11 +218,12 @@ inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Sc
   [[maybe_unused]] const auto& [s, c] = angles;
   const Scalar t0 = qd[0] + qd[1];
   const Scalar t1 = qd[2] + t0;
-  const Scalar t2 = g.l3 * c[2] * t1 * t1 + t0 * g.l2 * c[1] * t0;
-  const Scalar t3 = g.l3 * s[2] * t1 * t1 + g.l2 * s[1] * t0 * t0;
+  const Scalar t2 = g.l3 * t1 * t1;
+  const Scalar t3 = c[2] * t2 + t0 * g.l2 * c[1] * t0;
+  const Scalar t4 = s[2] * t2 + g.l2 * s[1] * t0 * t0;
   Twist<Scalar> result;
-  result(0, 0) = -qd[0] * qd[0] * g.l1 * c[0] - t2;
-  result(1, 0) = -t3 - qd[0] * qd[0] * g.l1 * s[0];
+  result(0, 0) = -qd[0] * qd[0] * g.l1 * c[0] - t3;
+  result(1, 0) = -t4 - qd[0] * qd[0] * g.l1 * s[0];
   result(2, 0) = Scalar(0);
   result(3, 0) = Scalar(0);
   result(4, 0) = Scalar(0);

@@ -329,71 +329,69 @@ inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>&
     [[maybe_unused]] const JointVector<Scalar>& qd,
     [[maybe_unused]] const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
   [[maybe_unused]] const auto& [s, c] = angles;
-  const Scalar t0 = qd[0] + qd[1];
-  const Scalar t1 = c[4] * t0;
-  const Scalar t2 = g.l2 - g.l3 * s[1];
-  const Scalar t3 = g.l3 * c[1];
-  const Scalar t4 = qd[2] * t3;
-  const Scalar t5 = t1 * t2 - s[4] * t4;
-  const Scalar t6 = s[4] * t0;
-  const Scalar t7 = qd[2] * s[1];
-  const Scalar t8 = g.l3 * t7;
-  const Scalar t9 = c[4] * t4 + t6 * t2;
-  const Scalar t10 = qd[2] * c[1];
-  const Scalar t11 = qd[3] * c[2];
-  const Scalar t12 = s[2] * t7 - c[1] * t11;
-  const Scalar t13 = qd[3] * s[2];
-  const Scalar t14 = c[1] * s[2];
-  const Scalar t15 = (c[4] * t12 - s[4] * t13) + (c[4] * c[2] + s[4] * t14) * t0;
-  const Scalar t16 = qd[4] * c[3];
-  const Scalar t17 = s[3] * t11 + s[2] * t16;
-  const Scalar t18 = s[3] * t13 - c[2] * t16;
-  const Scalar t19 = qd[4] * s[3];
-  const Scalar t20 = c[2] * s[3];
-  const Scalar t21 = (c[1] * t18 - s[1] * t19) + qd[2] * (s[1] * t20 + c[1] * c[3]);
-  const Scalar t22 = s[2] * s[3];
-  const Scalar t23 = c[3] * s[1] - c[1] * t20;
-  const Scalar t24 = (s[4] * t17 - c[4] * t21) + t0 * (c[4] * t22 + s[4] * t23);
-  const Scalar t25 = (c[2] * s[4] - c[4] * t14) * t0 + (c[4] * t13 + s[4] * t12);
-  const Scalar t26 = (s[4] * t21 + c[4] * t17) + t0 * (c[4] * t23 - s[4] * t22);
-  const Scalar t27 = qd[2] * t23 + (c[1] * t19 + s[1] * t18);
+  const Scalar t0 = g.l3 * c[1];
+  const Scalar t1 = qd[2] * t0;
+  const Scalar t2 = qd[0] * g.l1 * s[0] - t1;
+  const Scalar t3 = g.l2 - g.l3 * s[1];
+  const Scalar t4 = qd[0] + qd[1];
+  const Scalar t5 = t3 * t4 + qd[0] * g.l1 * c[0];
+  const Scalar t6 = c[4] * t4;
+  const Scalar t7 = qd[2] * c[1];
+  const Scalar t8 = s[4] * t7;
+  const Scalar t9 = s[4] * t4;
+  const Scalar t10 = qd[2] * s[1];
+  const Scalar t11 = g.l3 * t10;
+  const Scalar t12 = c[4] * t7 - s[1] * t9;
+  const Scalar t13 = s[1] * t4;
+  const Scalar t14 = qd[2] * s[2] + c[2] * t13;
+  const Scalar t15 = qd[3] - c[1] * t4;
+  const Scalar t16 = c[2] * t15;
+  const Scalar t17 = s[1] * t14 - c[1] * t16;
+  const Scalar t18 = s[2] * t15;
+  const Scalar t19 = qd[4] + (s[2] * t13 - qd[2] * c[2]);
+  const Scalar t20 = c[3] * t19;
+  const Scalar t21 = c[3] * t14 + s[3] * t15;
+  const Scalar t22 = s[2] * t20 + c[2] * t21;
+  const Scalar t23 = s[3] * t19;
+  const Scalar t24 = c[2] * t20 - s[2] * t21;
+  const Scalar t25 = s[1] * t23 + c[1] * t24;
   Jacobian<Scalar> result;
-  result(0, 0) = -t5 - qd[0] * g.l1 * c[0];
-  result(0, 1) = -t5;
-  result(0, 2) = t6 * t3 + c[4] * t8;
+  result(0, 0) = -s[4] * t2 - c[4] * t5;
+  result(0, 1) = g.l3 * t8 - t6 * t3;
+  result(0, 2) = t9 * t0 + c[4] * t11;
   result(0, 3) = Scalar(0);
   result(0, 4) = Scalar(0);
   result(0, 5) = Scalar(0);
-  result(1, 0) = -t9 - qd[0] * g.l1 * s[0];
-  result(1, 1) = -t9;
-  result(1, 2) = s[4] * t8 - t1 * t3;
+  result(1, 0) = c[4] * t2 - s[4] * t5;
+  result(1, 1) = -g.l3 * t12 - g.l2 * t9;
+  result(1, 2) = s[4] * t11 - t6 * t0;
   result(1, 3) = Scalar(0);
   result(1, 4) = Scalar(0);
   result(1, 5) = Scalar(0);
   result(2, 0) = Scalar(0);
   result(2, 1) = Scalar(0);
-  result(2, 2) = t4;
+  result(2, 2) = t1;
   result(2, 3) = Scalar(0);
   result(2, 4) = Scalar(0);
   result(2, 5) = Scalar(0);
   result(3, 0) = Scalar(0);
   result(3, 1) = Scalar(0);
-  result(3, 2) = -t1;
-  result(3, 3) = s[1] * t6 - c[4] * t10;
-  result(3, 4) = t15;
-  result(3, 5) = t24;
+  result(3, 2) = -t6;
+  result(3, 3) = -t12;
+  result(3, 4) = c[4] * t17 - s[4] * t18;
+  result(3, 5) = s[4] * t22 + c[4] * t25;
   result(4, 0) = Scalar(0);
   result(4, 1) = Scalar(0);
-  result(4, 2) = -t6;
-  result(4, 3) = -s[1] * t1 - s[4] * t10;
-  result(4, 4) = t25;
-  result(4, 5) = -t26;
+  result(4, 2) = -t9;
+  result(4, 3) = -c[4] * t13 - t8;
+  result(4, 4) = c[4] * t18 + s[4] * t17;
+  result(4, 5) = s[4] * t25 - c[4] * t22;
   result(5, 0) = Scalar(0);
   result(5, 1) = Scalar(0);
   result(5, 2) = Scalar(0);
-  result(5, 3) = t7;
-  result(5, 4) = qd[2] * t14 + s[1] * t11;
-  result(5, 5) = t27;
+  result(5, 3) = t10;
+  result(5, 4) = s[1] * t16 + c[1] * t14;
+  result(5, 5) = c[1] * t23 - s[1] * t24;
 
   return result;
 }
@@ -409,11 +407,11 @@ inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Sc
   const Scalar t3 = g.l3 * s[1];
   const Scalar t4 = g.l2 - t3;
   const Scalar t5 = t0 * ((t2 - c[4] * t4 * t0) + t2);
-  const Scalar t6 = qd[2] * qd[2] * t3;
+  const Scalar t6 = t3 * qd[2] * qd[2];
   const Scalar t7 = qd[0] * qd[0] * g.l1 * c[0] - (t5 + c[4] * t6);
   const Scalar t8 = c[4] * t1;
-  const Scalar t9 = ((t8 + s[4] * t4 * t0) + t8) * t0;
-  const Scalar t10 = (s[4] * t6 - t9) - qd[0] * qd[0] * g.l1 * s[0];
+  const Scalar t9 = ((t8 + s[4] * t0 * t4) + t8) * t0;
+  const Scalar t10 = qd[0] * qd[0] * g.l1 * s[0] - (s[4] * t6 - t9);
   const Scalar t11 = qd[4] * s[2];
   const Scalar t12 = qd[5] * s[3];
   const Scalar t13 = t11 - c[2] * t12;
@@ -432,7 +430,7 @@ inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Sc
   const Scalar t26 = (c[1] * t19 - s[1] * t18) + qd[2] * t22;
   Twist<Scalar> result;
   result(0, 0) = -t7;
-  result(1, 0) = t10;
+  result(1, 0) = -t10;
   result(2, 0) = qd[2] * t1;
   result(3, 0) = t24;
   result(4, 0) = -t25;
@@ -532,14 +530,14 @@ Twist<Scalar> velocity(const JointVector<Scalar>& q, const JointVector<Scalar>& 
 template <class Scalar>
 Jacobian<Scalar> jacobian_dot(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const BasicGeometry<Scalar>& g) {
-  return detail::jacobian_dot<Scalar>(q, qd, sines_and_cosines<Scalar>(q[0], q[2], q[3], q[4], q[0] + q[1]), g);
+  return detail::jacobian_dot<Scalar>(q, qd, sines_and_cosines<Scalar>(q[1], q[2], q[3], q[4], q[0] + q[1]), g);
 }
 
 template <class Scalar>
 Jacobian<Scalar> jacobian_dot(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     [[maybe_unused]] const JacobianAngles<Scalar>& angles, const BasicGeometry<Scalar>& g) {
   return detail::jacobian_dot<Scalar>(q, qd,
-      detail::JacobianSelection<Scalar, 5>{ { angles.sine[0], angles.sine[2], angles.sine[3], angles.sine[4], angles.sine[6] }, { angles.cosine[0], angles.cosine[2], angles.cosine[3], angles.cosine[4], angles.cosine[6] } }, g);
+      detail::JacobianSelection<Scalar, 5>{ { angles.sine[1], angles.sine[2], angles.sine[3], angles.sine[4], angles.sine[6] }, { angles.cosine[1], angles.cosine[2], angles.cosine[3], angles.cosine[4], angles.cosine[6] } }, g);
 }
 
 template <class Scalar>

@@ -106,7 +106,7 @@ Twist<Scalar> velocity(const JointVector<Scalar>& q, const JointVector<Scalar>& 
 
 /// Derivative of `jacobian` by time at the joint rates qd.
 ///
-/// 10 multiplications, 4 additions, 1 sine/cosine pair. Certified at 3 points; largest rounding error found 1.16 ulp.
+/// 7 multiplications, 3 additions, 1 sine/cosine pair. Certified at 3 points; largest rounding error found 1.85 ulp.
 template <class Scalar>
 Jacobian<Scalar> jacobian_dot(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const BasicGeometry<Scalar>& g = {});
@@ -118,7 +118,7 @@ Jacobian<Scalar> jacobian_dot(const JointVector<Scalar>& q, const JointVector<Sc
 /// The tool's acceleration (m/s², rad/s²) at constant joint rates qd: `jacobian_dot(q, qd) * qd`; with joint accelerations
 /// it is `jacobian(q) * qdd` plus this.
 ///
-/// 10 multiplications, 5 additions, 1 sine/cosine pair. Certified at 3 points; largest rounding error found 2.0 ulp.
+/// 10 multiplications, 3 additions, 1 sine/cosine pair. Certified at 3 points; largest rounding error found 1.34 ulp.
 template <class Scalar>
 Twist<Scalar> jacobian_dot_times_qd(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const BasicGeometry<Scalar>& g = {});

@@ -169,15 +169,16 @@ inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>&
     [[maybe_unused]] const JointVector<Scalar>& qd,
     [[maybe_unused]] const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
   [[maybe_unused]] const auto& [s, c] = angles;
-  const Scalar t0 = qd[2] * c[0] - qd[0] * (g.l1 * c[0] + q[2] * s[0]);
-  const Scalar t1 = qd[2] * s[0] + qd[0] * (q[2] * c[0] - g.l1 * s[0]);
+  const Scalar t0 = qd[2] - g.l1 * qd[0];
+  const Scalar t1 = qd[0] * s[0];
+  const Scalar t2 = qd[0] * c[0];
   Jacobian<Scalar> result;
-  result(0, 0) = t0;
+  result(0, 0) = c[0] * t0 - q[2] * t1;
   result(0, 1) = Scalar(0);
-  result(0, 2) = qd[0] * c[0];
-  result(1, 0) = t1;
+  result(0, 2) = t2;
+  result(1, 0) = q[2] * t2 + s[0] * t0;
   result(1, 1) = Scalar(0);
-  result(1, 2) = qd[0] * s[0];
+  result(1, 2) = t1;
   result(2, 0) = Scalar(0);
   result(2, 1) = Scalar(0);
   result(2, 2) = Scalar(0);
@@ -199,13 +200,11 @@ inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Sc
     [[maybe_unused]] const JointVector<Scalar>& qd,
     [[maybe_unused]] const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
   [[maybe_unused]] const auto& [s, c] = angles;
-  const Scalar t0 = q[2] * qd[0];
-  const Scalar t1 = qd[2] - g.l1 * qd[0];
-  const Scalar t2 = qd[2] * c[0] - (s[0] * t0 - c[0] * t1);
-  const Scalar t3 = (c[0] * t0 + s[0] * t1) + qd[2] * s[0];
+  const Scalar t0 = qd[0] * q[2] * qd[0];
+  const Scalar t1 = qd[0] * g.l1 * qd[0] - Scalar(2) * qd[2] * qd[0];
   Twist<Scalar> result;
-  result(0, 0) = qd[0] * t2;
-  result(1, 0) = qd[0] * t3;
+  result(0, 0) = -s[0] * t0 - c[0] * t1;
+  result(1, 0) = c[0] * t0 - s[0] * t1;
   result(2, 0) = Scalar(0);
   result(3, 0) = Scalar(0);
   result(4, 0) = Scalar(0);

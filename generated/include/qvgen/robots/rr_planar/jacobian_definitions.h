@@ -176,11 +176,12 @@ inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Sc
     [[maybe_unused]] const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
   [[maybe_unused]] const auto& [s, c] = angles;
   const Scalar t0 = qd[0] + qd[1];
-  const Scalar t1 = qd[0] * qd[0] * g.l1 * c[0] + t0 * g.l2 * c[1] * t0;
-  const Scalar t2 = g.l2 * s[1] * t0 * t0 + qd[0] * qd[0] * g.l1 * s[0];
+  const Scalar t1 = t0 * g.l2 * t0;
+  const Scalar t2 = qd[0] * qd[0] * g.l1 * c[0] + c[1] * t1;
+  const Scalar t3 = s[1] * t1 + qd[0] * qd[0] * g.l1 * s[0];
   Twist<Scalar> result;
-  result(0, 0) = -t1;
-  result(1, 0) = -t2;
+  result(0, 0) = -t2;
+  result(1, 0) = -t3;
   result(2, 0) = Scalar(0);
   result(3, 0) = Scalar(0);
   result(4, 0) = Scalar(0);

@@ -323,20 +323,17 @@ inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Sc
   const Scalar t0 = qd[0] + qd[1];
   const Scalar t1 = qd[0] * qd[0] * g.l1 * c[0] + t0 * g.l2 * c[2] * t0;
   const Scalar t2 = g.l2 * s[2] * t0 * t0 + qd[0] * qd[0] * g.l1 * s[0];
-  const Scalar t3 = qd[4] * c[3];
-  const Scalar t4 = qd[5] * c[1];
-  const Scalar t5 = qd[5] * s[1];
-  const Scalar t6 = qd[3] - t0;
-  const Scalar t7 = t3 * t4 - (t3 - s[3] * t5) * t6;
-  const Scalar t8 = qd[4] * s[3];
-  const Scalar t9 = (c[3] * t5 + t8) * t6 - t8 * t4;
+  const Scalar t3 = qd[5] * s[1];
+  const Scalar t4 = qd[3] - t0;
+  const Scalar t5 = t3 * t4;
+  const Scalar t6 = qd[4] * (t4 - qd[5] * c[1]);
   Twist<Scalar> result;
   result(0, 0) = -t1;
   result(1, 0) = -t2;
   result(2, 0) = Scalar(0);
-  result(3, 0) = t7;
-  result(4, 0) = -t9;
-  result(5, 0) = qd[4] * t5;
+  result(3, 0) = s[3] * t5 - c[3] * t6;
+  result(4, 0) = -c[3] * t5 - s[3] * t6;
+  result(5, 0) = qd[4] * t3;
 
   return result;
 }

@@ -281,13 +281,9 @@ inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>&
   const Scalar t0 = qd[2] * s[0];
   const Scalar t1 = qd[2] * c[0];
   const Scalar t2 = qd[3] * s[1];
-  const Scalar t3 = qd[3] * c[1];
-  const Scalar t4 = qd[4] * c[2];
-  const Scalar t5 = s[2] * t3 + s[1] * t4;
-  const Scalar t6 = qd[4] * s[2];
-  const Scalar t7 = s[1] * s[2];
-  const Scalar t8 = (c[0] * t5 + s[0] * t6) - qd[2] * (c[0] * c[2] + s[0] * t7);
-  const Scalar t9 = (c[0] * t6 - s[0] * t5) + qd[2] * (c[2] * s[0] - c[0] * t7);
+  const Scalar t3 = s[2] * (qd[4] - qd[2] * s[1]);
+  const Scalar t4 = qd[3] * c[1];
+  const Scalar t5 = s[2] * t4 - c[2] * (qd[2] - qd[4] * s[1]);
   Jacobian<Scalar> result;
   result(0, 0) = Scalar(0);
   result(0, 1) = Scalar(0);
@@ -312,19 +308,19 @@ inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>&
   result(3, 2) = Scalar(0);
   result(3, 3) = -t1;
   result(3, 4) = -c[1] * t0 - c[0] * t2;
-  result(3, 5) = t8;
+  result(3, 5) = s[0] * t3 + c[0] * t5;
   result(4, 0) = Scalar(0);
   result(4, 1) = Scalar(0);
   result(4, 2) = Scalar(0);
   result(4, 3) = Scalar(0);
-  result(4, 4) = -t3;
-  result(4, 5) = c[1] * t4 - qd[3] * t7;
+  result(4, 4) = -t4;
+  result(4, 5) = c[1] * qd[4] * c[2] - s[2] * t2;
   result(5, 0) = Scalar(0);
   result(5, 1) = Scalar(0);
   result(5, 2) = Scalar(0);
   result(5, 3) = t0;
   result(5, 4) = s[0] * t2 - c[1] * t1;
-  result(5, 5) = t9;
+  result(5, 5) = c[0] * t3 - s[0] * t5;
 
   return result;
 }
@@ -334,23 +330,21 @@ inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Sc
     [[maybe_unused]] const JointVector<Scalar>& qd,
     [[maybe_unused]] const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
   [[maybe_unused]] const auto& [s, c] = angles;
-  const Scalar t0 = qd[4] * s[1];
-  const Scalar t1 = qd[5] * s[2];
-  const Scalar t2 = qd[5] * c[2];
-  const Scalar t3 = qd[3] * (t0 - c[1] * t1) - t0 * t2;
-  const Scalar t4 = qd[4] * t1;
-  const Scalar t5 = qd[3] + t2;
-  const Scalar t6 = qd[4] * c[1];
-  const Scalar t7 = t6 + s[1] * t1;
-  const Scalar t8 = (c[0] * t3 - s[0] * t4) + qd[2] * (c[0] * t5 + s[0] * t7);
-  const Scalar t9 = (s[0] * t3 + c[0] * t4) - qd[2] * (c[0] * t7 - s[0] * t5);
+  const Scalar t0 = g.d4 * qd[2] * qd[2];
+  const Scalar t1 = qd[2] * c[1];
+  const Scalar t2 = qd[2] * s[1];
+  const Scalar t3 = qd[5] * (qd[4] - t2);
+  const Scalar t4 = qd[4] * t1 - s[2] * t3;
+  const Scalar t5 = qd[3] * (qd[4] + t2) - c[2] * t3;
+  const Scalar t6 = qd[5] * (c[2] * t1 - qd[3] * s[2]) + qd[3] * t1;
+  const Scalar t7 = s[1] * t5 + c[1] * t6;
   Twist<Scalar> result;
-  result(0, 0) = qd[2] * qd[2] * g.d4 * s[0];
+  result(0, 0) = s[0] * t0;
   result(1, 0) = Scalar(0);
-  result(2, 0) = qd[2] * qd[2] * g.d4 * c[0];
-  result(3, 0) = -t8;
-  result(4, 0) = t6 * t2 - qd[3] * t7;
-  result(5, 0) = t9;
+  result(2, 0) = c[0] * t0;
+  result(3, 0) = -s[0] * t4 - c[0] * t7;
+  result(4, 0) = s[1] * t6 - c[1] * t5;
+  result(5, 0) = s[0] * t7 - c[0] * t4;
 
   return result;
 }

@@ -295,13 +295,9 @@ inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>&
   const Scalar t3 = c[3] * t0;
   const Scalar t4 = g.d4 * t3;
   const Scalar t5 = qd[3] * s[1];
-  const Scalar t6 = s[1] * s[2];
-  const Scalar t7 = qd[4] * s[2];
-  const Scalar t8 = qd[3] * c[1];
-  const Scalar t9 = qd[4] * c[2];
-  const Scalar t10 = s[2] * t8 + s[1] * t9;
-  const Scalar t11 = (c[3] * c[2] - s[3] * t6) * t0 - (s[3] * t7 - c[3] * t10);
-  const Scalar t12 = (c[3] * t6 + c[2] * s[3]) * t0 + (c[3] * t7 + s[3] * t10);
+  const Scalar t6 = s[2] * (qd[4] + s[1] * t0);
+  const Scalar t7 = qd[3] * c[1];
+  const Scalar t8 = s[2] * t7 + c[2] * (qd[4] * s[1] + t0);
   Jacobian<Scalar> result;
   result(0, 0) = Scalar(0);
   result(0, 1) = -t2 - qd[1] * g.l2 * c[0];
@@ -326,19 +322,19 @@ inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>&
   result(3, 2) = Scalar(0);
   result(3, 3) = t3;
   result(3, 4) = -c[1] * t1 - c[3] * t5;
-  result(3, 5) = t11;
+  result(3, 5) = c[3] * t8 - s[3] * t6;
   result(4, 0) = Scalar(0);
   result(4, 1) = Scalar(0);
   result(4, 2) = Scalar(0);
   result(4, 3) = t1;
   result(4, 4) = c[1] * t3 - s[3] * t5;
-  result(4, 5) = t12;
+  result(4, 5) = s[3] * t8 + c[3] * t6;
   result(5, 0) = Scalar(0);
   result(5, 1) = Scalar(0);
   result(5, 2) = Scalar(0);
   result(5, 3) = Scalar(0);
-  result(5, 4) = t8;
-  result(5, 5) = qd[3] * t6 - c[1] * t9;
+  result(5, 4) = t7;
+  result(5, 5) = s[2] * t5 - c[1] * qd[4] * c[2];
 
   return result;
 }
@@ -349,25 +345,26 @@ inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Sc
     [[maybe_unused]] const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
   [[maybe_unused]] const auto& [s, c] = angles;
   const Scalar t0 = qd[1] + qd[2];
-  const Scalar t1 = qd[1] * qd[1] * g.l2 * c[0] + g.d4 * s[3] * t0 * t0;
-  const Scalar t2 = qd[1] * qd[1] * g.l2 * s[0] - g.d4 * c[3] * t0 * t0;
-  const Scalar t3 = qd[4] * c[1];
-  const Scalar t4 = qd[5] * s[2];
-  const Scalar t5 = t3 + s[1] * t4;
-  const Scalar t6 = qd[5] * c[2];
-  const Scalar t7 = qd[3] + t6;
-  const Scalar t8 = qd[4] * s[1];
-  const Scalar t9 = qd[3] * (t8 - c[1] * t4) - t8 * t6;
-  const Scalar t10 = qd[4] * t4;
-  const Scalar t11 = (s[3] * t5 - c[3] * t7) * t0 + (c[3] * t9 + s[3] * t10);
-  const Scalar t12 = (s[3] * t9 - c[3] * t10) - (c[3] * t5 + s[3] * t7) * t0;
+  const Scalar t1 = g.d4 * t0 * t0;
+  const Scalar t2 = s[3] * t1 + qd[1] * qd[1] * g.l2 * c[0];
+  const Scalar t3 = c[3] * t1 - qd[1] * qd[1] * g.l2 * s[0];
+  const Scalar t4 = qd[4] * c[1];
+  const Scalar t5 = qd[5] * s[2];
+  const Scalar t6 = t4 + s[1] * t5;
+  const Scalar t7 = qd[5] * c[2];
+  const Scalar t8 = qd[3] + t7;
+  const Scalar t9 = qd[4] * s[1];
+  const Scalar t10 = qd[3] * (t9 - c[1] * t5) - t9 * t7;
+  const Scalar t11 = qd[4] * t5;
+  const Scalar t12 = (s[3] * t6 - c[3] * t8) * t0 + (c[3] * t10 + s[3] * t11);
+  const Scalar t13 = (s[3] * t10 - c[3] * t11) - (c[3] * t6 + s[3] * t8) * t0;
   Twist<Scalar> result;
-  result(0, 0) = -t1;
-  result(1, 0) = -t2;
+  result(0, 0) = -t2;
+  result(1, 0) = t3;
   result(2, 0) = Scalar(0);
-  result(3, 0) = -t11;
-  result(4, 0) = -t12;
-  result(5, 0) = qd[3] * t5 - t3 * t6;
+  result(3, 0) = -t12;
+  result(4, 0) = -t13;
+  result(5, 0) = qd[3] * t6 - t4 * t7;
 
   return result;
 }

@@ -305,18 +305,15 @@ inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Sc
     [[maybe_unused]] const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
   [[maybe_unused]] const auto& [s, c] = angles;
   const Scalar t0 = qd[5] * s[1];
-  const Scalar t1 = qd[4] * c[0];
-  const Scalar t2 = qd[5] * c[1];
-  const Scalar t3 = t1 * t2 - qd[3] * (t1 + s[0] * t0);
-  const Scalar t4 = qd[4] * s[0];
-  const Scalar t5 = qd[3] * (t4 - c[0] * t0) - t4 * t2;
+  const Scalar t1 = qd[3] * t0;
+  const Scalar t2 = qd[4] * (qd[3] - qd[5] * c[1]);
   Twist<Scalar> result;
   result(0, 0) = Scalar(0);
   result(1, 0) = Scalar(0);
   result(2, 0) = Scalar(0);
   result(3, 0) = -qd[4] * t0;
-  result(4, 0) = t3;
-  result(5, 0) = -t5;
+  result(4, 0) = -s[0] * t1 - c[0] * t2;
+  result(5, 0) = c[0] * t1 - s[0] * t2;
 
   return result;
 }
