@@ -26,6 +26,12 @@ TEST(Expression, FollowsTheFormat) {
   EXPECT_EQ(evaluate("-d2 + l_1", {{"d2", 0.5}, {"l_1", 2}}), 1.5);
 }
 
+TEST(Expression, TakesOtherFunctions) {
+  const reference::Functions functions{{"less", [](const std::vector<double>& x) { return x.at(0) - x.at(1); }}};
+  EXPECT_EQ(evaluate("2*less(3, 1 - a)", {{"a", 2}}, functions), 8);
+  EXPECT_THROW(evaluate("sin(1)", {}, functions), std::runtime_error);
+}
+
 TEST(Expression, RejectsTheRest) {
   for (const char* text : {"", "1 +", "(1", "1)", "unknown", "2 3", "sqrt 2"}) {
     EXPECT_THROW(evaluate(text, {}), std::runtime_error) << text;

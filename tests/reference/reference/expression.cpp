@@ -12,7 +12,8 @@ constexpr double pi = 3.14159265358979323846;
 
 class Parser {
  public:
-  Parser(const std::string& text, const Values& values) : text_(text), values_(values) {}
+  Parser(const std::string& text, const Values& values, const Functions& functions)
+      : text_(text), values_(values), functions_(functions) {}
 
   double whole() {
     const double value = sum();
@@ -70,10 +71,12 @@ class Parser {
     if (name.empty()) fail("number or name expected");
     at_ += name.size();
     if (name == "pi") return pi;
-    if (name == "sqrt" || name == "sin" || name == "cos") {
+    if (const auto function = functions_.find(name); function != functions_.end()) {
       if (!take("(")) fail("parenthesis expected");
-      const double x = closed();
-      return name == "sqrt" ? std::sqrt(x) : name == "sin" ? std::sin(x) : std::cos(x);
+      std::vector<double> arguments{sum()};
+      while (take(",")) arguments.push_back(sum());
+      if (!take(")")) fail("closing parenthesis expected");
+      return function->second(arguments);
     }
     const auto found = values_.find(name);
     if (found == values_.end()) fail("no value for '" + name + "'");
@@ -126,11 +129,21 @@ class Parser {
 
   const std::string& text_;
   const Values& values_;
+  const Functions& functions_;
   std::size_t at_ = 0;
 };
 
 }  // namespace
 
-double evaluate(const std::string& text, const Values& values) { return Parser(text, values).whole(); }
+double evaluate(const std::string& text, const Values& values) {
+  static const Functions functions{{"sqrt", [](const auto& x) { return std::sqrt(x[0]); }},
+                                   {"sin", [](const auto& x) { return std::sin(x[0]); }},
+                                   {"cos", [](const auto& x) { return std::cos(x[0]); }}};
+  return evaluate(text, values, functions);
+}
+
+double evaluate(const std::string& text, const Values& values, const Functions& functions) {
+  return Parser(text, values, functions).whole();
+}
 
 }  // namespace reference
