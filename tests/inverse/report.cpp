@@ -66,7 +66,7 @@ Line measure(Case& test, const PoseSet& set, int count, bool faults) {
     if (line.poses == 0 && tried++ > 100) break;
     const std::optional<Sample> sample = set.draw(test, i);
     if (!sample) continue;
-    const Verdict verdict = judge(test, *sample, test.robot().solve(sample->pose, test.given(sample->q), inverse::default_tolerance));
+    const Verdict verdict = judge(test, *sample, test.robot().solve(sample->pose, test.given(sample->q), qvgen::inverse::default_tolerance));
     if (faults && !verdict.fault.empty())
       std::fprintf(stderr, "%s, pose %d: %s\n", set.name.c_str(), i, verdict.fault.c_str());
     line.add(*sample, verdict);
