@@ -42,6 +42,7 @@ struct InverseFunctions {
   std::function<Found(const Eigen::Matrix3d&, const Eigen::Vector3d&, double given)> solve_matrix;
   std::function<Found(const Pose<double>&, double given, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper)>
       solve_within;
+  std::function<Found(const Pose<double>&, double given, double tolerance, const reference::Values&)> solve_scalar = {};
 };
 
 /// The generated inverse kinematics of one robot behind one type.
@@ -56,6 +57,10 @@ struct InverseUnderTest {
 
   [[nodiscard]] Found solve(const Pose<double>& pose, double given, double tolerance) const {
     return functions.solve(pose, given, tolerance, geometry);
+  }
+  /// One branch after the other, also where there is a vector form.
+  [[nodiscard]] Found solve_scalar(const Pose<double>& pose, double given, double tolerance) const {
+    return functions.solve_scalar(pose, given, tolerance, geometry);
   }
   [[nodiscard]] Found solve_from(const Pose<double>& pose, double given, const Eigen::VectorXd& seed) const {
     return functions.solve_from(pose, given, seed, geometry);

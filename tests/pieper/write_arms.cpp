@@ -21,12 +21,18 @@ struct Folder {
   [[nodiscard]] fs::path source(const std::string& name) const {
     return root / "generated/source" / name / "inverse.cpp";
   }
+  [[nodiscard]] fs::path lanes(const std::string& name) const {
+    return root / "generated/source" / name / "inverse_avx2.cpp";
+  }
   [[nodiscard]] fs::path header(const std::string& name) const {
     return root / "generated/include/qvgen/robots" / name / "inverse.h";
   }
 };
 
 constexpr const char* solved_arm = R"(#include "@SOURCE@"
+#if __has_include("@LANES@")
+#include "@LANES@"
+#endif
 namespace {
 namespace @NAME@ {
 namespace robot = qvgen::robots::@NAME@;
@@ -64,6 +70,7 @@ std::string registration(const Folder& folder, const std::string& name) {
   std::string text = solved ? solved_arm : unsolved_arm;
   text = replaced(text, "@NAME@", name);
   text = replaced(text, "@SOURCE@", folder.source(name).string());
+  text = replaced(text, "@LANES@", folder.lanes(name).string());
   text = replaced(text, "@DESCRIPTION@", folder.description(name).string());
   return replaced(text, "@REASONS@", solved ? "" : reasons(folder.header(name)));
 }

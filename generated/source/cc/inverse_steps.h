@@ -5,18 +5,20 @@
 
 #include <qvgen/inverse/conic_circle.h>
 #include <qvgen/inverse/polish.h>
-#include <qvgen/inverse/request.h>
 #include <qvgen/inverse/roots.h>
+#include <qvgen/inverse/rows.h>
+#include <qvgen/inverse/target.h>
 #include <qvgen/inverse/wrist.h>
-#include <qvgen/robots/cc/model.h>
 
-// One function for each step of the derivation; `sign` chooses a branch. Values that later steps need stand in Work.
-namespace qvgen::robots::cc {
-namespace {
-namespace all {
+// One function for each step of the derivation; `sign` chooses a branch. Values that later steps need stand in Work. No
+// Eigen here: a file that is compiled for wider vectors than the rest reads this too.
+namespace qvgen::robots::cc::detail::all {
 /// What the pose says, once for all branches.
-struct Target : inverse::TargetBase<dof> {
-  using TargetBase::TargetBase;
+struct Target : inverse::TargetBase<6> {
+  struct {
+    double l1;
+    double d4;
+  } geometry;
   double size_square;
   double square_theta3;
   double pose_p_x;
@@ -28,6 +30,7 @@ struct Target : inverse::TargetBase<dof> {
   double pose_q_z;
 };
 
+namespace {
 template <typename Scalar>
 struct Work {
   inverse::Branch<Scalar> branch;
@@ -46,13 +49,13 @@ struct Work {
 /// From: distance from the axis of theta1: the same.
 /// Degenerate: stretched or folded: the two solutions coincide.
 template <typename Scalar>
-inline void solve_theta3([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g,
-    const Scalar& sign, Work<Scalar>& w) {
+inline void solve_theta3([[maybe_unused]] const Target& t, const Scalar& sign,
+    Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
   {
-    const Scalar t0 = Scalar(g.d4) - Scalar(g.l1);
-    const Scalar t1 = Scalar(g.d4) + Scalar(g.l1);
+    const Scalar t0 = Scalar(t.geometry.d4) - Scalar(t.geometry.l1);
+    const Scalar t1 = Scalar(t.geometry.d4) + Scalar(t.geometry.l1);
     const Scalar low = t0 * t0 - Scalar(t.square_theta3);
     const Scalar high = Scalar(t.square_theta3) - t1 * t1;
     result = inverse::circle_angle<Scalar>(low, high, sign, Scalar(t.tolerance), inverse::merge_share<Scalar>(), inverse::merge_share<Scalar>(), w.branch);
@@ -66,15 +69,16 @@ inline void solve_theta3([[maybe_unused]] const Target& t, [[maybe_unused]] cons
 /// From: the turn about the axis of theta1.
 /// Degenerate: the point lies on the axis: theta1 is free.
 template <typename Scalar>
-inline void solve_theta1([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g, Work<Scalar>& w) {
+inline void solve_theta1([[maybe_unused]] const Target& t,
+    Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
   {
-    const Scalar t0 = Scalar(g.l1) + Scalar(g.d4) * w.sin_theta3;
-    const Scalar t1 = w.cos_theta3 * Scalar(g.d4);
+    const Scalar t0 = Scalar(t.geometry.l1) + Scalar(t.geometry.d4) * w.sin_theta3;
+    const Scalar t1 = w.cos_theta3 * Scalar(t.geometry.d4);
     const Scalar x = Scalar(t.pose_p_x) * t0 - Scalar(t.pose_p_y) * t1;
     const Scalar y = Scalar(t.pose_p_y) * t0 + Scalar(t.pose_p_x) * t1;
-    result = inverse::direction<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.choice[0].cosine), Scalar(t.choice[0].sine)}, w.branch);
+    result = inverse::direction<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)}, w.branch);
   }
 
   w.cos_theta1 = result.cosine;
@@ -84,13 +88,14 @@ inline void solve_theta1([[maybe_unused]] const Target& t, [[maybe_unused]] cons
 /// theta1_theta3: half angle, one value.
 /// From: half angle of theta1_theta3.
 template <typename Scalar>
-inline void solve_half_theta1_theta3([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g, Work<Scalar>& w) {
+inline void solve_half_theta1_theta3([[maybe_unused]] const Target& t,
+    Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
   {
     const Scalar cosine = w.cos_theta1 * w.cos_theta3 - w.sin_theta1 * w.sin_theta3;
     const Scalar sine = w.cos_theta1 * w.sin_theta3 + w.cos_theta3 * w.sin_theta1;
-    result = inverse::half<Scalar>(inverse::Rotor<Scalar>{cosine, sine});
+    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine});
   }
 
   w.after_theta1_theta3_w = Scalar(t.pose_q_z) * result.sine + result.cosine * Scalar(t.pose_q_w);
@@ -102,7 +107,8 @@ inline void solve_half_theta1_theta3([[maybe_unused]] const Target& t, [[maybe_u
 /// d2: linear, one value.
 /// From: the displacement along d2.
 template <typename Scalar>
-inline void solve_d2([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g, Work<Scalar>& w) {
+inline void solve_d2([[maybe_unused]] const Target& t,
+    Work<Scalar>& w) {
   using std::sqrt;
 
   w.d2 = Scalar(t.pose_p_z);
@@ -112,7 +118,8 @@ inline void solve_d2([[maybe_unused]] const Target& t, [[maybe_unused]] const Ge
 /// From: the orientation that the wrist's three axes have to make, in half angles.
 /// Degenerate: first and last axis in line: their sum or difference is free.
 template <typename Scalar>
-inline inverse::WristAngles<Scalar> solve_wrist([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g, Work<Scalar>& w) {
+inline inverse::WristAngles<Scalar> solve_wrist([[maybe_unused]] const Target& t,
+    Work<Scalar>& w) {
   using std::sqrt;
 
   const Scalar u_x = w.after_theta1_theta3_w;
@@ -120,9 +127,8 @@ inline inverse::WristAngles<Scalar> solve_wrist([[maybe_unused]] const Target& t
   const Scalar v_x = w.after_theta1_theta3_x;
   const Scalar v_y = w.after_theta1_theta3_z;
 
-  return inverse::right_wrist<Scalar>(inverse::Rotor<Scalar>{u_x, u_y}, inverse::Rotor<Scalar>{v_x, v_y}, false, Scalar(t.seed[3]), inverse::pi<Scalar>(), w.branch);
+  return inverse::right_wrist<Scalar>(inverse::Rotor<Scalar>{u_x, u_y}, inverse::Rotor<Scalar>{v_x, v_y}, false, Scalar(t.preference->angle[3]), inverse::pi<Scalar>(), w.branch);
 }
 
-}  // namespace all
 }  // namespace
-}  // namespace qvgen::robots::cc
+}  // namespace qvgen::robots::cc::detail::all

@@ -5,18 +5,19 @@
 
 #include <qvgen/inverse/conic_circle.h>
 #include <qvgen/inverse/polish.h>
-#include <qvgen/inverse/request.h>
 #include <qvgen/inverse/roots.h>
+#include <qvgen/inverse/rows.h>
+#include <qvgen/inverse/target.h>
 #include <qvgen/inverse/wrist.h>
-#include <qvgen/robots/cs/model.h>
 
-// One function for each step of the derivation; `sign` chooses a branch. Values that later steps need stand in Work.
-namespace qvgen::robots::cs {
-namespace {
-namespace all {
+// One function for each step of the derivation; `sign` chooses a branch. Values that later steps need stand in Work. No
+// Eigen here: a file that is compiled for wider vectors than the rest reads this too.
+namespace qvgen::robots::cs::detail::all {
 /// What the pose says, once for all branches.
-struct Target : inverse::TargetBase<dof> {
-  using TargetBase::TargetBase;
+struct Target : inverse::TargetBase<6> {
+  struct {
+    double l1;
+  } geometry;
   double size_square;
   double pose_p_x;
   double pose_p_y;
@@ -27,6 +28,7 @@ struct Target : inverse::TargetBase<dof> {
   double pose_q_z;
 };
 
+namespace {
 template <typename Scalar>
 struct Work {
   inverse::Branch<Scalar> branch;
@@ -45,17 +47,17 @@ struct Work {
 /// From: perpendicular to d2, nothing changes.
 /// Degenerate: boundary of reach: the two solutions coincide; the point on the axis: theta1 is free.
 template <typename Scalar>
-inline void solve_theta1([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g,
-    const Scalar& sign, Work<Scalar>& w) {
+inline void solve_theta1([[maybe_unused]] const Target& t, const Scalar& sign,
+    Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
   {
     const Scalar t0 = sqrt(Scalar(t.pose_p_y) * Scalar(t.pose_p_y) + Scalar(t.pose_p_x) * Scalar(t.pose_p_x));
     const Scalar x = -Scalar(t.pose_p_x);
     const Scalar y = -Scalar(t.pose_p_y);
-    const Scalar low = Scalar(g.l1) + t0;
-    const Scalar high = t0 - Scalar(g.l1);
-    result = inverse::free_circle_angle<Scalar>(low, high, inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny1), inverse::Rotor<Scalar>{Scalar(t.choice[0].cosine), Scalar(t.choice[0].sine)}, sign, Scalar(t.tolerance), w.branch);
+    const Scalar low = Scalar(t.geometry.l1) + t0;
+    const Scalar high = t0 - Scalar(t.geometry.l1);
+    result = inverse::free_circle_angle<Scalar>(low, high, inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny1), inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)}, sign, Scalar(t.tolerance), w.branch);
   }
 
   w.cos_theta1 = result.cosine;
@@ -66,13 +68,14 @@ inline void solve_theta1([[maybe_unused]] const Target& t, [[maybe_unused]] cons
 /// theta1: half angle, one value.
 /// From: half angle of theta1.
 template <typename Scalar>
-inline void solve_half_theta1([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g, Work<Scalar>& w) {
+inline void solve_half_theta1([[maybe_unused]] const Target& t,
+    Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
   {
     const Scalar cosine = w.cos_theta1;
     const Scalar sine = w.sin_theta1;
-    result = inverse::half<Scalar>(inverse::Rotor<Scalar>{cosine, sine});
+    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine});
   }
 
   w.after_theta1_w = Scalar(t.pose_q_z) * result.sine + result.cosine * Scalar(t.pose_q_w);
@@ -84,7 +87,8 @@ inline void solve_half_theta1([[maybe_unused]] const Target& t, [[maybe_unused]]
 /// d3: linear, one value.
 /// From: perpendicular to d2, nothing changes.
 template <typename Scalar>
-inline void solve_d3([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g, Work<Scalar>& w) {
+inline void solve_d3([[maybe_unused]] const Target& t,
+    Work<Scalar>& w) {
   using std::sqrt;
 
   w.d3 = -w.height_d3;
@@ -93,7 +97,8 @@ inline void solve_d3([[maybe_unused]] const Target& t, [[maybe_unused]] const Ge
 /// d2: linear, one value.
 /// From: the displacement along d2.
 template <typename Scalar>
-inline void solve_d2([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g, Work<Scalar>& w) {
+inline void solve_d2([[maybe_unused]] const Target& t,
+    Work<Scalar>& w) {
   using std::sqrt;
 
   w.d2 = Scalar(t.pose_p_z);
@@ -103,7 +108,8 @@ inline void solve_d2([[maybe_unused]] const Target& t, [[maybe_unused]] const Ge
 /// From: the orientation that the wrist's three axes have to make, in half angles.
 /// Degenerate: first and last axis in line: their sum or difference is free.
 template <typename Scalar>
-inline inverse::WristAngles<Scalar> solve_wrist([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g, Work<Scalar>& w) {
+inline inverse::WristAngles<Scalar> solve_wrist([[maybe_unused]] const Target& t,
+    Work<Scalar>& w) {
   using std::sqrt;
 
   const Scalar u_x = w.after_theta1_w;
@@ -111,9 +117,8 @@ inline inverse::WristAngles<Scalar> solve_wrist([[maybe_unused]] const Target& t
   const Scalar v_x = w.after_theta1_x;
   const Scalar v_y = w.after_theta1_z;
 
-  return inverse::right_wrist<Scalar>(inverse::Rotor<Scalar>{u_x, u_y}, inverse::Rotor<Scalar>{v_x, v_y}, false, Scalar(t.seed[3]), inverse::pi<Scalar>(), w.branch);
+  return inverse::right_wrist<Scalar>(inverse::Rotor<Scalar>{u_x, u_y}, inverse::Rotor<Scalar>{v_x, v_y}, false, Scalar(t.preference->angle[3]), inverse::pi<Scalar>(), w.branch);
 }
 
-}  // namespace all
 }  // namespace
-}  // namespace qvgen::robots::cs
+}  // namespace qvgen::robots::cs::detail::all

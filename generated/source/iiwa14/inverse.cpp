@@ -3,15 +3,19 @@
 // ./qvgen generate
 #include <qvgen/robots/iiwa14/inverse.h>
 
+#include <qvgen/inverse/lanes.h>
+#include <qvgen/inverse/request.h>
+
 #include "inverse_steps.h"
 
 namespace qvgen::robots::iiwa14 {
+namespace detail::given_theta3 {
 namespace {
-namespace given_theta3 {
-Target target_of(const Pose<double>& pose, [[maybe_unused]] const Geometry& g, const inverse::Request<dof>& request, double locked) {
+Target target_of(const Pose<double>& pose, [[maybe_unused]] const Geometry& g, double tolerance,
+    const inverse::Preference<dof>& preference, double locked) {
   using Scalar [[maybe_unused]] = double;
   using std::sqrt;
-  const double scale = 1 / pose.orientation.norm();
+  const double scale = inverse::unit_scale(pose.orientation.squaredNorm());
   [[maybe_unused]] const double pose_q_w = scale * pose.orientation.w();
   [[maybe_unused]] const double pose_q_x = scale * pose.orientation.x();
   [[maybe_unused]] const double pose_q_y = scale * pose.orientation.y();
@@ -19,7 +23,9 @@ Target target_of(const Pose<double>& pose, [[maybe_unused]] const Geometry& g, c
   [[maybe_unused]] const double pose_p_x = pose.position.x();
   [[maybe_unused]] const double pose_p_y = pose.position.y();
   [[maybe_unused]] const double pose_p_z = pose.position.z();
-  Target t(request);
+  Target t;
+  t.tolerance = tolerance;
+  t.preference = &preference;
   t.lock(locked);
   [[maybe_unused]] const double cos_locked = t.cos_locked;
   [[maybe_unused]] const double sin_locked = t.sin_locked;
@@ -40,36 +46,37 @@ Target target_of(const Pose<double>& pose, [[maybe_unused]] const Geometry& g, c
   t.pose_q_x = pose_q_x;
   t.pose_q_y = pose_q_y;
   t.pose_q_z = pose_q_z;
+
   t.set_size(t.size_square);
   return t;
 }
 
 /// All branches, one after the other.
-void solve(const Target& t, [[maybe_unused]] const Geometry& g, SolutionsGiven_theta3& found) {
+[[gnu::flatten, gnu::noinline]] void solve_one_by_one(const Target& t, SolutionsGiven_theta3& found) {
   Work<double> w;
   JointVector<double> q;
   q[2] = t.locked;
   const inverse::Branch<double> above0 = w.branch;
   for (int k0 = 0; k0 < 2; ++k0) {
     w.branch = above0;
-    solve_theta4(t, g, k0 == 0 ? 1.0 : -1.0, w);
+    solve_theta4(t, k0 == 0 ? 1.0 : -1.0, w);
     if (!w.branch.exists) break;
     const inverse::Branch<double> above1 = w.branch;
     for (int k1 = 0; k1 < 2; ++k1) {
       w.branch = above1;
-      solve_theta1(t, g, k1 == 0 ? 1.0 : -1.0, w);
+      solve_theta1(t, k1 == 0 ? 1.0 : -1.0, w);
       if (!w.branch.exists) break;
       if (k1 == 0) {
         q[3] = inverse::output_angle(w.cos_theta4, w.sin_theta4);
       }
-      solve_theta2(t, g, w);
+      solve_theta2(t, w);
       q[0] = inverse::output_angle(w.cos_theta1, w.sin_theta1);
-      solve_half_theta1(t, g, w);
+      solve_half_theta1(t, w);
       q[1] = inverse::output_angle(w.cos_theta2, w.sin_theta2);
-      solve_half_theta2(t, g, w);
-      solve_half_theta3(t, g, w);
-      solve_half_theta4(t, g, w);
-      const auto angles = solve_wrist(t, g, w);
+      solve_half_theta2(t, w);
+      solve_half_theta3(t, w);
+      solve_half_theta4(t, w);
+      const auto angles = solve_wrist(t, w);
       q[4] = angles.first;
       q[5] = angles.middle;
       q[6] = angles.last;
@@ -82,17 +89,29 @@ void solve(const Target& t, [[maybe_unused]] const Geometry& g, SolutionsGiven_t
   }
 }
 
-}  // namespace given_theta3
-}  // namespace
+/// Branches side by side where machine and compiler know AVX2.
+void solve(const Target& t, inverse::Form form, SolutionsGiven_theta3& found) {
+  if (form == inverse::Form::fastest && solve_in_lanes != nullptr && inverse::machine_has_avx2()) {
+    inverse::conclude(found, solve_in_lanes(t, inverse::row_places(found)));
+    return;
+  }
 
-SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Pose<double>& pose, double theta3, const Geometry& g, double tolerance) {
+  solve_one_by_one(t, found);
+
+  found.conclude();
+}
+
+}  // namespace
+}  // namespace detail::given_theta3
+
+SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Pose<double>& pose, double theta3, const Geometry& g, double tolerance,
+    inverse::Form form) {
   SolutionsGiven_theta3 found;
   if (!is_valid(pose)) {
     found.status = Status::invalid;
     return found;
   }
-  given_theta3::solve(given_theta3::target_of(pose, g, {tolerance, nullptr}, theta3), g, found);
-  found.conclude();
+  detail::given_theta3::solve(detail::given_theta3::target_of(pose, g, tolerance, inverse::zero_preference<dof>, theta3), form, found);
   return found;
 }
 
@@ -102,8 +121,8 @@ SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Pose<double>& pose, 
     found.status = Status::invalid;
     return found;
   }
-  given_theta3::solve(given_theta3::target_of(pose, g, {tolerance, &seed}, theta3), g, found);
-  found.conclude();
+  const inverse::Preference<dof> preference = inverse::preference<dof>(seed);
+  detail::given_theta3::solve(detail::given_theta3::target_of(pose, g, tolerance, preference, theta3), inverse::Form::fastest, found);
   sort_by_distance(found, seed, is_revolute);
   return found;
 }

@@ -5,18 +5,16 @@
 
 #include <qvgen/inverse/conic_circle.h>
 #include <qvgen/inverse/polish.h>
-#include <qvgen/inverse/request.h>
 #include <qvgen/inverse/roots.h>
+#include <qvgen/inverse/rows.h>
+#include <qvgen/inverse/target.h>
 #include <qvgen/inverse/wrist.h>
-#include <qvgen/robots/iiwa14/model.h>
 
-// One function for each step of the derivation; `sign` chooses a branch. Values that later steps need stand in Work.
-namespace qvgen::robots::iiwa14 {
-namespace {
-namespace given_theta3 {
+// One function for each step of the derivation; `sign` chooses a branch. Values that later steps need stand in Work. No
+// Eigen here: a file that is compiled for wider vectors than the rest reads this too.
+namespace qvgen::robots::iiwa14::detail::given_theta3 {
 /// What the pose says, once for all branches.
-struct Target : inverse::TargetBase<dof> {
-  using TargetBase::TargetBase;
+struct Target : inverse::TargetBase<7> {
   double size_square;
   double goal_x;
   double goal_y;
@@ -28,6 +26,11 @@ struct Target : inverse::TargetBase<dof> {
   double pose_q_z;
 };
 
+/// All branches, four at a time in the lanes of AVX2 registers; null if the compiler was not asked for it.
+using LaneSolver = inverse::RowCount (*)(const Target&, inverse::RowPlaces);
+extern const LaneSolver solve_in_lanes;
+
+namespace {
 template <typename Scalar>
 struct Work {
   inverse::Branch<Scalar> branch;
@@ -64,8 +67,8 @@ struct Work {
 /// From: distance from a point on the axis of theta2: the same.
 /// Degenerate: stretched or folded: the two solutions coincide.
 template <typename Scalar>
-inline void solve_theta4([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g,
-    const Scalar& sign, Work<Scalar>& w) {
+inline void solve_theta4([[maybe_unused]] const Target& t, const Scalar& sign,
+    Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
   {
@@ -85,8 +88,8 @@ inline void solve_theta4([[maybe_unused]] const Target& t, [[maybe_unused]] cons
 /// From: height along the axis of theta2: the same.
 /// Degenerate: boundary of reach: the two solutions coincide; the point on the axis: theta1 is free.
 template <typename Scalar>
-inline void solve_theta1([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g,
-    const Scalar& sign, Work<Scalar>& w) {
+inline void solve_theta1([[maybe_unused]] const Target& t, const Scalar& sign,
+    Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
   {
@@ -95,7 +98,7 @@ inline void solve_theta1([[maybe_unused]] const Target& t, [[maybe_unused]] cons
     const Scalar y = -Scalar(t.goal_x);
     const Scalar low = t0 - w.height_theta1;
     const Scalar high = w.height_theta1 + t0;
-    result = inverse::free_circle_angle<Scalar>(low, high, inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny1), inverse::Rotor<Scalar>{Scalar(t.choice[0].cosine), Scalar(t.choice[0].sine)}, sign, Scalar(t.tolerance), w.branch);
+    result = inverse::free_circle_angle<Scalar>(low, high, inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny1), inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)}, sign, Scalar(t.tolerance), w.branch);
   }
 
   w.cos_theta1 = result.cosine;
@@ -107,13 +110,14 @@ inline void solve_theta1([[maybe_unused]] const Target& t, [[maybe_unused]] cons
 /// theta1: half angle, one value.
 /// From: half angle of theta1.
 template <typename Scalar>
-inline void solve_half_theta1([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g, Work<Scalar>& w) {
+inline void solve_half_theta1([[maybe_unused]] const Target& t,
+    Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
   {
     const Scalar cosine = w.cos_theta1;
     const Scalar sine = w.sin_theta1;
-    result = inverse::half<Scalar>(inverse::Rotor<Scalar>{cosine, sine});
+    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine});
   }
 
   w.after_theta1_w = Scalar(t.pose_q_z) * result.sine + result.cosine * Scalar(t.pose_q_w);
@@ -126,13 +130,14 @@ inline void solve_half_theta1([[maybe_unused]] const Target& t, [[maybe_unused]]
 /// From: the turn about the axis of theta2 from one side's point to the other's.
 /// Degenerate: the point lies on the axis: theta2 is free.
 template <typename Scalar>
-inline void solve_theta2([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g, Work<Scalar>& w) {
+inline void solve_theta2([[maybe_unused]] const Target& t,
+    Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
   {
     const Scalar x = w.plane_theta1_x * w.plane_theta4_x + w.plane_theta1_y * w.plane_theta4_y;
     const Scalar y = w.plane_theta1_y * w.plane_theta4_x - w.plane_theta1_x * w.plane_theta4_y;
-    result = inverse::direction<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.choice[1].cosine), Scalar(t.choice[1].sine)}, w.branch);
+    result = inverse::direction<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->turn[1].cosine), Scalar(t.preference->turn[1].sine)}, w.branch);
   }
 
   w.cos_theta2 = result.cosine;
@@ -142,13 +147,14 @@ inline void solve_theta2([[maybe_unused]] const Target& t, [[maybe_unused]] cons
 /// theta2: half angle, one value.
 /// From: half angle of theta2.
 template <typename Scalar>
-inline void solve_half_theta2([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g, Work<Scalar>& w) {
+inline void solve_half_theta2([[maybe_unused]] const Target& t,
+    Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
   {
     const Scalar cosine = w.cos_theta2;
     const Scalar sine = w.sin_theta2;
-    result = inverse::half<Scalar>(inverse::Rotor<Scalar>{cosine, sine});
+    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine});
   }
 
   w.after_theta2_w = w.after_theta1_w * result.cosine + w.after_theta1_y * result.sine;
@@ -160,13 +166,14 @@ inline void solve_half_theta2([[maybe_unused]] const Target& t, [[maybe_unused]]
 /// theta3: half angle, one value.
 /// From: half angle of theta3.
 template <typename Scalar>
-inline void solve_half_theta3([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g, Work<Scalar>& w) {
+inline void solve_half_theta3([[maybe_unused]] const Target& t,
+    Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
   {
     const Scalar cosine = Scalar(t.cos_locked);
     const Scalar sine = Scalar(t.sin_locked);
-    result = inverse::half<Scalar>(inverse::Rotor<Scalar>{cosine, sine});
+    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine});
   }
 
   w.after_theta3_w = w.after_theta2_z * result.sine + w.after_theta2_w * result.cosine;
@@ -178,13 +185,14 @@ inline void solve_half_theta3([[maybe_unused]] const Target& t, [[maybe_unused]]
 /// theta4: half angle, one value.
 /// From: half angle of theta4.
 template <typename Scalar>
-inline void solve_half_theta4([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g, Work<Scalar>& w) {
+inline void solve_half_theta4([[maybe_unused]] const Target& t,
+    Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
   {
     const Scalar cosine = w.cos_theta4;
     const Scalar sine = w.sin_theta4;
-    result = inverse::half<Scalar>(inverse::Rotor<Scalar>{cosine, sine});
+    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine});
   }
 
   w.after_theta4_w = w.after_theta3_w * result.cosine - w.after_theta3_y * result.sine;
@@ -197,7 +205,8 @@ inline void solve_half_theta4([[maybe_unused]] const Target& t, [[maybe_unused]]
 /// From: the orientation that the wrist's three axes have to make, in half angles.
 /// Degenerate: first and last axis in line: their sum or difference is free.
 template <typename Scalar>
-inline inverse::WristAngles<Scalar> solve_wrist([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g, Work<Scalar>& w) {
+inline inverse::WristAngles<Scalar> solve_wrist([[maybe_unused]] const Target& t,
+    Work<Scalar>& w) {
   using std::sqrt;
 
   const Scalar u_x = w.after_theta4_w;
@@ -205,9 +214,8 @@ inline inverse::WristAngles<Scalar> solve_wrist([[maybe_unused]] const Target& t
   const Scalar v_x = w.after_theta4_y;
   const Scalar v_y = -w.after_theta4_x;
 
-  return inverse::right_wrist<Scalar>(inverse::Rotor<Scalar>{u_x, u_y}, inverse::Rotor<Scalar>{v_x, v_y}, false, Scalar(t.seed[4]), inverse::pi<Scalar>(), w.branch);
+  return inverse::right_wrist<Scalar>(inverse::Rotor<Scalar>{u_x, u_y}, inverse::Rotor<Scalar>{v_x, v_y}, false, Scalar(t.preference->angle[4]), inverse::pi<Scalar>(), w.branch);
 }
 
-}  // namespace given_theta3
 }  // namespace
-}  // namespace qvgen::robots::iiwa14
+}  // namespace qvgen::robots::iiwa14::detail::given_theta3

@@ -5,18 +5,22 @@
 
 #include <qvgen/inverse/conic_circle.h>
 #include <qvgen/inverse/polish.h>
-#include <qvgen/inverse/request.h>
 #include <qvgen/inverse/roots.h>
+#include <qvgen/inverse/rows.h>
+#include <qvgen/inverse/target.h>
 #include <qvgen/inverse/wrist.h>
-#include <qvgen/robots/nc/model.h>
 
-// One function for each step of the derivation; `sign` chooses a branch. Values that later steps need stand in Work.
-namespace qvgen::robots::nc {
-namespace {
-namespace all {
+// One function for each step of the derivation; `sign` chooses a branch. Values that later steps need stand in Work. No
+// Eigen here: a file that is compiled for wider vectors than the rest reads this too.
+namespace qvgen::robots::nc::detail::all {
 /// What the pose says, once for all branches.
-struct Target : inverse::TargetBase<dof> {
-  using TargetBase::TargetBase;
+struct Target : inverse::TargetBase<6> {
+  struct {
+    double h1;
+    double d2;
+    double l2;
+    double d4;
+  } geometry;
   double size_square;
   double square_d3;
   double pose_p_x;
@@ -28,6 +32,11 @@ struct Target : inverse::TargetBase<dof> {
   double pose_q_z;
 };
 
+/// All branches, four at a time in the lanes of AVX2 registers; null if the compiler was not asked for it.
+using LaneSolver = inverse::RowCount (*)(const Target&, inverse::RowPlaces);
+extern const LaneSolver solve_in_lanes;
+
+namespace {
 template <typename Scalar>
 struct Work {
   inverse::Branch<Scalar> branch;
@@ -53,18 +62,18 @@ struct Work {
 /// From: distance from a point on the axis of theta2: the same.
 /// Degenerate: the point at the foot of the perpendicular: the two solutions coincide.
 template <typename Scalar>
-inline void solve_d3([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g,
-    const Scalar& sign, Work<Scalar>& w) {
+inline void solve_d3([[maybe_unused]] const Target& t, const Scalar& sign,
+    Work<Scalar>& w) {
   using std::sqrt;
   Scalar result;
   {
-    const Scalar t0 = Scalar(g.l2) * Scalar(g.l2);
+    const Scalar t0 = Scalar(t.geometry.l2) * Scalar(t.geometry.l2);
     const Scalar square = Scalar(t.square_d3) - t0;
     const Scalar scale = t0;
     result = inverse::signed_root<Scalar>(square, scale, Scalar(t.tiny1), sign, Scalar(t.tolerance), w.branch);
   }
 
-  w.d3 = result - Scalar(g.d2) - Scalar(g.d4);
+  w.d3 = result - Scalar(t.geometry.d2) - Scalar(t.geometry.d4);
   w.height_theta1 = result;
 }
 
@@ -72,36 +81,37 @@ inline void solve_d3([[maybe_unused]] const Target& t, [[maybe_unused]] const Ge
 /// From: height along the axis of theta2: the same.
 /// Degenerate: boundary of reach: the two solutions coincide; the point on the axis: theta1 is free.
 template <typename Scalar>
-inline void solve_theta1([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g,
-    const Scalar& sign, Work<Scalar>& w) {
+inline void solve_theta1([[maybe_unused]] const Target& t, const Scalar& sign,
+    Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
   {
-    const Scalar t0 = Scalar(g.h1) - Scalar(t.pose_p_z);
+    const Scalar t0 = Scalar(t.geometry.h1) - Scalar(t.pose_p_z);
     const Scalar x = -Scalar(t.pose_p_y);
     const Scalar y = Scalar(t.pose_p_x);
     const Scalar rhs = w.height_theta1;
-    const Scalar low = Scalar(g.l2) + t0;
-    const Scalar high = Scalar(g.l2) - t0;
-    result = inverse::factored_line_angle<Scalar>(inverse::Rotor<Scalar>{x, y}, rhs, low, high, Scalar(t.tiny1), inverse::Rotor<Scalar>{Scalar(t.choice[0].cosine), Scalar(t.choice[0].sine)}, sign, Scalar(t.tolerance), w.branch);
+    const Scalar low = Scalar(t.geometry.l2) + t0;
+    const Scalar high = Scalar(t.geometry.l2) - t0;
+    result = inverse::factored_line_angle<Scalar>(inverse::Rotor<Scalar>{x, y}, rhs, low, high, Scalar(t.tiny1), inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)}, sign, Scalar(t.tolerance), w.branch);
   }
 
   w.cos_theta1 = result.cosine;
   w.sin_theta1 = result.sine;
-  w.plane_theta1_x = Scalar(t.pose_p_z) - Scalar(g.h1);
+  w.plane_theta1_x = Scalar(t.pose_p_z) - Scalar(t.geometry.h1);
   w.plane_theta1_y = -result.cosine * Scalar(t.pose_p_x) - Scalar(t.pose_p_y) * result.sine;
 }
 
 /// theta1: half angle, one value.
 /// From: half angle of theta1.
 template <typename Scalar>
-inline void solve_half_theta1([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g, Work<Scalar>& w) {
+inline void solve_half_theta1([[maybe_unused]] const Target& t,
+    Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
   {
     const Scalar cosine = w.cos_theta1;
     const Scalar sine = w.sin_theta1;
-    result = inverse::half<Scalar>(inverse::Rotor<Scalar>{cosine, sine});
+    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine});
   }
 
   w.after_theta1_w = Scalar(t.pose_q_z) * result.sine + result.cosine * Scalar(t.pose_q_w);
@@ -114,13 +124,14 @@ inline void solve_half_theta1([[maybe_unused]] const Target& t, [[maybe_unused]]
 /// From: the turn about the axis of theta2 from one side's point to the other's.
 /// Degenerate: the point lies on the axis: theta2 is free.
 template <typename Scalar>
-inline void solve_theta2([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g, Work<Scalar>& w) {
+inline void solve_theta2([[maybe_unused]] const Target& t,
+    Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
   {
-    const Scalar x = -Scalar(g.l2) * w.plane_theta1_y;
-    const Scalar y = Scalar(g.l2) * w.plane_theta1_x;
-    result = inverse::direction<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.choice[1].cosine), Scalar(t.choice[1].sine)}, w.branch);
+    const Scalar x = -Scalar(t.geometry.l2) * w.plane_theta1_y;
+    const Scalar y = Scalar(t.geometry.l2) * w.plane_theta1_x;
+    result = inverse::direction<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->turn[1].cosine), Scalar(t.preference->turn[1].sine)}, w.branch);
   }
 
   w.cos_theta2 = result.cosine;
@@ -130,13 +141,14 @@ inline void solve_theta2([[maybe_unused]] const Target& t, [[maybe_unused]] cons
 /// theta2: half angle, one value.
 /// From: half angle of theta2.
 template <typename Scalar>
-inline void solve_half_theta2([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g, Work<Scalar>& w) {
+inline void solve_half_theta2([[maybe_unused]] const Target& t,
+    Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
   {
     const Scalar cosine = w.cos_theta2;
     const Scalar sine = w.sin_theta2;
-    result = inverse::half<Scalar>(inverse::Rotor<Scalar>{cosine, sine});
+    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine});
   }
 
   w.after_theta2_w = w.after_theta1_w * result.cosine - w.after_theta1_y * result.sine;
@@ -149,7 +161,8 @@ inline void solve_half_theta2([[maybe_unused]] const Target& t, [[maybe_unused]]
 /// From: the orientation that the wrist's three axes have to make, in half angles.
 /// Degenerate: first and last axis in line: their sum or difference is free.
 template <typename Scalar>
-inline inverse::WristAngles<Scalar> solve_wrist([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g, Work<Scalar>& w) {
+inline inverse::WristAngles<Scalar> solve_wrist([[maybe_unused]] const Target& t,
+    Work<Scalar>& w) {
   using std::sqrt;
 
   const Scalar u_x = w.after_theta2_w;
@@ -157,9 +170,8 @@ inline inverse::WristAngles<Scalar> solve_wrist([[maybe_unused]] const Target& t
   const Scalar v_x = w.after_theta2_x;
   const Scalar v_y = w.after_theta2_z;
 
-  return inverse::right_wrist<Scalar>(inverse::Rotor<Scalar>{u_x, u_y}, inverse::Rotor<Scalar>{v_x, v_y}, false, Scalar(t.seed[3]), inverse::pi<Scalar>(), w.branch);
+  return inverse::right_wrist<Scalar>(inverse::Rotor<Scalar>{u_x, u_y}, inverse::Rotor<Scalar>{v_x, v_y}, false, Scalar(t.preference->angle[3]), inverse::pi<Scalar>(), w.branch);
 }
 
-}  // namespace all
 }  // namespace
-}  // namespace qvgen::robots::nc
+}  // namespace qvgen::robots::nc::detail::all

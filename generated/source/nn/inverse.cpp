@@ -3,15 +3,19 @@
 // ./qvgen generate
 #include <qvgen/robots/nn/inverse.h>
 
+#include <qvgen/inverse/lanes.h>
+#include <qvgen/inverse/request.h>
+
 #include "inverse_steps.h"
 
 namespace qvgen::robots::nn {
+namespace detail::all {
 namespace {
-namespace all {
-Target target_of(const Pose<double>& pose, [[maybe_unused]] const Geometry& g, const inverse::Request<dof>& request) {
+Target target_of(const Pose<double>& pose, [[maybe_unused]] const Geometry& g, double tolerance,
+    const inverse::Preference<dof>& preference) {
   using Scalar [[maybe_unused]] = double;
   using std::sqrt;
-  const double scale = 1 / pose.orientation.norm();
+  const double scale = inverse::unit_scale(pose.orientation.squaredNorm());
   [[maybe_unused]] const double pose_q_w = scale * pose.orientation.w();
   [[maybe_unused]] const double pose_q_x = scale * pose.orientation.x();
   [[maybe_unused]] const double pose_q_y = scale * pose.orientation.y();
@@ -19,7 +23,9 @@ Target target_of(const Pose<double>& pose, [[maybe_unused]] const Geometry& g, c
   [[maybe_unused]] const double pose_p_x = pose.position.x();
   [[maybe_unused]] const double pose_p_y = pose.position.y();
   [[maybe_unused]] const double pose_p_z = pose.position.z();
-  Target t(request);
+  Target t;
+  t.tolerance = tolerance;
+  t.preference = &preference;
 
   const Scalar t0 = g.l2 * g.l2;
   const Scalar t1 = pose_p_y * pose_p_y;
@@ -37,34 +43,38 @@ Target target_of(const Pose<double>& pose, [[maybe_unused]] const Geometry& g, c
   t.pose_q_x = pose_q_x;
   t.pose_q_y = pose_q_y;
   t.pose_q_z = pose_q_z;
+  t.geometry.h1 = g.h1;
+  t.geometry.l1 = g.l1;
+  t.geometry.l2 = g.l2;
+  t.geometry.d4 = g.d4;
   t.set_size(t.size_square);
   return t;
 }
 
 /// All branches, one after the other.
-void solve(const Target& t, [[maybe_unused]] const Geometry& g, Solutions& found) {
+[[gnu::flatten, gnu::noinline]] void solve_one_by_one(const Target& t, Solutions& found) {
   Work<double> w;
   JointVector<double> q;
   const inverse::Branch<double> above0 = w.branch;
   for (int k0 = 0; k0 < 2; ++k0) {
     w.branch = above0;
-    solve_theta3(t, g, k0 == 0 ? 1.0 : -1.0, w);
+    solve_theta3(t, k0 == 0 ? 1.0 : -1.0, w);
     if (!w.branch.exists) break;
     const inverse::Branch<double> above1 = w.branch;
     for (int k1 = 0; k1 < 2; ++k1) {
       w.branch = above1;
-      solve_theta1(t, g, k1 == 0 ? 1.0 : -1.0, w);
+      solve_theta1(t, k1 == 0 ? 1.0 : -1.0, w);
       if (!w.branch.exists) break;
       if (k1 == 0) {
         q[2] = inverse::output_angle(w.cos_theta3, w.sin_theta3);
       }
-      solve_theta2(t, g, w);
+      solve_theta2(t, w);
       q[0] = inverse::output_angle(w.cos_theta1, w.sin_theta1);
-      solve_half_theta1(t, g, w);
+      solve_half_theta1(t, w);
       q[1] = inverse::output_angle(w.cos_theta2, w.sin_theta2);
-      solve_half_theta2(t, g, w);
-      solve_half_theta3(t, g, w);
-      const auto angles = solve_wrist(t, g, w);
+      solve_half_theta2(t, w);
+      solve_half_theta3(t, w);
+      const auto angles = solve_wrist(t, w);
       q[3] = angles.first;
       q[4] = angles.middle;
       q[5] = angles.last;
@@ -77,17 +87,29 @@ void solve(const Target& t, [[maybe_unused]] const Geometry& g, Solutions& found
   }
 }
 
-}  // namespace all
-}  // namespace
+/// Branches side by side where machine and compiler know AVX2.
+void solve(const Target& t, inverse::Form form, Solutions& found) {
+  if (form == inverse::Form::fastest && solve_in_lanes != nullptr && inverse::machine_has_avx2()) {
+    inverse::conclude(found, solve_in_lanes(t, inverse::row_places(found)));
+    return;
+  }
 
-Solutions inverse_kinematics(const Pose<double>& pose, const Geometry& g, double tolerance) {
+  solve_one_by_one(t, found);
+
+  found.conclude();
+}
+
+}  // namespace
+}  // namespace detail::all
+
+Solutions inverse_kinematics(const Pose<double>& pose, const Geometry& g, double tolerance,
+    inverse::Form form) {
   Solutions found;
   if (!is_valid(pose)) {
     found.status = Status::invalid;
     return found;
   }
-  all::solve(all::target_of(pose, g, {tolerance, nullptr}), g, found);
-  found.conclude();
+  detail::all::solve(detail::all::target_of(pose, g, tolerance, inverse::zero_preference<dof>), form, found);
   return found;
 }
 
@@ -97,8 +119,8 @@ Solutions inverse_kinematics(const Pose<double>& pose, const JointVector<double>
     found.status = Status::invalid;
     return found;
   }
-  all::solve(all::target_of(pose, g, {tolerance, &seed}), g, found);
-  found.conclude();
+  const inverse::Preference<dof> preference = inverse::preference<dof>(seed);
+  detail::all::solve(detail::all::target_of(pose, g, tolerance, preference), inverse::Form::fastest, found);
   sort_by_distance(found, seed, is_revolute);
   return found;
 }

@@ -5,24 +5,27 @@
 
 #include <qvgen/inverse/conic_circle.h>
 #include <qvgen/inverse/polish.h>
-#include <qvgen/inverse/request.h>
 #include <qvgen/inverse/roots.h>
+#include <qvgen/inverse/rows.h>
+#include <qvgen/inverse/target.h>
 #include <qvgen/inverse/wrist.h>
-#include <qvgen/robots/ns_numbers/model.h>
 
-// One function for each step of the derivation; `sign` chooses a branch. Values that later steps need stand in Work.
-namespace qvgen::robots::ns_numbers {
-namespace {
-namespace all {
+// One function for each step of the derivation; `sign` chooses a branch. Values that later steps need stand in Work. No
+// Eigen here: a file that is compiled for wider vectors than the rest reads this too.
+namespace qvgen::robots::ns_numbers::detail::all {
 /// What the pose says, once for all branches.
-struct Target : inverse::TargetBase<dof> {
-  using TargetBase::TargetBase;
+struct Target : inverse::TargetBase<3> {
   double size_square;
   double pose_p_x;
   double pose_p_y;
   double pose_p_z;
 };
 
+/// All branches, four at a time in the lanes of AVX2 registers; null if the compiler was not asked for it.
+using LaneSolver = inverse::RowCount (*)(const Target&, inverse::RowPlaces);
+extern const LaneSolver solve_in_lanes;
+
+namespace {
 template <typename Scalar>
 struct Work {
   inverse::Branch<Scalar> branch;
@@ -41,8 +44,8 @@ struct Work {
 /// From: height along the axis of theta2: the same.
 /// Degenerate: boundary of reach: the two solutions coincide; the point on the axis: theta1 is free.
 template <typename Scalar>
-inline void solve_theta1([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g,
-    const Scalar& sign, Work<Scalar>& w) {
+inline void solve_theta1([[maybe_unused]] const Target& t, const Scalar& sign,
+    Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
   {
@@ -51,7 +54,7 @@ inline void solve_theta1([[maybe_unused]] const Target& t, [[maybe_unused]] cons
     const Scalar y = Scalar(t.pose_p_x);
     const Scalar low = t0 - Scalar(0.2);
     const Scalar high = Scalar(0.2) + t0;
-    result = inverse::free_circle_angle<Scalar>(low, high, inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny1), inverse::Rotor<Scalar>{Scalar(t.choice[0].cosine), Scalar(t.choice[0].sine)}, sign, Scalar(t.tolerance), w.branch);
+    result = inverse::free_circle_angle<Scalar>(low, high, inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny1), inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)}, sign, Scalar(t.tolerance), w.branch);
   }
 
   const Scalar t0 = Scalar(0.5) - Scalar(t.pose_p_z);
@@ -67,8 +70,8 @@ inline void solve_theta1([[maybe_unused]] const Target& t, [[maybe_unused]] cons
 /// From: distance from the axis of theta2: the same.
 /// Degenerate: the point at the foot of the perpendicular: the two solutions coincide.
 template <typename Scalar>
-inline void solve_d3([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g,
-    const Scalar& sign, Work<Scalar>& w) {
+inline void solve_d3([[maybe_unused]] const Target& t, const Scalar& sign,
+    Work<Scalar>& w) {
   using std::sqrt;
   Scalar result;
   {
@@ -86,19 +89,19 @@ inline void solve_d3([[maybe_unused]] const Target& t, [[maybe_unused]] const Ge
 /// From: the turn about the axis of theta2 from one side's point to the other's.
 /// Degenerate: the point lies on the axis: theta2 is free.
 template <typename Scalar>
-inline void solve_theta2([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g, Work<Scalar>& w) {
+inline void solve_theta2([[maybe_unused]] const Target& t,
+    Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
   {
     const Scalar x = w.plane_d3_x * w.plane_theta1_x;
     const Scalar y = w.plane_d3_x * w.plane_theta1_y;
-    result = inverse::direction<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.choice[1].cosine), Scalar(t.choice[1].sine)}, w.branch);
+    result = inverse::direction<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->turn[1].cosine), Scalar(t.preference->turn[1].sine)}, w.branch);
   }
 
   w.cos_theta2 = result.cosine;
   w.sin_theta2 = result.sine;
 }
 
-}  // namespace all
 }  // namespace
-}  // namespace qvgen::robots::ns_numbers
+}  // namespace qvgen::robots::ns_numbers::detail::all

@@ -3,15 +3,19 @@
 // ./qvgen generate
 #include <qvgen/robots/planar_3r/inverse.h>
 
+#include <qvgen/inverse/lanes.h>
+#include <qvgen/inverse/request.h>
+
 #include "inverse_steps.h"
 
 namespace qvgen::robots::planar_3r {
+namespace detail::all {
 namespace {
-namespace all {
-Target target_of(const Pose<double>& pose, [[maybe_unused]] const Geometry& g, const inverse::Request<dof>& request) {
+Target target_of(const Pose<double>& pose, [[maybe_unused]] const Geometry& g, double tolerance,
+    const inverse::Preference<dof>& preference) {
   using Scalar [[maybe_unused]] = double;
   using std::sqrt;
-  const double scale = 1 / pose.orientation.norm();
+  const double scale = inverse::unit_scale(pose.orientation.squaredNorm());
   [[maybe_unused]] const double pose_q_w = scale * pose.orientation.w();
   [[maybe_unused]] const double pose_q_x = scale * pose.orientation.x();
   [[maybe_unused]] const double pose_q_y = scale * pose.orientation.y();
@@ -19,7 +23,9 @@ Target target_of(const Pose<double>& pose, [[maybe_unused]] const Geometry& g, c
   [[maybe_unused]] const double pose_p_x = pose.position.x();
   [[maybe_unused]] const double pose_p_y = pose.position.y();
   [[maybe_unused]] const double pose_p_z = pose.position.z();
-  Target t(request);
+  Target t;
+  t.tolerance = tolerance;
+  t.preference = &preference;
 
   const Scalar t0 = Scalar(1) - Scalar(2) * pose_q_y * pose_q_y - Scalar(2) * pose_q_z * pose_q_z;
   const Scalar t1 = Scalar(2) * pose_q_x * pose_q_y + Scalar(2) * pose_q_w * pose_q_z;
@@ -36,27 +42,30 @@ Target target_of(const Pose<double>& pose, [[maybe_unused]] const Geometry& g, c
   t.pose_q_x = pose_q_x;
   t.pose_q_y = pose_q_y;
   t.pose_q_z = pose_q_z;
+  t.geometry.l1 = g.l1;
+  t.geometry.l2 = g.l2;
+  t.geometry.l3 = g.l3;
   t.set_size(t.size_square);
   return t;
 }
 
 /// All branches, one after the other.
-void solve(const Target& t, [[maybe_unused]] const Geometry& g, Solutions& found) {
+[[gnu::flatten, gnu::noinline]] void solve_one_by_one(const Target& t, Solutions& found) {
   Work<double> w;
   JointVector<double> q;
-  solve_condition_1(t, g, w);
+  solve_condition_1(t, w);
   if (!w.branch.exists) return;
-  solve_condition_2(t, g, w);
+  solve_condition_2(t, w);
   if (!w.branch.exists) return;
-  solve_condition_3(t, g, w);
+  solve_condition_3(t, w);
   if (!w.branch.exists) return;
   const inverse::Branch<double> above0 = w.branch;
   for (int k0 = 0; k0 < 2; ++k0) {
     w.branch = above0;
-    solve_theta2(t, g, k0 == 0 ? 1.0 : -1.0, w);
+    solve_theta2(t, k0 == 0 ? 1.0 : -1.0, w);
     if (!w.branch.exists) break;
-    solve_theta1(t, g, w);
-    solve_theta3(t, g, w);
+    solve_theta1(t, w);
+    solve_theta3(t, w);
     q[1] = inverse::output_angle(w.cos_theta2, w.sin_theta2);
     q[0] = inverse::output_angle(w.cos_theta1, w.sin_theta1);
     q[2] = inverse::output_angle(w.cos_theta3, w.sin_theta3);
@@ -64,12 +73,21 @@ void solve(const Target& t, [[maybe_unused]] const Geometry& g, Solutions& found
   }
 }
 
-}  // namespace all
-namespace given_theta3 {
-Target target_of(const Pose<double>& pose, [[maybe_unused]] const Geometry& g, const inverse::Request<dof>& request, double locked) {
+void solve(const Target& t, inverse::Form, Solutions& found) {
+  solve_one_by_one(t, found);
+
+  found.conclude();
+}
+
+}  // namespace
+}  // namespace detail::all
+namespace detail::given_theta3 {
+namespace {
+Target target_of(const Pose<double>& pose, [[maybe_unused]] const Geometry& g, double tolerance,
+    const inverse::Preference<dof>& preference, double locked) {
   using Scalar [[maybe_unused]] = double;
   using std::sqrt;
-  const double scale = 1 / pose.orientation.norm();
+  const double scale = inverse::unit_scale(pose.orientation.squaredNorm());
   [[maybe_unused]] const double pose_q_w = scale * pose.orientation.w();
   [[maybe_unused]] const double pose_q_x = scale * pose.orientation.x();
   [[maybe_unused]] const double pose_q_y = scale * pose.orientation.y();
@@ -77,7 +95,9 @@ Target target_of(const Pose<double>& pose, [[maybe_unused]] const Geometry& g, c
   [[maybe_unused]] const double pose_p_x = pose.position.x();
   [[maybe_unused]] const double pose_p_y = pose.position.y();
   [[maybe_unused]] const double pose_p_z = pose.position.z();
-  Target t(request);
+  Target t;
+  t.tolerance = tolerance;
+  t.preference = &preference;
   t.lock(locked);
   [[maybe_unused]] const double cos_locked = t.cos_locked;
   [[maybe_unused]] const double sin_locked = t.sin_locked;
@@ -88,40 +108,49 @@ Target target_of(const Pose<double>& pose, [[maybe_unused]] const Geometry& g, c
   t.pose_p_x = pose_p_x;
   t.pose_p_y = pose_p_y;
   t.pose_p_z = pose_p_z;
+  t.geometry.l1 = g.l1;
+  t.geometry.l2 = g.l2;
+  t.geometry.l3 = g.l3;
   t.set_size(t.size_square);
   return t;
 }
 
 /// All branches, one after the other.
-void solve(const Target& t, [[maybe_unused]] const Geometry& g, SolutionsGiven_theta3& found) {
+[[gnu::flatten, gnu::noinline]] void solve_one_by_one(const Target& t, SolutionsGiven_theta3& found) {
   Work<double> w;
   JointVector<double> q;
   q[2] = t.locked;
-  solve_condition_1(t, g, w);
+  solve_condition_1(t, w);
   if (!w.branch.exists) return;
   const inverse::Branch<double> above0 = w.branch;
   for (int k0 = 0; k0 < 2; ++k0) {
     w.branch = above0;
-    solve_theta2(t, g, k0 == 0 ? 1.0 : -1.0, w);
+    solve_theta2(t, k0 == 0 ? 1.0 : -1.0, w);
     if (!w.branch.exists) break;
-    solve_theta1(t, g, w);
+    solve_theta1(t, w);
     q[1] = inverse::output_angle(w.cos_theta2, w.sin_theta2);
     q[0] = inverse::output_angle(w.cos_theta1, w.sin_theta1);
     inverse::append(found, q, k0, w.branch.continuum);
   }
 }
 
-}  // namespace given_theta3
-}  // namespace
+void solve(const Target& t, inverse::Form, SolutionsGiven_theta3& found) {
+  solve_one_by_one(t, found);
 
-Solutions inverse_kinematics(const Pose<double>& pose, const Geometry& g, double tolerance) {
+  found.conclude();
+}
+
+}  // namespace
+}  // namespace detail::given_theta3
+
+Solutions inverse_kinematics(const Pose<double>& pose, const Geometry& g, double tolerance,
+    inverse::Form form) {
   Solutions found;
   if (!is_valid(pose)) {
     found.status = Status::invalid;
     return found;
   }
-  all::solve(all::target_of(pose, g, {tolerance, nullptr}), g, found);
-  found.conclude();
+  detail::all::solve(detail::all::target_of(pose, g, tolerance, inverse::zero_preference<dof>), form, found);
   return found;
 }
 
@@ -131,8 +160,8 @@ Solutions inverse_kinematics(const Pose<double>& pose, const JointVector<double>
     found.status = Status::invalid;
     return found;
   }
-  all::solve(all::target_of(pose, g, {tolerance, &seed}), g, found);
-  found.conclude();
+  const inverse::Preference<dof> preference = inverse::preference<dof>(seed);
+  detail::all::solve(detail::all::target_of(pose, g, tolerance, preference), inverse::Form::fastest, found);
   sort_by_distance(found, seed, is_revolute);
   return found;
 }
@@ -150,14 +179,14 @@ LimitedSolutions<dof, 2> inverse_kinematics(const Pose<double>& pose, const Join
   return within_limits(inverse_kinematics(pose, g, tolerance), limits, is_revolute);
 }
 
-SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Pose<double>& pose, double theta3, const Geometry& g, double tolerance) {
+SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Pose<double>& pose, double theta3, const Geometry& g, double tolerance,
+    inverse::Form form) {
   SolutionsGiven_theta3 found;
   if (!is_valid(pose)) {
     found.status = Status::invalid;
     return found;
   }
-  given_theta3::solve(given_theta3::target_of(pose, g, {tolerance, nullptr}, theta3), g, found);
-  found.conclude();
+  detail::given_theta3::solve(detail::given_theta3::target_of(pose, g, tolerance, inverse::zero_preference<dof>, theta3), form, found);
   return found;
 }
 
@@ -167,8 +196,8 @@ SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Pose<double>& pose, 
     found.status = Status::invalid;
     return found;
   }
-  given_theta3::solve(given_theta3::target_of(pose, g, {tolerance, &seed}, theta3), g, found);
-  found.conclude();
+  const inverse::Preference<dof> preference = inverse::preference<dof>(seed);
+  detail::given_theta3::solve(detail::given_theta3::target_of(pose, g, tolerance, preference, theta3), inverse::Form::fastest, found);
   sort_by_distance(found, seed, is_revolute);
   return found;
 }

@@ -5,18 +5,21 @@
 
 #include <qvgen/inverse/conic_circle.h>
 #include <qvgen/inverse/polish.h>
-#include <qvgen/inverse/request.h>
 #include <qvgen/inverse/roots.h>
+#include <qvgen/inverse/rows.h>
+#include <qvgen/inverse/target.h>
 #include <qvgen/inverse/wrist.h>
-#include <qvgen/robots/planar_3r/model.h>
 
-// One function for each step of the derivation; `sign` chooses a branch. Values that later steps need stand in Work.
-namespace qvgen::robots::planar_3r {
-namespace {
-namespace all {
+// One function for each step of the derivation; `sign` chooses a branch. Values that later steps need stand in Work. No
+// Eigen here: a file that is compiled for wider vectors than the rest reads this too.
+namespace qvgen::robots::planar_3r::detail::all {
 /// What the pose says, once for all branches.
-struct Target : inverse::TargetBase<dof> {
-  using TargetBase::TargetBase;
+struct Target : inverse::TargetBase<3> {
+  struct {
+    double l1;
+    double l2;
+    double l3;
+  } geometry;
   double turn_11;
   double turn_21;
   double turn_31;
@@ -30,6 +33,7 @@ struct Target : inverse::TargetBase<dof> {
   double pose_q_z;
 };
 
+namespace {
 template <typename Scalar>
 struct Work {
   inverse::Branch<Scalar> branch;
@@ -47,7 +51,8 @@ struct Work {
 /// : condition, one value.
 /// From: no tilt out of the plane.
 template <typename Scalar>
-inline void solve_condition_1([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g, Work<Scalar>& w) {
+inline void solve_condition_1([[maybe_unused]] const Target& t,
+    Work<Scalar>& w) {
   using std::sqrt;
 
   const Scalar residual = Scalar(t.pose_q_x);
@@ -58,7 +63,8 @@ inline void solve_condition_1([[maybe_unused]] const Target& t, [[maybe_unused]]
 /// : condition, one value.
 /// From: no tilt out of the plane.
 template <typename Scalar>
-inline void solve_condition_2([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g, Work<Scalar>& w) {
+inline void solve_condition_2([[maybe_unused]] const Target& t,
+    Work<Scalar>& w) {
   using std::sqrt;
 
   const Scalar residual = Scalar(t.pose_q_y);
@@ -69,15 +75,16 @@ inline void solve_condition_2([[maybe_unused]] const Target& t, [[maybe_unused]]
 /// : condition, one value.
 /// From: the height along the axes.
 template <typename Scalar>
-inline void solve_condition_3([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g, Work<Scalar>& w) {
+inline void solve_condition_3([[maybe_unused]] const Target& t,
+    Work<Scalar>& w) {
   using std::sqrt;
 
-  const Scalar residual = Scalar(t.pose_p_z) - Scalar(g.l3) * Scalar(t.turn_31);
+  const Scalar residual = Scalar(t.pose_p_z) - Scalar(t.geometry.l3) * Scalar(t.turn_31);
   const Scalar scale = sqrt(Scalar(t.size_square));
   inverse::require_zero<Scalar>(residual, scale, Scalar(t.tolerance), w.branch);
 
-  const Scalar t0 = Scalar(t.pose_p_x) - Scalar(g.l3) * Scalar(t.turn_11);
-  const Scalar t1 = Scalar(t.pose_p_y) - Scalar(g.l3) * Scalar(t.turn_21);
+  const Scalar t0 = Scalar(t.pose_p_x) - Scalar(t.geometry.l3) * Scalar(t.turn_11);
+  const Scalar t1 = Scalar(t.pose_p_y) - Scalar(t.geometry.l3) * Scalar(t.turn_21);
   w.reach_theta1_x = t0;
   w.reach_theta1_y = t1;
   w.square_theta2 = t1 * t1 + t0 * t0;
@@ -87,13 +94,13 @@ inline void solve_condition_3([[maybe_unused]] const Target& t, [[maybe_unused]]
 /// From: distance from the axis of theta1: the same.
 /// Degenerate: stretched or folded: the two solutions coincide.
 template <typename Scalar>
-inline void solve_theta2([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g,
-    const Scalar& sign, Work<Scalar>& w) {
+inline void solve_theta2([[maybe_unused]] const Target& t, const Scalar& sign,
+    Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
   {
-    const Scalar t0 = Scalar(g.l1) + Scalar(g.l2);
-    const Scalar t1 = Scalar(g.l1) - Scalar(g.l2);
+    const Scalar t0 = Scalar(t.geometry.l1) + Scalar(t.geometry.l2);
+    const Scalar t1 = Scalar(t.geometry.l1) - Scalar(t.geometry.l2);
     const Scalar low = t0 * t0 - w.square_theta2;
     const Scalar high = w.square_theta2 - t1 * t1;
     result = inverse::circle_angle<Scalar>(low, high, sign, Scalar(t.tolerance), inverse::merge_share<Scalar>(), inverse::merge_share<Scalar>(), w.branch);
@@ -107,15 +114,16 @@ inline void solve_theta2([[maybe_unused]] const Target& t, [[maybe_unused]] cons
 /// From: the turn about the axis of theta1.
 /// Degenerate: the point lies on the axis: theta1 is free.
 template <typename Scalar>
-inline void solve_theta1([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g, Work<Scalar>& w) {
+inline void solve_theta1([[maybe_unused]] const Target& t,
+    Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
   {
-    const Scalar t0 = Scalar(g.l2) * w.sin_theta2;
-    const Scalar t1 = Scalar(g.l1) + w.cos_theta2 * Scalar(g.l2);
+    const Scalar t0 = Scalar(t.geometry.l2) * w.sin_theta2;
+    const Scalar t1 = Scalar(t.geometry.l1) + w.cos_theta2 * Scalar(t.geometry.l2);
     const Scalar x = w.reach_theta1_y * t0 + w.reach_theta1_x * t1;
     const Scalar y = w.reach_theta1_y * t1 - w.reach_theta1_x * t0;
-    result = inverse::direction<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.choice[0].cosine), Scalar(t.choice[0].sine)}, w.branch);
+    result = inverse::direction<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)}, w.branch);
   }
 
   w.cos_theta1 = result.cosine;
@@ -126,7 +134,8 @@ inline void solve_theta1([[maybe_unused]] const Target& t, [[maybe_unused]] cons
 /// From: the rest of the orientation.
 /// Degenerate: the point lies on the axis: theta3 is free.
 template <typename Scalar>
-inline void solve_theta3([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g, Work<Scalar>& w) {
+inline void solve_theta3([[maybe_unused]] const Target& t,
+    Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
   {
@@ -136,18 +145,23 @@ inline void solve_theta3([[maybe_unused]] const Target& t, [[maybe_unused]] cons
     const Scalar t3 = w.cos_theta1 * t0 + Scalar(2) * w.sin_theta1 * t1;
     const Scalar x = w.cos_theta2 * t3 - w.sin_theta2 * t2;
     const Scalar y = -w.sin_theta2 * t3 - w.cos_theta2 * t2;
-    result = inverse::direction<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.choice[2].cosine), Scalar(t.choice[2].sine)}, w.branch);
+    result = inverse::direction<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->turn[2].cosine), Scalar(t.preference->turn[2].sine)}, w.branch);
   }
 
   w.cos_theta3 = result.cosine;
   w.sin_theta3 = result.sine;
 }
 
-}  // namespace all
-namespace given_theta3 {
+}  // namespace
+}  // namespace qvgen::robots::planar_3r::detail::all
+namespace qvgen::robots::planar_3r::detail::given_theta3 {
 /// What the pose says, once for all branches.
-struct Target : inverse::TargetBase<dof> {
-  using TargetBase::TargetBase;
+struct Target : inverse::TargetBase<3> {
+  struct {
+    double l1;
+    double l2;
+    double l3;
+  } geometry;
   double size_square;
   double start_x;
   double start_y;
@@ -156,6 +170,7 @@ struct Target : inverse::TargetBase<dof> {
   double pose_p_z;
 };
 
+namespace {
 template <typename Scalar>
 struct Work {
   inverse::Branch<Scalar> branch;
@@ -169,7 +184,8 @@ struct Work {
 /// : condition, one value.
 /// From: the height along the axes.
 template <typename Scalar>
-inline void solve_condition_1([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g, Work<Scalar>& w) {
+inline void solve_condition_1([[maybe_unused]] const Target& t,
+    Work<Scalar>& w) {
   using std::sqrt;
 
   const Scalar residual = Scalar(t.pose_p_z);
@@ -183,20 +199,20 @@ inline void solve_condition_1([[maybe_unused]] const Target& t, [[maybe_unused]]
 /// From: distance from the axis of theta1: the same.
 /// Degenerate: stretched or folded: the two solutions coincide; the point on the axis: theta2 is free.
 template <typename Scalar>
-inline void solve_theta2([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g,
-    const Scalar& sign, Work<Scalar>& w) {
+inline void solve_theta2([[maybe_unused]] const Target& t, const Scalar& sign,
+    Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
   {
-    const Scalar t0 = Scalar(g.l1) - Scalar(t.start_x);
+    const Scalar t0 = Scalar(t.geometry.l1) - Scalar(t.start_x);
     const Scalar t1 = sqrt(t0 * t0 + Scalar(t.start_y) * Scalar(t.start_y));
-    const Scalar t2 = Scalar(g.l1) + t1;
-    const Scalar t3 = Scalar(g.l1) - t1;
+    const Scalar t2 = Scalar(t.geometry.l1) + t1;
+    const Scalar t3 = Scalar(t.geometry.l1) - t1;
     const Scalar x = -t0;
     const Scalar y = -Scalar(t.start_y);
     const Scalar low = t2 * t2 - w.square_theta2;
     const Scalar high = w.square_theta2 - t3 * t3;
-    result = inverse::free_circle_angle<Scalar>(low, high, inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny1), inverse::Rotor<Scalar>{Scalar(t.choice[1].cosine), Scalar(t.choice[1].sine)}, sign, Scalar(t.tolerance), w.branch);
+    result = inverse::free_circle_angle<Scalar>(low, high, inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny1), inverse::Rotor<Scalar>{Scalar(t.preference->turn[1].cosine), Scalar(t.preference->turn[1].sine)}, sign, Scalar(t.tolerance), w.branch);
   }
 
   w.cos_theta2 = result.cosine;
@@ -207,21 +223,21 @@ inline void solve_theta2([[maybe_unused]] const Target& t, [[maybe_unused]] cons
 /// From: the turn about the axis of theta1.
 /// Degenerate: the point lies on the axis: theta1 is free.
 template <typename Scalar>
-inline void solve_theta1([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g, Work<Scalar>& w) {
+inline void solve_theta1([[maybe_unused]] const Target& t,
+    Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
   {
-    const Scalar t0 = (w.sin_theta2 * Scalar(t.start_y) - w.cos_theta2 * Scalar(t.start_x)) - Scalar(g.l1) * (Scalar(1) - w.cos_theta2);
-    const Scalar t1 = w.cos_theta2 * Scalar(t.start_y) - w.sin_theta2 * (Scalar(g.l1) - Scalar(t.start_x));
+    const Scalar t0 = (w.sin_theta2 * Scalar(t.start_y) - w.cos_theta2 * Scalar(t.start_x)) - Scalar(t.geometry.l1) * (Scalar(1) - w.cos_theta2);
+    const Scalar t1 = w.cos_theta2 * Scalar(t.start_y) - w.sin_theta2 * (Scalar(t.geometry.l1) - Scalar(t.start_x));
     const Scalar x = Scalar(t.pose_p_y) * t1 - Scalar(t.pose_p_x) * t0;
     const Scalar y = -Scalar(t.pose_p_y) * t0 - Scalar(t.pose_p_x) * t1;
-    result = inverse::direction<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.choice[0].cosine), Scalar(t.choice[0].sine)}, w.branch);
+    result = inverse::direction<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)}, w.branch);
   }
 
   w.cos_theta1 = result.cosine;
   w.sin_theta1 = result.sine;
 }
 
-}  // namespace given_theta3
 }  // namespace
-}  // namespace qvgen::robots::planar_3r
+}  // namespace qvgen::robots::planar_3r::detail::given_theta3

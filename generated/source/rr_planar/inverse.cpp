@@ -3,15 +3,19 @@
 // ./qvgen generate
 #include <qvgen/robots/rr_planar/inverse.h>
 
+#include <qvgen/inverse/lanes.h>
+#include <qvgen/inverse/request.h>
+
 #include "inverse_steps.h"
 
 namespace qvgen::robots::rr_planar {
+namespace detail::all {
 namespace {
-namespace all {
-Target target_of(const Pose<double>& pose, [[maybe_unused]] const Geometry& g, const inverse::Request<dof>& request) {
+Target target_of(const Pose<double>& pose, [[maybe_unused]] const Geometry& g, double tolerance,
+    const inverse::Preference<dof>& preference) {
   using Scalar [[maybe_unused]] = double;
   using std::sqrt;
-  const double scale = 1 / pose.orientation.norm();
+  const double scale = inverse::unit_scale(pose.orientation.squaredNorm());
   [[maybe_unused]] const double pose_q_w = scale * pose.orientation.w();
   [[maybe_unused]] const double pose_q_x = scale * pose.orientation.x();
   [[maybe_unused]] const double pose_q_y = scale * pose.orientation.y();
@@ -19,46 +23,56 @@ Target target_of(const Pose<double>& pose, [[maybe_unused]] const Geometry& g, c
   [[maybe_unused]] const double pose_p_x = pose.position.x();
   [[maybe_unused]] const double pose_p_y = pose.position.y();
   [[maybe_unused]] const double pose_p_z = pose.position.z();
-  Target t(request);
+  Target t;
+  t.tolerance = tolerance;
+  t.preference = &preference;
 
   const Scalar t0 = g.l2 * g.l2 + Scalar(2) * g.l1 * g.l2 + pose_p_y * pose_p_y + pose_p_z * pose_p_z + g.l1 * g.l1 + pose_p_x * pose_p_x;
   t.size_square = t0;
   t.pose_p_x = pose_p_x;
   t.pose_p_y = pose_p_y;
   t.pose_p_z = pose_p_z;
+  t.geometry.l1 = g.l1;
+  t.geometry.l2 = g.l2;
   t.set_size(t.size_square);
   return t;
 }
 
 /// All branches, one after the other.
-void solve(const Target& t, [[maybe_unused]] const Geometry& g, Solutions& found) {
+[[gnu::flatten, gnu::noinline]] void solve_one_by_one(const Target& t, Solutions& found) {
   Work<double> w;
   JointVector<double> q;
-  solve_condition_1(t, g, w);
+  solve_condition_1(t, w);
   if (!w.branch.exists) return;
   const inverse::Branch<double> above0 = w.branch;
   for (int k0 = 0; k0 < 2; ++k0) {
     w.branch = above0;
-    solve_theta2(t, g, k0 == 0 ? 1.0 : -1.0, w);
+    solve_theta2(t, k0 == 0 ? 1.0 : -1.0, w);
     if (!w.branch.exists) break;
-    solve_theta1(t, g, w);
+    solve_theta1(t, w);
     q[1] = inverse::output_angle(w.cos_theta2, w.sin_theta2);
     q[0] = inverse::output_angle(w.cos_theta1, w.sin_theta1);
     inverse::append(found, q, k0, w.branch.continuum);
   }
 }
 
-}  // namespace all
-}  // namespace
+void solve(const Target& t, inverse::Form, Solutions& found) {
+  solve_one_by_one(t, found);
 
-Solutions inverse_kinematics(const Pose<double>& pose, const Geometry& g, double tolerance) {
+  found.conclude();
+}
+
+}  // namespace
+}  // namespace detail::all
+
+Solutions inverse_kinematics(const Pose<double>& pose, const Geometry& g, double tolerance,
+    inverse::Form form) {
   Solutions found;
   if (!is_valid(pose)) {
     found.status = Status::invalid;
     return found;
   }
-  all::solve(all::target_of(pose, g, {tolerance, nullptr}), g, found);
-  found.conclude();
+  detail::all::solve(detail::all::target_of(pose, g, tolerance, inverse::zero_preference<dof>), form, found);
   return found;
 }
 
@@ -68,8 +82,8 @@ Solutions inverse_kinematics(const Pose<double>& pose, const JointVector<double>
     found.status = Status::invalid;
     return found;
   }
-  all::solve(all::target_of(pose, g, {tolerance, &seed}), g, found);
-  found.conclude();
+  const inverse::Preference<dof> preference = inverse::preference<dof>(seed);
+  detail::all::solve(detail::all::target_of(pose, g, tolerance, preference), inverse::Form::fastest, found);
   sort_by_distance(found, seed, is_revolute);
   return found;
 }

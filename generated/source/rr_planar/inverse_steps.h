@@ -5,24 +5,27 @@
 
 #include <qvgen/inverse/conic_circle.h>
 #include <qvgen/inverse/polish.h>
-#include <qvgen/inverse/request.h>
 #include <qvgen/inverse/roots.h>
+#include <qvgen/inverse/rows.h>
+#include <qvgen/inverse/target.h>
 #include <qvgen/inverse/wrist.h>
-#include <qvgen/robots/rr_planar/model.h>
 
-// One function for each step of the derivation; `sign` chooses a branch. Values that later steps need stand in Work.
-namespace qvgen::robots::rr_planar {
-namespace {
-namespace all {
+// One function for each step of the derivation; `sign` chooses a branch. Values that later steps need stand in Work. No
+// Eigen here: a file that is compiled for wider vectors than the rest reads this too.
+namespace qvgen::robots::rr_planar::detail::all {
 /// What the pose says, once for all branches.
-struct Target : inverse::TargetBase<dof> {
-  using TargetBase::TargetBase;
+struct Target : inverse::TargetBase<2> {
+  struct {
+    double l1;
+    double l2;
+  } geometry;
   double size_square;
   double pose_p_x;
   double pose_p_y;
   double pose_p_z;
 };
 
+namespace {
 template <typename Scalar>
 struct Work {
   inverse::Branch<Scalar> branch;
@@ -36,7 +39,8 @@ struct Work {
 /// : condition, one value.
 /// From: the height along the axes.
 template <typename Scalar>
-inline void solve_condition_1([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g, Work<Scalar>& w) {
+inline void solve_condition_1([[maybe_unused]] const Target& t,
+    Work<Scalar>& w) {
   using std::sqrt;
 
   const Scalar residual = Scalar(t.pose_p_z);
@@ -50,13 +54,13 @@ inline void solve_condition_1([[maybe_unused]] const Target& t, [[maybe_unused]]
 /// From: distance from the axis of theta1: the same.
 /// Degenerate: stretched or folded: the two solutions coincide.
 template <typename Scalar>
-inline void solve_theta2([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g,
-    const Scalar& sign, Work<Scalar>& w) {
+inline void solve_theta2([[maybe_unused]] const Target& t, const Scalar& sign,
+    Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
   {
-    const Scalar t0 = Scalar(g.l1) + Scalar(g.l2);
-    const Scalar t1 = Scalar(g.l1) - Scalar(g.l2);
+    const Scalar t0 = Scalar(t.geometry.l1) + Scalar(t.geometry.l2);
+    const Scalar t1 = Scalar(t.geometry.l1) - Scalar(t.geometry.l2);
     const Scalar low = t0 * t0 - w.square_theta2;
     const Scalar high = w.square_theta2 - t1 * t1;
     result = inverse::circle_angle<Scalar>(low, high, sign, Scalar(t.tolerance), inverse::merge_share<Scalar>(), inverse::merge_share<Scalar>(), w.branch);
@@ -70,21 +74,21 @@ inline void solve_theta2([[maybe_unused]] const Target& t, [[maybe_unused]] cons
 /// From: the turn about the axis of theta1.
 /// Degenerate: the point lies on the axis: theta1 is free.
 template <typename Scalar>
-inline void solve_theta1([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g, Work<Scalar>& w) {
+inline void solve_theta1([[maybe_unused]] const Target& t,
+    Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
   {
-    const Scalar t0 = Scalar(g.l2) * w.sin_theta2;
-    const Scalar t1 = Scalar(g.l1) + w.cos_theta2 * Scalar(g.l2);
+    const Scalar t0 = Scalar(t.geometry.l2) * w.sin_theta2;
+    const Scalar t1 = Scalar(t.geometry.l1) + w.cos_theta2 * Scalar(t.geometry.l2);
     const Scalar x = Scalar(t.pose_p_y) * t0 + Scalar(t.pose_p_x) * t1;
     const Scalar y = Scalar(t.pose_p_y) * t1 - Scalar(t.pose_p_x) * t0;
-    result = inverse::direction<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.choice[0].cosine), Scalar(t.choice[0].sine)}, w.branch);
+    result = inverse::direction<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)}, w.branch);
   }
 
   w.cos_theta1 = result.cosine;
   w.sin_theta1 = result.sine;
 }
 
-}  // namespace all
 }  // namespace
-}  // namespace qvgen::robots::rr_planar
+}  // namespace qvgen::robots::rr_planar::detail::all

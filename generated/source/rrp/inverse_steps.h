@@ -5,24 +5,32 @@
 
 #include <qvgen/inverse/conic_circle.h>
 #include <qvgen/inverse/polish.h>
-#include <qvgen/inverse/request.h>
 #include <qvgen/inverse/roots.h>
+#include <qvgen/inverse/rows.h>
+#include <qvgen/inverse/target.h>
 #include <qvgen/inverse/wrist.h>
-#include <qvgen/robots/rrp/model.h>
 
-// One function for each step of the derivation; `sign` chooses a branch. Values that later steps need stand in Work.
-namespace qvgen::robots::rrp {
-namespace {
-namespace all {
+// One function for each step of the derivation; `sign` chooses a branch. Values that later steps need stand in Work. No
+// Eigen here: a file that is compiled for wider vectors than the rest reads this too.
+namespace qvgen::robots::rrp::detail::all {
 /// What the pose says, once for all branches.
-struct Target : inverse::TargetBase<dof> {
-  using TargetBase::TargetBase;
+struct Target : inverse::TargetBase<3> {
+  struct {
+    double h1;
+    double d2;
+    double l2;
+  } geometry;
   double size_square;
   double pose_p_x;
   double pose_p_y;
   double pose_p_z;
 };
 
+/// All branches, four at a time in the lanes of AVX2 registers; null if the compiler was not asked for it.
+using LaneSolver = inverse::RowCount (*)(const Target&, inverse::RowPlaces);
+extern const LaneSolver solve_in_lanes;
+
+namespace {
 template <typename Scalar>
 struct Work {
   inverse::Branch<Scalar> branch;
@@ -41,20 +49,20 @@ struct Work {
 /// From: height along the axis of theta2: the same.
 /// Degenerate: boundary of reach: the two solutions coincide; the point on the axis: theta1 is free.
 template <typename Scalar>
-inline void solve_theta1([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g,
-    const Scalar& sign, Work<Scalar>& w) {
+inline void solve_theta1([[maybe_unused]] const Target& t, const Scalar& sign,
+    Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
   {
     const Scalar t0 = sqrt(Scalar(t.pose_p_y) * Scalar(t.pose_p_y) + Scalar(t.pose_p_x) * Scalar(t.pose_p_x));
     const Scalar x = -Scalar(t.pose_p_y);
     const Scalar y = Scalar(t.pose_p_x);
-    const Scalar low = t0 - Scalar(g.d2);
-    const Scalar high = Scalar(g.d2) + t0;
-    result = inverse::free_circle_angle<Scalar>(low, high, inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny1), inverse::Rotor<Scalar>{Scalar(t.choice[0].cosine), Scalar(t.choice[0].sine)}, sign, Scalar(t.tolerance), w.branch);
+    const Scalar low = t0 - Scalar(t.geometry.d2);
+    const Scalar high = Scalar(t.geometry.d2) + t0;
+    result = inverse::free_circle_angle<Scalar>(low, high, inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny1), inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)}, sign, Scalar(t.tolerance), w.branch);
   }
 
-  const Scalar t0 = Scalar(g.h1) - Scalar(t.pose_p_z);
+  const Scalar t0 = Scalar(t.geometry.h1) - Scalar(t.pose_p_z);
   const Scalar t1 = result.cosine * Scalar(t.pose_p_x) + Scalar(t.pose_p_y) * result.sine;
   w.cos_theta1 = result.cosine;
   w.sin_theta1 = result.sine;
@@ -67,8 +75,8 @@ inline void solve_theta1([[maybe_unused]] const Target& t, [[maybe_unused]] cons
 /// From: distance from the axis of theta2: the same.
 /// Degenerate: the point at the foot of the perpendicular: the two solutions coincide.
 template <typename Scalar>
-inline void solve_d3([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g,
-    const Scalar& sign, Work<Scalar>& w) {
+inline void solve_d3([[maybe_unused]] const Target& t, const Scalar& sign,
+    Work<Scalar>& w) {
   using std::sqrt;
   Scalar result;
   {
@@ -77,28 +85,28 @@ inline void solve_d3([[maybe_unused]] const Target& t, [[maybe_unused]] const Ge
     result = inverse::signed_root<Scalar>(square, scale, Scalar(t.tiny1), sign, Scalar(t.tolerance), w.branch);
   }
 
-  const Scalar t0 = Scalar(g.l2) - result;
+  const Scalar t0 = Scalar(t.geometry.l2) - result;
   w.d3 = -t0;
-  w.plane_d3_x = Scalar(g.l2) - t0;
+  w.plane_d3_x = Scalar(t.geometry.l2) - t0;
 }
 
 /// theta2: turn of one known vector into another, one value.
 /// From: the turn about the axis of theta2 from one side's point to the other's.
 /// Degenerate: the point lies on the axis: theta2 is free.
 template <typename Scalar>
-inline void solve_theta2([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g, Work<Scalar>& w) {
+inline void solve_theta2([[maybe_unused]] const Target& t,
+    Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
   {
     const Scalar x = w.plane_d3_x * w.plane_theta1_x;
     const Scalar y = w.plane_d3_x * w.plane_theta1_y;
-    result = inverse::direction<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.choice[1].cosine), Scalar(t.choice[1].sine)}, w.branch);
+    result = inverse::direction<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->turn[1].cosine), Scalar(t.preference->turn[1].sine)}, w.branch);
   }
 
   w.cos_theta2 = result.cosine;
   w.sin_theta2 = result.sine;
 }
 
-}  // namespace all
 }  // namespace
-}  // namespace qvgen::robots::rrp
+}  // namespace qvgen::robots::rrp::detail::all

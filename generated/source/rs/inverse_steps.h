@@ -5,18 +5,21 @@
 
 #include <qvgen/inverse/conic_circle.h>
 #include <qvgen/inverse/polish.h>
-#include <qvgen/inverse/request.h>
 #include <qvgen/inverse/roots.h>
+#include <qvgen/inverse/rows.h>
+#include <qvgen/inverse/target.h>
 #include <qvgen/inverse/wrist.h>
-#include <qvgen/robots/rs/model.h>
 
-// One function for each step of the derivation; `sign` chooses a branch. Values that later steps need stand in Work.
-namespace qvgen::robots::rs {
-namespace {
-namespace all {
+// One function for each step of the derivation; `sign` chooses a branch. Values that later steps need stand in Work. No
+// Eigen here: a file that is compiled for wider vectors than the rest reads this too.
+namespace qvgen::robots::rs::detail::all {
 /// What the pose says, once for all branches.
-struct Target : inverse::TargetBase<dof> {
-  using TargetBase::TargetBase;
+struct Target : inverse::TargetBase<6> {
+  struct {
+    double h1;
+    double l1;
+    double l2;
+  } geometry;
   double size_square;
   double square_theta1;
   double pose_p_x;
@@ -28,6 +31,7 @@ struct Target : inverse::TargetBase<dof> {
   double pose_q_z;
 };
 
+namespace {
 template <typename Scalar>
 struct Work {
   inverse::Branch<Scalar> branch;
@@ -47,34 +51,35 @@ struct Work {
 /// d3: linear, one value.
 /// From: height along the axis of theta2: the same.
 template <typename Scalar>
-inline void solve_d3([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g, Work<Scalar>& w) {
+inline void solve_d3([[maybe_unused]] const Target& t,
+    Work<Scalar>& w) {
   using std::sqrt;
 
-  w.d3 = Scalar(g.h1) - Scalar(t.pose_p_z);
+  w.d3 = Scalar(t.geometry.h1) - Scalar(t.pose_p_z);
 }
 
 /// theta1: line or circle meets circle, 2 values.
 /// From: distance from the axis of theta2: the same.
 /// Degenerate: stretched or folded: the two solutions coincide; the point on the axis: theta1 is free.
 template <typename Scalar>
-inline void solve_theta1([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g,
-    const Scalar& sign, Work<Scalar>& w) {
+inline void solve_theta1([[maybe_unused]] const Target& t, const Scalar& sign,
+    Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
   {
     const Scalar t0 = sqrt(Scalar(t.pose_p_y) * Scalar(t.pose_p_y) + Scalar(t.pose_p_x) * Scalar(t.pose_p_x));
-    const Scalar t1 = Scalar(g.l1) - t0;
-    const Scalar t2 = Scalar(g.l1) + t0;
+    const Scalar t1 = Scalar(t.geometry.l1) - t0;
+    const Scalar t2 = Scalar(t.geometry.l1) + t0;
     const Scalar x = Scalar(t.pose_p_x);
     const Scalar y = Scalar(t.pose_p_y);
     const Scalar low = t1 * t1 - Scalar(t.square_theta1);
     const Scalar high = Scalar(t.square_theta1) - t2 * t2;
-    result = inverse::free_circle_angle<Scalar>(low, high, inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny1), inverse::Rotor<Scalar>{Scalar(t.choice[0].cosine), Scalar(t.choice[0].sine)}, sign, Scalar(t.tolerance), w.branch);
+    result = inverse::free_circle_angle<Scalar>(low, high, inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny1), inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)}, sign, Scalar(t.tolerance), w.branch);
   }
 
   w.cos_theta1 = result.cosine;
   w.sin_theta1 = result.sine;
-  w.plane_theta1_x = result.cosine * Scalar(t.pose_p_x) - Scalar(g.l1) + Scalar(t.pose_p_y) * result.sine;
+  w.plane_theta1_x = result.cosine * Scalar(t.pose_p_x) - Scalar(t.geometry.l1) + Scalar(t.pose_p_y) * result.sine;
   w.plane_theta1_y = result.cosine * Scalar(t.pose_p_y) - Scalar(t.pose_p_x) * result.sine;
 }
 
@@ -82,13 +87,14 @@ inline void solve_theta1([[maybe_unused]] const Target& t, [[maybe_unused]] cons
 /// From: the turn about the axis of theta2 from one side's point to the other's.
 /// Degenerate: the point lies on the axis: theta2 is free.
 template <typename Scalar>
-inline void solve_theta2([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g, Work<Scalar>& w) {
+inline void solve_theta2([[maybe_unused]] const Target& t,
+    Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
   {
-    const Scalar x = Scalar(g.l2) * w.plane_theta1_x;
-    const Scalar y = Scalar(g.l2) * w.plane_theta1_y;
-    result = inverse::direction<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.choice[1].cosine), Scalar(t.choice[1].sine)}, w.branch);
+    const Scalar x = Scalar(t.geometry.l2) * w.plane_theta1_x;
+    const Scalar y = Scalar(t.geometry.l2) * w.plane_theta1_y;
+    result = inverse::direction<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->turn[1].cosine), Scalar(t.preference->turn[1].sine)}, w.branch);
   }
 
   w.cos_theta2 = result.cosine;
@@ -98,13 +104,14 @@ inline void solve_theta2([[maybe_unused]] const Target& t, [[maybe_unused]] cons
 /// theta1_theta2: half angle, one value.
 /// From: half angle of theta1_theta2.
 template <typename Scalar>
-inline void solve_half_theta1_theta2([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g, Work<Scalar>& w) {
+inline void solve_half_theta1_theta2([[maybe_unused]] const Target& t,
+    Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
   {
     const Scalar cosine = w.cos_theta1 * w.cos_theta2 - w.sin_theta1 * w.sin_theta2;
     const Scalar sine = w.cos_theta1 * w.sin_theta2 + w.cos_theta2 * w.sin_theta1;
-    result = inverse::half<Scalar>(inverse::Rotor<Scalar>{cosine, sine});
+    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine});
   }
 
   w.after_theta1_theta2_w = Scalar(t.pose_q_z) * result.sine + result.cosine * Scalar(t.pose_q_w);
@@ -117,7 +124,8 @@ inline void solve_half_theta1_theta2([[maybe_unused]] const Target& t, [[maybe_u
 /// From: the orientation that the wrist's three axes have to make, in half angles.
 /// Degenerate: first and last axis in line: their sum or difference is free.
 template <typename Scalar>
-inline inverse::WristAngles<Scalar> solve_wrist([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g, Work<Scalar>& w) {
+inline inverse::WristAngles<Scalar> solve_wrist([[maybe_unused]] const Target& t,
+    Work<Scalar>& w) {
   using std::sqrt;
 
   const Scalar u_x = -w.after_theta1_theta2_w;
@@ -125,9 +133,8 @@ inline inverse::WristAngles<Scalar> solve_wrist([[maybe_unused]] const Target& t
   const Scalar v_x = w.after_theta1_theta2_y;
   const Scalar v_y = w.after_theta1_theta2_x;
 
-  return inverse::right_wrist<Scalar>(inverse::Rotor<Scalar>{u_x, u_y}, inverse::Rotor<Scalar>{v_x, v_y}, false, Scalar(t.seed[3]), inverse::pi<Scalar>(), w.branch);
+  return inverse::right_wrist<Scalar>(inverse::Rotor<Scalar>{u_x, u_y}, inverse::Rotor<Scalar>{v_x, v_y}, false, Scalar(t.preference->angle[3]), inverse::pi<Scalar>(), w.branch);
 }
 
-}  // namespace all
 }  // namespace
-}  // namespace qvgen::robots::rs
+}  // namespace qvgen::robots::rs::detail::all

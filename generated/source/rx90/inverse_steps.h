@@ -5,18 +5,20 @@
 
 #include <qvgen/inverse/conic_circle.h>
 #include <qvgen/inverse/polish.h>
-#include <qvgen/inverse/request.h>
 #include <qvgen/inverse/roots.h>
+#include <qvgen/inverse/rows.h>
+#include <qvgen/inverse/target.h>
 #include <qvgen/inverse/wrist.h>
-#include <qvgen/robots/rx90/model.h>
 
-// One function for each step of the derivation; `sign` chooses a branch. Values that later steps need stand in Work.
-namespace qvgen::robots::rx90 {
-namespace {
-namespace all {
+// One function for each step of the derivation; `sign` chooses a branch. Values that later steps need stand in Work. No
+// Eigen here: a file that is compiled for wider vectors than the rest reads this too.
+namespace qvgen::robots::rx90::detail::all {
 /// What the pose says, once for all branches.
-struct Target : inverse::TargetBase<dof> {
-  using TargetBase::TargetBase;
+struct Target : inverse::TargetBase<6> {
+  struct {
+    double D3;
+    double RL4;
+  } geometry;
   double size_square;
   double pose_p_x;
   double pose_p_y;
@@ -27,6 +29,11 @@ struct Target : inverse::TargetBase<dof> {
   double pose_q_z;
 };
 
+/// All branches, four at a time in the lanes of AVX2 registers; null if the compiler was not asked for it.
+using LaneSolver = inverse::RowCount (*)(const Target&, inverse::RowPlaces);
+extern const LaneSolver solve_in_lanes;
+
+namespace {
 template <typename Scalar>
 struct Work {
   inverse::Branch<Scalar> branch;
@@ -54,14 +61,14 @@ struct Work {
 /// From: height along the axis of theta2: the same.
 /// Degenerate: the point lies on the axis: theta1 is free.
 template <typename Scalar>
-inline void solve_theta1([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g,
-    const Scalar& sign, Work<Scalar>& w) {
+inline void solve_theta1([[maybe_unused]] const Target& t, const Scalar& sign,
+    Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
   {
     const Scalar x = -Scalar(t.pose_p_x);
     const Scalar y = -Scalar(t.pose_p_y);
-    result = sign * inverse::direction<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny1), inverse::Rotor<Scalar>{Scalar(t.choice[0].cosine), Scalar(t.choice[0].sine)}, w.branch);
+    result = sign * inverse::direction<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny1), inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)}, w.branch);
   }
 
   const Scalar t0 = result.cosine * Scalar(t.pose_p_x) + Scalar(t.pose_p_y) * result.sine;
@@ -74,13 +81,14 @@ inline void solve_theta1([[maybe_unused]] const Target& t, [[maybe_unused]] cons
 /// theta1: half angle, one value.
 /// From: half angle of theta1.
 template <typename Scalar>
-inline void solve_half_theta1([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g, Work<Scalar>& w) {
+inline void solve_half_theta1([[maybe_unused]] const Target& t,
+    Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
   {
     const Scalar cosine = w.cos_theta1;
     const Scalar sine = w.sin_theta1;
-    result = inverse::half<Scalar>(inverse::Rotor<Scalar>{cosine, sine});
+    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine});
   }
 
   w.after_theta1_w = Scalar(t.pose_q_z) * result.sine + result.cosine * Scalar(t.pose_q_w);
@@ -93,13 +101,13 @@ inline void solve_half_theta1([[maybe_unused]] const Target& t, [[maybe_unused]]
 /// From: distance from the axis of theta2: the same.
 /// Degenerate: stretched or folded: the two solutions coincide.
 template <typename Scalar>
-inline void solve_theta3([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g,
-    const Scalar& sign, Work<Scalar>& w) {
+inline void solve_theta3([[maybe_unused]] const Target& t, const Scalar& sign,
+    Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
   {
-    const Scalar t0 = Scalar(g.D3) - Scalar(g.RL4);
-    const Scalar t1 = Scalar(g.D3) + Scalar(g.RL4);
+    const Scalar t0 = Scalar(t.geometry.D3) - Scalar(t.geometry.RL4);
+    const Scalar t1 = Scalar(t.geometry.D3) + Scalar(t.geometry.RL4);
     const Scalar low = t0 * t0 - w.square_theta3;
     const Scalar high = w.square_theta3 - t1 * t1;
     result = inverse::circle_angle<Scalar>(low, high, sign, Scalar(t.tolerance), inverse::merge_share<Scalar>(), inverse::merge_share<Scalar>(), w.branch);
@@ -107,21 +115,22 @@ inline void solve_theta3([[maybe_unused]] const Target& t, [[maybe_unused]] cons
 
   w.cos_theta3 = -result.sine;
   w.sin_theta3 = result.cosine;
-  w.plane_theta3_x = -Scalar(g.RL4) * result.sine;
-  w.plane_theta3_y = Scalar(g.RL4) * result.cosine - Scalar(g.D3);
+  w.plane_theta3_x = -Scalar(t.geometry.RL4) * result.sine;
+  w.plane_theta3_y = Scalar(t.geometry.RL4) * result.cosine - Scalar(t.geometry.D3);
 }
 
 /// theta2: turn of one known vector into another, one value.
 /// From: the turn about the axis of theta2 from one side's point to the other's.
 /// Degenerate: the point lies on the axis: theta2 is free.
 template <typename Scalar>
-inline void solve_theta2([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g, Work<Scalar>& w) {
+inline void solve_theta2([[maybe_unused]] const Target& t,
+    Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
   {
     const Scalar x = w.plane_theta3_x * Scalar(t.pose_p_z) + w.plane_theta1_y * w.plane_theta3_y;
     const Scalar y = w.plane_theta1_y * w.plane_theta3_x - w.plane_theta3_y * Scalar(t.pose_p_z);
-    result = inverse::direction<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.choice[1].cosine), Scalar(t.choice[1].sine)}, w.branch);
+    result = inverse::direction<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->turn[1].cosine), Scalar(t.preference->turn[1].sine)}, w.branch);
   }
 
   w.cos_theta2 = result.cosine;
@@ -131,13 +140,14 @@ inline void solve_theta2([[maybe_unused]] const Target& t, [[maybe_unused]] cons
 /// theta2_theta3: half angle, one value.
 /// From: half angle of theta2_theta3.
 template <typename Scalar>
-inline void solve_half_theta2_theta3([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g, Work<Scalar>& w) {
+inline void solve_half_theta2_theta3([[maybe_unused]] const Target& t,
+    Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
   {
     const Scalar cosine = w.cos_theta2 * w.cos_theta3 - w.sin_theta2 * w.sin_theta3;
     const Scalar sine = w.cos_theta3 * w.sin_theta2 + w.cos_theta2 * w.sin_theta3;
-    result = inverse::half<Scalar>(inverse::Rotor<Scalar>{cosine, sine});
+    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine});
   }
 
   w.after_theta2_theta3_w = w.after_theta1_w * result.cosine - w.after_theta1_y * result.sine;
@@ -150,7 +160,8 @@ inline void solve_half_theta2_theta3([[maybe_unused]] const Target& t, [[maybe_u
 /// From: the orientation that the wrist's three axes have to make, in half angles.
 /// Degenerate: first and last axis in line: their sum or difference is free.
 template <typename Scalar>
-inline inverse::WristAngles<Scalar> solve_wrist([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g, Work<Scalar>& w) {
+inline inverse::WristAngles<Scalar> solve_wrist([[maybe_unused]] const Target& t,
+    Work<Scalar>& w) {
   using std::sqrt;
 
   const Scalar u_x = -w.after_theta2_theta3_w;
@@ -158,9 +169,8 @@ inline inverse::WristAngles<Scalar> solve_wrist([[maybe_unused]] const Target& t
   const Scalar v_x = w.after_theta2_theta3_y;
   const Scalar v_y = -w.after_theta2_theta3_x;
 
-  return inverse::right_wrist<Scalar>(inverse::Rotor<Scalar>{u_x, u_y}, inverse::Rotor<Scalar>{v_x, v_y}, false, Scalar(t.seed[3]), inverse::pi<Scalar>(), w.branch);
+  return inverse::right_wrist<Scalar>(inverse::Rotor<Scalar>{u_x, u_y}, inverse::Rotor<Scalar>{v_x, v_y}, false, Scalar(t.preference->angle[3]), inverse::pi<Scalar>(), w.branch);
 }
 
-}  // namespace all
 }  // namespace
-}  // namespace qvgen::robots::rx90
+}  // namespace qvgen::robots::rx90::detail::all

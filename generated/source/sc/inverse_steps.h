@@ -5,18 +5,20 @@
 
 #include <qvgen/inverse/conic_circle.h>
 #include <qvgen/inverse/polish.h>
-#include <qvgen/inverse/request.h>
 #include <qvgen/inverse/roots.h>
+#include <qvgen/inverse/rows.h>
+#include <qvgen/inverse/target.h>
 #include <qvgen/inverse/wrist.h>
-#include <qvgen/robots/sc/model.h>
 
-// One function for each step of the derivation; `sign` chooses a branch. Values that later steps need stand in Work.
-namespace qvgen::robots::sc {
-namespace {
-namespace all {
+// One function for each step of the derivation; `sign` chooses a branch. Values that later steps need stand in Work. No
+// Eigen here: a file that is compiled for wider vectors than the rest reads this too.
+namespace qvgen::robots::sc::detail::all {
 /// What the pose says, once for all branches.
-struct Target : inverse::TargetBase<dof> {
-  using TargetBase::TargetBase;
+struct Target : inverse::TargetBase<6> {
+  struct {
+    double l1;
+    double d4;
+  } geometry;
   double size_square;
   double pose_p_x;
   double pose_p_y;
@@ -27,6 +29,7 @@ struct Target : inverse::TargetBase<dof> {
   double pose_q_z;
 };
 
+namespace {
 template <typename Scalar>
 struct Work {
   inverse::Branch<Scalar> branch;
@@ -45,31 +48,32 @@ struct Work {
 /// From: perpendicular to d2, nothing changes.
 /// Degenerate: boundary of reach: the two solutions coincide.
 template <typename Scalar>
-inline void solve_theta3([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g,
-    const Scalar& sign, Work<Scalar>& w) {
+inline void solve_theta3([[maybe_unused]] const Target& t, const Scalar& sign,
+    Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
   {
-    const Scalar low = Scalar(g.d4) + Scalar(t.pose_p_x);
-    const Scalar high = Scalar(g.d4) - Scalar(t.pose_p_x);
+    const Scalar low = Scalar(t.geometry.d4) + Scalar(t.pose_p_x);
+    const Scalar high = Scalar(t.geometry.d4) - Scalar(t.pose_p_x);
     result = inverse::circle_angle<Scalar>(low, high, sign, Scalar(t.tolerance), inverse::merge_share<Scalar>(), inverse::merge_share<Scalar>(), w.branch);
   }
 
   w.cos_theta3 = -result.sine;
   w.sin_theta3 = result.cosine;
-  w.height_d1 = -Scalar(g.d4) * result.sine;
+  w.height_d1 = -Scalar(t.geometry.d4) * result.sine;
 }
 
 /// theta3: half angle, one value.
 /// From: half angle of theta3.
 template <typename Scalar>
-inline void solve_half_theta3([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g, Work<Scalar>& w) {
+inline void solve_half_theta3([[maybe_unused]] const Target& t,
+    Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
   {
     const Scalar cosine = w.cos_theta3;
     const Scalar sine = w.sin_theta3;
-    result = inverse::half<Scalar>(inverse::Rotor<Scalar>{cosine, sine});
+    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine});
   }
 
   w.after_theta3_w = result.cosine * Scalar(t.pose_q_w) + Scalar(t.pose_q_y) * result.sine;
@@ -81,7 +85,8 @@ inline void solve_half_theta3([[maybe_unused]] const Target& t, [[maybe_unused]]
 /// d1: linear, one value.
 /// From: perpendicular to d2, nothing changes.
 template <typename Scalar>
-inline void solve_d1([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g, Work<Scalar>& w) {
+inline void solve_d1([[maybe_unused]] const Target& t,
+    Work<Scalar>& w) {
   using std::sqrt;
 
   w.d1 = w.height_d1 + Scalar(t.pose_p_z);
@@ -90,17 +95,19 @@ inline void solve_d1([[maybe_unused]] const Target& t, [[maybe_unused]] const Ge
 /// d2: linear, one value.
 /// From: the displacement along d2.
 template <typename Scalar>
-inline void solve_d2([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g, Work<Scalar>& w) {
+inline void solve_d2([[maybe_unused]] const Target& t,
+    Work<Scalar>& w) {
   using std::sqrt;
 
-  w.d2 = Scalar(t.pose_p_y) - Scalar(g.l1);
+  w.d2 = Scalar(t.pose_p_y) - Scalar(t.geometry.l1);
 }
 
 /// theta4, theta5, theta6: wrist with right angles, half-angle form, 2 values.
 /// From: the orientation that the wrist's three axes have to make, in half angles.
 /// Degenerate: first and last axis in line: their sum or difference is free.
 template <typename Scalar>
-inline inverse::WristAngles<Scalar> solve_wrist([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g, Work<Scalar>& w) {
+inline inverse::WristAngles<Scalar> solve_wrist([[maybe_unused]] const Target& t,
+    Work<Scalar>& w) {
   using std::sqrt;
 
   const Scalar u_x = w.after_theta3_w;
@@ -108,9 +115,8 @@ inline inverse::WristAngles<Scalar> solve_wrist([[maybe_unused]] const Target& t
   const Scalar v_x = w.after_theta3_x;
   const Scalar v_y = -w.after_theta3_y;
 
-  return inverse::right_wrist<Scalar>(inverse::Rotor<Scalar>{u_x, u_y}, inverse::Rotor<Scalar>{v_x, v_y}, false, Scalar(t.seed[3]), inverse::pi<Scalar>(), w.branch);
+  return inverse::right_wrist<Scalar>(inverse::Rotor<Scalar>{u_x, u_y}, inverse::Rotor<Scalar>{v_x, v_y}, false, Scalar(t.preference->angle[3]), inverse::pi<Scalar>(), w.branch);
 }
 
-}  // namespace all
 }  // namespace
-}  // namespace qvgen::robots::sc
+}  // namespace qvgen::robots::sc::detail::all

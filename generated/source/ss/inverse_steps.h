@@ -5,18 +5,16 @@
 
 #include <qvgen/inverse/conic_circle.h>
 #include <qvgen/inverse/polish.h>
-#include <qvgen/inverse/request.h>
 #include <qvgen/inverse/roots.h>
+#include <qvgen/inverse/rows.h>
+#include <qvgen/inverse/target.h>
 #include <qvgen/inverse/wrist.h>
-#include <qvgen/robots/ss/model.h>
 
-// One function for each step of the derivation; `sign` chooses a branch. Values that later steps need stand in Work.
-namespace qvgen::robots::ss {
-namespace {
-namespace all {
+// One function for each step of the derivation; `sign` chooses a branch. Values that later steps need stand in Work. No
+// Eigen here: a file that is compiled for wider vectors than the rest reads this too.
+namespace qvgen::robots::ss::detail::all {
 /// What the pose says, once for all branches.
-struct Target : inverse::TargetBase<dof> {
-  using TargetBase::TargetBase;
+struct Target : inverse::TargetBase<6> {
   double size_square;
   double pose_p_x;
   double pose_p_y;
@@ -27,6 +25,7 @@ struct Target : inverse::TargetBase<dof> {
   double pose_q_z;
 };
 
+namespace {
 template <typename Scalar>
 struct Work {
   inverse::Branch<Scalar> branch;
@@ -38,7 +37,8 @@ struct Work {
 /// d3: linear, one value.
 /// From: perpendicular to d2, nothing changes.
 template <typename Scalar>
-inline void solve_d3([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g, Work<Scalar>& w) {
+inline void solve_d3([[maybe_unused]] const Target& t,
+    Work<Scalar>& w) {
   using std::sqrt;
 
   w.d3 = Scalar(t.pose_p_x);
@@ -47,7 +47,8 @@ inline void solve_d3([[maybe_unused]] const Target& t, [[maybe_unused]] const Ge
 /// d1: linear, one value.
 /// From: perpendicular to d2, nothing changes.
 template <typename Scalar>
-inline void solve_d1([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g, Work<Scalar>& w) {
+inline void solve_d1([[maybe_unused]] const Target& t,
+    Work<Scalar>& w) {
   using std::sqrt;
 
   w.d1 = Scalar(t.pose_p_z);
@@ -56,7 +57,8 @@ inline void solve_d1([[maybe_unused]] const Target& t, [[maybe_unused]] const Ge
 /// d2: linear, one value.
 /// From: the displacement along d2.
 template <typename Scalar>
-inline void solve_d2([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g, Work<Scalar>& w) {
+inline void solve_d2([[maybe_unused]] const Target& t,
+    Work<Scalar>& w) {
   using std::sqrt;
 
   w.d2 = Scalar(t.pose_p_y);
@@ -66,7 +68,8 @@ inline void solve_d2([[maybe_unused]] const Target& t, [[maybe_unused]] const Ge
 /// From: the orientation that the wrist's three axes have to make, in half angles.
 /// Degenerate: first and last axis in line: their sum or difference is free.
 template <typename Scalar>
-inline inverse::WristAngles<Scalar> solve_wrist([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g, Work<Scalar>& w) {
+inline inverse::WristAngles<Scalar> solve_wrist([[maybe_unused]] const Target& t,
+    Work<Scalar>& w) {
   using std::sqrt;
 
   const Scalar u_x = -Scalar(t.pose_q_w);
@@ -74,9 +77,8 @@ inline inverse::WristAngles<Scalar> solve_wrist([[maybe_unused]] const Target& t
   const Scalar v_x = -Scalar(t.pose_q_z);
   const Scalar v_y = Scalar(t.pose_q_y);
 
-  return inverse::right_wrist<Scalar>(inverse::Rotor<Scalar>{u_x, u_y}, inverse::Rotor<Scalar>{v_x, v_y}, false, Scalar(t.seed[3]), inverse::pi<Scalar>(), w.branch);
+  return inverse::right_wrist<Scalar>(inverse::Rotor<Scalar>{u_x, u_y}, inverse::Rotor<Scalar>{v_x, v_y}, false, Scalar(t.preference->angle[3]), inverse::pi<Scalar>(), w.branch);
 }
 
-}  // namespace all
 }  // namespace
-}  // namespace qvgen::robots::ss
+}  // namespace qvgen::robots::ss::detail::all

@@ -5,18 +5,16 @@
 
 #include <qvgen/inverse/conic_circle.h>
 #include <qvgen/inverse/polish.h>
-#include <qvgen/inverse/request.h>
 #include <qvgen/inverse/roots.h>
+#include <qvgen/inverse/rows.h>
+#include <qvgen/inverse/target.h>
 #include <qvgen/inverse/wrist.h>
-#include <qvgen/robots/ur5/model.h>
 
-// One function for each step of the derivation; `sign` chooses a branch. Values that later steps need stand in Work.
-namespace qvgen::robots::ur5 {
-namespace {
-namespace all {
+// One function for each step of the derivation; `sign` chooses a branch. Values that later steps need stand in Work. No
+// Eigen here: a file that is compiled for wider vectors than the rest reads this too.
+namespace qvgen::robots::ur5::detail::all {
 /// What the pose says, once for all branches.
-struct Target : inverse::TargetBase<dof> {
-  using TargetBase::TargetBase;
+struct Target : inverse::TargetBase<6> {
   double size_square;
   double goal_x;
   double goal_y;
@@ -27,6 +25,11 @@ struct Target : inverse::TargetBase<dof> {
   double target_q_z;
 };
 
+/// All branches, four at a time in the lanes of AVX2 registers; null if the compiler was not asked for it.
+using LaneSolver = inverse::RowCount (*)(const Target&, inverse::RowPlaces);
+extern const LaneSolver solve_in_lanes;
+
+namespace {
 template <typename Scalar>
 struct Work {
   inverse::Branch<Scalar> branch;
@@ -61,8 +64,8 @@ struct Work {
 /// From: height along the axes of theta2, theta3, theta4.
 /// Degenerate: boundary of reach: the two solutions coincide; the point on the axis: theta1 is free.
 template <typename Scalar>
-inline void solve_theta1([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g,
-    const Scalar& sign, Work<Scalar>& w) {
+inline void solve_theta1([[maybe_unused]] const Target& t, const Scalar& sign,
+    Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
   {
@@ -71,7 +74,7 @@ inline void solve_theta1([[maybe_unused]] const Target& t, [[maybe_unused]] cons
     const Scalar y = Scalar(t.goal_x);
     const Scalar low = t0 - Scalar(0.10915);
     const Scalar high = Scalar(0.10915) + t0;
-    result = inverse::free_circle_angle<Scalar>(low, high, inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny1), inverse::Rotor<Scalar>{Scalar(t.choice[0].cosine), Scalar(t.choice[0].sine)}, sign, Scalar(t.tolerance), w.branch);
+    result = inverse::free_circle_angle<Scalar>(low, high, inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny1), inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)}, sign, Scalar(t.tolerance), w.branch);
   }
 
   w.cos_theta1 = result.cosine;
@@ -83,13 +86,14 @@ inline void solve_theta1([[maybe_unused]] const Target& t, [[maybe_unused]] cons
 /// theta1: half angle, one value.
 /// From: half angle of theta1.
 template <typename Scalar>
-inline void solve_half_theta1([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g, Work<Scalar>& w) {
+inline void solve_half_theta1([[maybe_unused]] const Target& t,
+    Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
   {
     const Scalar cosine = w.cos_theta1;
     const Scalar sine = w.sin_theta1;
-    result = inverse::half<Scalar>(inverse::Rotor<Scalar>{cosine, sine});
+    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine});
   }
 
   w.after_theta1_w = result.sine * Scalar(t.target_q_z) + result.cosine * Scalar(t.target_q_w);
@@ -101,7 +105,8 @@ inline void solve_half_theta1([[maybe_unused]] const Target& t, [[maybe_unused]]
 /// free_sum: a choice within reach, one value.
 /// From: the distance that the two links between leave open.
 template <typename Scalar>
-inline void solve_free_sum([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g, Work<Scalar>& w) {
+inline void solve_free_sum([[maybe_unused]] const Target& t,
+    Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
   {
@@ -111,7 +116,7 @@ inline void solve_free_sum([[maybe_unused]] const Target& t, [[maybe_unused]] co
     const Scalar offset_y = Scalar(0);
     const Scalar inner = Scalar(0.0010725625);
     const Scalar outer = Scalar(0.6678975625);
-    result = inverse::reachable_direction<Scalar>(inverse::Rotor<Scalar>{point_x, point_y}, inverse::Rotor<Scalar>{offset_x, offset_y}, inner, outer, inverse::Rotor<Scalar>{Scalar(t.choice[1].cosine), Scalar(t.choice[1].sine)} * inverse::Rotor<Scalar>{Scalar(t.choice[2].cosine), Scalar(t.choice[2].sine)} * inverse::Rotor<Scalar>{Scalar(t.choice[3].cosine), Scalar(t.choice[3].sine)});
+    result = inverse::reachable_direction<Scalar>(inverse::Rotor<Scalar>{point_x, point_y}, inverse::Rotor<Scalar>{offset_x, offset_y}, inner, outer, inverse::Rotor<Scalar>{Scalar(t.preference->turn[1].cosine), Scalar(t.preference->turn[1].sine)} * inverse::Rotor<Scalar>{Scalar(t.preference->turn[2].cosine), Scalar(t.preference->turn[2].sine)} * inverse::Rotor<Scalar>{Scalar(t.preference->turn[3].cosine), Scalar(t.preference->turn[3].sine)});
   }
 
   w.cos_free_sum = result.cosine;
@@ -122,8 +127,8 @@ inline void solve_free_sum([[maybe_unused]] const Target& t, [[maybe_unused]] co
 /// From: the orientation that the wrist's three axes have to make, in half angles.
 /// Degenerate: first and last axis in line: their sum or difference is free.
 template <typename Scalar>
-inline void solve_wrist([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g,
-    const Scalar& sign, Work<Scalar>& w) {
+inline void solve_wrist([[maybe_unused]] const Target& t, const Scalar& sign,
+    Work<Scalar>& w) {
   using std::sqrt;
   inverse::WristTurns<Scalar> result;
   {
@@ -153,8 +158,8 @@ inline void solve_wrist([[maybe_unused]] const Target& t, [[maybe_unused]] const
 /// From: distance from the axis of theta2: the same.
 /// Degenerate: stretched or folded: the two solutions coincide.
 template <typename Scalar>
-inline void solve_theta3([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g,
-    const Scalar& sign, Work<Scalar>& w) {
+inline void solve_theta3([[maybe_unused]] const Target& t, const Scalar& sign,
+    Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
   {
@@ -171,7 +176,8 @@ inline void solve_theta3([[maybe_unused]] const Target& t, [[maybe_unused]] cons
 /// From: the turn about the axis of theta2.
 /// Degenerate: the point lies on the axis: theta2 is free.
 template <typename Scalar>
-inline void solve_theta2([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g, Work<Scalar>& w) {
+inline void solve_theta2([[maybe_unused]] const Target& t,
+    Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
   {
@@ -180,7 +186,7 @@ inline void solve_theta2([[maybe_unused]] const Target& t, [[maybe_unused]] cons
     const Scalar t2 = Scalar(0.00025) * w.reach_theta2_x * t0 + Scalar(0.39225) * w.reach_theta2_y * w.sin_theta3;
     const Scalar x = -t1;
     const Scalar y = -t2;
-    result = inverse::direction<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.choice[1].cosine), Scalar(t.choice[1].sine)}, w.branch);
+    result = inverse::direction<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->turn[1].cosine), Scalar(t.preference->turn[1].sine)}, w.branch);
   }
 
   w.cos_theta2 = result.cosine;
@@ -191,7 +197,8 @@ inline void solve_theta2([[maybe_unused]] const Target& t, [[maybe_unused]] cons
 /// From: what the sum of the three leaves for theta4.
 /// Degenerate: the point lies on the axis: theta4 is free.
 template <typename Scalar>
-inline void solve_theta4([[maybe_unused]] const Target& t, [[maybe_unused]] const Geometry& g, Work<Scalar>& w) {
+inline void solve_theta4([[maybe_unused]] const Target& t,
+    Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
   {
@@ -199,13 +206,12 @@ inline void solve_theta4([[maybe_unused]] const Target& t, [[maybe_unused]] cons
     const Scalar t1 = w.cos_sum * w.sin_theta2 - w.cos_theta2 * w.sin_sum;
     const Scalar x = w.cos_theta3 * t0 - w.sin_theta3 * t1;
     const Scalar y = -w.sin_theta3 * t0 - w.cos_theta3 * t1;
-    result = inverse::direction<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.choice[3].cosine), Scalar(t.choice[3].sine)}, w.branch);
+    result = inverse::direction<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->turn[3].cosine), Scalar(t.preference->turn[3].sine)}, w.branch);
   }
 
   w.cos_theta4 = result.cosine;
   w.sin_theta4 = result.sine;
 }
 
-}  // namespace all
 }  // namespace
-}  // namespace qvgen::robots::ur5
+}  // namespace qvgen::robots::ur5::detail::all

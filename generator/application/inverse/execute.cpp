@@ -135,7 +135,10 @@ class Execution {
         return set(known, {sign * along.cosine, sign * along.sine});
       }
       case Kind::pair: return set(known, direction(Rotor{in.at("x"), in.at("y")}, tiny(step.degree), choice, branch));
-      case Kind::half: return set(known, half(Rotor{in.at("cosine"), in.at("sine")}));
+      case Kind::half: {
+        const Rotor turn{in.at("cosine"), in.at("sine")};
+        return set(known, plan_.plan.wrist.right ? half_direction(turn) : half(turn));
+      }
       case Kind::root:
         known["result"] = signed_root(in.at("square"), in.at("scale"), tiny(1), sign, tolerance(), branch);
         return;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "application/inverse/nest_code.h"
 
+#include "application/inverse/joint_code.h"
 #include "application/inverse/step_code.h"
 
 namespace qvgen::application {
@@ -16,7 +17,7 @@ class Nest {
   std::vector<std::string> write() {
     line("Work<double> w;");
     line("JointVector<double> q;");
-    if (plan_.plan.locked >= 0) line(place(plan_.plan.locked) + " = t.locked;");
+    if (plan_.plan.locked >= 0) line(joint_place(plan_.plan.locked) + " = t.locked;");
     for (std::size_t i = 0; i < plan_.steps.size(); ++i) step(i);
     if (!ended_) {
       flush();
@@ -30,10 +31,7 @@ class Nest {
   }
 
  private:
-  static std::string place(int joint) { return "q[" + std::to_string(joint) + "]"; }
-  std::string call(std::size_t i, const std::string& sign = "") const {
-    return "solve_" + step_name(plan_, i) + "(t, g, " + sign + (sign.empty() ? "" : ", ") + "w)";
-  }
+  std::string call(std::size_t i, const std::string& sign = "") const { return step_call(plan_, i, sign); }
   std::string label() const { return labels_.empty() ? "0" : labels_; }
   void line(const std::string& text) { lines_.push_back(std::string(static_cast<std::size_t>(2 * depth_), ' ') + text); }
 
@@ -73,9 +71,9 @@ class Nest {
   void conic(std::size_t i) {
     const Step& step = plan_.plan.steps[i];
     flush();
-    line("const auto roots = roots_" + step_name(plan_, i) + "(t, g, w);");
+    line("const auto roots = roots_" + step_name(plan_, i) + "(t, w);");
     const std::string k = open(step, "roots.count");
-    line("take_" + step_name(plan_, i) + "(t, g, roots.root[static_cast<std::size_t>(" + k + ")], w);");
+    line("take_" + step_name(plan_, i) + "(t, roots.root[static_cast<std::size_t>(" + k + ")], w);");
     angles(step);
   }
 
@@ -89,18 +87,7 @@ class Nest {
           for (const std::string& turn : other.turns) polished = polished || turn == step.unknown;
       if (polished) return;
     }
-    const auto one = [&](std::size_t j) {
-      const auto& value = plan_.plan.joints[j];
-      const std::string field = value.revolute ? "inverse::output_angle(w." + value.cosine + ", w." + value.sine + ")" : "w." + value.cosine;
-      deferred_.push_back(place(static_cast<int>(j)) + " = " + field + ";");
-    };
-    if (step.turns.empty()) {
-      if (step.joint >= 0) one(static_cast<std::size_t>(step.joint));
-      return;
-    }
-    for (const std::string& turn : step.turns)
-      for (std::size_t j = 0; j < robot_.joints.size(); ++j)
-        if (robot_.joints[j].variable == turn) one(j);
+    for (const std::string& text : joint_lines(robot_, plan_, step)) deferred_.push_back(text);
   }
 
   void flush() {
@@ -127,9 +114,9 @@ class Nest {
     ended_ = true;
     flush();
     const auto set = [&](const std::string& first, const std::string& middle, const std::string& last) {
-      line(place(joints[0]) + " = " + first + ";");
-      line(place(joints[1]) + " = " + middle + ";");
-      line(place(joints[2]) + " = " + last + ";");
+      line(joint_place(joints[0]) + " = " + first + ";");
+      line(joint_place(joints[1]) + " = " + middle + ";");
+      line(joint_place(joints[2]) + " = " + last + ";");
     };
     if (step.kind == Kind::oblique_wrist) {
       const std::string k = open(step, "2");

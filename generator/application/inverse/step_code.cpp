@@ -23,13 +23,13 @@ bool is_wrist(const Step& step) { return step.kind == Kind::right_wrist || step.
 /// Whether the step is the wrist that ends the plan: it gives angles, not cosines and sines.
 bool ends(const LoweredPlan& plan, const Step& step) { return is_wrist(step) && plan.plan.wrist.ends_the_plan; }
 
-/// Symbols of a step: geometry from g, the target's values from t, what earlier steps left from w, the block's results.
+/// Symbols of a step: geometry and the target's values from t, what earlier steps left from w, the block's results.
 emit::Names names_of(const model::Robot& robot, const LoweredPlan& plan) {
   std::set<std::string> parameters;
   for (const auto& parameter : robot.geometry) parameters.insert(parameter.name);
   const std::vector<std::string> target = plan.plan.target_kept;
   const auto symbol = [parameters, target](const std::string& name) -> std::string {
-    if (parameters.count(name) > 0) return "Scalar(g." + name + ")";
+    if (parameters.count(name) > 0) return "Scalar(t.geometry." + name + ")";
     if (name == "cos_result") return "result.cosine";
     if (name == "sin_result") return "result.sine";
     if (name == "result") return "result";
@@ -50,9 +50,11 @@ json values(const std::vector<emit::Code::Value>& list) {
 
 std::string rotor(const std::string& x, const std::string& y) { return "inverse::Rotor<Scalar>{" + x + ", " + y + "}"; }
 
-std::string choice(int index) {
-  const std::string joint = "t.choice[" + std::to_string(index) + "]";
-  return rotor("Scalar(" + joint + ".cosine)", "Scalar(" + joint + ".sine)");
+std::string preferred_angle(int joint) { return "Scalar(t.preference->angle[" + std::to_string(joint) + "])"; }
+
+std::string choice(int joint) {
+  const std::string turn = "t.preference->turn[" + std::to_string(joint) + "]";
+  return rotor("Scalar(" + turn + ".cosine)", "Scalar(" + turn + ".sine)");
 }
 std::string choice(const Step& step) { return choice(step.joint); }
 
@@ -91,7 +93,7 @@ std::pair<std::string, std::string> block(const LoweredPlan& plan, const Step& s
       return {turn, "sign * inverse::direction<Scalar>(" + rotor("x", "y") + ", " + tiny(step) + ", " + choice(step) + ", w.branch)"};
     case Kind::pair:
       return {turn, "inverse::direction<Scalar>(" + rotor("x", "y") + ", " + tiny(step) + ", " + choice(step) + ", w.branch)"};
-    case Kind::half: return {turn, "inverse::half<Scalar>(" + rotor("cosine", "sine") + ")"};
+    case Kind::half: return {turn, std::string(plan.plan.wrist.right ? "inverse::half_direction" : "inverse::half") + "<Scalar>(" + rotor("cosine", "sine") + ")"};
     case Kind::root: return {"Scalar", "inverse::signed_root<Scalar>(square, scale, Scalar(t.tiny1), sign, " + tolerance + ", w.branch)"};
     case Kind::quadratic: return {"Scalar", "inverse::quadratic_root<Scalar>(a, b, c, sign, " + tolerance + ", w.branch)"};
     case Kind::require: return {"", "inverse::require_zero<Scalar>(residual, scale, " + tolerance + ", w.branch)"};
@@ -101,15 +103,15 @@ std::pair<std::string, std::string> block(const LoweredPlan& plan, const Step& s
       const std::string swapped = plan.plan.wrist.middle_swapped ? "true" : "false";
       const std::string uv = rotor("u_x", "u_y") + ", " + rotor("v_x", "v_y") + ", " + swapped + ", ";
       if (ends(plan, step))
-        return {"inverse::WristAngles<Scalar>", "inverse::right_wrist<Scalar>(" + uv + "Scalar(t.seed[" + std::to_string(plan.plan.wrist.joints[0]) +
-                                                    "]), inverse::pi<Scalar>(), w.branch)"};
+        return {"inverse::WristAngles<Scalar>", "inverse::right_wrist<Scalar>(" + uv + preferred_angle(plan.plan.wrist.joints[0]) +
+                                                    ", inverse::pi<Scalar>(), w.branch)"};
       return {"inverse::WristTurns<Scalar>", "inverse::right_wrist_turns<Scalar>(" + uv + rotor("choice_x", "choice_y") + ", sign, w.branch)"};
     }
     case Kind::oblique_wrist:
       return {"inverse::WristAngles<Scalar>",
               "inverse::oblique_wrist<Scalar>(" + rotor("u_x", "u_y") + ", " + rotor("v_x", "v_y") +
-                  ", {cosine_sum, sine_sum, cosine_difference, sine_difference, product}, sign, Scalar(t.seed[" +
-                  std::to_string(plan.plan.wrist.joints[0]) + "]), " + tolerance + ", inverse::pi<Scalar>(), w.branch)"};
+                  ", {cosine_sum, sine_sum, cosine_difference, sine_difference, product}, sign, " +
+                  preferred_angle(plan.plan.wrist.joints[0]) + ", " + tolerance + ", inverse::pi<Scalar>(), w.branch)"};
     case Kind::polish:
     case Kind::linear: return {"", ""};
   }

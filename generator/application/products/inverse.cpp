@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "application/products/inverse.h"
 
+#include <algorithm>
+
 #include "application/inverse/certify.h"
 #include "application/inverse/describe.h"
+#include "application/inverse/lane_code.h"
 #include "application/inverse/nest_code.h"
 #include "application/inverse/step_code.h"
 #include "derive/inverse/inverse.h"
@@ -57,6 +60,9 @@ json variant(const model::Robot& robot, const derive::inverse::Plan& derived) {
   const LoweredPlan plan = lower(derived);
   const InverseCertificate certificate = certify_inverse(robot, plan, certificate_poses);
   const bool locked = derived.locked >= 0;
+  const bool lanes = has_lanes(plan);
+  std::vector<std::string> constants;
+  for (const auto& parameter : robot.geometry) constants.push_back(parameter.name);
   const std::string given = locked ? robot.joints[static_cast<std::size_t>(derived.locked)].variable : "";
   return {{"space", locked ? "given_" + given : "all"},
           {"function", locked ? "inverse_kinematics_given_" + given : "inverse_kinematics"},
@@ -78,7 +84,12 @@ json variant(const model::Robot& robot, const derive::inverse::Plan& derived) {
           {"work_fields", fields_of(work_fields(plan))},
           {"target", target_values(robot, plan)},
           {"steps", step_values(robot, plan)},
-          {"nest", lines_of(nest_lines(robot, plan))}};
+          {"dof", robot.joints.size()},
+          {"has_geometry", !constants.empty()},
+          {"geometry", fields_of(constants)},
+          {"nest", lines_of(nest_lines(robot, plan))},
+          {"has_lanes", lanes ? "true" : "false"},
+          {"lanes", lanes ? json{{"lines", lines_of(lane_lines(robot, plan))}} : json(false)}};
 }
 
 }  // namespace
@@ -101,6 +112,9 @@ void generate_inverse(const model::Robot& robot, RobotOutput& output) {
   const std::string sources = "source/" + robot.name + "/";
   output.files.push_back({sources + "inverse_steps.h", tidy(emit::render("inverse_steps.h", values))});
   output.files.push_back({sources + "inverse.cpp", tidy(emit::render("inverse.cpp", values))});
+  const auto in_lanes = [](const json& variant) { return variant["has_lanes"] == "true"; };
+  if (std::any_of(values["variants"].begin(), values["variants"].end(), in_lanes))
+    output.files.push_back({sources + "inverse_avx2.cpp", tidy(emit::render("inverse_avx2.cpp", values))});
 }
 
 }  // namespace qvgen::application

@@ -63,10 +63,19 @@ template <typename Scalar>
 Rotor<Scalar> half(const Rotor<Scalar>& rotor) {
   using std::sqrt;
   const Mask<Scalar> acute = rotor.cosine >= Scalar(0);
-  const Scalar larger = sqrt((Scalar(1) + select(acute, rotor.cosine, Scalar(-rotor.cosine))) / Scalar(2));
+  const Scalar larger = sqrt((Scalar(1) + magnitude(rotor.cosine)) / Scalar(2));
   const Scalar other = rotor.sine / (Scalar(2) * larger);
-  return {select(acute, larger, select(other < Scalar(0), Scalar(-other), other)),
+  return {select(acute, larger, magnitude(other)),
           select(acute, other, with_sign(larger, rotor.sine))};
+}
+
+/// The direction of half the angle alone, without root and quotient: its squared length is between 2 and 4. For wrists, to
+/// which the length of their matrix does not matter.
+template <typename Scalar>
+Rotor<Scalar> half_direction(const Rotor<Scalar>& rotor) {
+  const Mask<Scalar> acute = rotor.cosine >= Scalar(0);
+  const Scalar longer = Scalar(1) + magnitude(rotor.cosine);
+  return {select(acute, longer, magnitude(rotor.sine)), select(acute, rotor.sine, with_sign(longer, rotor.sine))};
 }
 
 /// (-pi, pi] of an angle in (-3 pi, 3 pi].
@@ -80,7 +89,7 @@ Scalar wrapped(const Scalar& angle, const Scalar& pi) {
 /// that the difference rounds to -pi.
 template <typename Scalar>
 Scalar opposite(const Scalar& angle, const Scalar& pi) {
-  const Scalar turned = angle + with_sign(pi, select(angle > Scalar(0), Scalar(-1), Scalar(1)));
+  const Scalar turned = angle + select(angle > Scalar(0), Scalar(-pi), pi);
   return select(turned <= -pi, pi, turned);
 }
 

@@ -20,23 +20,22 @@ Scalar acute_arctangent(const Scalar& y, const Scalar& x) {
 
 namespace polynomial {
 
-/// (atan(t)/t - 1) / t² in z = t² <= 1/4, error below 2^-57 of atan(t)/t (minimax); even and odd powers side by side,
+/// (atan(t)/t - 1) / t² in z = t² <= 0.2025, error below 2^-56 of atan(t)/t (minimax); even and odd powers side by side,
 /// which halves the chain.
 template <typename Scalar>
 Scalar arctangent_series(const Scalar& z) {
   const Scalar z2 = z * z;
-  Scalar even = Scalar(-0x1.c180c2e562b92p-6);
-  Scalar odd = Scalar(0x1.4b8536dc50147p-7);
-  odd = odd * z2 + Scalar(0x1.56f61b74a4748p-5);
-  even = even * z2 + Scalar(-0x1.a39888c664541p-5);
-  odd = odd * z2 + Scalar(0x1.dfe980c4c1894p-5);
-  even = even * z2 + Scalar(-0x1.10f31fdd7e0b0p-4);
-  odd = odd * z2 + Scalar(0x1.3b113dd6cf999p-4);
-  even = even * z2 + Scalar(-0x1.745cf4ccd3a83p-4);
-  odd = odd * z2 + Scalar(0x1.c71c7090fc86ep-4);
-  even = even * z2 + Scalar(-0x1.249249215e2b5p-3);
-  odd = odd * z2 + Scalar(0x1.9999999991153p-3);
-  even = even * z2 + Scalar(-0x1.5555555555516p-2);
+  Scalar even = Scalar(-0x1.f962b3a8b22c7p-7);
+  Scalar odd = Scalar(0x1.23ffc268de3f2p-5);
+  even = even * z2 + Scalar(-0x1.947d0a96686b7p-5);
+  odd = odd * z2 + Scalar(0x1.dd1589af82d9ep-5);
+  even = even * z2 + Scalar(-0x1.10c699c0d341ap-4);
+  odd = odd * z2 + Scalar(0x1.3b0d9caeb1e12p-4);
+  even = even * z2 + Scalar(-0x1.745cc35dc5ea5p-4);
+  odd = odd * z2 + Scalar(0x1.c71c6eeb5ad85p-4);
+  even = even * z2 + Scalar(-0x1.2492491d4e0a2p-3);
+  odd = odd * z2 + Scalar(0x1.999999998721ap-3);
+  even = even * z2 + Scalar(-0x1.55555555554d3p-2);
   return odd * z + even;
 }
 
@@ -48,8 +47,8 @@ Scalar acute_arctangent(const Scalar& y, const Scalar& x) {
   const Mask<Scalar> steep = y > x;
   const Scalar small = select(steep, x, y);
   const Scalar large = select(steep, y, x);
-  // Above atan(1/2), from pi/4 downwards: there the difference is exact.
-  const Mask<Scalar> near_diagonal = small > Scalar(0.5) * large;
+  // Above atan(0.45) from pi/4 downwards.
+  const Mask<Scalar> near_diagonal = small > Scalar(0.45) * large;
   const Scalar rise = select(near_diagonal, Scalar(small - large), small);
   const Scalar run = select(near_diagonal, Scalar(large + small), large);
   const Scalar t = rise / larger(run, Scalar(0x1p-1022));
@@ -57,7 +56,8 @@ Scalar acute_arctangent(const Scalar& y, const Scalar& x) {
   const Scalar beyond = select(near_diagonal, Scalar(0x1.1a62633145c07p-55), zero);  // what pi/4 has beyond its 53 bits
   const Scalar turn = t + (t * (z * polynomial::arctangent_series(z)) + beyond);
   const Scalar from = select(near_diagonal, Scalar(0x1.921fb54442d18p-1), zero);
-  return select(steep, Scalar(Scalar(0x1.921fb54442d18p+0) - from), from) + select(steep, Scalar(-turn), turn);
+  const Scalar base = magnitude(Scalar(select(steep, Scalar(0x1.921fb54442d18p+0), zero) - from));
+  return base + select(steep, Scalar(-turn), turn);
 }
 
 template <typename Scalar>

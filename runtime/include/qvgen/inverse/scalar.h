@@ -61,6 +61,7 @@ template <typename Scalar>
 Scalar magnitude(const Scalar& a) {
   return select(a < Scalar(0), Scalar(-a), a);
 }
+inline double magnitude(double a) { return std::fabs(a); }
 
 template <typename Scalar>
 Scalar not_negative(const Scalar& a) {

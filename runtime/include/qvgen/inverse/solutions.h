@@ -20,6 +20,7 @@ struct InverseInfo {
   int capacity;           ///< the most solutions that a pose can have
   bool uses_orientation;  ///< false: the position alone is reached
   int given_joint;        ///< index of the joint whose value the caller gives, -1 for none
+  bool has_lanes;         ///< there is a form that follows several branches at once
 };
 
 /// One row of a solution set.
@@ -77,6 +78,12 @@ class Solutions {
 };
 
 namespace inverse {
+
+/// How branches are followed. Both give the same rows; `scalar` is there to be compared with.
+enum class Form {
+  fastest,  ///< side by side in vector lanes where that is possible
+  scalar    ///< one after the other
+};
 
 /// Appends a row; for generated code.
 template <int dof, int capacity>

@@ -11,7 +11,7 @@ struct WristAngles {
   Scalar first, middle, last;
 };
 
-/// Below this length of U11 or U12 its argument is noise: the angle is free, and whatever is chosen changes the
+/// Below this share of the whole length of U11 and U12 an argument is noise: the angle is free, and whatever is chosen changes the
 /// orientation by no more than this.
 template <typename Scalar>
 Scalar wrist_noise() {
@@ -22,7 +22,7 @@ Scalar wrist_noise() {
 template <typename Scalar>
 void arguments(const Rotor<Scalar>& u, const Rotor<Scalar>& v, const Scalar& u_square, const Scalar& v_square,
                const Scalar& first, Scalar& u_argument, Scalar& v_argument, Branch<Scalar>& branch) {
-  const Scalar noise = wrist_noise<Scalar>() * wrist_noise<Scalar>();
+  const Scalar noise = wrist_noise<Scalar>() * wrist_noise<Scalar>() * (u_square + v_square);
   const Mask<Scalar> u_free = u_square <= noise;
   const Mask<Scalar> v_free = v_square <= noise;
   const Scalar u_angle = angle(u);
@@ -34,7 +34,7 @@ void arguments(const Rotor<Scalar>& u, const Rotor<Scalar>& v, const Scalar& u_s
 
 /// Wrist with right angles between neighbouring axes: the thesis's Euler wrist in half-angle form.
 ///
-/// u, v: the entries of the wrist's SU(2) matrix, turned so that first = arg u + arg v, last = arg u - arg v and
+/// u, v: the entries of the wrist's SU(2) matrix, of any length, turned so that first = arg u + arg v, last = arg u - arg v and
 /// middle = 2 atan2(|v|, |u|), in [0, pi] (with `swapped` the other way round). The second branch is (first + pi, -middle, last + pi). Accurate at
 /// middle = 0 and pi, where v or u vanishes: there first - last or first + last is free.
 template <typename Scalar>
@@ -63,9 +63,10 @@ template <typename Scalar>
 WristTurns<Scalar> right_wrist_turns(const Rotor<Scalar>& u, const Rotor<Scalar>& v, bool swapped,
                                      const Rotor<Scalar>& choice, const Scalar& sign, Branch<Scalar>& branch) {
   using std::sqrt;
-  const Scalar noise = wrist_noise<Scalar>() * wrist_noise<Scalar>();
   const Scalar u_square = u.cosine * u.cosine + u.sine * u.sine;
   const Scalar v_square = v.cosine * v.cosine + v.sine * v.sine;
+  const Scalar sum = u_square + v_square;
+  const Scalar noise = wrist_noise<Scalar>() * wrist_noise<Scalar>() * sum;
   const Scalar product = Scalar(2) * sqrt(Scalar(u_square * v_square));
   const Scalar gap = swapped ? Scalar(v_square - u_square) : Scalar(u_square - v_square);
   // One of the two vanishes at most: what it leaves free makes the first angle the choice.
@@ -76,7 +77,7 @@ WristTurns<Scalar> right_wrist_turns(const Rotor<Scalar>& u, const Rotor<Scalar>
   const Rotor<Scalar> along_v{select(v_free, rest.cosine, v_or_choice.cosine), select(v_free, rest.sine, v_or_choice.sine)};
   const Rotor<Scalar> first = along_u * along_v;
   const Rotor<Scalar> last = along_u * inverse(along_v);
-  const Scalar scale = Scalar(1) / (u_square + v_square);
+  const Scalar scale = Scalar(1) / sum;
   return {{sign * first.cosine, sign * first.sine},
           {gap * scale, sign * product * scale},
           {sign * last.cosine, sign * last.sine}};

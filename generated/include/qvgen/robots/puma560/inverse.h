@@ -11,8 +11,8 @@
 
 namespace qvgen::robots::puma560 {
 using Solutions = qvgen::Solutions<dof, 8>;
-/// At most 8 solutions; what of the pose is used; the joint that the caller gives, -1 for none.
-inline constexpr InverseInfo inverse_info{ 8, true, -1 };
+/// At most 8 solutions; what of the pose is used; the joint that the caller gives, -1 for none; has lanes.
+inline constexpr InverseInfo inverse_info{ 8, true, -1, true };
 
 /// All joint values that bring the tool to a pose (position and orientation), angles in (-pi, pi], each once.
 ///
@@ -28,8 +28,9 @@ inline constexpr InverseInfo inverse_info{ 8, true, -1 };
 /// The pose's quaternion may be off its length by rounding (float's too) and is normalised; NaN, infinity or no
 /// rotation gives Status::invalid. `tolerance` is how far beyond the boundary of reach, as a share of the arm, a pose
 /// is still solved at the boundary. A free angle at a singular pose is taken as 0. No heap, no exceptions.
+/// Four branches at a time in the lanes of AVX2 registers, if the machine has them; `form` is for comparisons.
 Solutions inverse_kinematics(const Pose<double>& pose, const Geometry& g = {},
-    double tolerance = inverse::default_tolerance);
+    double tolerance = inverse::default_tolerance, inverse::Form form = inverse::Form::fastest);
 /// The same, nearest to the seed first (see `sort_by_distance`); free angles are taken from the seed.
 Solutions inverse_kinematics(const Pose<double>& pose, const JointVector<double>& seed, const Geometry& g = {},
     double tolerance = inverse::default_tolerance);

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#include "application/inverse/joint_code.h"
+
+#include "application/inverse/step_code.h"
+
+namespace qvgen::application {
+
+std::string joint_place(int joint) { return "q[" + std::to_string(joint) + "]"; }
+
+std::vector<std::string> joint_lines(const model::Robot& robot, const LoweredPlan& plan, const derive::inverse::Step& step) {
+  std::vector<std::string> lines;
+  const auto add = [&](int joint) {
+    const auto& value = plan.plan.joints[static_cast<std::size_t>(joint)];
+    const std::string field = value.revolute ? "inverse::output_angle(w." + value.cosine + ", w." + value.sine + ")" : "w." + value.cosine;
+    lines.push_back(joint_place(joint) + " = " + field + ";");
+  };
+  if (step.turns.empty() && step.joint >= 0) add(step.joint);
+  for (const std::string& turn : step.turns)
+    for (std::size_t j = 0; j < robot.joints.size(); ++j)
+      if (robot.joints[j].variable == turn) add(static_cast<int>(j));
+  return lines;
+}
+
+std::string step_call(const LoweredPlan& plan, std::size_t index, const std::string& sign) {
+  return "solve_" + step_name(plan, index) + "(t, " + sign + (sign.empty() ? "" : ", ") + "w)";
+}
+
+}  // namespace qvgen::application

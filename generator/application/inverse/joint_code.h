@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "application/inverse/lower.h"
+#include "model/robot.h"
+
+namespace qvgen::application {
+
+/// Where generated code has a joint's value: "q[2]".
+std::string joint_place(int joint);
+
+/// Assignments of the joints' values that a step leaves, angles by their arctangent.
+std::vector<std::string> joint_lines(const model::Robot& robot, const LoweredPlan& plan, const derive::inverse::Step& step);
+
+/// Call of a step's function; `sign` is empty for a step with one branch.
+std::string step_call(const LoweredPlan& plan, std::size_t index, const std::string& sign);
+
+}  // namespace qvgen::application

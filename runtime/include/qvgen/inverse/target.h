@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <qvgen/inverse/angles.h>
+
+namespace qvgen::inverse {
+
+/// The angles to be taken where one is free, by joint, with their cosines and sines: zero or the caller's.
+template <int dof>
+struct Preference {
+  double angle[dof];
+  Rotor<double> turn[dof];
+
+  constexpr Preference() : angle{}, turn{} {
+    for (Rotor<double>& one : turn) one.cosine = 1;
+  }
+};
+
+template <int dof>
+inline constexpr Preference<dof> zero_preference{};
+
+/// The part of a generated Target that is the same for every robot. Nothing but numbers, without Eigen: files that are
+/// compiled for other machines than the rest read it.
+template <int dof>
+struct TargetBase {
+  double tolerance;            ///< see `default_tolerance`
+  double tiny1, tiny2, tiny4;  ///< squares of directions that are noise: of lengths, squared lengths, short lengths squared
+  double locked, cos_locked, sin_locked;
+  const Preference<dof>* preference;
+
+  void set_size(double square) {
+    constexpr double noise = 16 * std::numeric_limits<double>::epsilon();
+    tiny1 = noise * noise * square;
+    tiny2 = tiny1 * square;
+    tiny4 = tiny1 * tiny1;
+  }
+
+  void lock(double angle) {
+    locked = angle;
+    cos_locked = std::cos(angle);
+    sin_locked = std::sin(angle);
+  }
+};
+
+}  // namespace qvgen::inverse
