@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 #include <unsupported/Eigen/AutoDiff>
 
+#include "lagrange.h"
 #include "reference/dynamics.h"
 #include "reference/load.h"
 
@@ -31,7 +32,7 @@ class GeneratedDynamics : public testing::Test {
 
   GeneratedDynamics() {
     constexpr std::size_t count = Robot::inertia_names.size();
-    const std::string file = std::string(QVGEN_SOURCE_DIR) + "/generator/robots/" + Robot::name + ".toml";
+    const std::string file = Robot::description;
     if constexpr (count > 0) {
       std::array<double, count> numbers;
       reference::Values values;
@@ -80,8 +81,8 @@ class GeneratedDynamics : public testing::Test {
       const Eigen::Vector3d& c = link.centre_of_mass;
       const Eigen::Matrix3d about_origin =
           link.inertia + link.mass * (c.squaredNorm() * Eigen::Matrix3d::Identity() - c * c.transpose());
-      result.template segment<10>(10 * i) << link.mass, link.mass * c, about_origin.diagonal(), about_origin(0, 1),
-          about_origin(1, 2), about_origin(0, 2);
+      result.template segment<10>(10 * i) << link.mass, link.mass * c, about_origin.diagonal(),
+          about_origin(0, 1), about_origin(1, 2), about_origin(0, 2);
     }
     return result;
   }
@@ -154,8 +155,8 @@ TYPED_TEST_P(GeneratedDynamics, CoriolisMatrixTimesRatesIsTheCoriolisTorque) {
   }
 }
 
-/// dM/dt - 2 C is skew-symmetric, dM/dt by forward differentiation of the generated mass matrix. Of the many C
-/// with the same C qd, this singles out those that keep power in passivity arguments.
+/// dM/dt - 2 C is skew-symmetric, dM/dt by forward differentiation of the generated mass matrix. Of the many
+/// C with the same C qd, this singles out those that keep power in passivity arguments.
 TYPED_TEST_P(GeneratedDynamics, RateOfMassMatrixMinusTwiceCoriolisMatrixIsSkewSymmetric) {
   using Square = Eigen::Matrix<double, TypeParam::dof, TypeParam::dof>;
   const auto inertia = with_scalar<typename TypeParam::template Inertia<Dual>>(this->inertia_);
@@ -223,6 +224,16 @@ TYPED_TEST_P(GeneratedDynamics, PowerOfTheForcesIsTheRateOfEnergy) {
   }
 }
 
+/// Lagrange's equations of the reference's energies: nothing generated but what is tested.
+TYPED_TEST_P(GeneratedDynamics, InverseDynamicsSolvesLagrangesEquations) {
+  for (int k = 0; k < 50; ++k) {
+    const auto q = this->random_joints(), qd = this->random_joints(), qdd = this->random_joints();
+    const Eigen::Vector3d falling = this->random_vector(10);
+    this->expect_close(TypeParam::inverse(q, qd, qdd, this->inertia_, falling),
+                       lagrange::forces(this->chain_, q, qd, qdd, falling), 1e-11);
+  }
+}
+
 /// Lagrange: d/dt (M qd) - dT/dq + dU/dq, all from the generated energies and mass matrix.
 TYPED_TEST_P(GeneratedDynamics, LagrangesEquationsGiveTheSameForces) {
   using Column = typename TypeParam::template Joints<double>;
@@ -262,9 +273,10 @@ TYPED_TEST_P(GeneratedDynamics, DerivativesAreThoseOfTheInverseDynamics) {
     for (int i = 0; i < TypeParam::dof; ++i)
       for (const bool by_rate : {false, true}) {
         const Column direction = Column::Unit(i);
-        const auto dual = TypeParam::template inverse<Dual>(
-            along<TypeParam::dof>(q, by_rate ? zero : direction), along<TypeParam::dof>(qd, by_rate ? direction : zero),
-            along<TypeParam::dof>(qdd, zero), inertia, Dual(this->gravity));
+        const auto dual =
+            TypeParam::template inverse<Dual>(along<TypeParam::dof>(q, by_rate ? zero : direction),
+                                              along<TypeParam::dof>(qd, by_rate ? direction : zero),
+                                              along<TypeParam::dof>(qdd, zero), inertia, Dual(this->gravity));
         Column expected;
         for (int r = 0; r < TypeParam::dof; ++r)
           expected[r] = dual[r].derivatives().size() > 0 ? dual[r].derivatives()[0] : 0;
@@ -287,7 +299,8 @@ TYPED_TEST_P(GeneratedDynamics, GravityInAnyDirectionIsTheReference) {
     const Column found = TypeParam::forward(q, qd, torque, this->inertia_, falling);
     this->expect_close(reference::inverse_dynamics(this->chain_, q, qd, found, -falling), torque, 1e-10);
     const double potential = reference::potential_energy(this->chain_, q, -falling);
-    EXPECT_NEAR(TypeParam::potential(q, this->inertia_, falling), potential, 1e-11 * (1 + std::abs(potential)));
+    EXPECT_NEAR(TypeParam::potential(q, this->inertia_, falling), potential,
+                1e-11 * (1 + std::abs(potential)));
   }
 }
 
@@ -366,15 +379,104 @@ TYPED_TEST_P(GeneratedDynamics, RegressorTimesBaseParametersIsInverseDynamicsAnd
   EXPECT_GT(singular[singular.size() - 1], 1e-9 * singular[0]);
 }
 
-REGISTER_TYPED_TEST_SUITE_P(GeneratedDynamics, InverseDynamicsIsTheReference,
-                            GravityInAnyDirectionIsTheReference, MagnitudeOfGravityMeansDownward,
-                            WrenchOnTheToolRelievesTheDrivesByTheTransposedJacobian,
-                            GravityAndCoriolisAreItsParts,
-                            CoriolisMatrixTimesRatesIsTheCoriolisTorque,
-                            RateOfMassMatrixMinusTwiceCoriolisMatrixIsSkewSymmetric,
-                            MassMatrixIsTheReferenceSymmetricAndPositive,
-                            ForwardDynamicsUndoesInverseDynamics, EnergiesAreTheReference,
-                            PowerOfTheForcesIsTheRateOfEnergy, LagrangesEquationsGiveTheSameForces,
-                            DerivativesAreThoseOfTheInverseDynamics,
-                            RegressorTimesBaseParametersIsInverseDynamicsAndOfFullRank,
-                            FreeSwingKeepsItsEnergy);
+/// Ten seconds without joint forces by Gauss's method of fourth order in positions and momenta p = M qd,
+/// which is symplectic: of p' = C^T qd - gravity, since M' = C + C^T. Its energy does not drift, so that the
+/// largest deviation on the way counts.
+TYPED_TEST_P(GeneratedDynamics, SymplecticFreeSwingKeepsItsEnergy) {
+  using Column = typename TypeParam::template Joints<double>;
+  using State = Eigen::Matrix<double, 2 * TypeParam::dof, 1>;
+  const double g = this->gravity;
+  const auto rates = [&](const State& y) -> Column {
+    const auto mass = TypeParam::template mass<double>(y.template head<TypeParam::dof>(), this->inertia_);
+    return mass.llt().solve(y.template tail<TypeParam::dof>());
+  };
+  const auto slope = [&](const State& y) -> State {
+    const Column q = y.template head<TypeParam::dof>(), qd = rates(y);
+    State result;
+    result << qd, TypeParam::template coriolis_matrix<double>(q, qd, this->inertia_).transpose() * qd -
+                      TypeParam::template gravity<double>(q, this->inertia_, g);
+    return result;
+  };
+  State y = State::Zero();
+  y.template head<TypeParam::dof>().setConstant(0.3);
+  const auto energy = [&] {
+    const Column q = y.template head<TypeParam::dof>(), qd = rates(y);
+    return std::pair(TypeParam::template kinetic<double>(q, qd, this->inertia_),
+                     TypeParam::template potential<double>(q, this->inertia_, g));
+  };
+  const double start = energy().first + energy().second;
+  double scale = 1, worst = 0;
+  constexpr double h = 2e-4;
+  const double a = 0.25, b = std::sqrt(3.0) / 6;
+  for (int step = 0; step < 50'000; ++step) {
+    State k1 = slope(y), k2 = k1;
+    for (int round = 0; round < 6; ++round) {
+      k1 = slope(y + h * (a * k1 + (a - b) * k2));
+      k2 = slope(y + h * ((a + b) * k1 + a * k2));
+    }
+    y += h / 2 * (k1 + k2);
+    const auto [kinetic, potential] = energy();
+    scale = std::max(scale, kinetic);
+    worst = std::max(worst, std::abs(kinetic + potential - start));
+  }
+  EXPECT_LE(worst, 1e-6 * scale);
+}
+
+/// Two seconds under changing joint forces: what they do, integrated along the motion, is the gain in energy.
+TYPED_TEST_P(GeneratedDynamics, WorkOfTheForcesIsTheGainInEnergy) {
+  using Column = typename TypeParam::template Joints<double>;
+  using State = Eigen::Matrix<double, 2 * TypeParam::dof + 1, 1>;
+  const double g = this->gravity;
+  const auto slope = [&](double t, const State& y) -> State {
+    const Column q = y.template head<TypeParam::dof>(),
+                 qd = y.template segment<TypeParam::dof>(TypeParam::dof);
+    const Column torque = Column::Constant(std::sin(3 * t)) - 0.5 * qd;
+    State result;
+    result << qd, TypeParam::template forward<double>(q, qd, torque, this->inertia_, g), torque.dot(qd);
+    return result;
+  };
+  State y = State::Zero();
+  y.template head<TypeParam::dof>().setConstant(0.3);
+  const auto energy = [&] {
+    const Column q = y.template head<TypeParam::dof>(),
+                 qd = y.template segment<TypeParam::dof>(TypeParam::dof);
+    return TypeParam::template kinetic<double>(q, qd, this->inertia_) +
+           TypeParam::template potential<double>(q, this->inertia_, g);
+  };
+  const double start = energy();
+  constexpr double h = 5e-5;
+  for (int step = 0; step < 40'000; ++step) {
+    const double t = step * h;
+    const State k1 = slope(t, y), k2 = slope(t + h / 2, y + h / 2 * k1),
+                k3 = slope(t + h / 2, y + h / 2 * k2), k4 = slope(t + h, y + h * k3);
+    y += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+  }
+  EXPECT_NEAR(energy() - start, y[2 * TypeParam::dof], 1e-7 * (1 + std::abs(start)));
+}
+
+/// Y does not know the inertias: for any of them, that of the description apart, Y b is the inverse dynamics.
+TYPED_TEST_P(GeneratedDynamics, RegressorTakesAnyInertia) {
+  for (int k = 0; k < 20; ++k) {
+    for (reference::Joint& link : this->chain_.joints) {
+      link.mass = 3 + this->random_vector(2).x();
+      link.centre_of_mass = this->random_vector(0.5);
+      const Eigen::Matrix3d any = Eigen::Matrix3d::NullaryExpr([&] { return this->random_vector(0.3).x(); });
+      link.inertia = any * any.transpose();
+    }
+    const Eigen::VectorXd parameters = TypeParam::base_parameters(this->standard_parameters());
+    const auto q = this->random_joints(), qd = this->random_joints(), qdd = this->random_joints();
+    this->expect_close(TypeParam::regressor(q, qd, qdd, this->gravity) * parameters,
+                       this->reference_torque(q, qd, qdd, this->gravity), 1e-11);
+  }
+}
+
+REGISTER_TYPED_TEST_SUITE_P(
+    GeneratedDynamics, InverseDynamicsIsTheReference, GravityInAnyDirectionIsTheReference,
+    MagnitudeOfGravityMeansDownward, WrenchOnTheToolRelievesTheDrivesByTheTransposedJacobian,
+    GravityAndCoriolisAreItsParts, CoriolisMatrixTimesRatesIsTheCoriolisTorque,
+    RateOfMassMatrixMinusTwiceCoriolisMatrixIsSkewSymmetric, MassMatrixIsTheReferenceSymmetricAndPositive,
+    ForwardDynamicsUndoesInverseDynamics, EnergiesAreTheReference, PowerOfTheForcesIsTheRateOfEnergy,
+    LagrangesEquationsGiveTheSameForces, InverseDynamicsSolvesLagrangesEquations,
+    SymplecticFreeSwingKeepsItsEnergy, WorkOfTheForcesIsTheGainInEnergy, RegressorTakesAnyInertia,
+    DerivativesAreThoseOfTheInverseDynamics, RegressorTimesBaseParametersIsInverseDynamicsAndOfFullRank,
+    FreeSwingKeepsItsEnergy);

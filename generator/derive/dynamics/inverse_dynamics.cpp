@@ -155,10 +155,16 @@ class Recursion {
     state.u = u_matrix(state.w, column[0], column[1], wz_rate, suggest_);
     state.v = unrotate(2, joint.angle, in.v) + joint.d * Vector3{column[0], column[1], state.u[2][2]};
     suggest_(unrotate(2, joint.angle, in.v + joint.d * in.column));
+    offer_twisted(in, before);
     if (choices_.unrotated.contains(j)) offer_unrotated(j, in, wz_rate);
     if (j > 0 && is_parallel(j)) offer_parallel(j, before.u);
     arriving_[j] = in;
     return state;
+  }
+
+  /// A turn about x leaves w'_x alone: U23 = w_y w_z - w'_x before it and behind it.
+  void offer_twisted(const Arriving& in, const State& before) {
+    suggest_({before.u[1][2] + (in.w[1] * in.w[2] - before.w[1] * before.w[2])});
   }
 
   /// w' of the link before, as that link's U has it, in the frame before the joint's rotation.

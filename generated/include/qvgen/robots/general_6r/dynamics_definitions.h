@@ -23,11 +23,11 @@ InverseDynamicsConstants<Scalar> inverse_dynamics_constants([[maybe_unused]] con
     [[maybe_unused]] NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.m5 + inertia.m6;
-  const Scalar t1 = inertia.m4 + t0;
-  const Scalar t2 = inertia.m3 + t1;
-  const Scalar t3 = g.a3 * t2;
-  const Scalar t4 = inertia.c2x * inertia.m2;
+  const Scalar t0 = g.d2 / g.a3;
+  const Scalar t1 = g.a2 / g.a3;
+  const Scalar t2 = gravity / g.a3;
+  const Scalar t3 = inertia.m5 + inertia.m6;
+  const Scalar t4 = inertia.m4 + t3;
   const Scalar t5 = inertia.c4z * inertia.m4;
   const Scalar t6 = g.d4 * inertia.m4;
   const Scalar t7 = t5 + t6;
@@ -40,177 +40,169 @@ InverseDynamicsConstants<Scalar> inverse_dynamics_constants([[maybe_unused]] con
   const Scalar t14 = g.d6 * inertia.m6 + t13;
   const Scalar t15 = cos(g.alpha6) * t14;
   const Scalar t16 = t12 - t15;
-  const Scalar t17 = t16 - g.d5 * t0;
+  const Scalar t17 = t16 - g.d5 * t3;
   const Scalar t18 = cos(g.alpha5) * t17;
   const Scalar t19 = t8 - t18;
-  const Scalar t20 = g.d4 * t1 + t19;
+  const Scalar t20 = g.d4 * t4 + t19;
   const Scalar t21 = cos(g.alpha4) * t20;
   const Scalar t22 = g.d3 * inertia.m3;
   const Scalar t23 = inertia.c3z * inertia.m3;
   const Scalar t24 = t23 + t22;
   const Scalar t25 = t22 - t24;
   const Scalar t26 = t21 - t25;
-  const Scalar t27 = t26 + g.d3 * t2;
-  const Scalar t28 = sin(g.alpha3) * t27;
-  const Scalar t29 = inertia.c2y * inertia.m2;
-  const Scalar t30 = (t28 - t29) / (g.d3 * sin(g.alpha3));
-  const Scalar t31 = g.a3 * t30;
-  const Scalar t32 = g.a2 / g.d3;
-  const Scalar t33 = gravity / g.d3;
-  const Scalar t34 = g.d3 * t30;
-  const Scalar t35 = g.d3 * t34;
-  const Scalar t36 = sin(g.alpha4) * t20;
-  const Scalar t37 = inertia.c3y * inertia.m3;
-  const Scalar t38 = g.a4 * t1;
-  const Scalar t39 = inertia.c3x * inertia.m3;
-  const Scalar t40 = inertia.c5y * inertia.m5;
-  const Scalar t41 = sin(g.alpha6) * t14;
-  const Scalar t42 = g.a6 * inertia.m6;
-  const Scalar t43 = inertia.c5x * inertia.m5;
-  const Scalar t44 = inertia.c6x * inertia.m6;
-  const Scalar t45 = inertia.c6y * inertia.m6;
-  const Scalar t46 = sin(g.alpha5) * t17;
-  const Scalar t47 = inertia.c4y * inertia.m4;
-  const Scalar t48 = g.a5 * t0;
-  const Scalar t49 = inertia.c4x * inertia.m4;
-  const Scalar t50 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t51 = g.a3 * t3 + (inertia.c2x * t4 - (inertia.I2xx - t50));
-  const Scalar t52 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t53 = ((inertia.I4zz - t52) - inertia.c4z * t5) - g.d4 * (t7 + t5);
-  const Scalar t54 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t55 = (inertia.c5z * t10 - (inertia.I5zz - t54)) + g.d5 * (t10 + t11);
-  const Scalar t56 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t57 = (inertia.c6z * t13 - (inertia.I6zz - t56)) + g.d6 * (t14 + t13);
-  const Scalar t58 = sin(g.alpha6) * t57;
-  const Scalar t59 = sin(g.alpha6) * t58;
-  const Scalar t60 = (g.d5 * (t12 - t11) + t55) + (t57 - t59);
-  const Scalar t61 = g.d5 * (t16 + t17) - t60;
-  const Scalar t62 = sin(g.alpha5) * t61;
-  const Scalar t63 = sin(g.alpha5) * t62;
-  const Scalar t64 = (g.d4 * (t8 + t7) + t53) - (t63 - t61);
-  const Scalar t65 = t64 - g.d4 * (t19 + t20);
-  const Scalar t66 = sin(g.alpha4) * t65;
-  const Scalar t67 = sin(g.alpha4) * t66;
-  const Scalar t68 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t69 = g.d3 * (t23 + t24) - ((inertia.I3zz - t68) - inertia.c3z * t23);
-  const Scalar t70 = (t67 - t65) + (t69 - g.d3 * (t24 - t25));
-  const Scalar t71 = t70 + g.d3 * (t26 + t27);
-  const Scalar t72 = sin(g.alpha3) * t71;
-  const Scalar t73 = sin(g.alpha3) * t72;
-  const Scalar t74 = sin(g.alpha3) * t35;
-  const Scalar t75 = sin(g.alpha3) * t74;
-  const Scalar t76 = (((inertia.I2yy - t50) - inertia.c2y * t29) - t73) + t75;
-  const Scalar t77 = (g.a3 * t28 + (inertia.I2xy - inertia.c2y * t4)) - g.a3 * sin(g.alpha3) * t34;
-  const Scalar t78 = cos(g.alpha3) * t27;
-  const Scalar t79 = g.d2 * t4;
-  const Scalar t80 = g.a3 * t78 - (((inertia.I2xz - inertia.c2z * t4) - t79) + t79);
-  const Scalar t81 = cos(g.alpha3) * t34;
-  const Scalar t82 = g.d2 * t29;
-  const Scalar t83 = ((t82 - (inertia.I2yz - inertia.c2z * t29)) - t82) - cos(g.alpha3) * t72;
-  const Scalar t84 = g.d5 * t40;
-  const Scalar t85 = (t84 + ((inertia.I5yz - inertia.c5z * t40) - t84)) + cos(g.alpha6) * t58;
-  const Scalar t86 = g.d5 * t43;
-  const Scalar t87 = (t86 - (t86 - (inertia.I5xz - inertia.c5z * t43))) - g.a6 * t15;
-  const Scalar t88 = (inertia.c5x * t43 - (inertia.I5xx - t54)) + g.a6 * t42;
-  const Scalar t89 = inertia.I6xy - inertia.c6y * t44;
-  const Scalar t90 = (inertia.I6xx - t56) - inertia.c6x * t44;
-  const Scalar t91 = (inertia.I6yy - t56) - inertia.c6y * t45;
-  const Scalar t92 = g.d4 * t47;
-  const Scalar t93 = cos(g.alpha5) * t62 - (t92 - (t92 - (inertia.I4yz - inertia.c4z * t47)));
-  const Scalar t94 = g.d4 * t49;
-  const Scalar t95 = g.a5 * t18 + (((inertia.I4xz - inertia.c4z * t49) - t94) + t94);
-  const Scalar t96 = g.a5 * t48 - ((inertia.I4xx - t52) - inertia.c4x * t49);
-  const Scalar t97 = g.d3 * t39;
-  const Scalar t98 = g.a4 * t21 - (t97 - (t97 - (inertia.I3xz - inertia.c3z * t39)));
-  const Scalar t99 = g.d3 * t37;
-  const Scalar t100 = cos(g.alpha4) * t66 - (t99 - (t99 - (inertia.I3yz - inertia.c3z * t37)));
-  const Scalar t101 = g.a4 * t38 + (inertia.c3x * t39 - (inertia.I3xx - t68));
-  const Scalar t102 = g.d2 * inertia.m2;
-  const Scalar t103 = inertia.c2z * inertia.m2;
-  const Scalar t104 = t102 + t103;
-  const Scalar t105 = t102 - t104;
-  const Scalar t106 = g.d2 * (t104 + t103) - ((inertia.I2zz - t50) - inertia.c2z * t103);
-  const Scalar t107 = (g.d2 * (t104 - t105) - t106) + (t73 - t71);
-  const Scalar t108 = t78 - t105;
-  const Scalar t109 = inertia.m2 + t2;
-  const Scalar t110 = t107 - g.d2 * (t108 + (g.d2 * t109 + t108));
-  const Scalar t111 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t112 = sin(g.alpha2) * sin(g.alpha2) * t110 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t111));
-  const Scalar t113 = (t75 - t35) - g.d2 * (t81 + (t81 + g.d2 * t30));
-  const Scalar t114 = g.a2 * g.a2 * t109 + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t111));
-  const Scalar t115 = (t112 - sin(g.alpha2) * sin(g.alpha2) * t113) + (g.a2 * g.a2 * t30 - t114);
-  return { sin(g.alpha2),
-           cos(g.alpha2),
-           g.d3 * ((t3 + t4) - t31),
-           g.a3 / g.d3,
-           sin(g.alpha2) * t32,
-           cos(g.alpha2) * t33,
-           g.d2 / g.d3,
+  const Scalar t27 = inertia.m3 + t4;
+  const Scalar t28 = t26 + g.d3 * t27;
+  const Scalar t29 = sin(g.alpha3) * t28;
+  const Scalar t30 = inertia.c2y * inertia.m2;
+  const Scalar t31 = (t29 - t30) / (g.d3 * sin(g.alpha3));
+  const Scalar t32 = g.a3 * t31;
+  const Scalar t33 = g.a3 * t32;
+  const Scalar t34 = sin(g.alpha4) * t20;
+  const Scalar t35 = inertia.c3y * inertia.m3;
+  const Scalar t36 = g.a4 * t4;
+  const Scalar t37 = inertia.c3x * inertia.m3;
+  const Scalar t38 = g.a5 * t3;
+  const Scalar t39 = inertia.c4x * inertia.m4;
+  const Scalar t40 = sin(g.alpha5) * t17;
+  const Scalar t41 = inertia.c4y * inertia.m4;
+  const Scalar t42 = inertia.c6x * inertia.m6;
+  const Scalar t43 = inertia.c6y * inertia.m6;
+  const Scalar t44 = inertia.c5y * inertia.m5;
+  const Scalar t45 = sin(g.alpha6) * t14;
+  const Scalar t46 = g.a6 * inertia.m6;
+  const Scalar t47 = inertia.c5x * inertia.m5;
+  const Scalar t48 = g.a3 * t27;
+  const Scalar t49 = inertia.c2x * inertia.m2;
+  const Scalar t50 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t51 = g.a5 * t38 - ((inertia.I4xx - t50) - inertia.c4x * t39);
+  const Scalar t52 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t53 = (inertia.c5z * t10 - (inertia.I5zz - t52)) + g.d5 * (t10 + t11);
+  const Scalar t54 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t55 = (inertia.c6z * t13 - (inertia.I6zz - t54)) + g.d6 * (t14 + t13);
+  const Scalar t56 = sin(g.alpha6) * t55;
+  const Scalar t57 = sin(g.alpha6) * t56;
+  const Scalar t58 = (g.d5 * (t12 - t11) + t53) + (t55 - t57);
+  const Scalar t59 = g.d5 * (t16 + t17) - t58;
+  const Scalar t60 = sin(g.alpha5) * t59;
+  const Scalar t61 = sin(g.alpha5) * t60;
+  const Scalar t62 = g.d4 * t41;
+  const Scalar t63 = cos(g.alpha5) * t60 - (t62 - (t62 - (inertia.I4yz - inertia.c4z * t41)));
+  const Scalar t64 = g.d4 * t39;
+  const Scalar t65 = g.a5 * t18 + (((inertia.I4xz - inertia.c4z * t39) - t64) + t64);
+  const Scalar t66 = g.d5 * t44;
+  const Scalar t67 = (t66 + ((inertia.I5yz - inertia.c5z * t44) - t66)) + cos(g.alpha6) * t56;
+  const Scalar t68 = g.d5 * t47;
+  const Scalar t69 = (t68 - (t68 - (inertia.I5xz - inertia.c5z * t47))) - g.a6 * t15;
+  const Scalar t70 = inertia.I6xy - inertia.c6y * t42;
+  const Scalar t71 = (inertia.I6xx - t54) - inertia.c6x * t42;
+  const Scalar t72 = (inertia.I6yy - t54) - inertia.c6y * t43;
+  const Scalar t73 = (inertia.c5x * t47 - (inertia.I5xx - t52)) + g.a6 * t46;
+  const Scalar t74 = g.d3 * t37;
+  const Scalar t75 = g.a4 * t21 - (t74 - (t74 - (inertia.I3xz - inertia.c3z * t37)));
+  const Scalar t76 = ((inertia.I4zz - t50) - inertia.c4z * t5) - g.d4 * (t7 + t5);
+  const Scalar t77 = (g.d4 * (t8 + t7) + t76) - (t61 - t59);
+  const Scalar t78 = t77 - g.d4 * (t19 + t20);
+  const Scalar t79 = sin(g.alpha4) * t78;
+  const Scalar t80 = g.d3 * t35;
+  const Scalar t81 = cos(g.alpha4) * t79 - (t80 - (t80 - (inertia.I3yz - inertia.c3z * t35)));
+  const Scalar t82 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t83 = g.a4 * t36 + (inertia.c3x * t37 - (inertia.I3xx - t82));
+  const Scalar t84 = sin(g.alpha4) * t79;
+  const Scalar t85 = cos(g.alpha3) * t28;
+  const Scalar t86 = g.d2 * t49;
+  const Scalar t87 = g.a3 * t85 - (((inertia.I2xz - inertia.c2z * t49) - t86) + t86);
+  const Scalar t88 = g.d3 * t31;
+  const Scalar t89 = cos(g.alpha3) * t88;
+  const Scalar t90 = g.d2 * t30;
+  const Scalar t91 = g.d3 * (t23 + t24) - ((inertia.I3zz - t82) - inertia.c3z * t23);
+  const Scalar t92 = (t84 - t78) + (t91 - g.d3 * (t24 - t25));
+  const Scalar t93 = t92 + g.d3 * (t26 + t28);
+  const Scalar t94 = sin(g.alpha3) * t93;
+  const Scalar t95 = ((t90 - (inertia.I2yz - inertia.c2z * t30)) - t90) - cos(g.alpha3) * t94;
+  const Scalar t96 = g.d3 * t88;
+  const Scalar t97 = sin(g.alpha3) * t96;
+  const Scalar t98 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t99 = sin(g.alpha3) * t94;
+  const Scalar t100 = sin(g.alpha3) * t97;
+  const Scalar t101 = (((inertia.I2yy - t98) - inertia.c2y * t30) - t99) + t100;
+  const Scalar t102 = (g.a3 * t29 + (inertia.I2xy - inertia.c2y * t49)) - g.a3 * sin(g.alpha3) * t88;
+  const Scalar t103 = g.a3 * t48 + (inertia.c2x * t49 - (inertia.I2xx - t98));
+  const Scalar t104 = g.d2 * inertia.m2;
+  const Scalar t105 = inertia.c2z * inertia.m2;
+  const Scalar t106 = t104 + t105;
+  const Scalar t107 = t104 - t106;
+  const Scalar t108 = g.d2 * (t106 + t105) - ((inertia.I2zz - t98) - inertia.c2z * t105);
+  const Scalar t109 = (g.d2 * (t106 - t107) - t108) + (t99 - t93);
+  const Scalar t110 = t85 - t107;
+  const Scalar t111 = inertia.m2 + t27;
+  const Scalar t112 = t109 - g.d2 * (t110 + (g.d2 * t111 + t110));
+  const Scalar t113 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t114 = sin(g.alpha2) * sin(g.alpha2) * t112 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t113));
+  const Scalar t115 = (t100 - t96) - g.d2 * (t89 + (t89 + g.d2 * t31));
+  const Scalar t116 = g.a2 * g.a2 * t111 + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t113));
+  const Scalar t117 = (t114 - sin(g.alpha2) * sin(g.alpha2) * t115) + (g.a2 * g.a2 * t31 - t116);
+  return { cos(g.alpha2),
            cos(g.alpha3),
-           cos(g.alpha2) * t32,
-           sin(g.alpha2) * t33,
-           t32,
+           sin(g.alpha2),
            sin(g.alpha3),
-           t35,
-           sin(g.alpha3) * sin(g.alpha3),
-           cos(g.alpha3) * sin(g.alpha3),
-           cos(g.alpha3) * cos(g.alpha3),
-           g.d3 * (t36 - t37),
-           g.d3 * (t38 + t39),
+           g.d3 / g.a3,
+           sin(g.alpha2) * t0,
+           sin(g.alpha2) * t1,
+           cos(g.alpha2) * t2,
+           t1,
+           t0,
+           sin(g.alpha2) * t2,
+           cos(g.alpha2) * t0,
+           t33,
+           g.a3 * (t34 - t35),
+           g.a3 * (t36 + t37),
            sin(g.alpha4),
            cos(g.alpha4),
-           cos(g.alpha5),
+           g.a3 * (t38 + t39),
+           g.a3 * (t40 + t41),
+           g.a3 * t42,
+           g.a3 * t43,
            sin(g.alpha5),
-           g.d3 * (t40 - t41),
-           cos(g.alpha4) * cos(g.alpha4),
-           cos(g.alpha4) * sin(g.alpha4),
-           sin(g.alpha4) * sin(g.alpha4),
-           g.d3 * (t42 + t43),
-           g.d3 * t44,
-           g.d3 * t45,
+           cos(g.alpha5),
            sin(g.alpha6),
            cos(g.alpha6),
-           sin(g.alpha5) * sin(g.alpha5),
-           cos(g.alpha5) * sin(g.alpha5),
-           cos(g.alpha5) * cos(g.alpha5),
-           cos(g.alpha6) * sin(g.alpha6),
-           sin(g.alpha6) * sin(g.alpha6),
-           cos(g.alpha6) * cos(g.alpha6),
-           g.d3 * (t46 + t47),
-           g.d3 * (t48 + t49),
-           t51 - g.a3 * t31,
-           t76,
-           t77,
-           t80 - g.a3 * t81,
-           t83 + cos(g.alpha3) * t74,
-           t85,
-           t87,
-           (inertia.I5xy - inertia.c5y * t43) + g.a6 * t41,
-           t88,
-           (inertia.c5y * t40 - (inertia.I5yy - t54)) + t59,
-           g.a5 / g.d3,
-           g.d4 / g.d3,
-           g.a4 / g.d3,
-           g.d5 / g.d3,
-           g.a6 / g.d3,
-           Scalar(2) * t89,
-           t90 - t91,
-           t89,
-           t90,
-           g.d6 * t45 - (inertia.I6yz - inertia.c6z * t45),
-           (inertia.I6xz - inertia.c6z * t44) - g.d6 * t44,
-           t91,
-           t93,
-           t95,
-           t63 + ((inertia.I4yy - t52) - inertia.c4y * t47),
-           t96,
-           g.a5 * t46 - (inertia.I4xy - inertia.c4y * t49),
-           t98,
-           t100,
+           g.a3 * (t44 - t45),
+           g.a3 * (t46 + t47),
+           g.a3 * ((t48 + t49) - t32),
+           g.a4 / g.a3,
+           g.d4 / g.a3,
+           g.a5 * t40 - (inertia.I4xy - inertia.c4y * t39),
+           t51,
+           t61 + ((inertia.I4yy - t50) - inertia.c4y * t41),
+           t63,
+           t65,
+           g.d5 / g.a3,
+           t67,
+           (inertia.c5y * t44 - (inertia.I5yy - t52)) + t57,
+           (inertia.I5xy - inertia.c5y * t47) + g.a6 * t45,
+           t69,
+           g.a5 / g.a3,
+           g.a6 / g.a3,
+           g.d6 * t43 - (inertia.I6yz - inertia.c6z * t43),
+           (inertia.I6xz - inertia.c6z * t42) - g.d6 * t42,
+           Scalar(2) * t70,
+           t71 - t72,
+           t72,
+           t70,
+           t71,
+           t73,
+           t75,
+           t81,
+           (inertia.I3xy - inertia.c3y * t37) + g.a4 * t34,
+           t83,
+           ((inertia.I3yy - t82) - inertia.c3y * t35) + t84,
+           t87 - g.a3 * t89,
+           t95 + cos(g.alpha3) * t97,
            t101,
-           (inertia.I3xy - inertia.c3y * t39) + g.a4 * t36,
-           ((inertia.I3yy - t68) - inertia.c3y * t37) + t67,
-           t115 };
+           t102,
+           t103 - t33,
+           cos(g.alpha2) * t1,
+           t117 };
 }
 
 namespace detail {
@@ -219,240 +211,244 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> inverse_dynamics([[maybe_unused]] const JointVector<Scalar>& q, [[maybe_unused]] const JointVector<Scalar>& qd, [[maybe_unused]] const JointVector<Scalar>& qdd, [[maybe_unused]] const Angles& angles,
     [[maybe_unused]] const InverseDynamicsConstants<Scalar>& k) {
   [[maybe_unused]] const auto& [s, c] = angles;
-  const Scalar t0 = k[1] * qd[0];
-  const Scalar t1 = qd[1] + t0;
-  const Scalar t2 = k[0] * qd[0];
-  const Scalar t3 = c[0] * t2;
-  const Scalar t4 = t1 * t3;
+  const Scalar t0 = k[0] * qd[0];
+  const Scalar t1 = k[2] * qd[0];
+  const Scalar t2 = s[0] * t1;
+  const Scalar t3 = k[2] * qdd[0];
+  const Scalar t4 = t0 * t2 + c[0] * t3;
   const Scalar t5 = k[0] * qdd[0];
-  const Scalar t6 = s[0] * t5 - t0 * t3;
-  const Scalar t7 = (t4 + t6) + t4;
-  const Scalar t8 = t2 * t2;
-  const Scalar t9 = t3 * t3;
-  const Scalar t10 = t1 * t1;
-  const Scalar t11 = t9 - t10;
-  const Scalar t12 = (k[13] * t7 + k[14] * t8) + (k[14] * (t11 - t8) + k[15] * t6);
-  const Scalar t13 = k[9] + k[8] * qdd[0];
-  const Scalar t14 = k[10] * qd[0] * qd[0];
-  const Scalar t15 = k[6] * t6 - (c[0] * t13 + s[0] * t14);
-  const Scalar t16 = qdd[1] + k[1] * qdd[0];
-  const Scalar t17 = s[0] * t2;
-  const Scalar t18 = t17 * t3;
-  const Scalar t19 = t16 + t18;
-  const Scalar t20 = t15 - k[3] * t19;
-  const Scalar t21 = t17 * t0 + c[0] * t5;
-  const Scalar t22 = t17 * t1;
-  const Scalar t23 = t21 - t22;
-  const Scalar t24 = t23 - t22;
-  const Scalar t25 = (k[5] - k[4] * qdd[0]) - k[6] * t8;
-  const Scalar t26 = k[3] * t24 - t25;
-  const Scalar t27 = t12 + (k[7] * t20 + k[11] * t26);
-  const Scalar t28 = (s[0] * t13 - c[0] * t14) + k[6] * t21;
-  const Scalar t29 = t9 + t10;
-  const Scalar t30 = t16 - t18;
-  const Scalar t31 = k[11] * t30 + k[7] * t21;
-  const Scalar t32 = (t28 - k[3] * t29) + t31;
-  const Scalar t33 = s[1] * t27 - c[1] * t32;
-  const Scalar t34 = c[1] * t27 + s[1] * t32;
-  const Scalar t35 = k[11] * t1 + k[7] * t3;
-  const Scalar t36 = c[1] * t35 - s[1] * t17;
-  const Scalar t37 = s[1] * t35 + c[1] * t17;
-  const Scalar t38 = t36 * t37;
-  const Scalar t39 = qdd[2] - (k[11] * t23 - k[7] * t16);
-  const Scalar t40 = t38 - t39;
-  const Scalar t41 = t38 + t39;
-  const Scalar t42 = t37 * t37;
-  const Scalar t43 = t36 * t36;
-  const Scalar t44 = t42 - t43;
-  const Scalar t45 = (k[70] * t40 + k[68] * t41) + k[69] * t44;
-  const Scalar t46 = c[1] * t31 - s[1] * t12;
-  const Scalar t47 = c[1] * t12 + s[1] * t31;
-  const Scalar t48 = (k[16] * t33 + k[17] * t34) - (t45 - (k[67] * t46 + k[66] * t47));
-  const Scalar t49 = qd[2] - (k[11] * t3 - k[7] * t1);
-  const Scalar t50 = k[18] * t49 + k[19] * t36;
-  const Scalar t51 = s[2] * t50 + c[2] * t37;
-  const Scalar t52 = t51 * t51;
-  const Scalar t53 = c[2] * t50 - s[2] * t37;
-  const Scalar t54 = t53 * t53;
-  const Scalar t55 = t52 + t54;
-  const Scalar t56 = k[51] * t41 - t34;
-  const Scalar t57 = t49 * t37;
-  const Scalar t58 = t57 - t46;
-  const Scalar t59 = t57 + t58;
-  const Scalar t60 = t49 * t49;
-  const Scalar t61 = t42 - t60;
-  const Scalar t62 = t43 + t60;
-  const Scalar t63 = t61 + t62;
-  const Scalar t64 = (k[7] * t26 - k[11] * t20) + t63;
-  const Scalar t65 = k[51] * t59 - t64;
-  const Scalar t66 = k[50] * t55 + (k[18] * t56 - k[19] * t65);
-  const Scalar t67 = qd[3] - (k[18] * t36 - k[19] * t49);
-  const Scalar t68 = t67 * t67;
-  const Scalar t69 = t68 + t54;
-  const Scalar t70 = t68 + t52;
-  const Scalar t71 = t69 - t70;
-  const Scalar t72 = t68 - t54;
-  const Scalar t73 = t53 * t51;
-  const Scalar t74 = qdd[3] + (k[18] * t58 + k[19] * t39);
-  const Scalar t75 = t73 - t74;
-  const Scalar t76 = t36 * t49;
-  const Scalar t77 = (t76 + t47) + t76;
-  const Scalar t78 = t44 + t62;
-  const Scalar t79 = (k[25] * t77 + k[24] * t63) + (k[23] * t47 - k[24] * t78);
-  const Scalar t80 = k[18] * t40 - k[19] * t46;
-  const Scalar t81 = c[2] * t79 - s[2] * t80;
-  const Scalar t82 = Scalar(2) * t53 * t67 + t81;
-  const Scalar t83 = t51 * t67;
-  const Scalar t84 = s[2] * t79 + c[2] * t80;
-  const Scalar t85 = t83 + t84;
-  const Scalar t86 = t83 + t85;
-  const Scalar t87 = (k[62] * (t71 + t72) + k[61] * t75) - (k[65] * t82 + k[64] * t86);
-  const Scalar t88 = qd[4] - (k[21] * t53 - k[20] * t67);
-  const Scalar t89 = k[21] * t67 + k[20] * t53;
-  const Scalar t90 = c[3] * t51 + s[3] * t89;
-  const Scalar t91 = t88 * t90;
-  const Scalar t92 = k[20] * t84 + k[21] * t75;
-  const Scalar t93 = (k[33] * t81 - k[32] * t70) + (k[31] * t82 + k[32] * t55);
-  const Scalar t94 = c[3] * t92 + s[3] * t93;
-  const Scalar t95 = t91 + t94;
-  const Scalar t96 = t95 + t91;
-  const Scalar t97 = c[3] * t89 - s[3] * t51;
-  const Scalar t98 = t88 * t97;
-  const Scalar t99 = c[3] * t93 - s[3] * t92;
-  const Scalar t100 = t98 + (t99 + t98);
-  const Scalar t101 = qd[5] - (k[29] * t97 - k[30] * t88);
-  const Scalar t102 = t101 * t101;
-  const Scalar t103 = t90 * t90;
-  const Scalar t104 = t102 + t103;
-  const Scalar t105 = k[28] * c[4] + k[27] * s[4];
-  const Scalar t106 = k[29] * t88 + k[30] * t97;
-  const Scalar t107 = t90 * t106;
-  const Scalar t108 = qdd[4] + (k[21] * t85 + k[20] * t74);
-  const Scalar t109 = qdd[5] + (k[30] * t108 + k[29] * t95);
-  const Scalar t110 = t107 + t109;
-  const Scalar t111 = k[27] * c[4] - k[28] * s[4];
-  const Scalar t112 = t104 * t105 - t110 * t111;
-  const Scalar t113 = t97 * t97;
-  const Scalar t114 = t113 + t103;
-  const Scalar t115 = t88 * t88;
-  const Scalar t116 = t115 - t113;
-  const Scalar t117 = t114 + t116;
-  const Scalar t118 = (k[34] * t114 + k[35] * t100) - (k[34] * t117 - k[36] * t99);
-  const Scalar t119 = Scalar(2) * t106 * t101 + t118;
-  const Scalar t120 = t90 * t97;
-  const Scalar t121 = t108 - t120;
-  const Scalar t122 = k[30] * t94 - k[29] * t121;
-  const Scalar t123 = t122 + Scalar(2) * t90 * t101;
-  const Scalar t124 = t105 * t119 + t123 * t111;
-  const Scalar t125 = k[29] * t112 - k[30] * t124;
-  const Scalar t126 = (k[26] * t96 + k[22] * t100) - t125;
-  const Scalar t127 = t108 + t120;
-  const Scalar t128 = k[29] * t124 + k[30] * t112;
-  const Scalar t129 = (k[26] * t127 - k[22] * t117) - t128;
-  const Scalar t130 = t115 + t113;
-  const Scalar t131 = t102 + t106 * t106;
-  const Scalar t132 = t107 - t109;
-  const Scalar t133 = (k[22] * t121 + k[26] * t130) + (t111 * t131 - t132 * t105);
-  const Scalar t134 = c[3] * t129 - s[3] * t133;
-  const Scalar t135 = k[20] * t126 + k[21] * t134;
-  const Scalar t136 = t66 - k[49] * t86;
-  const Scalar t137 = t73 + t74;
-  const Scalar t138 = k[51] * t62 + t33;
-  const Scalar t139 = k[19] * t56 + k[18] * t65;
-  const Scalar t140 = k[50] * t81 - (s[2] * t138 + c[2] * t139);
-  const Scalar t141 = k[49] * t137 - t140;
-  const Scalar t142 = k[52] * t114 + (k[20] * t136 + k[21] * t141);
-  const Scalar t143 = t142 - k[53] * t96;
-  const Scalar t144 = k[52] * t93 - (k[20] * t141 - k[21] * t136);
-  const Scalar t145 = k[50] * t84 - (s[2] * t139 - c[2] * t138);
-  const Scalar t146 = (t145 + k[49] * t69) + k[52] * t92;
-  const Scalar t147 = c[3] * t144 - s[3] * t146;
-  const Scalar t148 = t147 - k[53] * t127;
-  const Scalar t149 = c[3] * t146 + s[3] * t144;
-  const Scalar t150 = t111 * (k[29] * t143 + k[30] * t148) - (t149 + k[53] * t130) * t105;
-  const Scalar t151 = k[55] * s[4] + k[54] * c[4];
-  const Scalar t152 = s[4] * t151;
-  const Scalar t153 = k[60] + t152;
-  const Scalar t154 = k[57] - t152;
-  const Scalar t155 = t104 - t131;
-  const Scalar t156 = k[56] - c[4] * t151;
-  const Scalar t157 = (t153 * t132 - t110 * t154) - t155 * t156;
-  const Scalar t158 = k[58] * s[4] + k[59] * c[4];
-  const Scalar t159 = k[58] * c[4] - k[59] * s[4];
-  const Scalar t160 = t150 - (t157 + (t158 * t118 + t122 * t159));
-  const Scalar t161 = k[29] * t148 - k[30] * t143;
-  const Scalar t162 = t102 - t103;
-  const Scalar t163 = (t156 * t119 - t123 * t154) - (t159 * t132 + t158 * t162);
-  const Scalar t164 = t161 * t111 + t163;
-  const Scalar t165 = (k[30] * t160 + k[29] * t164) + k[53] * t128;
-  const Scalar t166 = k[46] * (t130 - t117) - (k[47] * t127 + k[48] * t121);
-  const Scalar t167 = (k[26] * t147 - k[22] * t149) + (t166 + (k[44] * t94 - k[45] * t99));
-  const Scalar t168 = t165 + t167;
-  const Scalar t169 = k[44] * t116 + (k[46] * t96 - k[48] * t100);
-  const Scalar t170 = (t153 * t119 - t123 * t156) - t159 * (t155 + t162);
-  const Scalar t171 = ((t169 - k[45] * t127) + k[22] * t142) - (t161 * t105 - (t170 - t110 * t158));
-  const Scalar t172 = k[52] * t129 + t171;
-  const Scalar t173 = k[53] * t125 - (k[30] * t164 - k[29] * t160);
-  const Scalar t174 = (k[47] * t96 - k[46] * t100) + (k[45] * (t114 - t130) - k[44] * t121);
-  const Scalar t175 = k[52] * t133 - (t173 + (k[26] * t142 - t174));
-  const Scalar t176 = s[3] * t172 + c[3] * t175;
-  const Scalar t177 = k[49] * t135 - (k[21] * t168 - k[20] * t176);
-  const Scalar t178 = (k[38] * t69 - k[37] * t75) + (c[3] * t133 + s[3] * t129);
-  const Scalar t179 = ((k[38] * t66 + t87) - t177) - k[50] * t178;
-  const Scalar t180 = (k[65] * t86 - k[63] * t82) + k[61] * t72;
-  const Scalar t181 = (k[37] * t66 - (k[62] * t137 + t180)) + (c[3] * t172 - s[3] * t175);
-  const Scalar t182 = k[20] * t134 - k[21] * t126;
-  const Scalar t183 = (k[37] * t70 - k[38] * t137) - t182;
-  const Scalar t184 = t181 - k[50] * t183;
-  const Scalar t185 = c[2] * t179 - s[2] * t184;
-  const Scalar t186 = (k[64] * t137 + k[63] * t75) + k[65] * t71;
-  const Scalar t187 = (k[37] * t145 - k[38] * t140) + ((k[61] * t84 + k[62] * t81) + t186);
-  const Scalar t188 = k[49] * t182 - (k[21] * t176 + k[20] * t168);
-  const Scalar t189 = t187 + t188;
-  const Scalar t190 = c[2] * t183 + s[2] * t178;
-  const Scalar t191 = t135 + (k[37] * t82 + k[38] * t86);
-  const Scalar t192 = k[19] * t190 + k[18] * t191;
-  const Scalar t193 = (k[18] * t185 + k[19] * t189) - k[51] * t192;
-  const Scalar t194 = t48 - t193;
-  const Scalar t195 = (k[16] * t40 + k[17] * t62) + k[12] * t33;
-  const Scalar t196 = t195 + (c[2] * t178 - s[2] * t183);
-  const Scalar t197 = k[12] * t34 - (k[16] * t78 + k[17] * t41);
-  const Scalar t198 = t192 + t197;
-  const Scalar t199 = c[1] * t196 - s[1] * t198;
-  const Scalar t200 = k[19] * t191 - k[18] * t190;
-  const Scalar t201 = (k[18] * t189 - k[19] * t185) + k[51] * t200;
-  const Scalar t202 = (k[66] * t61 + k[67] * t40) + (k[69] * t77 - k[68] * t59);
-  const Scalar t203 = t201 - (k[17] * t64 + t202);
-  const Scalar t204 = (k[70] * t77 + k[69] * t59) + k[67] * (t43 - t60);
-  const Scalar t205 = ((t204 + k[66] * t41) - k[16] * t64) + (c[2] * t184 + s[2] * t179);
-  const Scalar t206 = t199 + (c[1] * t203 + s[1] * t205);
-  const Scalar t207 = k[12] * t64 + (k[16] * t77 - k[17] * t59);
-  const Scalar t208 = t207 - t200;
-  const Scalar t209 = c[1] * t198 + s[1] * t196;
-  const Scalar t210 = k[11] * t208 - k[7] * t209;
-  const Scalar t211 = (k[7] * t194 + k[11] * t206) - k[3] * t210;
-  const Scalar t212 = t29 - t8;
-  const Scalar t213 = (k[40] * t30 - k[39] * t19) + k[41] * (t212 + t11);
-  const Scalar t214 = k[2] * t15 + ((k[43] * t21 + k[42] * t6) + t213);
-  const Scalar t215 = t211 + t214;
-  const Scalar t216 = t210 + k[2] * t19;
-  const Scalar t217 = k[43] * t11 - (k[41] * t24 - k[40] * t7);
-  const Scalar t218 = (t209 - (c[1] * t205 - s[1] * t203)) - (t217 + k[42] * t19);
-  const Scalar t219 = t199 + k[2] * t29;
-  const Scalar t220 = (k[43] * t30 + k[42] * t212) - (k[39] * t24 + k[41] * t7);
-  const Scalar t221 = k[7] * t208 + k[11] * t209;
-  const Scalar t222 = (k[7] * t206 - k[11] * t194) - k[3] * t221;
-  const Scalar t223 = k[6] * t219 + ((t220 + k[2] * t25) + t222);
-  const Scalar t224 = s[0] * (k[6] * t216 - t218) + c[0] * t223;
-  const Scalar t225 = k[8] * (s[0] * t219 - c[0] * t216) - k[4] * (t221 + k[2] * t24);
-  const Scalar t226 = k[71] * qdd[0] + ((k[1] * t215 + k[0] * t224) + t225);
+  const Scalar t6 = qdd[1] + t5;
+  const Scalar t7 = c[0] * t1;
+  const Scalar t8 = t7 * t2;
+  const Scalar t9 = t6 - t8;
+  const Scalar t10 = k[1] * t4 + k[3] * t9;
+  const Scalar t11 = qd[1] + t0;
+  const Scalar t12 = t7 * t11;
+  const Scalar t13 = t0 * t7 - s[0] * t3;
+  const Scalar t14 = t12 - t13;
+  const Scalar t15 = k[3] * t11 + k[1] * t7;
+  const Scalar t16 = k[1] * t11 - k[3] * t7;
+  const Scalar t17 = t14 - t15 * t16;
+  const Scalar t18 = s[1] * t10 + c[1] * t17;
+  const Scalar t19 = c[1] * t15 - s[1] * t2;
+  const Scalar t20 = qd[2] + t16;
+  const Scalar t21 = t19 * t20;
+  const Scalar t22 = t18 + t21;
+  const Scalar t23 = k[15] * t20 + k[16] * t19;
+  const Scalar t24 = k[15] * t19 - k[16] * t20;
+  const Scalar t25 = t22 + t23 * t24;
+  const Scalar t26 = t11 * t2;
+  const Scalar t27 = t26 - t4;
+  const Scalar t28 = qdd[2] + (k[1] * t6 + k[3] * t27);
+  const Scalar t29 = s[1] * t15 + c[1] * t2;
+  const Scalar t30 = t19 * t29;
+  const Scalar t31 = t28 - t30;
+  const Scalar t32 = s[1] * t17 - c[1] * t10;
+  const Scalar t33 = k[15] * t31 - k[16] * t32;
+  const Scalar t34 = s[2] * t25 - c[2] * t33;
+  const Scalar t35 = qd[3] - t24;
+  const Scalar t36 = s[2] * t23 + c[2] * t29;
+  const Scalar t37 = t35 * t36;
+  const Scalar t38 = t34 + t37;
+  const Scalar t39 = t38 + t37;
+  const Scalar t40 = c[2] * t25 + s[2] * t33;
+  const Scalar t41 = c[2] * t23 - s[2] * t29;
+  const Scalar t42 = t35 * t41;
+  const Scalar t43 = t40 + t42;
+  const Scalar t44 = t43 + t42;
+  const Scalar t45 = k[19] * c[4] - k[20] * s[4];
+  const Scalar t46 = t29 * t20;
+  const Scalar t47 = t32 + t46;
+  const Scalar t48 = qdd[3] + (k[15] * t47 + k[16] * t28);
+  const Scalar t49 = qdd[4] + (k[21] * t38 + k[22] * t48);
+  const Scalar t50 = k[21] * t35 + k[22] * t41;
+  const Scalar t51 = c[3] * t36 + s[3] * t50;
+  const Scalar t52 = s[3] * t36 - c[3] * t50;
+  const Scalar t53 = t51 * t52;
+  const Scalar t54 = t49 + t53;
+  const Scalar t55 = t41 * t36;
+  const Scalar t56 = t48 - t55;
+  const Scalar t57 = k[22] * t34 - k[21] * t56;
+  const Scalar t58 = k[22] * t35 - k[21] * t41;
+  const Scalar t59 = t43 - t50 * t58;
+  const Scalar t60 = c[3] * t57 + s[3] * t59;
+  const Scalar t61 = k[23] * t54 - k[24] * t60;
+  const Scalar t62 = qd[4] + t58;
+  const Scalar t63 = k[24] * t62 + k[23] * t52;
+  const Scalar t64 = qd[5] + t63;
+  const Scalar t65 = t61 - Scalar(2) * t64 * t51;
+  const Scalar t66 = k[19] * s[4] + k[20] * c[4];
+  const Scalar t67 = k[24] * t52 - k[23] * t62;
+  const Scalar t68 = s[3] * t57 - c[3] * t59;
+  const Scalar t69 = t52 * t62;
+  const Scalar t70 = t68 + t69;
+  const Scalar t71 = t70 - t63 * t67;
+  const Scalar t72 = Scalar(2) * t64 * t67 + t71;
+  const Scalar t73 = t45 * t65 + t66 * t72;
+  const Scalar t74 = t64 * t64;
+  const Scalar t75 = t51 * t51;
+  const Scalar t76 = t51 * t67;
+  const Scalar t77 = t51 * t62;
+  const Scalar t78 = t77 + t60;
+  const Scalar t79 = qdd[5] + (k[23] * t78 + k[24] * t49);
+  const Scalar t80 = t76 - t79;
+  const Scalar t81 = t66 * (t74 + t75) + t45 * t80;
+  const Scalar t82 = k[24] * t73 + k[23] * t81;
+  const Scalar t83 = t70 + t69;
+  const Scalar t84 = t77 + t78;
+  const Scalar t85 = t82 + (k[25] * t83 - k[26] * t84);
+  const Scalar t86 = t62 * t62;
+  const Scalar t87 = t86 + t75;
+  const Scalar t88 = t49 - t53;
+  const Scalar t89 = k[24] * t81 - k[23] * t73;
+  const Scalar t90 = (k[25] * t87 - k[26] * t88) + t89;
+  const Scalar t91 = t67 * t67;
+  const Scalar t92 = t76 + t79;
+  const Scalar t93 = t86 + t52 * t52;
+  const Scalar t94 = ((t91 + t74) * t45 + t66 * t92) + (k[26] * t93 + k[25] * t54);
+  const Scalar t95 = c[3] * t90 + s[3] * t94;
+  const Scalar t96 = k[22] * t85 + k[21] * t95;
+  const Scalar t97 = (k[17] * t39 + k[18] * t44) - t96;
+  const Scalar t98 = t48 + t55;
+  const Scalar t99 = t36 * t36;
+  const Scalar t100 = t35 * t35;
+  const Scalar t101 = t99 + t100;
+  const Scalar t102 = k[21] * t85 - k[22] * t95;
+  const Scalar t103 = (k[17] * t98 - k[18] * t101) + t102;
+  const Scalar t104 = s[3] * t90 - c[3] * t94;
+  const Scalar t105 = t41 * t41;
+  const Scalar t106 = t105 - t99;
+  const Scalar t107 = t101 + t106;
+  const Scalar t108 = t104 - (k[17] * t107 + k[18] * t56);
+  const Scalar t109 = c[2] * t103 + s[2] * t108;
+  const Scalar t110 = k[16] * t97 + k[15] * t109;
+  const Scalar t111 = k[9] * t3 - k[8] * qd[0] * qd[0];
+  const Scalar t112 = qd[0] * t1;
+  const Scalar t113 = k[11] * t112 + (k[10] + k[8] * t5);
+  const Scalar t114 = s[0] * t111 - c[0] * t113;
+  const Scalar t115 = t6 + t8;
+  const Scalar t116 = t114 - t115;
+  const Scalar t117 = t26 + t27;
+  const Scalar t118 = (k[7] - k[6] * qdd[0]) - k[5] * t112;
+  const Scalar t119 = t117 + t118;
+  const Scalar t120 = t29 * t29;
+  const Scalar t121 = t20 * t20;
+  const Scalar t122 = t120 - t121;
+  const Scalar t123 = t19 * t19;
+  const Scalar t124 = t123 + t121;
+  const Scalar t125 = t122 + t124;
+  const Scalar t126 = (k[3] * t116 + k[1] * t119) - k[4] * t125;
+  const Scalar t127 = t47 + t46;
+  const Scalar t128 = t21 + t22;
+  const Scalar t129 = k[12] * t126 + (k[14] * t127 - k[13] * t128);
+  const Scalar t130 = t110 + t129;
+  const Scalar t131 = t123 - t120;
+  const Scalar t132 = t122 + t131;
+  const Scalar t133 = t28 + t30;
+  const Scalar t134 = t11 * t11;
+  const Scalar t135 = t7 * t7;
+  const Scalar t136 = t134 + t135;
+  const Scalar t137 = t136 - (c[0] * t111 + s[0] * t113);
+  const Scalar t138 = k[1] * t116 - k[3] * t119;
+  const Scalar t139 = (s[1] * t137 - c[1] * t138) - k[4] * t18;
+  const Scalar t140 = (k[13] * (t125 - t132) + k[14] * t133) + k[12] * t139;
+  const Scalar t141 = k[16] * t109 - k[15] * t97;
+  const Scalar t142 = t140 + t141;
+  const Scalar t143 = k[4] * t32 + (s[1] * t138 + c[1] * t137);
+  const Scalar t144 = (k[13] * t31 - k[14] * t124) - k[12] * t143;
+  const Scalar t145 = t144 + (c[2] * t108 - s[2] * t103);
+  const Scalar t146 = c[1] * t142 + s[1] * t145;
+  const Scalar t147 = k[1] * t130 + k[3] * t146;
+  const Scalar t148 = (k[54] * t31 - k[53] * t133) + k[52] * t131;
+  const Scalar t149 = (k[13] * t143 - k[14] * t139) - ((k[51] * t32 - k[50] * t18) - t148);
+  const Scalar t150 = k[28] * t127 + t126;
+  const Scalar t151 = k[28] * t133 + t139;
+  const Scalar t152 = k[29] * t25 - (k[15] * t150 + k[16] * t151);
+  const Scalar t153 = k[29] * t33 - (t143 + k[28] * t124);
+  const Scalar t154 = c[2] * t152 + s[2] * t153;
+  const Scalar t155 = t154 - k[40] * t98;
+  const Scalar t156 = t105 - t100;
+  const Scalar t157 = (k[16] * t150 - k[15] * t151) - k[29] * (t101 + t156);
+  const Scalar t158 = k[40] * t39 + t157;
+  const Scalar t159 = t86 - t75;
+  const Scalar t160 = t87 - t93;
+  const Scalar t161 = t159 + t160;
+  const Scalar t162 = (k[21] * t155 + k[22] * t158) + k[35] * (t161 - t87);
+  const Scalar t163 = (k[39] * t159 + k[36] * t54) - (k[38] * t83 + k[49] * t84);
+  const Scalar t164 = k[21] * t158 - k[22] * t155;
+  const Scalar t165 = s[2] * t152 - c[2] * t153;
+  const Scalar t166 = t165 + k[40] * t107;
+  const Scalar t167 = k[35] * t68 + (c[3] * t164 + s[3] * t166);
+  const Scalar t168 = k[41] * t88 + t167;
+  const Scalar t169 = t162 + k[41] * t84;
+  const Scalar t170 = k[23] * t168 - k[24] * t169;
+  const Scalar t171 = k[42] * s[4] + k[43] * c[4];
+  const Scalar t172 = k[43] * s[4] - k[42] * c[4];
+  const Scalar t173 = k[44] * c[4] + k[45] * s[4];
+  const Scalar t174 = k[47] - c[4] * t173;
+  const Scalar t175 = s[4] * t173;
+  const Scalar t176 = k[48] - t175;
+  const Scalar t177 = ((t74 - t75) * t171 + t172 * t92) + (t174 * t72 - t176 * t65);
+  const Scalar t178 = t45 * t170 + t177;
+  const Scalar t179 = k[35] * t60 - (s[3] * t164 - c[3] * t166);
+  const Scalar t180 = t45 * (k[23] * t169 + k[24] * t168) + t66 * (t179 + k[41] * t93);
+  const Scalar t181 = k[46] + t175;
+  const Scalar t182 = (t92 * t181 - t176 * t80) - t174 * (t91 - t75);
+  const Scalar t183 = t180 - ((t71 * t171 - t61 * t172) + t182);
+  const Scalar t184 = (k[24] * t178 - k[23] * t183) + k[41] * t82;
+  const Scalar t185 = (k[26] * t162 - t163) - t184;
+  const Scalar t186 = (k[37] * t83 + k[38] * t84) + k[36] * t161;
+  const Scalar t187 = t172 * (t91 - t74) - (t174 * t65 - t181 * t72);
+  const Scalar t188 = ((k[39] * t88 - t186) + k[25] * t162) + ((t187 - t171 * t80) - t66 * t170);
+  const Scalar t189 = (c[3] * t185 - s[3] * t188) - k[35] * t104;
+  const Scalar t190 = k[38] * t160 + (k[49] * t88 + k[37] * t54);
+  const Scalar t191 = (t190 - (k[36] * t60 + k[39] * t68)) + (k[25] * t179 + k[26] * t167);
+  const Scalar t192 = k[41] * t89 - (k[23] * t178 + k[24] * t183);
+  const Scalar t193 = t191 - t192;
+  const Scalar t194 = (k[21] * t189 - k[22] * t193) - k[40] * t102;
+  const Scalar t195 = k[30] * t106 + (k[31] * t98 - k[32] * t56);
+  const Scalar t196 = (t195 + (k[34] * t40 + k[33] * t34)) - (k[17] * t154 - k[18] * t165);
+  const Scalar t197 = t194 - t196;
+  const Scalar t198 = (k[31] * t39 + k[30] * t44) + (k[33] * t56 + k[34] * (t99 - t100));
+  const Scalar t199 = (k[21] * t193 + k[22] * t189) - k[40] * t96;
+  const Scalar t200 = k[29] * t108 - ((t198 + k[17] * t157) + t199);
+  const Scalar t201 = k[33] * t156 + (k[32] * t44 - k[30] * t39);
+  const Scalar t202 = k[35] * t95 + (c[3] * t188 + s[3] * t185);
+  const Scalar t203 = (k[18] * t157 - (t201 - k[34] * t98)) + t202;
+  const Scalar t204 = k[29] * t103 - t203;
+  const Scalar t205 = c[2] * t200 - s[2] * t204;
+  const Scalar t206 = k[28] * t141 - (k[16] * t197 - k[15] * t205);
+  const Scalar t207 = t149 - t206;
+  const Scalar t208 = (k[54] * t128 + k[52] * t127) + k[51] * t132;
+  const Scalar t209 = ((t208 + k[50] * t133) + k[13] * t126) + (s[2] * t200 + c[2] * t204);
+  const Scalar t210 = t209 + k[4] * t142;
+  const Scalar t211 = (k[15] * t197 + k[16] * t205) - k[28] * t110;
+  const Scalar t212 = (k[52] * t128 - k[53] * t127) - (k[51] * t31 - k[50] * t122);
+  const Scalar t213 = (t211 + (t212 - k[14] * t126)) + k[4] * t145;
+  const Scalar t214 = s[1] * t210 - c[1] * t213;
+  const Scalar t215 = t134 - t135;
+  const Scalar t216 = t2 * t2 - t135;
+  const Scalar t217 = t12 + t14;
+  const Scalar t218 = (k[55] * (t215 - t216) + k[56] * t9) - (k[58] * t217 - k[59] * t117);
+  const Scalar t219 = (t147 - (k[3] * t207 - k[1] * t214)) + (k[27] * t118 + t218);
+  const Scalar t220 = (c[1] * t145 - s[1] * t142) - k[27] * t136;
+  const Scalar t221 = k[1] * t146 - k[3] * t130;
+  const Scalar t222 = t221 + k[27] * t115;
+  const Scalar t223 = k[56] * t215 - (k[58] * t117 + k[57] * t217);
+  const Scalar t224 = (s[1] * t213 + c[1] * t210) - (t223 - k[55] * t115);
+  const Scalar t225 = c[0] * (t219 - k[9] * t220) + s[0] * (k[9] * t222 + t224);
+  const Scalar t226 = (k[57] * t9 - k[59] * t115) - k[58] * t216;
+  const Scalar t227 = k[27] * t114 + (t226 + (k[56] * t4 - k[55] * t13));
+  const Scalar t228 = t227 - (t221 - (k[3] * t214 + k[1] * t207));
+  const Scalar t229 = k[60] * (s[0] * t220 + c[0] * t222) - k[6] * (t147 + k[27] * t117);
+  const Scalar t230 = ((k[2] * t225 + k[0] * t228) - t229) + k[61] * qdd[0];
   JointVector<Scalar> result;
-  result[0] = -t226;
-  result[1] = -t215;
-  result[2] = -t194;
-  result[3] = t189;
-  result[4] = -t168;
-  result[5] = -t160;
+  result[0] = -t230;
+  result[1] = -t228;
+  result[2] = -t207;
+  result[3] = -t197;
+  result[4] = t193;
+  result[5] = t183;
   return result;
 }
 
@@ -587,178 +583,167 @@ CoriolisTorqueConstants<Scalar> coriolis_torque_constants([[maybe_unused]] const
   using std::sin;
   const Scalar t0 = inertia.m5 + inertia.m6;
   const Scalar t1 = inertia.m4 + t0;
-  const Scalar t2 = inertia.c4z * inertia.m4;
-  const Scalar t3 = g.d4 * inertia.m4;
-  const Scalar t4 = t2 + t3;
-  const Scalar t5 = t4 - t3;
-  const Scalar t6 = g.d5 * inertia.m5;
-  const Scalar t7 = inertia.c5z * inertia.m5;
-  const Scalar t8 = t7 + t6;
-  const Scalar t9 = t6 - t8;
-  const Scalar t10 = inertia.c6z * inertia.m6;
-  const Scalar t11 = g.d6 * inertia.m6 + t10;
-  const Scalar t12 = cos(g.alpha6) * t11;
-  const Scalar t13 = t9 - t12;
-  const Scalar t14 = t13 - g.d5 * t0;
-  const Scalar t15 = cos(g.alpha5) * t14;
-  const Scalar t16 = t5 - t15;
-  const Scalar t17 = g.d4 * t1 + t16;
-  const Scalar t18 = sin(g.alpha4) * t17;
-  const Scalar t19 = inertia.c3y * inertia.m3;
-  const Scalar t20 = (t18 - t19) / (g.d4 * sin(g.alpha4));
-  const Scalar t21 = g.d4 * t20;
-  const Scalar t22 = cos(g.alpha4) * t21;
-  const Scalar t23 = g.d3 * t20 + t22;
-  const Scalar t24 = sin(g.alpha3) * t23;
-  const Scalar t25 = cos(g.alpha4) * t17;
-  const Scalar t26 = g.d3 * inertia.m3;
-  const Scalar t27 = inertia.c3z * inertia.m3;
-  const Scalar t28 = t27 + t26;
-  const Scalar t29 = t26 - t28;
-  const Scalar t30 = t25 - t29;
-  const Scalar t31 = inertia.m3 + t1;
-  const Scalar t32 = t30 + g.d3 * t31;
-  const Scalar t33 = sin(g.alpha3) * t32;
-  const Scalar t34 = inertia.c2y * inertia.m2;
-  const Scalar t35 = g.a3 * t31;
-  const Scalar t36 = inertia.c2x * inertia.m2;
-  const Scalar t37 = g.a3 * t20;
-  const Scalar t38 = g.a4 * t1;
-  const Scalar t39 = inertia.c3x * inertia.m3;
-  const Scalar t40 = g.a4 * t20;
-  const Scalar t41 = inertia.c6x * inertia.m6;
-  const Scalar t42 = inertia.c6y * inertia.m6;
-  const Scalar t43 = inertia.c5y * inertia.m5;
-  const Scalar t44 = sin(g.alpha6) * t11;
-  const Scalar t45 = g.a6 * inertia.m6;
-  const Scalar t46 = inertia.c5x * inertia.m5;
-  const Scalar t47 = g.a2 / g.d2;
-  const Scalar t48 = sin(g.alpha5) * t14;
-  const Scalar t49 = inertia.c4y * inertia.m4;
-  const Scalar t50 = g.a5 * t0;
-  const Scalar t51 = inertia.c4x * inertia.m4;
-  const Scalar t52 = g.d3 * t39;
-  const Scalar t53 = g.a4 * t25 - (t52 - (t52 - (inertia.I3xz - inertia.c3z * t39)));
-  const Scalar t54 = g.d4 * t21;
+  const Scalar t2 = g.a4 * t1;
+  const Scalar t3 = inertia.c3x * inertia.m3;
+  const Scalar t4 = inertia.c4z * inertia.m4;
+  const Scalar t5 = g.d4 * inertia.m4;
+  const Scalar t6 = t4 + t5;
+  const Scalar t7 = t6 - t5;
+  const Scalar t8 = g.d5 * inertia.m5;
+  const Scalar t9 = inertia.c5z * inertia.m5;
+  const Scalar t10 = t9 + t8;
+  const Scalar t11 = t8 - t10;
+  const Scalar t12 = inertia.c6z * inertia.m6;
+  const Scalar t13 = g.d6 * inertia.m6 + t12;
+  const Scalar t14 = cos(g.alpha6) * t13;
+  const Scalar t15 = t11 - t14;
+  const Scalar t16 = t15 - g.d5 * t0;
+  const Scalar t17 = cos(g.alpha5) * t16;
+  const Scalar t18 = t7 - t17;
+  const Scalar t19 = g.d4 * t1 + t18;
+  const Scalar t20 = sin(g.alpha4) * t19;
+  const Scalar t21 = inertia.c3y * inertia.m3;
+  const Scalar t22 = (t20 - t21) / (g.d4 * sin(g.alpha4));
+  const Scalar t23 = g.a4 * t22;
+  const Scalar t24 = g.a2 / g.d2;
+  const Scalar t25 = sin(g.alpha5) * t16;
+  const Scalar t26 = inertia.c4y * inertia.m4;
+  const Scalar t27 = g.a5 * t0;
+  const Scalar t28 = inertia.c4x * inertia.m4;
+  const Scalar t29 = inertia.c6x * inertia.m6;
+  const Scalar t30 = inertia.c6y * inertia.m6;
+  const Scalar t31 = g.a6 * inertia.m6;
+  const Scalar t32 = inertia.c5x * inertia.m5;
+  const Scalar t33 = inertia.c5y * inertia.m5;
+  const Scalar t34 = sin(g.alpha6) * t13;
+  const Scalar t35 = g.d4 * t22;
+  const Scalar t36 = ((inertia.I3xy - inertia.c3y * t3) + g.a4 * t20) - g.a4 * sin(g.alpha4) * t35;
+  const Scalar t37 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t38 = g.a4 * t2 + (inertia.c3x * t3 - (inertia.I3xx - t37));
+  const Scalar t39 = g.d4 * t35;
+  const Scalar t40 = sin(g.alpha4) * t39;
+  const Scalar t41 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t42 = ((inertia.I4zz - t41) - inertia.c4z * t4) - g.d4 * (t6 + t4);
+  const Scalar t43 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t44 = (inertia.c5z * t9 - (inertia.I5zz - t43)) + g.d5 * (t9 + t10);
+  const Scalar t45 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t46 = (inertia.c6z * t12 - (inertia.I6zz - t45)) + g.d6 * (t13 + t12);
+  const Scalar t47 = sin(g.alpha6) * t46;
+  const Scalar t48 = sin(g.alpha6) * t47;
+  const Scalar t49 = (g.d5 * (t11 - t10) + t44) + (t46 - t48);
+  const Scalar t50 = g.d5 * (t15 + t16) - t49;
+  const Scalar t51 = sin(g.alpha5) * t50;
+  const Scalar t52 = sin(g.alpha5) * t51;
+  const Scalar t53 = (g.d4 * (t7 + t6) + t42) - (t52 - t50);
+  const Scalar t54 = t53 - g.d4 * (t18 + t19);
   const Scalar t55 = sin(g.alpha4) * t54;
-  const Scalar t56 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t57 = ((inertia.I4zz - t56) - inertia.c4z * t2) - g.d4 * (t4 + t2);
-  const Scalar t58 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t59 = (inertia.c5z * t7 - (inertia.I5zz - t58)) + g.d5 * (t7 + t8);
-  const Scalar t60 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t61 = (inertia.c6z * t10 - (inertia.I6zz - t60)) + g.d6 * (t11 + t10);
-  const Scalar t62 = sin(g.alpha6) * t61;
-  const Scalar t63 = sin(g.alpha6) * t62;
-  const Scalar t64 = (g.d5 * (t9 - t8) + t59) + (t61 - t63);
-  const Scalar t65 = g.d5 * (t13 + t14) - t64;
-  const Scalar t66 = sin(g.alpha5) * t65;
-  const Scalar t67 = sin(g.alpha5) * t66;
-  const Scalar t68 = (g.d4 * (t5 + t4) + t57) - (t67 - t65);
-  const Scalar t69 = t68 - g.d4 * (t16 + t17);
-  const Scalar t70 = sin(g.alpha4) * t69;
-  const Scalar t71 = g.d3 * t19;
-  const Scalar t72 = cos(g.alpha4) * t70 - (t71 - (t71 - (inertia.I3yz - inertia.c3z * t19)));
-  const Scalar t73 = sin(g.alpha4) * t55;
-  const Scalar t74 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t75 = sin(g.alpha4) * t70;
-  const Scalar t76 = t73 + (((inertia.I3yy - t74) - inertia.c3y * t19) + t75);
-  const Scalar t77 = g.a4 * t38 + (inertia.c3x * t39 - (inertia.I3xx - t74));
-  const Scalar t78 = ((inertia.I3xy - inertia.c3y * t39) + g.a4 * t18) - g.a4 * sin(g.alpha4) * t21;
-  const Scalar t79 = g.d5 * t46;
-  const Scalar t80 = (t79 - (t79 - (inertia.I5xz - inertia.c5z * t46))) - g.a6 * t12;
-  const Scalar t81 = g.d5 * t43;
-  const Scalar t82 = (t81 + ((inertia.I5yz - inertia.c5z * t43) - t81)) + cos(g.alpha6) * t62;
-  const Scalar t83 = inertia.I6xy - inertia.c6y * t41;
-  const Scalar t84 = (inertia.I6xx - t60) - inertia.c6x * t41;
-  const Scalar t85 = (inertia.I6yy - t60) - inertia.c6y * t42;
-  const Scalar t86 = (inertia.c5x * t46 - (inertia.I5xx - t58)) + g.a6 * t45;
-  const Scalar t87 = g.d4 * t49;
-  const Scalar t88 = cos(g.alpha5) * t66 - (t87 - (t87 - (inertia.I4yz - inertia.c4z * t49)));
-  const Scalar t89 = g.d4 * t51;
-  const Scalar t90 = g.a5 * t15 + (((inertia.I4xz - inertia.c4z * t51) - t89) + t89);
-  const Scalar t91 = g.a5 * t50 - ((inertia.I4xx - t56) - inertia.c4x * t51);
-  const Scalar t92 = g.d2 * t36;
-  const Scalar t93 = g.a3 * cos(g.alpha3) * t32 - (((inertia.I2xz - inertia.c2z * t36) - t92) + t92);
-  const Scalar t94 = g.d2 * t34;
-  const Scalar t95 = g.d3 * (t27 + t28) - ((inertia.I3zz - t74) - inertia.c3z * t27);
-  const Scalar t96 = (t75 - t69) + (t95 - g.d3 * (t28 - t29));
-  const Scalar t97 = sin(g.alpha3) * (t96 + g.d3 * (t30 + t32));
-  const Scalar t98 = ((t94 - (inertia.I2yz - inertia.c2z * t34)) - t94) - cos(g.alpha3) * t97;
-  const Scalar t99 = sin(g.alpha3) * (g.d3 * (t23 + t22) + (t54 - t73));
+  const Scalar t56 = g.d3 * t21;
+  const Scalar t57 = cos(g.alpha4) * t55 - (t56 - (t56 - (inertia.I3yz - inertia.c3z * t21)));
+  const Scalar t58 = cos(g.alpha4) * t19;
+  const Scalar t59 = g.d3 * t3;
+  const Scalar t60 = g.a4 * t58 - (t59 - (t59 - (inertia.I3xz - inertia.c3z * t3)));
+  const Scalar t61 = cos(g.alpha4) * t35;
+  const Scalar t62 = g.d4 * t28;
+  const Scalar t63 = g.a5 * t17 + (((inertia.I4xz - inertia.c4z * t28) - t62) + t62);
+  const Scalar t64 = g.d4 * t26;
+  const Scalar t65 = cos(g.alpha5) * t51 - (t64 - (t64 - (inertia.I4yz - inertia.c4z * t26)));
+  const Scalar t66 = g.a5 * t27 - ((inertia.I4xx - t41) - inertia.c4x * t28);
+  const Scalar t67 = inertia.I6xy - inertia.c6y * t29;
+  const Scalar t68 = (inertia.I6xx - t45) - inertia.c6x * t29;
+  const Scalar t69 = (inertia.I6yy - t45) - inertia.c6y * t30;
+  const Scalar t70 = g.d5 * t32;
+  const Scalar t71 = (t70 - (t70 - (inertia.I5xz - inertia.c5z * t32))) - g.a6 * t14;
+  const Scalar t72 = g.d5 * t33;
+  const Scalar t73 = (t72 + ((inertia.I5yz - inertia.c5z * t33) - t72)) + cos(g.alpha6) * t47;
+  const Scalar t74 = (inertia.c5x * t32 - (inertia.I5xx - t43)) + g.a6 * t31;
+  const Scalar t75 = sin(g.alpha4) * t40;
+  const Scalar t76 = sin(g.alpha4) * t55;
+  const Scalar t77 = t75 + (((inertia.I3yy - t37) - inertia.c3y * t21) + t76);
+  const Scalar t78 = g.d3 * t22 + t61;
+  const Scalar t79 = sin(g.alpha3) * t78;
+  const Scalar t80 = g.d3 * inertia.m3;
+  const Scalar t81 = inertia.c3z * inertia.m3;
+  const Scalar t82 = t81 + t80;
+  const Scalar t83 = t80 - t82;
+  const Scalar t84 = t58 - t83;
+  const Scalar t85 = inertia.m3 + t1;
+  const Scalar t86 = t84 + g.d3 * t85;
+  const Scalar t87 = sin(g.alpha3) * t86;
+  const Scalar t88 = inertia.c2y * inertia.m2;
+  const Scalar t89 = g.a3 * t85;
+  const Scalar t90 = inertia.c2x * inertia.m2;
+  const Scalar t91 = g.a3 * t22;
+  const Scalar t92 = g.d2 * t90;
+  const Scalar t93 = g.a3 * cos(g.alpha3) * t86 - (((inertia.I2xz - inertia.c2z * t90) - t92) + t92);
+  const Scalar t94 = g.d2 * t88;
+  const Scalar t95 = g.d3 * (t81 + t82) - ((inertia.I3zz - t37) - inertia.c3z * t81);
+  const Scalar t96 = (t76 - t54) + (t95 - g.d3 * (t82 - t83));
+  const Scalar t97 = sin(g.alpha3) * (t96 + g.d3 * (t84 + t86));
+  const Scalar t98 = ((t94 - (inertia.I2yz - inertia.c2z * t88)) - t94) - cos(g.alpha3) * t97;
+  const Scalar t99 = sin(g.alpha3) * (g.d3 * (t78 + t61) + (t39 - t75));
   const Scalar t100 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t101 = ((inertia.I2yy - t100) - inertia.c2y * t34) - sin(g.alpha3) * t97;
-  const Scalar t102 = g.a3 * t35 + (inertia.c2x * t36 - (inertia.I2xx - t100));
-  const Scalar t103 = (t101 + sin(g.alpha3) * t99) + (t102 - g.a3 * t37);
-  const Scalar t104 = g.a3 * t24 - (g.a3 * t33 + (inertia.I2xy - inertia.c2y * t36));
-  return { g.d2 * (t24 - (t33 - t34)),
-           g.d2 * ((t35 + t36) - t37),
-           sin(g.alpha2),
+  const Scalar t101 = ((inertia.I2yy - t100) - inertia.c2y * t88) - sin(g.alpha3) * t97;
+  const Scalar t102 = g.a3 * t89 + (inertia.c2x * t90 - (inertia.I2xx - t100));
+  const Scalar t103 = (t101 + sin(g.alpha3) * t99) + (t102 - g.a3 * t91);
+  const Scalar t104 = g.a3 * t79 - (g.a3 * t87 + (inertia.I2xy - inertia.c2y * t90));
+  return { sin(g.alpha2),
+           sin(g.alpha3),
            cos(g.alpha2),
            cos(g.alpha3),
-           sin(g.alpha3),
-           g.d2 * ((t38 + t39) - t40),
-           g.d2 * t41,
-           g.d2 * t42,
-           cos(g.alpha3) * sin(g.alpha3),
-           cos(g.alpha3) * cos(g.alpha3),
-           sin(g.alpha3) * sin(g.alpha3),
+           g.d2 * ((t2 + t3) - t23),
            sin(g.alpha4),
            cos(g.alpha4),
-           cos(g.alpha5),
-           cos(g.alpha4) * sin(g.alpha4),
-           sin(g.alpha4) * sin(g.alpha4),
-           cos(g.alpha4) * cos(g.alpha4),
-           sin(g.alpha5),
-           cos(g.alpha6),
-           sin(g.alpha5) * sin(g.alpha5),
-           cos(g.alpha5) * sin(g.alpha5),
-           cos(g.alpha5) * cos(g.alpha5),
-           sin(g.alpha6),
-           g.d2 * (t43 - t44),
-           g.d2 * (t45 + t46),
-           cos(g.alpha6) * cos(g.alpha6),
-           cos(g.alpha6) * sin(g.alpha6),
-           sin(g.alpha6) * sin(g.alpha6),
            g.d4 / g.d2,
-           g.a4 / g.d2,
            g.d3 / g.d2,
            g.a3 / g.d2,
-           t47,
-           g.d2 * g.d2 * t20,
-           g.d2 * (t48 + t49),
-           g.d2 * (t50 + t51),
-           sin(g.alpha2) * t47,
-           cos(g.alpha2) * t47,
-           t53 - g.a4 * t22,
-           cos(g.alpha4) * t55 + t72,
-           t76,
-           g.a4 * t40 - t77,
-           t78,
-           g.a5 / g.d2,
-           t80,
-           t82,
-           (inertia.c5y * t43 - (inertia.I5yy - t58)) + t63,
-           (inertia.I5xy - inertia.c5y * t46) + g.a6 * t44,
+           t24,
+           sin(g.alpha2) * sin(g.alpha2),
+           g.a4 / g.d2,
+           g.d2 * g.d2 * t22,
+           g.d2 * (t25 + t26),
+           g.d2 * (t27 + t28),
+           sin(g.alpha5),
+           cos(g.alpha5),
+           sin(g.alpha6),
+           cos(g.alpha6),
+           g.d2 * t29,
+           g.d2 * t30,
+           g.d2 * (t31 + t32),
+           g.d2 * (t33 - t34),
+           t36,
+           g.a4 * t23 - t38,
+           cos(g.alpha4) * t40 + t57,
+           t60 - g.a4 * t61,
+           t63,
+           t65,
+           g.a5 * t25 - (inertia.I4xy - inertia.c4y * t28),
+           t52 + ((inertia.I4yy - t41) - inertia.c4y * t26),
+           t66,
            g.d5 / g.d2,
-           Scalar(2) * t83,
-           t84 - t85,
-           t83,
-           t85,
-           g.d6 * t42 - (inertia.I6yz - inertia.c6z * t42),
-           (inertia.I6xz - inertia.c6z * t41) - g.d6 * t41,
            g.a6 / g.d2,
-           t86,
-           t84,
-           t88,
-           t90,
-           t91,
-           t67 + ((inertia.I4yy - t56) - inertia.c4y * t49),
-           g.a5 * t48 - (inertia.I4xy - inertia.c4y * t51),
-           g.a3 * cos(g.alpha3) * t23 - t93,
+           g.d6 * t30 - (inertia.I6yz - inertia.c6z * t30),
+           (inertia.I6xz - inertia.c6z * t29) - g.d6 * t29,
+           Scalar(2) * t67,
+           t68 - t69,
+           t68,
+           t69,
+           t67,
+           g.a5 / g.d2,
+           t71,
+           t73,
+           t74,
+           (inertia.I5xy - inertia.c5y * t32) + g.a6 * t34,
+           (inertia.c5y * t33 - (inertia.I5yy - t43)) + t48,
+           t77,
+           g.d2 * (t79 - (t87 - t88)),
+           g.d2 * ((t89 + t90) - t91),
+           g.a3 * cos(g.alpha3) * t78 - t93,
            t98 + cos(g.alpha3) * t99,
            t103,
            Scalar(2) * t104,
-           t104 };
+           t104,
+           sin(g.alpha2) * t24,
+           cos(g.alpha2) * t24 };
 }
 
 namespace detail {
@@ -767,229 +752,234 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> coriolis_torque([[maybe_unused]] const JointVector<Scalar>& q, [[maybe_unused]] const JointVector<Scalar>& qd, [[maybe_unused]] const Angles& angles,
     [[maybe_unused]] const CoriolisTorqueConstants<Scalar>& k) {
   [[maybe_unused]] const auto& [s, c] = angles;
-  const Scalar t0 = k[2] * qd[0];
-  const Scalar t1 = c[0] * t0;
-  const Scalar t2 = k[5] * t1;
-  const Scalar t3 = k[3] * qd[0];
-  const Scalar t4 = qd[1] + t3;
-  const Scalar t5 = qd[2] - (t2 - k[4] * t4);
-  const Scalar t6 = t5 * t5;
-  const Scalar t7 = k[4] * t1 + k[5] * t4;
-  const Scalar t8 = s[0] * t0;
-  const Scalar t9 = s[1] * t7 + c[1] * t8;
-  const Scalar t10 = t9 * t9;
-  const Scalar t11 = t6 - t10;
-  const Scalar t12 = s[1] * t8 - c[1] * t7;
-  const Scalar t13 = t12 * t12;
-  const Scalar t14 = t10 + t13;
-  const Scalar t15 = t11 + t14;
-  const Scalar t16 = t4 * t0;
-  const Scalar t17 = qd[1] * t0;
-  const Scalar t18 = t16 + t17;
-  const Scalar t19 = t0 * t0;
-  const Scalar t20 = t3 * t1;
-  const Scalar t21 = t1 * t1;
-  const Scalar t22 = t4 * t4;
-  const Scalar t23 = t22 + t19;
-  const Scalar t24 = (k[11] * c[0] * t18 + k[9] * t19) - (k[10] * t20 - k[9] * (t21 - t23));
-  const Scalar t25 = t16 - t17;
-  const Scalar t26 = s[0] * t25;
-  const Scalar t27 = k[4] * t26 - t2 * t8;
-  const Scalar t28 = c[1] * t24 + s[1] * t27;
-  const Scalar t29 = t5 * t12;
-  const Scalar t30 = t28 - (t29 + t29);
-  const Scalar t31 = t10 - t13;
-  const Scalar t32 = (k[16] * t30 + k[15] * t14) - (k[15] * (t15 + t31) - k[17] * t28);
-  const Scalar t33 = t9 * t5;
-  const Scalar t34 = c[1] * t27 - s[1] * t24;
-  const Scalar t35 = t33 - t34;
-  const Scalar t36 = t33 + t35;
-  const Scalar t37 = k[33] * qd[0] * qd[0];
-  const Scalar t38 = (s[0] * t37 + t20) + k[32] * t1 * t8;
-  const Scalar t39 = t19 - k[32] * s[0] * t18;
-  const Scalar t40 = k[31] * t14 + (k[5] * t38 + k[4] * t39);
-  const Scalar t41 = k[30] * t36 - t40;
-  const Scalar t42 = k[5] * qd[1] * t8;
-  const Scalar t43 = t9 * t12;
-  const Scalar t44 = t42 - t43;
-  const Scalar t45 = k[32] * (t22 + t21) - (t26 - c[0] * t37);
-  const Scalar t46 = k[5] * t39 - k[4] * t38;
-  const Scalar t47 = (s[1] * t45 - c[1] * t46) - k[31] * t28;
-  const Scalar t48 = k[30] * t44 + t47;
-  const Scalar t49 = k[29] * t32 - (k[12] * t41 + k[13] * t48);
-  const Scalar t50 = k[31] * t34 - (c[1] * t45 + s[1] * t46);
-  const Scalar t51 = t42 + t43;
-  const Scalar t52 = k[12] * t51 + k[13] * t34;
-  const Scalar t53 = (k[30] * t15 - t50) - k[29] * t52;
-  const Scalar t54 = c[2] * t49 - s[2] * t53;
-  const Scalar t55 = qd[3] + (k[12] * t12 + k[13] * t5);
-  const Scalar t56 = t55 * t55;
-  const Scalar t57 = k[12] * t5 - k[13] * t12;
-  const Scalar t58 = s[2] * t57 + c[2] * t9;
+  const Scalar t0 = k[50] * s[0] + k[49] * c[0];
+  const Scalar t1 = k[2] * qd[0];
+  const Scalar t2 = k[0] * qd[0];
+  const Scalar t3 = t1 * t2;
+  const Scalar t4 = qd[1] + t1;
+  const Scalar t5 = t4 * t2;
+  const Scalar t6 = t3 - (t5 + t5);
+  const Scalar t7 = c[0] * t2;
+  const Scalar t8 = k[1] * t4 + k[3] * t7;
+  const Scalar t9 = s[0] * t2;
+  const Scalar t10 = s[1] * t8 + c[1] * t9;
+  const Scalar t11 = k[1] * t7 - k[3] * t4;
+  const Scalar t12 = qd[2] - t11;
+  const Scalar t13 = t10 * t12;
+  const Scalar t14 = qd[1] * t7 + t8 * t11;
+  const Scalar t15 = s[0] * t3;
+  const Scalar t16 = t9 * t7;
+  const Scalar t17 = k[3] * t15 - k[1] * t16;
+  const Scalar t18 = s[1] * t14 - c[1] * t17;
+  const Scalar t19 = t18 + t13;
+  const Scalar t20 = t13 + t19;
+  const Scalar t21 = s[1] * t9 - c[1] * t8;
+  const Scalar t22 = k[5] * t21 + k[6] * t12;
+  const Scalar t23 = k[5] * t12 - k[6] * t21;
+  const Scalar t24 = s[1] * t17 + c[1] * t14;
+  const Scalar t25 = t21 * t12;
+  const Scalar t26 = t24 - t25;
+  const Scalar t27 = t22 * t23 - t26;
+  const Scalar t28 = t21 * t10;
+  const Scalar t29 = t9 * k[1] * qd[1];
+  const Scalar t30 = t28 + t29;
+  const Scalar t31 = k[6] * t18 - k[5] * t30;
+  const Scalar t32 = s[2] * t27 - c[2] * t31;
+  const Scalar t33 = qd[0] * qd[0];
+  const Scalar t34 = k[10] * t33;
+  const Scalar t35 = c[0] * t34 - t15;
+  const Scalar t36 = t4 * t4;
+  const Scalar t37 = t35 + k[9] * (t7 * t7 + t36);
+  const Scalar t38 = k[11] * t33;
+  const Scalar t39 = t38 + k[9] * s[0] * t6;
+  const Scalar t40 = t1 * t7 + s[0] * t34;
+  const Scalar t41 = t40 + k[9] * t16;
+  const Scalar t42 = k[1] * t39 - k[3] * t41;
+  const Scalar t43 = k[8] * t18 + (c[1] * t37 + s[1] * t42);
+  const Scalar t44 = t12 * t12;
+  const Scalar t45 = t21 * t21;
+  const Scalar t46 = t44 + t45;
+  const Scalar t47 = t43 + k[12] * t46;
+  const Scalar t48 = k[8] * t24 + (c[1] * t42 - s[1] * t37);
+  const Scalar t49 = t28 - t29;
+  const Scalar t50 = t48 + k[12] * t49;
+  const Scalar t51 = t44 - t10 * t10;
+  const Scalar t52 = k[8] * (t51 - t46) - (k[1] * t41 + k[3] * t39);
+  const Scalar t53 = k[12] * t20 + t52;
+  const Scalar t54 = k[6] * t50 - k[5] * t53;
+  const Scalar t55 = k[7] * t32 - (c[2] * t47 + s[2] * t54);
+  const Scalar t56 = qd[3] + t22;
+  const Scalar t57 = t56 * t56;
+  const Scalar t58 = c[2] * t23 - s[2] * t10;
   const Scalar t59 = t58 * t58;
-  const Scalar t60 = t56 + t59;
-  const Scalar t61 = k[13] * t42 + k[12] * t35;
-  const Scalar t62 = s[2] * t9 - c[2] * t57;
-  const Scalar t63 = t58 * t62;
-  const Scalar t64 = t61 - t63;
-  const Scalar t65 = k[34] * t54 + (k[35] * t60 - k[36] * t64);
-  const Scalar t66 = k[18] * t55 - k[14] * t62;
-  const Scalar t67 = c[3] * t66 - s[3] * t58;
-  const Scalar t68 = t67 * t67;
-  const Scalar t69 = c[3] * t58 + s[3] * t66;
-  const Scalar t70 = t69 * t69;
-  const Scalar t71 = t68 - t70;
-  const Scalar t72 = qd[4] + (k[18] * t62 + k[14] * t55);
-  const Scalar t73 = t68 - t72 * t72;
-  const Scalar t74 = t71 - t73;
-  const Scalar t75 = t68 + t70;
-  const Scalar t76 = t74 + t75;
-  const Scalar t77 = t67 * t69;
-  const Scalar t78 = s[2] * t32 - c[2] * t52;
-  const Scalar t79 = t58 * t55;
-  const Scalar t80 = t78 + t79;
-  const Scalar t81 = k[18] * t80 + k[14] * t61;
-  const Scalar t82 = t77 - t81;
-  const Scalar t83 = qd[5] - (k[23] * t67 - k[19] * t72);
-  const Scalar t84 = t83 * t83;
-  const Scalar t85 = k[19] * t67 + k[23] * t72;
-  const Scalar t86 = t85 * t85;
-  const Scalar t87 = t84 + t86;
-  const Scalar t88 = k[7] * c[4] - k[8] * s[4];
-  const Scalar t89 = k[8] * c[4] + k[7] * s[4];
-  const Scalar t90 = t69 * t85;
-  const Scalar t91 = t61 + t63;
-  const Scalar t92 = k[14] * t78 - k[18] * t91;
-  const Scalar t93 = s[2] * t52 + c[2] * t32;
-  const Scalar t94 = t62 * t62;
-  const Scalar t95 = t59 + t94;
-  const Scalar t96 = t55 * t62;
-  const Scalar t97 = t93 - (t96 + t96);
-  const Scalar t98 = (k[22] * t93 - k[21] * t60) + (k[21] * t95 + k[20] * t97);
-  const Scalar t99 = c[3] * t92 + s[3] * t98;
-  const Scalar t100 = t69 * t72;
-  const Scalar t101 = t99 + t100;
-  const Scalar t102 = k[23] * t101 + k[19] * t81;
-  const Scalar t103 = t90 - t102;
-  const Scalar t104 = (k[25] * t76 - k[24] * t82) + (t87 * t88 - t89 * t103);
-  const Scalar t105 = t90 + t102;
-  const Scalar t106 = t70 - t86;
-  const Scalar t107 = t105 * t88 - t89 * (t106 + t87);
-  const Scalar t108 = t67 * t72;
-  const Scalar t109 = c[3] * t98 - s[3] * t92;
-  const Scalar t110 = t108 + (t108 + t109);
-  const Scalar t111 = t71 - t76;
-  const Scalar t112 = (k[27] * t75 + k[28] * t110) + (k[26] * t109 + k[27] * t111);
-  const Scalar t113 = t112 + Scalar(2) * t83 * t85;
-  const Scalar t114 = k[23] * t82 + k[19] * t99;
-  const Scalar t115 = t114 + Scalar(2) * t69 * t83;
-  const Scalar t116 = t89 * t113 + t115 * t88;
-  const Scalar t117 = k[19] * t107 - k[23] * t116;
-  const Scalar t118 = t77 + t81;
-  const Scalar t119 = t117 + (k[24] * t111 + k[25] * t118);
-  const Scalar t120 = s[3] * t104 - c[3] * t119;
-  const Scalar t121 = k[23] * t107 + k[19] * t116;
-  const Scalar t122 = t101 + t100;
-  const Scalar t123 = t121 + (k[24] * t110 + k[25] * t122);
-  const Scalar t124 = k[14] * t120 + k[18] * t123;
-  const Scalar t125 = t65 + t124;
-  const Scalar t126 = c[2] * t53 + s[2] * t49;
-  const Scalar t127 = t59 - t94;
-  const Scalar t128 = t127 - t60;
-  const Scalar t129 = k[34] * t126 + (k[35] * t91 - k[36] * t128);
-  const Scalar t130 = (c[3] * t104 + s[3] * t119) + t129;
-  const Scalar t131 = k[6] * t15 - (s[2] * t125 - c[2] * t130);
-  const Scalar t132 = k[18] * t120 - k[14] * t123;
-  const Scalar t133 = t79 + t80;
-  const Scalar t134 = (k[13] * t41 - k[12] * t48) - k[29] * t95;
-  const Scalar t135 = (k[35] * t97 + k[36] * t133) + k[34] * t134;
-  const Scalar t136 = t132 - t135;
-  const Scalar t137 = s[2] * t130 + c[2] * t125;
-  const Scalar t138 = k[12] * t136 - k[13] * t137;
-  const Scalar t139 = t138 + k[6] * t44;
-  const Scalar t140 = c[1] * t131 + s[1] * t139;
-  const Scalar t141 = c[1] * t139 - s[1] * t131;
-  const Scalar t142 = k[13] * t136 + k[12] * t137;
-  const Scalar t143 = k[6] * t36 - t142;
-  const Scalar t144 = k[4] * t141 - k[5] * t143;
-  const Scalar t145 = k[1] * s[0] + k[0] * c[0];
-  const Scalar t146 = (s[0] * t140 - c[0] * t144) + t22 * t145;
-  const Scalar t147 = k[5] * t141 + k[4] * t143;
-  const Scalar t148 = k[38] * t146 + k[37] * (t147 + t145 * t18);
-  const Scalar t149 = (k[42] * t36 + k[43] * t30) - (k[40] * t51 + k[39] * t11);
-  const Scalar t150 = t54 - k[44] * t64;
-  const Scalar t151 = k[44] * t133 + t134;
-  const Scalar t152 = k[49] * t75 - (k[18] * t150 + k[14] * t151);
-  const Scalar t153 = t152 - k[56] * t122;
-  const Scalar t154 = k[18] * t151 - k[14] * t150;
-  const Scalar t155 = k[44] * t128 - t126;
-  const Scalar t156 = (c[3] * t154 - s[3] * t155) - k[49] * t109;
-  const Scalar t157 = k[56] * t118 + t156;
-  const Scalar t158 = k[19] * t153 + k[23] * t157;
-  const Scalar t159 = k[55] * s[4] - k[54] * c[4];
-  const Scalar t160 = k[54] * s[4] + k[55] * c[4];
-  const Scalar t161 = k[51] * s[4] + k[50] * c[4];
-  const Scalar t162 = s[4] * t161;
-  const Scalar t163 = k[58] - t162;
-  const Scalar t164 = k[52] - c[4] * t161;
-  const Scalar t165 = (t103 * t159 + t160 * (t70 - t84)) - (t115 * t163 - t113 * t164);
-  const Scalar t166 = t158 * t88 - t165;
-  const Scalar t167 = k[53] + t162;
-  const Scalar t168 = (t105 * t163 - t167 * t103) + t106 * t164;
-  const Scalar t169 = (c[3] * t155 + s[3] * t154) - k[49] * t99;
-  const Scalar t170 = t89 * (k[56] * t76 - t169) + (k[19] * t157 - k[23] * t153) * t88;
-  const Scalar t171 = ((t114 * t159 - t160 * t112) + t168) - t170;
-  const Scalar t172 = (k[23] * t166 - k[19] * t171) + k[56] * t117;
-  const Scalar t173 = k[48] * t71 + (k[47] * t82 - k[57] * t118);
-  const Scalar t174 = (k[24] * t169 - k[25] * t156) - ((k[45] * t109 - k[46] * t99) - t173);
-  const Scalar t175 = t172 - t174;
-  const Scalar t176 = (k[48] * t110 - k[57] * t122) + (k[45] * t74 - k[46] * t82);
-  const Scalar t177 = (k[19] * t166 + k[23] * t171) - k[56] * t121;
-  const Scalar t178 = ((t176 + k[25] * t152) + t177) - k[49] * t104;
-  const Scalar t179 = k[46] * t73 + (k[47] * t110 - k[48] * t122);
-  const Scalar t180 = t159 * (t84 - t86) - (t115 * t164 - t167 * t113);
-  const Scalar t181 = ((k[45] * t118 + t179) - k[24] * t152) - (t89 * t158 - (t105 * t160 - t180));
-  const Scalar t182 = t181 - k[49] * t119;
-  const Scalar t183 = c[3] * t178 + s[3] * t182;
-  const Scalar t184 = k[44] * t132 - (k[18] * t175 - k[14] * t183);
-  const Scalar t185 = t56 - t94;
-  const Scalar t186 = (k[63] * t97 + k[61] * t133) + (k[59] * t91 - k[60] * (t185 - t127));
-  const Scalar t187 = (t184 - (k[36] * t134 + t186)) - k[29] * t130;
-  const Scalar t188 = k[59] * t185 + (k[63] * t133 - k[62] * t97);
-  const Scalar t189 = (s[3] * t178 - c[3] * t182) - (k[35] * t134 + (k[60] * t64 + t188));
-  const Scalar t190 = t189 - k[29] * t125;
-  const Scalar t191 = c[2] * t187 - s[2] * t190;
-  const Scalar t192 = (k[62] * t91 - k[61] * t64) + k[63] * t127;
-  const Scalar t193 = (k[35] * t126 - k[36] * t54) + ((k[60] * t93 + k[59] * t78) - t192);
-  const Scalar t194 = (k[14] * t175 + k[18] * t183) - k[44] * t124;
-  const Scalar t195 = t193 + t194;
-  const Scalar t196 = (k[13] * t191 - k[12] * t195) + k[30] * t142;
-  const Scalar t197 = k[31] * t131 - ((k[6] * t40 + t149) + t196);
-  const Scalar t198 = k[40] * (t6 - t13) - (k[41] * t30 + k[43] * t36);
-  const Scalar t199 = (s[2] * t187 + c[2] * t190) + (k[39] * t44 - t198);
-  const Scalar t200 = k[31] * t139 + t199;
-  const Scalar t201 = s[0] * (t144 - (s[1] * t197 - c[1] * t200));
-  const Scalar t202 = (k[42] * t44 + k[41] * t51) - k[43] * t31;
-  const Scalar t203 = (t202 + (k[40] * t34 + k[39] * t28)) - k[6] * t47;
-  const Scalar t204 = k[30] * t138 + (k[12] * t191 + k[13] * t195);
-  const Scalar t205 = t203 - t204;
-  const Scalar t206 = s[1] * t200 + c[1] * t197;
-  const Scalar t207 = k[32] * t147 - (k[5] * t205 - k[4] * t206);
-  const Scalar t208 = k[0] * s[0] - k[1] * c[0];
-  const Scalar t209 = k[64] * c[0] + k[65] * s[0];
-  const Scalar t210 = k[68] - c[0] * (k[67] * c[0] + k[66] * s[0]);
-  const Scalar t211 = t208 * t19 - (t22 * t209 + t210 * t18);
-  const Scalar t212 = ((t201 + c[0] * (t140 + t207)) + t211) - t208 * t23;
-  const Scalar t213 = k[32] * t144 - (k[4] * t205 + k[5] * t206);
-  const Scalar t214 = (t19 * t210 + t209 * t25) + (t208 * t25 - t37 * t145);
-  const Scalar t215 = t213 - t214;
+  const Scalar t60 = t57 + t59;
+  const Scalar t61 = c[2] * t10 + s[2] * t23;
+  const Scalar t62 = t61 * t58;
+  const Scalar t63 = k[6] * t29 + k[5] * t19;
+  const Scalar t64 = t62 - t63;
+  const Scalar t65 = k[13] * t55 - (k[15] * t60 - k[14] * t64);
+  const Scalar t66 = k[20] * c[4] - k[21] * s[4];
+  const Scalar t67 = k[17] * t58 + k[16] * t56;
+  const Scalar t68 = s[3] * t61 - c[3] * t67;
+  const Scalar t69 = k[16] * t58 - k[17] * t56;
+  const Scalar t70 = qd[4] - t69;
+  const Scalar t71 = k[19] * t68 - k[18] * t70;
+  const Scalar t72 = t71 * t71;
+  const Scalar t73 = k[19] * t70 + k[18] * t68;
+  const Scalar t74 = qd[5] + t73;
+  const Scalar t75 = t74 * t74;
+  const Scalar t76 = t72 + t75;
+  const Scalar t77 = k[21] * c[4] + k[20] * s[4];
+  const Scalar t78 = s[3] * t67 + c[3] * t61;
+  const Scalar t79 = t71 * t78;
+  const Scalar t80 = t56 * t61;
+  const Scalar t81 = t80 - t32;
+  const Scalar t82 = k[16] * t81 + k[17] * t63;
+  const Scalar t83 = k[17] * t32 - k[16] * t64;
+  const Scalar t84 = c[2] * t27 + s[2] * t31;
+  const Scalar t85 = t56 * t58;
+  const Scalar t86 = t84 - t85;
+  const Scalar t87 = t86 - t67 * t69;
+  const Scalar t88 = c[3] * t83 + s[3] * t87;
+  const Scalar t89 = t70 * t78;
+  const Scalar t90 = t88 - t89;
+  const Scalar t91 = k[19] * t82 - k[18] * t90;
+  const Scalar t92 = t79 + t91;
+  const Scalar t93 = t68 * t68;
+  const Scalar t94 = t70 * t70;
+  const Scalar t95 = t93 + t94;
+  const Scalar t96 = t68 * t78;
+  const Scalar t97 = t96 + t82;
+  const Scalar t98 = (t66 * t76 + t77 * t92) + (k[22] * t95 + k[23] * t97);
+  const Scalar t99 = t78 * t78;
+  const Scalar t100 = t99 - t75;
+  const Scalar t101 = t72 - t75;
+  const Scalar t102 = t100 - t101;
+  const Scalar t103 = t79 - t91;
+  const Scalar t104 = t77 * (t102 + t76) + t103 * t66;
+  const Scalar t105 = t71 * t74;
+  const Scalar t106 = s[3] * t83 - c[3] * t87;
+  const Scalar t107 = t68 * t70;
+  const Scalar t108 = t106 - t107;
+  const Scalar t109 = t73 * t71 + t108;
+  const Scalar t110 = t105 + (t105 - t109);
+  const Scalar t111 = t74 * t78;
+  const Scalar t112 = k[18] * t97 + k[19] * t88;
+  const Scalar t113 = t111 + (t111 - t112);
+  const Scalar t114 = t110 * t77 - t66 * t113;
+  const Scalar t115 = k[19] * t104 - k[18] * t114;
+  const Scalar t116 = t99 + t93;
+  const Scalar t117 = t93 - t94;
+  const Scalar t118 = t96 - t82;
+  const Scalar t119 = t115 + (k[23] * (t116 - t117) + k[22] * t118);
+  const Scalar t120 = c[3] * t98 - s[3] * t119;
+  const Scalar t121 = t65 - t120;
+  const Scalar t122 = c[3] * t119 + s[3] * t98;
+  const Scalar t123 = k[19] * t114 + k[18] * t104;
+  const Scalar t124 = t90 - t89;
+  const Scalar t125 = t108 - t107;
+  const Scalar t126 = t123 + (k[22] * t124 - k[23] * t125);
+  const Scalar t127 = k[17] * t122 - k[16] * t126;
+  const Scalar t128 = (s[2] * t47 - c[2] * t54) + k[7] * t84;
+  const Scalar t129 = t62 + t63;
+  const Scalar t130 = t61 * t61;
+  const Scalar t131 = t130 + t57;
+  const Scalar t132 = k[13] * t128 + (k[15] * t129 - k[14] * t131);
+  const Scalar t133 = t127 - t132;
+  const Scalar t134 = s[2] * t121 - c[2] * t133;
+  const Scalar t135 = t80 + t81;
+  const Scalar t136 = t86 - t85;
+  const Scalar t137 = t130 + t59;
+  const Scalar t138 = k[7] * t137 - (k[5] * t50 + k[6] * t53);
+  const Scalar t139 = (k[15] * t135 - k[14] * t136) - k[13] * t138;
+  const Scalar t140 = k[17] * t126 + k[16] * t122;
+  const Scalar t141 = t139 - t140;
+  const Scalar t142 = k[5] * t134 + k[6] * t141;
+  const Scalar t143 = k[4] * t20 + t142;
+  const Scalar t144 = k[6] * t134 - k[5] * t141;
+  const Scalar t145 = t144 - k[4] * t49;
+  const Scalar t146 = k[4] * t46 - (c[2] * t121 + s[2] * t133);
+  const Scalar t147 = c[1] * t145 - s[1] * t146;
+  const Scalar t148 = k[3] * t143 + k[1] * t147;
+  const Scalar t149 = s[1] * t145 + c[1] * t146;
+  const Scalar t150 = k[1] * t143 - k[3] * t147;
+  const Scalar t151 = t0 * t36 + (s[0] * t149 + c[0] * t150);
+  const Scalar t152 = k[56] * (t0 * t6 - t148) - k[57] * t151;
+  const Scalar t153 = k[50] * c[0] - k[49] * s[0];
+  const Scalar t154 = t25 - t26;
+  const Scalar t155 = (k[25] * t20 - k[24] * t154) - (k[27] * t51 + k[26] * t30);
+  const Scalar t156 = t55 - k[42] * t60;
+  const Scalar t157 = k[42] * t135 - t138;
+  const Scalar t158 = t128 + k[42] * t129;
+  const Scalar t159 = k[16] * t157 + k[17] * t158;
+  const Scalar t160 = (c[3] * t156 + s[3] * t159) + k[33] * t88;
+  const Scalar t161 = (k[17] * t157 - k[16] * t158) - k[33] * t116;
+  const Scalar t162 = k[34] * t124 - t161;
+  const Scalar t163 = (s[3] * t156 - c[3] * t159) + k[33] * t106;
+  const Scalar t164 = t163 + k[34] * t118;
+  const Scalar t165 = t77 * (k[34] * t95 - t160) - (k[18] * t162 + k[19] * t164) * t66;
+  const Scalar t166 = k[35] * c[4] - k[36] * s[4];
+  const Scalar t167 = k[36] * c[4] + k[35] * s[4];
+  const Scalar t168 = k[37] * c[4] + k[38] * s[4];
+  const Scalar t169 = s[4] * t168;
+  const Scalar t170 = k[40] + t169;
+  const Scalar t171 = k[39] - t169;
+  const Scalar t172 = k[41] - c[4] * t168;
+  const Scalar t173 = (t92 * t170 - t103 * t171) + t172 * t102;
+  const Scalar t174 = t165 - ((t112 * t166 - t109 * t167) + t173);
+  const Scalar t175 = (t110 * t172 + t113 * t171) - (t92 * t166 + t100 * t167);
+  const Scalar t176 = k[19] * t162 - k[18] * t164;
+  const Scalar t177 = t175 + t66 * t176;
+  const Scalar t178 = k[34] * t115 - (k[19] * t174 + k[18] * t177);
+  const Scalar t179 = k[46] * (t99 - t93) + (k[47] * t97 - k[45] * t118);
+  const Scalar t180 = (t179 + (k[44] * t88 + k[43] * t106)) - (k[23] * t160 + k[22] * t163);
+  const Scalar t181 = t178 - t180;
+  const Scalar t182 = t101 * t166 - (t110 * t170 + t172 * t113);
+  const Scalar t183 = (k[47] * t125 + k[46] * t124) + k[44] * t117;
+  const Scalar t184 = ((t103 * t167 + t182) + t77 * t176) - ((t183 - k[43] * t118) + k[23] * t161);
+  const Scalar t185 = k[34] * t123 + (k[19] * t177 - k[18] * t174);
+  const Scalar t186 = (k[46] * t125 + k[45] * t124) - (k[43] * (t99 - t94) - k[44] * t97);
+  const Scalar t187 = t185 - (k[22] * t161 - t186);
+  const Scalar t188 = k[33] * t120 + (s[3] * t184 - c[3] * t187);
+  const Scalar t189 = (k[17] * t181 + k[16] * t188) + k[42] * t127;
+  const Scalar t190 = k[30] * (t60 - t131) + (k[32] * t129 + k[31] * t64);
+  const Scalar t191 = (k[14] * t55 - k[15] * t128) - (t190 - (k[29] * t32 + k[28] * t84));
+  const Scalar t192 = t189 + t191;
+  const Scalar t193 = k[33] * t122 - (s[3] * t187 + c[3] * t184);
+  const Scalar t194 = k[29] * (t57 - t59) + (k[30] * t135 + k[31] * t136);
+  const Scalar t195 = t193 + ((k[28] * t129 + t194) - k[14] * t138);
+  const Scalar t196 = k[7] * t133 + t195;
+  const Scalar t197 = (k[17] * t188 - k[16] * t181) - k[42] * t140;
+  const Scalar t198 = (k[28] * (t60 - t137) + k[29] * t64) + (k[30] * t136 - k[32] * t135);
+  const Scalar t199 = k[7] * t121 - (t197 - (t198 + k[15] * t138));
+  const Scalar t200 = s[2] * t196 + c[2] * t199;
+  const Scalar t201 = k[12] * t142 - (k[5] * t192 + k[6] * t200);
+  const Scalar t202 = ((k[4] * t52 - t155) + t201) + k[8] * t146;
+  const Scalar t203 = t44 - t45;
+  const Scalar t204 = (k[24] * t20 - k[48] * t154) - k[26] * t203;
+  const Scalar t205 = (k[27] * t49 - t204) - (s[2] * t199 - c[2] * t196);
+  const Scalar t206 = t205 - k[8] * t145;
+  const Scalar t207 = s[0] * (t150 + (s[1] * t202 + c[1] * t206));
+  const Scalar t208 = (k[25] * t49 - k[48] * t30) + k[24] * (t203 - t51);
+  const Scalar t209 = ((k[27] * t24 - k[26] * t18) - t208) + k[4] * t48;
+  const Scalar t210 = (k[5] * t200 - k[6] * t192) + k[12] * t144;
+  const Scalar t211 = t209 - t210;
+  const Scalar t212 = s[1] * t206 - c[1] * t202;
+  const Scalar t213 = (k[1] * t211 + k[3] * t212) - k[9] * t148;
+  const Scalar t214 = k[55] - c[0] * (k[53] * s[0] + k[54] * c[0]);
+  const Scalar t215 = k[52] * s[0] + k[51] * c[0];
+  const Scalar t216 = (t6 * t214 - t215 * t36) - t38 * t153;
+  const Scalar t217 = (t38 + t36) * t153 - ((t207 + c[0] * (t213 - t149)) - t216);
+  const Scalar t218 = (k[50] * t40 + k[49] * t35) - (t3 * t215 + t38 * t214);
+  const Scalar t219 = (k[3] * t211 - k[1] * t212) + k[9] * t150;
+  const Scalar t220 = t218 - t219;
   JointVector<Scalar> result;
-  result[0] = -t148 - (k[2] * t212 - k[3] * t215);
-  result[1] = t215;
-  result[2] = -t205;
-  result[3] = t195;
-  result[4] = t175;
-  result[5] = -t171;
+  result[0] = t152 - (k[0] * t217 - k[2] * t220);
+  result[1] = t220;
+  result[2] = -t211;
+  result[3] = -t192;
+  result[4] = -t181;
+  result[5] = t174;
   return result;
 }
 
@@ -2238,223 +2228,211 @@ ForwardDynamicsConstants<Scalar> forward_dynamics_constants([[maybe_unused]] con
   using std::sin;
   const Scalar t0 = inertia.c6x * inertia.m6;
   const Scalar t1 = inertia.c6y * inertia.m6;
-  const Scalar t2 = g.a5 / g.d2;
-  const Scalar t3 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t4 = (inertia.I6xx - t3) - inertia.c6x * t0;
-  const Scalar t5 = (inertia.I6yy - t3) - inertia.c6y * t1;
-  const Scalar t6 = t4 + t5;
-  const Scalar t7 = g.a6 / g.d2;
-  const Scalar t8 = g.d4 / g.d2;
-  const Scalar t9 = g.a4 / g.d2;
-  const Scalar t10 = g.a2 / g.d2;
-  const Scalar t11 = g.a3 / g.d2;
+  const Scalar t2 = g.a2 / g.d2;
+  const Scalar t3 = g.a5 / g.d2;
+  const Scalar t4 = g.a6 / g.d2;
+  const Scalar t5 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t6 = (inertia.I6xx - t5) - inertia.c6x * t0;
+  const Scalar t7 = (inertia.I6yy - t5) - inertia.c6y * t1;
+  const Scalar t8 = t6 + t7;
+  const Scalar t9 = g.d5 / g.d2;
+  const Scalar t10 = g.d4 / g.d2;
+  const Scalar t11 = g.a4 / g.d2;
   const Scalar t12 = g.d3 / g.d2;
-  const Scalar t13 = g.a6 * inertia.m6;
-  const Scalar t14 = inertia.c5x * inertia.m5;
-  const Scalar t15 = inertia.c5y * inertia.m5;
-  const Scalar t16 = inertia.c6z * inertia.m6;
-  const Scalar t17 = g.d6 * inertia.m6 + t16;
-  const Scalar t18 = sin(g.alpha6) * t17;
-  const Scalar t19 = g.d5 * inertia.m5;
-  const Scalar t20 = inertia.c5z * inertia.m5;
-  const Scalar t21 = t20 + t19;
-  const Scalar t22 = t19 - t21;
-  const Scalar t23 = cos(g.alpha6) * t17;
-  const Scalar t24 = t22 - t23;
-  const Scalar t25 = inertia.m5 + inertia.m6;
-  const Scalar t26 = t24 - g.d5 * t25;
-  const Scalar t27 = sin(g.alpha5) * t26;
-  const Scalar t28 = inertia.c4y * inertia.m4;
-  const Scalar t29 = g.a5 * t25;
-  const Scalar t30 = inertia.c4x * inertia.m4;
-  const Scalar t31 = inertia.m4 + t25;
-  const Scalar t32 = inertia.c4z * inertia.m4;
-  const Scalar t33 = g.d4 * inertia.m4;
-  const Scalar t34 = t32 + t33;
-  const Scalar t35 = t34 - t33;
-  const Scalar t36 = cos(g.alpha5) * t26;
-  const Scalar t37 = t35 - t36;
-  const Scalar t38 = g.d4 * t31 + t37;
-  const Scalar t39 = sin(g.alpha4) * t38;
-  const Scalar t40 = inertia.c3y * inertia.m3;
-  const Scalar t41 = g.a4 * t31;
-  const Scalar t42 = inertia.c3x * inertia.m3;
-  const Scalar t43 = inertia.I6xy - inertia.c6y * t0;
-  const Scalar t44 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t45 = (inertia.c5x * t14 - (inertia.I5xx - t44)) + g.a6 * t13;
-  const Scalar t46 = (inertia.c6z * t16 - (inertia.I6zz - t3)) + g.d6 * (t17 + t16);
-  const Scalar t47 = sin(g.alpha6) * t46;
-  const Scalar t48 = sin(g.alpha6) * t47;
-  const Scalar t49 = g.d5 * t15;
-  const Scalar t50 = (t49 + ((inertia.I5yz - inertia.c5z * t15) - t49)) + cos(g.alpha6) * t47;
-  const Scalar t51 = g.d5 * t14;
-  const Scalar t52 = (t51 - (t51 - (inertia.I5xz - inertia.c5z * t14))) - g.a6 * t23;
-  const Scalar t53 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t54 = g.a5 * t29 - ((inertia.I4xx - t53) - inertia.c4x * t30);
-  const Scalar t55 = (inertia.c5z * t20 - (inertia.I5zz - t44)) + g.d5 * (t20 + t21);
-  const Scalar t56 = (g.d5 * (t22 - t21) + t55) + (t46 - t48);
-  const Scalar t57 = g.d5 * (t24 + t26) - t56;
-  const Scalar t58 = sin(g.alpha5) * t57;
-  const Scalar t59 = sin(g.alpha5) * t58;
-  const Scalar t60 = g.d4 * t28;
-  const Scalar t61 = cos(g.alpha5) * t58 - (t60 - (t60 - (inertia.I4yz - inertia.c4z * t28)));
-  const Scalar t62 = g.d4 * t30;
-  const Scalar t63 = g.a5 * t36 + (((inertia.I4xz - inertia.c4z * t30) - t62) + t62);
-  const Scalar t64 = cos(g.alpha4) * t38;
-  const Scalar t65 = g.d3 * t42;
-  const Scalar t66 = g.a4 * t64 - (t65 - (t65 - (inertia.I3xz - inertia.c3z * t42)));
-  const Scalar t67 = ((inertia.I4zz - t53) - inertia.c4z * t32) - g.d4 * (t34 + t32);
-  const Scalar t68 = (g.d4 * (t35 + t34) + t67) - (t59 - t57);
-  const Scalar t69 = t68 - g.d4 * (t37 + t38);
+  const Scalar t13 = g.a3 / g.d2;
+  const Scalar t14 = g.a6 * inertia.m6;
+  const Scalar t15 = inertia.c5x * inertia.m5;
+  const Scalar t16 = inertia.c5y * inertia.m5;
+  const Scalar t17 = inertia.c6z * inertia.m6;
+  const Scalar t18 = g.d6 * inertia.m6 + t17;
+  const Scalar t19 = sin(g.alpha6) * t18;
+  const Scalar t20 = g.d5 * inertia.m5;
+  const Scalar t21 = inertia.c5z * inertia.m5;
+  const Scalar t22 = t21 + t20;
+  const Scalar t23 = t20 - t22;
+  const Scalar t24 = cos(g.alpha6) * t18;
+  const Scalar t25 = t23 - t24;
+  const Scalar t26 = inertia.m5 + inertia.m6;
+  const Scalar t27 = t25 - g.d5 * t26;
+  const Scalar t28 = sin(g.alpha5) * t27;
+  const Scalar t29 = inertia.c4y * inertia.m4;
+  const Scalar t30 = g.a5 * t26;
+  const Scalar t31 = inertia.c4x * inertia.m4;
+  const Scalar t32 = inertia.I6xy - inertia.c6y * t0;
+  const Scalar t33 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t34 = (inertia.c5x * t15 - (inertia.I5xx - t33)) + g.a6 * t14;
+  const Scalar t35 = (inertia.c6z * t17 - (inertia.I6zz - t5)) + g.d6 * (t18 + t17);
+  const Scalar t36 = sin(g.alpha6) * t35;
+  const Scalar t37 = sin(g.alpha6) * t36;
+  const Scalar t38 = g.d5 * t16;
+  const Scalar t39 = (t38 + ((inertia.I5yz - inertia.c5z * t16) - t38)) + cos(g.alpha6) * t36;
+  const Scalar t40 = g.d5 * t15;
+  const Scalar t41 = (t40 - (t40 - (inertia.I5xz - inertia.c5z * t15))) - g.a6 * t24;
+  const Scalar t42 = (inertia.c5z * t21 - (inertia.I5zz - t33)) + g.d5 * (t21 + t22);
+  const Scalar t43 = (g.d5 * (t23 - t22) + t42) + (t35 - t37);
+  const Scalar t44 = g.d5 * (t25 + t27) - t43;
+  const Scalar t45 = sin(g.alpha5) * t44;
+  const Scalar t46 = sin(g.alpha5) * t45;
+  const Scalar t47 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t48 = g.a5 * t30 - ((inertia.I4xx - t47) - inertia.c4x * t31);
+  const Scalar t49 = g.d4 * t29;
+  const Scalar t50 = cos(g.alpha5) * t45 - (t49 - (t49 - (inertia.I4yz - inertia.c4z * t29)));
+  const Scalar t51 = cos(g.alpha5) * t27;
+  const Scalar t52 = g.d4 * t31;
+  const Scalar t53 = g.a5 * t51 + (((inertia.I4xz - inertia.c4z * t31) - t52) + t52);
+  const Scalar t54 = inertia.m4 + t26;
+  const Scalar t55 = g.a4 * t54;
+  const Scalar t56 = inertia.c3x * inertia.m3;
+  const Scalar t57 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t58 = g.a4 * t55 + (inertia.c3x * t56 - (inertia.I3xx - t57));
+  const Scalar t59 = inertia.c3y * inertia.m3;
+  const Scalar t60 = inertia.c4z * inertia.m4;
+  const Scalar t61 = g.d4 * inertia.m4;
+  const Scalar t62 = t60 + t61;
+  const Scalar t63 = t62 - t61;
+  const Scalar t64 = ((inertia.I4zz - t47) - inertia.c4z * t60) - g.d4 * (t62 + t60);
+  const Scalar t65 = (g.d4 * (t63 + t62) + t64) - (t46 - t44);
+  const Scalar t66 = t63 - t51;
+  const Scalar t67 = g.d4 * t54 + t66;
+  const Scalar t68 = t65 - g.d4 * (t66 + t67);
+  const Scalar t69 = sin(g.alpha4) * t68;
   const Scalar t70 = sin(g.alpha4) * t69;
-  const Scalar t71 = g.d3 * t40;
-  const Scalar t72 = cos(g.alpha4) * t70 - (t71 - (t71 - (inertia.I3yz - inertia.c3z * t40)));
-  const Scalar t73 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t74 = sin(g.alpha4) * t70;
-  const Scalar t75 = g.a4 * t41 + (inertia.c3x * t42 - (inertia.I3xx - t73));
-  const Scalar t76 = inertia.m3 + t31;
-  const Scalar t77 = g.a3 * t76;
-  const Scalar t78 = inertia.c2x * inertia.m2;
-  const Scalar t79 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t80 = g.a3 * t77 + (inertia.c2x * t78 - (inertia.I2xx - t79));
-  const Scalar t81 = inertia.c2y * inertia.m2;
-  const Scalar t82 = inertia.c3z * inertia.m3;
-  const Scalar t83 = g.d3 * inertia.m3;
-  const Scalar t84 = t82 + t83;
-  const Scalar t85 = g.d3 * (t82 + t84) - ((inertia.I3zz - t73) - inertia.c3z * t82);
-  const Scalar t86 = t83 - t84;
-  const Scalar t87 = (t74 - t69) + (t85 - g.d3 * (t84 - t86));
-  const Scalar t88 = t64 - t86;
-  const Scalar t89 = t88 + g.d3 * t76;
-  const Scalar t90 = t87 + g.d3 * (t88 + t89);
-  const Scalar t91 = sin(g.alpha3) * t90;
-  const Scalar t92 = sin(g.alpha3) * t91;
-  const Scalar t93 = ((inertia.I2yy - t79) - inertia.c2y * t81) - t92;
-  const Scalar t94 = sin(g.alpha3) * t89;
-  const Scalar t95 = g.a3 * t94 + (inertia.I2xy - inertia.c2y * t78);
-  const Scalar t96 = g.d2 * t81;
-  const Scalar t97 = ((t96 - (inertia.I2yz - inertia.c2z * t81)) - t96) - cos(g.alpha3) * t91;
-  const Scalar t98 = cos(g.alpha3) * t89;
+  const Scalar t71 = sin(g.alpha4) * t67;
+  const Scalar t72 = cos(g.alpha4) * t67;
+  const Scalar t73 = g.d3 * t56;
+  const Scalar t74 = g.a4 * t72 - (t73 - (t73 - (inertia.I3xz - inertia.c3z * t56)));
+  const Scalar t75 = g.d3 * t59;
+  const Scalar t76 = cos(g.alpha4) * t69 - (t75 - (t75 - (inertia.I3yz - inertia.c3z * t59)));
+  const Scalar t77 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t78 = inertia.c2y * inertia.m2;
+  const Scalar t79 = inertia.c3z * inertia.m3;
+  const Scalar t80 = g.d3 * inertia.m3;
+  const Scalar t81 = t79 + t80;
+  const Scalar t82 = g.d3 * (t79 + t81) - ((inertia.I3zz - t57) - inertia.c3z * t79);
+  const Scalar t83 = t80 - t81;
+  const Scalar t84 = (t70 - t68) + (t82 - g.d3 * (t81 - t83));
+  const Scalar t85 = t72 - t83;
+  const Scalar t86 = inertia.m3 + t54;
+  const Scalar t87 = t85 + g.d3 * t86;
+  const Scalar t88 = t84 + g.d3 * (t85 + t87);
+  const Scalar t89 = sin(g.alpha3) * t88;
+  const Scalar t90 = sin(g.alpha3) * t89;
+  const Scalar t91 = ((inertia.I2yy - t77) - inertia.c2y * t78) - t90;
+  const Scalar t92 = g.a3 * t86;
+  const Scalar t93 = inertia.c2x * inertia.m2;
+  const Scalar t94 = g.a3 * t92 + (inertia.c2x * t93 - (inertia.I2xx - t77));
+  const Scalar t95 = cos(g.alpha3) * t87;
+  const Scalar t96 = g.d2 * t93;
+  const Scalar t97 = g.a3 * t95 - (((inertia.I2xz - inertia.c2z * t93) - t96) + t96);
+  const Scalar t98 = sin(g.alpha3) * t87;
   const Scalar t99 = g.d2 * t78;
-  const Scalar t100 = g.a3 * t98 - (((inertia.I2xz - inertia.c2z * t78) - t99) + t99);
-  const Scalar t101 = g.d2 * inertia.m2;
-  const Scalar t102 = inertia.c2z * inertia.m2;
-  const Scalar t103 = t101 + t102;
-  const Scalar t104 = t101 - t103;
-  const Scalar t105 = g.d2 * (t103 + t102) - ((inertia.I2zz - t79) - inertia.c2z * t102);
-  const Scalar t106 = (g.d2 * (t103 - t104) - t105) + (t92 - t90);
-  const Scalar t107 = t98 - t104;
-  const Scalar t108 = inertia.m2 + t76;
-  const Scalar t109 = t106 - g.d2 * (t107 + (g.d2 * t108 + t107));
-  const Scalar t110 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t111 = sin(g.alpha2) * sin(g.alpha2) * t109 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t110));
-  const Scalar t112 = g.a2 * g.a2 * t108 + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t110));
-  const Scalar t113 = gravity / g.d2;
+  const Scalar t100 = ((t99 - (inertia.I2yz - inertia.c2z * t78)) - t99) - cos(g.alpha3) * t89;
+  const Scalar t101 = gravity / g.d2;
+  const Scalar t102 = g.a3 * t98 + (inertia.I2xy - inertia.c2y * t93);
+  const Scalar t103 = inertia.m2 + t86;
+  const Scalar t104 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t105 = g.a2 * g.a2 * t103 + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t104));
+  const Scalar t106 = g.d2 * inertia.m2;
+  const Scalar t107 = inertia.c2z * inertia.m2;
+  const Scalar t108 = t106 + t107;
+  const Scalar t109 = t106 - t108;
+  const Scalar t110 = g.d2 * (t108 + t107) - ((inertia.I2zz - t77) - inertia.c2z * t107);
+  const Scalar t111 = (g.d2 * (t108 - t109) - t110) + (t90 - t88);
+  const Scalar t112 = t95 - t109;
+  const Scalar t113 = t111 - g.d2 * (t112 + (g.d2 * t103 + t112));
+  const Scalar t114 = sin(g.alpha2) * sin(g.alpha2) * t113 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t104));
   return { g.d2 * t0,
            g.d2 * t1,
-           sin(g.alpha5) * sin(g.alpha6),
            cos(g.alpha6),
+           sin(g.alpha5) * sin(g.alpha6),
            cos(g.alpha5),
-           t2,
+           sin(g.alpha5),
+           cos(g.alpha5) * sin(g.alpha6),
+           sin(g.alpha4),
+           cos(g.alpha4),
+           sin(g.alpha3),
+           cos(g.alpha3),
+           sin(g.alpha2) * t2,
+           cos(g.alpha2) * t2,
+           t3,
+           cos(g.alpha6) * t4,
            g.d6 * t1 - (inertia.I6yz - inertia.c6z * t1),
            (inertia.I6xz - inertia.c6z * t0) - g.d6 * t0,
            sin(g.alpha6),
-           cos(g.alpha6) * t6,
-           t7,
-           g.d5 / g.d2,
-           sin(g.alpha6) * t7,
-           sin(g.alpha6) * t6,
-           sin(g.alpha5),
-           cos(g.alpha4),
-           cos(g.alpha5) * sin(g.alpha6),
-           t8,
-           sin(g.alpha4),
+           cos(g.alpha6) * t8,
            t9,
-           Scalar(1) / t6,
-           sin(g.alpha3),
-           cos(g.alpha3),
-           sin(g.alpha2) * t10,
-           cos(g.alpha2) * t10,
+           sin(g.alpha6) * t4,
+           sin(g.alpha6) * t8,
+           t10,
            t11,
            t12,
-           sin(g.alpha2),
+           t13,
            cos(g.alpha2),
-           g.d2 * (t13 + t14),
-           g.d2 * (t15 - t18),
-           g.d2 * (t27 + t28),
-           g.d2 * (t29 + t30),
-           g.d2 * (t39 - t40),
-           g.d2 * (t41 + t42),
-           sin(g.alpha2) * sin(g.alpha3),
-           t10,
-           Scalar(2) * t43,
-           t4 - t5,
-           t43,
-           cos(g.alpha6) * t7,
-           (inertia.I5xy - inertia.c5y * t14) + g.a6 * t18,
-           t4,
-           Scalar(2) * t7,
-           t45,
-           t5,
-           (inertia.c5y * t15 - (inertia.I5yy - t44)) + t48,
-           t50,
-           t52,
-           g.a5 * t27 - (inertia.I4xy - inertia.c4y * t30),
-           Scalar(2) * t2,
-           t54,
-           Scalar(2) * sin(g.alpha6),
-           Scalar(2) * cos(g.alpha5),
-           t59 + ((inertia.I4yy - t53) - inertia.c4y * t28),
-           t61,
-           t63,
-           t66,
-           Scalar(2) * t8,
-           t72,
-           sin(g.alpha3) * t11,
-           (inertia.I3xy - inertia.c3y * t42) + g.a4 * t39,
-           ((inertia.I3yy - t73) - inertia.c3y * t40) + t74,
-           Scalar(2) * t9,
-           t75,
-           cos(g.alpha3) * t11,
-           sin(g.alpha4) * sin(g.alpha5),
-           cos(g.alpha4) * sin(g.alpha5),
-           cos(g.alpha5) * t2,
-           cos(g.alpha5) * t8,
-           sin(g.alpha5) * t2,
+           sin(g.alpha2),
+           Scalar(1) / t8,
+           g.d2 * (t14 + t15),
+           g.d2 * (t16 - t19),
+           g.d2 * (t28 + t29),
+           g.d2 * (t30 + t31),
            sin(g.alpha3) * sin(g.alpha4),
            cos(g.alpha3) * sin(g.alpha4),
-           sin(g.alpha4) * t9,
+           Scalar(2) * t32,
+           t6 - t7,
+           t6,
+           Scalar(2) * t4,
+           t34,
+           t8,
+           (inertia.c5y * t16 - (inertia.I5yy - t33)) + t37,
+           t32,
+           (inertia.I5xy - inertia.c5y * t15) + g.a6 * t19,
+           t39,
+           t4,
+           t41,
+           Scalar(2) * t9,
+           t46 + ((inertia.I4yy - t47) - inertia.c4y * t29),
+           Scalar(2) * t3,
+           t48,
+           t50,
+           t53,
+           sin(g.alpha4) * t11,
+           cos(g.alpha5) * t3,
+           sin(g.alpha4) * sin(g.alpha5),
+           cos(g.alpha4) * sin(g.alpha5),
+           sin(g.alpha5) * t3,
            Scalar(2) * t11,
-           t80,
-           Scalar(2) * t12,
-           t93,
-           t95,
-           sin(g.alpha2) * sin(g.alpha2),
-           g.d2 * (t94 - t81),
-           t97,
-           t100,
-           g.d2 * (t77 + t78),
-           Scalar(2) * cos(g.alpha2),
-           t111,
+           g.a5 * t28 - (inertia.I4xy - inertia.c4y * t31),
+           t58,
            Scalar(2) * t10,
-           t112,
-           cos(g.alpha4) * sin(g.alpha4),
-           cos(g.alpha3) * sin(g.alpha3),
-           sin(g.alpha3) * sin(g.alpha3),
+           ((inertia.I3yy - t57) - inertia.c3y * t59) + t70,
+           (inertia.I3xy - inertia.c3y * t56) + g.a4 * t71,
+           g.d2 * (t55 + t56),
+           t74,
+           t76,
+           g.d2 * (t71 - t59),
+           Scalar(2) * cos(g.alpha3),
+           Scalar(2) * t12,
+           t91,
+           Scalar(2) * t13,
+           t94,
+           g.d2 * (t92 + t93),
+           t97,
+           g.d2 * (t98 - t78),
+           t100,
+           sin(g.alpha3) * t13,
+           sin(g.alpha2) * sin(g.alpha3),
+           t2,
            cos(g.alpha2) * cos(g.alpha3),
-           cos(g.alpha4) * cos(g.alpha4),
-           sin(g.alpha4) * sin(g.alpha4),
-           cos(g.alpha4) * sin(g.alpha3),
-           cos(g.alpha5) * sin(g.alpha5),
-           sin(g.alpha5) * sin(g.alpha5),
-           cos(g.alpha5) * cos(g.alpha5),
-           cos(g.alpha6) * cos(g.alpha6),
-           cos(g.alpha6) * sin(g.alpha6),
-           sin(g.alpha6) * sin(g.alpha6),
-           sin(g.alpha2) * t113,
-           cos(g.alpha2) * t113,
-           t80 + t93,
-           Scalar(2) * t95 };
+           cos(g.alpha2) * sin(g.alpha2),
+           sin(g.alpha2) * t101,
+           sin(g.alpha2) * sin(g.alpha2),
+           cos(g.alpha2) * t101,
+           t94 + t91,
+           Scalar(2) * t102,
+           t102,
+           Scalar(2) * t2,
+           t105,
+           Scalar(2) * cos(g.alpha2),
+           t114 };
 }
 
 namespace detail {
@@ -2464,453 +2442,447 @@ inline JointVector<Scalar> forward_dynamics([[maybe_unused]] const JointVector<S
     [[maybe_unused]] const ForwardDynamicsConstants<Scalar>& k) {
   [[maybe_unused]] const auto& [s, c] = angles;
   const Scalar t0 = k[0] * c[4] - k[1] * s[4];
-  const Scalar t1 = k[29] + t0;
-  const Scalar t2 = k[0] * s[4] + k[1] * c[4];
-  const Scalar t3 = k[30] + k[3] * t2;
-  const Scalar t4 = c[3] * t1 - s[3] * t3;
-  const Scalar t5 = k[37] * c[4] + k[38] * s[4];
-  const Scalar t6 = s[4] * t5;
-  const Scalar t7 = k[42] - t6;
-  const Scalar t8 = k[44] - (t7 - k[43] * t0);
-  const Scalar t9 = k[7] * c[4] + k[6] * s[4];
-  const Scalar t10 = k[39] - c[4] * t5;
-  const Scalar t11 = k[40] * t2 + (k[8] * t9 + k[3] * t10);
-  const Scalar t12 = k[41] - t11;
-  const Scalar t13 = k[45] + t6;
-  const Scalar t14 = k[6] * c[4] - k[7] * s[4];
-  const Scalar t15 = k[3] * t14;
-  const Scalar t16 = k[8] * t13 - (t15 + t15);
-  const Scalar t17 = k[8] * t16;
-  const Scalar t18 = k[46] + (t17 - t13);
-  const Scalar t19 = Scalar(2) * c[3] * t12 - s[3] * (t8 - t18);
-  const Scalar t20 = s[3] * t19;
-  const Scalar t21 = t8 + t20;
-  const Scalar t22 = t18 - t20;
-  const Scalar t23 = t21 + t22;
-  const Scalar t24 = k[11] * t3 - (k[47] + (k[3] * t16 + t14));
-  const Scalar t25 = k[12] * t2 - (k[3] * t9 - k[8] * t10);
-  const Scalar t26 = (k[48] - t25) - k[11] * t1;
-  const Scalar t27 = c[3] * t24 - s[3] * t26;
-  const Scalar t28 = k[68] * t4 + (k[4] * t23 - k[14] * t27);
-  const Scalar t29 = k[11] * t2;
-  const Scalar t30 = (k[12] * t0 - (k[13] - t15)) + t29;
-  const Scalar t31 = k[3] * t0;
-  const Scalar t32 = t9 - k[11] * t31;
-  const Scalar t33 = c[3] * t30 - s[3] * t32;
-  const Scalar t34 = (k[9] + k[8] * t14) - k[10] * t31;
-  const Scalar t35 = s[3] * t2 - c[3] * t31;
-  const Scalar t36 = k[4] * t35 + k[2] * t0;
-  const Scalar t37 = (k[14] * t33 + k[4] * t34) + k[5] * t36;
-  const Scalar t38 = k[20] * t34;
-  const Scalar t39 = t28 + t37 * t38;
-  const Scalar t40 = k[4] * t4;
-  const Scalar t41 = s[3] * t1 + c[3] * t3;
-  const Scalar t42 = c[2] * t40 - s[2] * t41;
-  const Scalar t43 = k[15] * t42 - k[66] * t4;
-  const Scalar t44 = s[3] * t24 + c[3] * t26;
-  const Scalar t45 = k[69] * t4 - t44;
-  const Scalar t46 = k[70] * t4 + (k[14] * t23 + k[4] * t27);
-  const Scalar t47 = k[17] * t41 + t46;
-  const Scalar t48 = s[2] * t45 + c[2] * t47;
-  const Scalar t49 = k[19] * t43 - (k[18] * t48 - k[15] * t28);
-  const Scalar t50 = k[16] * t0 - k[14] * t35;
-  const Scalar t51 = s[3] * t31 + c[3] * t2;
-  const Scalar t52 = s[2] * t51 + c[2] * t36;
-  const Scalar t53 = k[18] * t50 + k[15] * t52;
-  const Scalar t54 = (k[14] * t34 - k[4] * t33) - k[5] * t50;
-  const Scalar t55 = s[3] * t30 + c[3] * t32;
-  const Scalar t56 = c[2] * t51 - s[2] * t36;
-  const Scalar t57 = (c[2] * t54 + s[2] * t55) - k[17] * t56;
-  const Scalar t58 = k[19] * t53 - (k[18] * t57 - k[15] * t37);
-  const Scalar t59 = k[20] * t58;
-  const Scalar t60 = t49 + t34 * t59;
-  const Scalar t61 = Scalar(1) / (t34 * t38 + t23);
-  const Scalar t62 = t60 * t61;
-  const Scalar t63 = k[4] * t41 - k[2] * t2;
-  const Scalar t64 = k[31] + t63;
-  const Scalar t65 = k[32] + t4;
-  const Scalar t66 = s[2] * t64 - c[2] * t65;
-  const Scalar t67 = k[15] * t66;
-  const Scalar t68 = k[52] * t29 - t17;
-  const Scalar t69 = k[14] * (t68 - t22) - k[53] * t27;
-  const Scalar t70 = k[14] * t69;
-  const Scalar t71 = k[54] - (t70 + t22);
-  const Scalar t72 = c[3] * t19 - t12;
-  const Scalar t73 = k[5] * t63 + (k[14] * t44 - k[4] * t72);
-  const Scalar t74 = k[49] + t73;
-  const Scalar t75 = c[2] * t74;
-  const Scalar t76 = k[51] + (k[50] * t4 + t21);
-  const Scalar t77 = (t75 + t75) + s[2] * (t76 + t71);
-  const Scalar t78 = s[2] * t77;
-  const Scalar t79 = t71 - t78;
-  const Scalar t80 = t76 - t78;
-  const Scalar t81 = t79 - t80;
-  const Scalar t82 = c[2] * t64 + s[2] * t65;
-  const Scalar t83 = k[55] - (t27 + k[4] * t69);
-  const Scalar t84 = k[16] * t2 + k[14] * t41;
-  const Scalar t85 = k[5] * t84 - (k[4] * t44 + k[14] * t72);
-  const Scalar t86 = k[56] - t85;
-  const Scalar t87 = k[17] * t82 + (c[2] * t83 - s[2] * t86);
-  const Scalar t88 = k[19] * t67 + (k[15] * t81 + k[18] * t87);
-  const Scalar t89 = k[20] * t37;
-  const Scalar t90 = t39 * t62 + (t88 - t58 * t89);
-  const Scalar t91 = t39 * t61;
-  const Scalar t92 = Scalar(1) / ((t81 - t37 * t89) + t39 * t91);
-  const Scalar t93 = t90 * t92;
-  const Scalar t94 = k[64] - (k[63] * t66 - t80);
-  const Scalar t95 = k[58] * t84 - (t70 - t68);
-  const Scalar t96 = k[15] * t87;
-  const Scalar t97 = k[18] * (t79 + t95) - Scalar(2) * t96;
-  const Scalar t98 = k[18] * t97;
-  const Scalar t99 = k[62] + (t79 - t98);
-  const Scalar t100 = t74 - c[2] * t77;
-  const Scalar t101 = (s[2] * t83 + c[2] * t86) + k[17] * t66;
-  const Scalar t102 = k[15] * t82 - k[18] * t84;
-  const Scalar t103 = (k[15] * t100 - k[18] * t101) - k[19] * t102;
-  const Scalar t104 = k[61] + t103;
-  const Scalar t105 = c[1] * t104;
-  const Scalar t106 = s[1] * (t94 + t99) - (t105 + t105);
-  const Scalar t107 = s[1] * t106;
-  const Scalar t108 = t107 - t94;
-  const Scalar t109 = t107 - t99;
-  const Scalar t110 = t108 - t109;
-  const Scalar t111 = t90 * t93 - ((t110 - t58 * t59) + t60 * t62);
-  const Scalar t112 = Scalar(1) / t111;
-  const Scalar t113 = s[1] * t53 - c[1] * t56;
-  const Scalar t114 = k[18] * t52 - k[15] * t50;
-  const Scalar t115 = (k[18] * t37 + k[15] * t57) + k[19] * t114;
-  const Scalar t116 = k[17] * t52 + (c[2] * t55 - s[2] * t54);
-  const Scalar t117 = (c[1] * t115 + s[1] * t116) + k[26] * t113;
-  const Scalar t118 = c[1] * t53 + s[1] * t56;
-  const Scalar t119 = k[22] * t114 + k[21] * t118;
-  const Scalar t120 = (k[21] * t58 + k[22] * t117) + k[25] * t119;
-  const Scalar t121 = (c[1] * t116 - s[1] * t115) + k[26] * t118;
-  const Scalar t122 = k[22] * t118 - k[21] * t114;
-  const Scalar t123 = c[0] * (t113 + t120) + s[0] * (t121 + t122);
-  const Scalar t124 = (k[21] * t117 - k[22] * t58) - k[25] * t122;
-  const Scalar t125 = k[24] * (c[0] * t122 - s[0] * t113) - k[23] * t119;
-  const Scalar t126 = (k[27] * t123 + k[28] * t124) - t125;
-  const Scalar t127 = k[20] * t126;
-  const Scalar t128 = k[67] * t4 + k[18] * t42;
-  const Scalar t129 = s[2] * t40 + c[2] * t41;
-  const Scalar t130 = s[1] * t129 - c[1] * t43;
-  const Scalar t131 = k[21] * t128 + k[22] * t130;
-  const Scalar t132 = c[1] * t129 + s[1] * t43;
-  const Scalar t133 = k[21] * t130 - k[22] * t128;
-  const Scalar t134 = k[24] * (c[0] * t131 + s[0] * t132) - k[23] * t133;
-  const Scalar t135 = s[2] * t47 - c[2] * t45;
-  const Scalar t136 = k[19] * t128 + (k[18] * t28 + k[15] * t48);
-  const Scalar t137 = k[26] * t132 - (s[1] * t135 - c[1] * t136);
-  const Scalar t138 = (k[22] * t137 + k[21] * t49) - k[25] * t133;
-  const Scalar t139 = (c[1] * t135 + s[1] * t136) + k[26] * t130;
-  const Scalar t140 = c[0] * (t132 + t138) - s[0] * (t131 + t139);
-  const Scalar t141 = (k[22] * t49 - k[21] * t137) - k[25] * t131;
-  const Scalar t142 = t127 * t34 + (t134 + (k[27] * t140 - k[28] * t141));
-  const Scalar t143 = t142 * t61;
-  const Scalar t144 = k[34] - t66;
-  const Scalar t145 = k[33] - t102;
-  const Scalar t146 = c[1] * t144 + s[1] * t145;
-  const Scalar t147 = k[22] * t146;
-  const Scalar t148 = c[1] * t145 - s[1] * t144;
-  const Scalar t149 = k[35] * t146 - k[28] * (c[0] * t147 + s[0] * t148);
-  const Scalar t150 = k[18] * t82 + k[15] * t84;
-  const Scalar t151 = k[19] * t150 - (k[18] * t100 + k[15] * t101);
-  const Scalar t152 = k[57] + t151;
-  const Scalar t153 = k[59] - (k[15] * t97 + t87);
-  const Scalar t154 = (s[1] * t152 + c[1] * t153) - k[26] * t148;
-  const Scalar t155 = k[65] * t146 - (k[22] * t110 + k[21] * t154);
-  const Scalar t156 = (c[1] * t152 - s[1] * t153) + k[26] * t146;
-  const Scalar t157 = k[22] * t154;
-  const Scalar t158 = t148 - (k[60] * t146 - (k[21] * t110 - t157));
-  const Scalar t159 = k[27] * (s[0] * (t156 + t147) - c[0] * t158);
-  const Scalar t160 = t59 * t126 + (k[36] * t149 - (k[28] * t155 - t159));
-  const Scalar t161 = s[1] * t82 + c[1] * t67;
-  const Scalar t162 = k[71] * t66 - k[22] * t161;
-  const Scalar t163 = c[1] * t82 - s[1] * t67;
-  const Scalar t164 = (k[18] * t81 - t96) + k[73] * t66;
-  const Scalar t165 = k[26] * t163 - (c[1] * t164 + s[1] * t101);
-  const Scalar t166 = k[25] * t162 - (k[22] * t88 + k[21] * t165);
-  const Scalar t167 = k[21] * t161 + k[72] * t66;
-  const Scalar t168 = (k[21] * t88 - k[22] * t165) + k[25] * t167;
-  const Scalar t169 = (c[1] * t101 - s[1] * t164) + k[26] * t161;
-  const Scalar t170 = c[0] * (t163 - t168) + s[0] * (t162 - t169);
-  const Scalar t171 = k[23] * t167 - k[24] * (s[0] * t163 - c[0] * t162);
-  const Scalar t172 = t126 * t89 - ((k[28] * t166 - k[27] * t170) + t171);
-  const Scalar t173 = t172 - t143 * t39;
-  const Scalar t174 = (t143 * t60 - t160) + t173 * t93;
-  const Scalar t175 = t112 * t174;
-  const Scalar t176 = t92 * t173;
-  const Scalar t177 = k[83] + t146;
-  const Scalar t178 = k[21] * t150 + k[22] * t148;
-  const Scalar t179 = k[80] + t178;
-  const Scalar t180 = c[0] * t177 + s[0] * t179;
-  const Scalar t181 = (t98 - t95) - k[76] * t150;
-  const Scalar t182 = (t157 + t157) + k[21] * (t181 + t109);
-  const Scalar t183 = k[21] * t182;
-  const Scalar t184 = k[77] + (t183 - t109);
-  const Scalar t185 = k[75] + (k[74] * t146 - t108);
-  const Scalar t186 = t104 + c[1] * t106;
-  const Scalar t187 = (k[21] * t156 - k[22] * t186) + k[25] * t178;
-  const Scalar t188 = s[0] * (t185 + t184) - Scalar(2) * c[0] * (k[78] + t187);
-  const Scalar t189 = t184 - s[0] * t188;
-  const Scalar t190 = t185 - t184;
-  const Scalar t191 = c[0] * ((k[81] + (k[22] * t182 - t154)) - t179);
-  const Scalar t192 = k[22] * t150 - k[21] * t148;
-  const Scalar t193 = k[25] * t192 + (k[22] * t156 + k[21] * t186);
-  const Scalar t194 = k[27] * (t191 + s[0] * ((k[82] + t193) + t177));
-  const Scalar t195 = k[79] * (t189 - ((t181 - t183) - (t192 + t192)));
-  const Scalar t196 = (k[87] + (k[86] * t180 + (t189 + t190))) - (k[85] + (t189 + (k[84] * t194 - t195)));
-  const Scalar t197 = t176 * t173 - (t142 * t143 - (t127 * t126 + t196));
-  const Scalar t198 = (k[24] * t180 - (t194 - k[28] * t190)) + t127 * t124;
-  const Scalar t199 = t38 * t124 - t141;
-  const Scalar t200 = t61 * t199;
-  const Scalar t201 = (t89 * t124 - t166) - t39 * t200;
-  const Scalar t202 = k[20] * t124;
-  const Scalar t203 = t201 * t93 + (t200 * t60 + (t155 - t58 * t202));
-  const Scalar t204 = ((t198 - t142 * t200) + t176 * t201) - t203 * t175;
-  const Scalar t205 = t203 * t112;
-  const Scalar t206 = t92 * t201;
-  const Scalar t207 = ((t190 + t124 * t202) - t200 * t199) + t201 * t206;
-  const Scalar t208 = Scalar(1) / (t205 * t203 - t207);
-  const Scalar t209 = t204 * t208;
-  const Scalar t210 = Scalar(1) / ((t175 * t174 - t197) - t209 * t204);
-  const Scalar t211 = k[27] * qd[0];
-  const Scalar t212 = s[0] * t211;
-  const Scalar t213 = c[0] * t211;
-  const Scalar t214 = t212 * t213;
-  const Scalar t215 = k[91] * qd[0];
-  const Scalar t216 = k[21] * t214 - t212 * t215;
-  const Scalar t217 = qd[1] + k[28] * qd[0];
-  const Scalar t218 = t217 * t217;
-  const Scalar t219 = t212 * t212;
-  const Scalar t220 = k[22] * t213;
-  const Scalar t221 = qd[0] * qd[0];
-  const Scalar t222 = k[79] * t221;
-  const Scalar t223 = qd[1] * t211;
-  const Scalar t224 = t217 * t211;
-  const Scalar t225 = t223 + t224;
-  const Scalar t226 = (k[89] * (t218 + t219) + t220 * t215) - (k[89] * t222 + k[90] * c[0] * t225);
-  const Scalar t227 = s[1] * t216 + c[1] * t226;
-  const Scalar t228 = s[1] * t226 - c[1] * t216;
-  const Scalar t229 = qd[2] - (k[21] * t213 - k[22] * t217);
-  const Scalar t230 = t229 * t229;
-  const Scalar t231 = k[21] * t217 + t220;
-  const Scalar t232 = s[1] * t212 - c[1] * t231;
-  const Scalar t233 = t232 * t232;
-  const Scalar t234 = t230 + t233;
-  const Scalar t235 = s[1] * t231 + c[1] * t212;
-  const Scalar t236 = t230 + t235 * t235;
-  const Scalar t237 = t234 - t236;
-  const Scalar t238 = s[0] * t223;
-  const Scalar t239 = k[21] * t238;
-  const Scalar t240 = t232 * t235;
-  const Scalar t241 = t239 - t240;
-  const Scalar t242 = t239 + t240;
-  const Scalar t243 = k[61] * t237 - (k[64] * t241 - k[62] * t242);
-  const Scalar t244 = t218 + t222;
-  const Scalar t245 = k[36] * t221;
-  const Scalar t246 = t223 - t224;
-  const Scalar t247 = k[101] - t246;
-  const Scalar t248 = k[25] * (t244 - t219) + (c[0] * t245 - s[0] * t247);
-  const Scalar t249 = (s[0] * t245 + c[0] * t247) + k[25] * t214;
-  const Scalar t250 = k[102] - t222;
-  const Scalar t251 = k[25] * s[0] * t225 + t250;
-  const Scalar t252 = k[22] * t249 + k[21] * t251;
-  const Scalar t253 = k[26] * t228 - (c[1] * t248 - s[1] * t252);
-  const Scalar t254 = k[26] * t227 + (c[1] * t252 + s[1] * t248);
-  const Scalar t255 = ((k[57] * t227 - k[59] * t228) - t243) + (k[33] * t253 + k[34] * t254);
-  const Scalar t256 = k[15] * t232 - k[18] * t229;
-  const Scalar t257 = s[2] * t256 - c[2] * t235;
-  const Scalar t258 = t257 * t257;
-  const Scalar t259 = qd[3] + (k[15] * t229 + k[18] * t232);
-  const Scalar t260 = t259 * t259;
-  const Scalar t261 = t258 + t260;
-  const Scalar t262 = t229 * t235;
-  const Scalar t263 = t228 - t262;
-  const Scalar t264 = k[18] * t263 - k[94] * t238;
-  const Scalar t265 = s[2] * t235 + c[2] * t256;
-  const Scalar t266 = t257 * t265;
-  const Scalar t267 = t264 - t266;
-  const Scalar t268 = t259 * t257;
-  const Scalar t269 = k[15] * t228 + k[18] * t242;
-  const Scalar t270 = t230 - t233;
-  const Scalar t271 = t237 + t270;
-  const Scalar t272 = t234 - t271;
-  const Scalar t273 = t229 * t232;
-  const Scalar t274 = (t273 + t273) + t227;
-  const Scalar t275 = (k[92] * t227 + k[88] * t236) - (k[88] * t272 - k[93] * t274);
-  const Scalar t276 = c[2] * t269 + s[2] * t275;
-  const Scalar t277 = t268 + t276;
-  const Scalar t278 = k[14] * t277 + k[4] * t264;
-  const Scalar t279 = k[4] * t265 - k[14] * t259;
-  const Scalar t280 = s[3] * t257 - c[3] * t279;
-  const Scalar t281 = c[3] * t257 + s[3] * t279;
-  const Scalar t282 = t280 * t281;
-  const Scalar t283 = t278 + t282;
-  const Scalar t284 = qd[4] + (k[14] * t265 + k[4] * t259);
-  const Scalar t285 = t284 * t284;
-  const Scalar t286 = t280 * t280;
-  const Scalar t287 = t285 + t286;
-  const Scalar t288 = t281 * t281;
-  const Scalar t289 = t286 - t288;
-  const Scalar t290 = t287 - t289;
-  const Scalar t291 = k[3] * t280 + k[8] * t284;
-  const Scalar t292 = t291 * t281;
-  const Scalar t293 = t284 * t281;
-  const Scalar t294 = t264 + t266;
-  const Scalar t295 = k[4] * t276 - k[14] * t294;
-  const Scalar t296 = s[2] * t269 - c[2] * t275;
-  const Scalar t297 = t259 * t265;
-  const Scalar t298 = t296 - (t297 + t297);
-  const Scalar t299 = t265 * t265;
-  const Scalar t300 = t299 + t260;
-  const Scalar t301 = t258 - t260;
-  const Scalar t302 = t300 + t301;
-  const Scalar t303 = (k[95] * t261 - k[97] * t296) - (k[96] * t298 + k[95] * t302);
-  const Scalar t304 = c[3] * t295 + s[3] * t303;
-  const Scalar t305 = t293 + t304;
-  const Scalar t306 = k[3] * t278 + k[8] * t305;
-  const Scalar t307 = t292 + t306;
-  const Scalar t308 = qd[5] + (k[3] * t284 - k[8] * t280);
-  const Scalar t309 = t308 * t308;
-  const Scalar t310 = t307 * t0 + t2 * (t309 + t288);
-  const Scalar t311 = t308 * t291;
-  const Scalar t312 = s[3] * t295 - c[3] * t303;
-  const Scalar t313 = t286 + t288;
-  const Scalar t314 = t284 * t280;
-  const Scalar t315 = t312 + (t314 + t314);
-  const Scalar t316 = (k[98] * t312 - k[99] * t290) + (k[99] * t313 + k[100] * t315);
-  const Scalar t317 = (t311 + t311) + t316;
-  const Scalar t318 = t278 - t282;
-  const Scalar t319 = k[8] * t318 - k[3] * t304;
-  const Scalar t320 = t308 * t281;
-  const Scalar t321 = (t319 - t320) - t320;
-  const Scalar t322 = t2 * t317 + t0 * t321;
-  const Scalar t323 = k[3] * t310 + k[8] * t322;
-  const Scalar t324 = (k[29] * t283 + k[30] * t290) + t323;
-  const Scalar t325 = t292 - t306;
-  const Scalar t326 = t291 * t291;
-  const Scalar t327 = (t2 * t325 + t0 * (t309 + t326)) - (k[30] * t318 - k[29] * t287);
-  const Scalar t328 = c[3] * t324 + s[3] * t327;
-  const Scalar t329 = k[3] * t322 - k[8] * t310;
-  const Scalar t330 = t293 + t305;
-  const Scalar t331 = t329 - (k[29] * t330 - k[30] * t315);
-  const Scalar t332 = k[4] * t328 + k[14] * t331;
-  const Scalar t333 = (k[31] * t261 + k[32] * t267) + t332;
-  const Scalar t334 = c[3] * t327 - s[3] * t324;
-  const Scalar t335 = (k[31] * t294 - k[32] * t300) - t334;
-  const Scalar t336 = c[2] * t333 - s[2] * t335;
-  const Scalar t337 = t268 + t277;
-  const Scalar t338 = k[14] * t328 - k[4] * t331;
-  const Scalar t339 = (k[31] * t298 - k[32] * t337) - t338;
-  const Scalar t340 = k[15] * t336 + k[18] * t339;
-  const Scalar t341 = k[26] * t272 - (k[22] * t251 - k[21] * t249);
-  const Scalar t342 = t263 - t262;
-  const Scalar t343 = t341 + k[19] * t342;
-  const Scalar t344 = k[19] * t241 + t254;
-  const Scalar t345 = k[17] * t302 + (k[15] * t343 + k[18] * t344);
-  const Scalar t346 = k[5] * t337 + t345;
-  const Scalar t347 = k[19] * t234 - t253;
-  const Scalar t348 = k[18] * t343 - k[15] * t344;
-  const Scalar t349 = k[17] * t296 - (s[2] * t347 - c[2] * t348);
-  const Scalar t350 = k[5] * t267 + t349;
-  const Scalar t351 = k[11] * t313 + (k[4] * t346 - k[14] * t350);
-  const Scalar t352 = t285 - t286;
-  const Scalar t353 = (k[41] * t315 + k[44] * t330) + (k[48] * (t352 + t289) - k[47] * t318);
-  const Scalar t354 = t351 + k[10] * t330;
-  const Scalar t355 = (c[2] * t347 + s[2] * t348) - k[17] * t276;
-  const Scalar t356 = k[11] * t295 - (t355 + k[5] * t300);
-  const Scalar t357 = k[11] * t303 - (k[4] * t350 + k[14] * t346);
-  const Scalar t358 = s[3] * t356 - c[3] * t357;
-  const Scalar t359 = t358 + k[10] * t283;
-  const Scalar t360 = k[3] * t354 - k[8] * t359;
-  const Scalar t361 = t326 - t288;
-  const Scalar t362 = t309 - t326;
-  const Scalar t363 = ((t361 + t362) * t9 - t325 * t14) - (t10 * t317 - t7 * t321);
-  const Scalar t364 = t360 * t0 + t363;
-  const Scalar t365 = (t7 * t307 - t325 * t13) + t361 * t10;
-  const Scalar t366 = c[3] * t356 + s[3] * t357;
-  const Scalar t367 = t2 * (t366 - k[10] * t287) + t0 * (k[3] * t359 + k[8] * t354);
-  const Scalar t368 = ((t14 * t319 + t9 * t316) + t365) - t367;
-  const Scalar t369 = (k[3] * t364 - k[8] * t368) - k[10] * t329;
-  const Scalar t370 = (k[29] * t351 + t353) + t369;
-  const Scalar t371 = (t10 * t321 - t317 * t13) + t362 * t14;
-  const Scalar t372 = k[47] * t352 - (k[41] * t330 + k[46] * t315);
-  const Scalar t373 = (t2 * t360 - (t371 - t9 * t307)) + (k[30] * t351 + (k[48] * t283 + t372));
-  const Scalar t374 = k[11] * t334 - (c[3] * t370 - s[3] * t373);
-  const Scalar t375 = (k[3] * t368 + k[8] * t364) - k[10] * t323;
-  const Scalar t376 = k[41] * t289 + (k[46] * t318 + k[44] * t283);
-  const Scalar t377 = (t376 - (k[47] * t304 + k[48] * t312)) + (k[29] * t358 + k[30] * t366);
-  const Scalar t378 = t375 - t377;
-  const Scalar t379 = k[5] * t332 + (k[14] * t374 - k[4] * t378);
-  const Scalar t380 = k[49] * (t299 - t258) + (k[54] * t294 - k[51] * t267);
-  const Scalar t381 = (k[31] * t355 - k[32] * t349) - ((k[55] * t276 - k[56] * t296) - t380);
-  const Scalar t382 = t379 - t381;
-  const Scalar t383 = (k[49] * t298 - k[51] * t337) - (k[55] * t294 - k[56] * t301);
-  const Scalar t384 = (k[14] * t378 + k[4] * t374) - k[5] * t338;
-  const Scalar t385 = k[17] * t335 + ((k[32] * t345 - t383) - t384);
-  const Scalar t386 = (c[3] * t373 + s[3] * t370) - k[11] * t328;
-  const Scalar t387 = k[55] * (t302 - t261) + (k[49] * t337 + k[54] * t298);
-  const Scalar t388 = t386 + ((t387 + k[56] * t267) + k[31] * t345);
-  const Scalar t389 = t388 - k[17] * t333;
-  const Scalar t390 = c[2] * t385 - s[2] * t389;
-  const Scalar t391 = k[19] * t340 + (k[15] * t382 - k[18] * t390);
-  const Scalar t392 = t255 - t391;
-  const Scalar t393 = torque[5] - t368;
-  const Scalar t394 = k[20] * t393;
-  const Scalar t395 = (torque[4] - t378) - t34 * t394;
-  const Scalar t396 = t61 * t395;
-  const Scalar t397 = ((torque[2] - t392) - t59 * t393) - t396 * t60;
-  const Scalar t398 = ((torque[3] + t382) - t394 * t37) - t91 * t395;
-  const Scalar t399 = t397 - t398 * t93;
-  const Scalar t400 = t399 * t112;
-  const Scalar t401 = k[81] * s[0] - k[82] * c[0];
-  const Scalar t402 = k[78] + c[0] * (k[103] * s[0] - k[104] * c[0]);
-  const Scalar t403 = k[83] * s[0] - k[80] * c[0];
-  const Scalar t404 = k[83] * c[0] + k[80] * s[0];
-  const Scalar t405 = (t401 * t246 + t222 * t402) + (t245 * t403 + t247 * t404);
-  const Scalar t406 = k[15] * t339 - k[18] * t336;
-  const Scalar t407 = (k[34] * t342 - k[33] * t274) - t406;
-  const Scalar t408 = t340 - (k[34] * t241 + k[33] * t236);
-  const Scalar t409 = (c[2] * t335 + s[2] * t333) + (k[33] * t242 - k[34] * t234);
-  const Scalar t410 = c[1] * t408 - s[1] * t409;
-  const Scalar t411 = k[21] * t407 - k[22] * t410;
-  const Scalar t412 = k[19] * t406 - (k[18] * t382 + k[15] * t390);
-  const Scalar t413 = (k[61] * t274 - k[64] * t342) + (k[57] * t271 + k[59] * t242);
-  const Scalar t414 = (t412 + (t413 - k[34] * t341)) - k[26] * t409;
-  const Scalar t415 = (k[62] * t274 + k[61] * t342) + k[59] * t270;
-  const Scalar t416 = (k[33] * t341 - (k[57] * t241 - t415)) - (c[2] * t389 + s[2] * t385);
-  const Scalar t417 = t416 + k[26] * t408;
-  const Scalar t418 = c[1] * t414 - s[1] * t417;
-  const Scalar t419 = k[25] * t411 + (k[22] * t392 - k[21] * t418);
-  const Scalar t420 = t405 + t419;
-  const Scalar t421 = t250 * t404 - (t218 * t401 - t225 * t402);
-  const Scalar t422 = s[0] * ((s[1] * t414 + c[1] * t417) - t411);
-  const Scalar t423 = c[1] * t409 + s[1] * t408;
-  const Scalar t424 = k[22] * t407 + k[21] * t410;
-  const Scalar t425 = k[25] * t424 - (k[21] * t392 + k[22] * t418);
-  const Scalar t426 = (t421 - (t422 + c[0] * (t423 + t425))) + t244 * t404;
-  const Scalar t427 = t218 * t403 - (s[0] * t423 + c[0] * t411);
-  const Scalar t428 = k[23] * (t424 - t403 * t225) - k[24] * t427;
-  const Scalar t429 = torque[0] - ((k[28] * t420 - k[27] * t426) + t428);
-  const Scalar t430 = (t143 * t395 + (t394 * t126 + t429)) - t176 * t398;
-  const Scalar t431 = t92 * t398;
-  const Scalar t432 = t396 * t199 + (t393 * t202 + (torque[1] - t420));
-  const Scalar t433 = (t399 * t205 + (t201 * t431 - t432)) * t208;
-  const Scalar t434 = t210 * ((t400 * t174 - t430) + t204 * t433);
-  const Scalar t435 = t434 * t209 + t433;
-  const Scalar t436 = (t400 - t434 * t175) - t205 * t435;
-  const Scalar t437 = t436 * t93 + ((t431 + t176 * t434) + t435 * t206);
-  const Scalar t438 = (t435 * t200 + (t396 + t434 * t143)) - t62 * t436;
-  const Scalar t439 = t91 * t437 + t438;
-  const Scalar t440 = t59 * t436 - (t435 * t202 - (t394 - t127 * t434));
+  const Scalar t1 = k[16] * s[4] - k[15] * c[4];
+  const Scalar t2 = k[14] * t0 - (k[18] - k[17] * t1);
+  const Scalar t3 = k[28] * t2;
+  const Scalar t4 = k[0] * s[4] + k[1] * c[4];
+  const Scalar t5 = k[2] * t0;
+  const Scalar t6 = s[3] * t4 - c[3] * t5;
+  const Scalar t7 = k[6] * t0 - k[5] * t6;
+  const Scalar t8 = k[3] * t0 + k[4] * t6;
+  const Scalar t9 = s[3] * t5 + c[3] * t4;
+  const Scalar t10 = c[2] * t8 + s[2] * t9;
+  const Scalar t11 = k[7] * t7 + k[8] * t10;
+  const Scalar t12 = k[16] * c[4] + k[15] * s[4];
+  const Scalar t13 = k[2] * t1;
+  const Scalar t14 = (k[21] + t13) - k[20] * t0;
+  const Scalar t15 = (s[3] * t12 + c[3] * t14) - k[19] * t9;
+  const Scalar t16 = (k[5] * t15 + k[4] * t2) - k[13] * t8;
+  const Scalar t17 = c[2] * t9 - s[2] * t8;
+  const Scalar t18 = (k[5] * t2 - k[4] * t15) + k[13] * t7;
+  const Scalar t19 = (s[3] * t14 - c[3] * t12) - k[19] * t6;
+  const Scalar t20 = k[22] * t17 + (c[2] * t18 + s[2] * t19);
+  const Scalar t21 = k[23] * t11 - (k[8] * t16 - k[7] * t20);
+  const Scalar t22 = k[7] * t10 - k[8] * t7;
+  const Scalar t23 = (k[8] * t20 + k[7] * t16) - k[23] * t22;
+  const Scalar t24 = k[24] * t17 + t23;
+  const Scalar t25 = (s[2] * t18 - c[2] * t19) + k[22] * t10;
+  const Scalar t26 = k[24] * t11 + t25;
+  const Scalar t27 = c[1] * t24 - s[1] * t26;
+  const Scalar t28 = c[1] * t11 + s[1] * t17;
+  const Scalar t29 = k[9] * t22 - k[10] * t28;
+  const Scalar t30 = (k[10] * t21 + k[9] * t27) - k[25] * t29;
+  const Scalar t31 = k[29] + t0;
+  const Scalar t32 = k[30] + k[2] * t4;
+  const Scalar t33 = c[3] * t31 - s[3] * t32;
+  const Scalar t34 = s[3] * t31 + c[3] * t32;
+  const Scalar t35 = k[4] * t33;
+  const Scalar t36 = s[2] * t34 - c[2] * t35;
+  const Scalar t37 = k[55] * t33 + k[8] * t36;
+  const Scalar t38 = k[35] * c[4] + k[36] * s[4];
+  const Scalar t39 = k[42] - c[4] * t38;
+  const Scalar t40 = k[17] * t4;
+  const Scalar t41 = (k[2] * t12 - k[17] * t39) - k[45] * t40;
+  const Scalar t42 = k[19] * t31 - (k[46] + t41);
+  const Scalar t43 = k[37] - s[4] * t38;
+  const Scalar t44 = k[40] - t43;
+  const Scalar t45 = Scalar(2) * t13 + k[17] * t44;
+  const Scalar t46 = (k[44] + (k[2] * t45 - t1)) - k[19] * t32;
+  const Scalar t47 = s[3] * t42 - c[3] * t46;
+  const Scalar t48 = k[17] * t45;
+  const Scalar t49 = k[41] - (t44 - t48);
+  const Scalar t50 = k[39] - (t43 - k[38] * t0);
+  const Scalar t51 = t49 + t50;
+  const Scalar t52 = k[54] * t33 - (k[5] * t47 - k[4] * t51);
+  const Scalar t53 = k[4] * t47;
+  const Scalar t54 = (k[57] * t33 + (k[5] * t51 + t53)) + k[22] * t34;
+  const Scalar t55 = s[3] * t46 + c[3] * t42;
+  const Scalar t56 = t55 + k[22] * t35;
+  const Scalar t57 = c[2] * t54 + s[2] * t56;
+  const Scalar t58 = k[23] * t37 - (k[8] * t52 - k[7] * t57);
+  const Scalar t59 = k[24] * t37 + (s[2] * t54 - c[2] * t56);
+  const Scalar t60 = s[2] * t35 + c[2] * t34;
+  const Scalar t61 = k[7] * t36 - k[56] * t33;
+  const Scalar t62 = k[23] * t61 - (k[8] * t57 + k[7] * t52);
+  const Scalar t63 = k[24] * t60 - t62;
+  const Scalar t64 = s[1] * t59 - c[1] * t63;
+  const Scalar t65 = s[1] * t60 + c[1] * t37;
+  const Scalar t66 = k[9] * t61 - k[10] * t65;
+  const Scalar t67 = (k[10] * t58 - k[9] * t64) - k[25] * t66;
+  const Scalar t68 = t3 * t30 + t67;
+  const Scalar t69 = k[27] * qd[0];
+  const Scalar t70 = c[0] * t69;
+  const Scalar t71 = k[9] * t70;
+  const Scalar t72 = qd[1] + k[26] * qd[0];
+  const Scalar t73 = t71 - k[10] * t72;
+  const Scalar t74 = qd[2] - t73;
+  const Scalar t75 = s[0] * t69;
+  const Scalar t76 = k[10] * t70 + k[9] * t72;
+  const Scalar t77 = s[1] * t75 - c[1] * t76;
+  const Scalar t78 = k[8] * t74 + k[7] * t77;
+  const Scalar t79 = qd[3] + t78;
+  const Scalar t80 = k[7] * t74 - k[8] * t77;
+  const Scalar t81 = s[1] * t76 + c[1] * t75;
+  const Scalar t82 = c[2] * t80 - s[2] * t81;
+  const Scalar t83 = k[5] * t79 + k[4] * t82;
+  const Scalar t84 = k[4] * t79 - k[5] * t82;
+  const Scalar t85 = qd[1] * t70 + t76 * t73;
+  const Scalar t86 = t71 * t75 - t75 * k[80] * qd[0];
+  const Scalar t87 = c[1] * t85 - s[1] * t86;
+  const Scalar t88 = t74 * t77;
+  const Scalar t89 = t87 - t88;
+  const Scalar t90 = t80 * t78 - t89;
+  const Scalar t91 = s[1] * t85 + c[1] * t86;
+  const Scalar t92 = k[9] * qd[1] * t75;
+  const Scalar t93 = t81 * t77;
+  const Scalar t94 = t92 + t93;
+  const Scalar t95 = k[8] * t91 - k[7] * t94;
+  const Scalar t96 = c[2] * t90 + s[2] * t95;
+  const Scalar t97 = t79 * t82;
+  const Scalar t98 = t96 - t97;
+  const Scalar t99 = t83 * t84 + t98;
+  const Scalar t100 = c[2] * t81 + s[2] * t80;
+  const Scalar t101 = t100 * t82;
+  const Scalar t102 = t81 * t74;
+  const Scalar t103 = t102 + t91;
+  const Scalar t104 = k[7] * t103 + k[8] * t92;
+  const Scalar t105 = t101 - t104;
+  const Scalar t106 = c[2] * t95 - s[2] * t90;
+  const Scalar t107 = k[5] * t105 + k[4] * t106;
+  const Scalar t108 = c[3] * t99 + s[3] * t107;
+  const Scalar t109 = c[3] * t107 - s[3] * t99;
+  const Scalar t110 = qd[4] + t84;
+  const Scalar t111 = t110 * t110;
+  const Scalar t112 = s[3] * t83 + c[3] * t100;
+  const Scalar t113 = t112 * t112;
+  const Scalar t114 = t111 + t113;
+  const Scalar t115 = s[3] * t100 - c[3] * t83;
+  const Scalar t116 = t115 * t115;
+  const Scalar t117 = t116 + t113;
+  const Scalar t118 = t114 - t117;
+  const Scalar t119 = t116 + t111;
+  const Scalar t120 = t119 - t117;
+  const Scalar t121 = t79 * t100;
+  const Scalar t122 = t106 + t121;
+  const Scalar t123 = k[5] * t122 + k[4] * t104;
+  const Scalar t124 = t112 * t115;
+  const Scalar t125 = t123 + t124;
+  const Scalar t126 = t123 - t124;
+  const Scalar t127 = k[43] * (t118 - t120) + (k[41] * t125 + k[39] * t126);
+  const Scalar t128 = t122 + t121;
+  const Scalar t129 = t100 * t100;
+  const Scalar t130 = t82 * t82;
+  const Scalar t131 = t102 + t103;
+  const Scalar t132 = qd[0] * qd[0];
+  const Scalar t133 = k[81] * t132;
+  const Scalar t134 = t72 * t69;
+  const Scalar t135 = t133 - (t134 + t134);
+  const Scalar t136 = k[83] * t132;
+  const Scalar t137 = k[84] - t136;
+  const Scalar t138 = k[25] * s[0] * t135 - t137;
+  const Scalar t139 = k[82] + t133;
+  const Scalar t140 = k[79] * t132;
+  const Scalar t141 = (c[0] * t139 + s[0] * t140) + k[25] * t75 * t70;
+  const Scalar t142 = t77 * t77;
+  const Scalar t143 = t74 * t74;
+  const Scalar t144 = t142 + t143;
+  const Scalar t145 = t143 - t81 * t81;
+  const Scalar t146 = (k[10] * t138 + k[9] * t141) + k[24] * (t144 - t145);
+  const Scalar t147 = k[23] * t131 - t146;
+  const Scalar t148 = (k[9] * t138 - k[10] * t141) + k[24] * t85;
+  const Scalar t149 = t72 * t72;
+  const Scalar t150 = t149 + t136;
+  const Scalar t151 = k[25] * (t150 - t75 * t75) + (c[0] * t140 - s[0] * t139);
+  const Scalar t152 = t151 + k[24] * t86;
+  const Scalar t153 = c[1] * t148 - s[1] * t152;
+  const Scalar t154 = t92 - t93;
+  const Scalar t155 = t153 - k[23] * t154;
+  const Scalar t156 = k[22] * (t129 + t130) - (k[8] * t147 + k[7] * t155);
+  const Scalar t157 = k[13] * t128 - t156;
+  const Scalar t158 = s[1] * t148 + c[1] * t152;
+  const Scalar t159 = k[22] * t95 + (k[23] * t144 + t158);
+  const Scalar t160 = (k[7] * t147 - k[8] * t155) + k[22] * t90;
+  const Scalar t161 = s[2] * t159 + c[2] * t160;
+  const Scalar t162 = t101 + t104;
+  const Scalar t163 = t161 + k[13] * t162;
+  const Scalar t164 = (k[5] * t157 + k[4] * t163) + k[19] * t99;
+  const Scalar t165 = s[2] * t160 - c[2] * t159;
+  const Scalar t166 = t79 * t79;
+  const Scalar t167 = t166 + t130;
+  const Scalar t168 = (t165 - k[13] * t167) - k[19] * t107;
+  const Scalar t169 = s[3] * t164 + c[3] * t168;
+  const Scalar t170 = c[3] * t164 - s[3] * t168;
+  const Scalar t171 = ((k[46] * t108 + k[44] * t109) - t127) + (k[30] * t169 - k[29] * t170);
+  const Scalar t172 = k[17] * t110 - k[2] * t115;
+  const Scalar t173 = t172 * t112;
+  const Scalar t174 = t110 * t112;
+  const Scalar t175 = t109 + t174;
+  const Scalar t176 = k[17] * t175 + k[2] * t123;
+  const Scalar t177 = t173 + t176;
+  const Scalar t178 = k[2] * t110 + k[17] * t115;
+  const Scalar t179 = qd[5] + t178;
+  const Scalar t180 = t179 * t179;
+  const Scalar t181 = t0 * t177 - t4 * (t180 + t113);
+  const Scalar t182 = t179 * t112;
+  const Scalar t183 = k[17] * t125 - k[2] * t109;
+  const Scalar t184 = t182 - (t183 - t182);
+  const Scalar t185 = t172 * t179;
+  const Scalar t186 = t110 * t115;
+  const Scalar t187 = t108 + t186;
+  const Scalar t188 = t172 * t178 + t187;
+  const Scalar t189 = (t185 + t185) - t188;
+  const Scalar t190 = t184 * t0 + t4 * t189;
+  const Scalar t191 = k[2] * t181 - k[17] * t190;
+  const Scalar t192 = t174 + t175;
+  const Scalar t193 = (k[5] * t163 - k[4] * t157) + k[19] * t117;
+  const Scalar t194 = k[45] * t192 - t193;
+  const Scalar t195 = t170 + k[45] * t126;
+  const Scalar t196 = k[2] * t194 - k[17] * t195;
+  const Scalar t197 = t173 - t176;
+  const Scalar t198 = t172 * t172;
+  const Scalar t199 = t198 - t113;
+  const Scalar t200 = t198 - t180;
+  const Scalar t201 = (t184 * t43 - t39 * t189) - (t197 * t1 - t12 * (t199 - t200));
+  const Scalar t202 = t196 * t0 - t201;
+  const Scalar t203 = (t44 * t197 - t43 * t177) + t39 * t199;
+  const Scalar t204 = (k[2] * t195 + k[17] * t194) * t0 + (k[45] * t119 - t169) * t4;
+  const Scalar t205 = ((t12 * t188 - t183 * t1) - t203) - t204;
+  const Scalar t206 = k[45] * t191 - (k[17] * t202 + k[2] * t205);
+  const Scalar t207 = t171 - t206;
+  const Scalar t208 = torque[5] + t205;
+  const Scalar t209 = k[28] * t208;
+  const Scalar t210 = (torque[4] + t207) + t209 * t2;
+  const Scalar t211 = Scalar(1) / (t51 + t3 * t2);
+  const Scalar t212 = t210 * t211;
+  const Scalar t213 = t166 + t129;
+  const Scalar t214 = k[2] * t190 + k[17] * t181;
+  const Scalar t215 = t187 + t186;
+  const Scalar t216 = t214 - (k[30] * t215 - k[29] * t192);
+  const Scalar t217 = t191 - (k[30] * t114 - k[29] * t126);
+  const Scalar t218 = (t0 * (t198 + t180) - t4 * t197) + (k[30] * t125 + k[29] * t119);
+  const Scalar t219 = c[3] * t217 - s[3] * t218;
+  const Scalar t220 = k[5] * t216 - k[4] * t219;
+  const Scalar t221 = (k[31] * t213 - k[32] * t162) + t220;
+  const Scalar t222 = s[3] * t217 + c[3] * t218;
+  const Scalar t223 = (k[32] * t167 - k[31] * t105) + t222;
+  const Scalar t224 = s[2] * t221 - c[2] * t223;
+  const Scalar t225 = k[45] * t214 - (k[17] * t205 - k[2] * t202);
+  const Scalar t226 = (k[43] * t215 + k[39] * t192) - (k[44] * t125 + k[46] * t120);
+  const Scalar t227 = t225 - (k[29] * t193 - t226);
+  const Scalar t228 = (t44 * t189 - t184 * t39) - t200 * t1;
+  const Scalar t229 = (k[41] * t215 + k[43] * t192) + k[44] * t118;
+  const Scalar t230 = (t4 * t196 + (t12 * t177 - t228)) - ((t229 - k[46] * t126) + k[30] * t193);
+  const Scalar t231 = (s[3] * t227 + c[3] * t230) - k[19] * t219;
+  const Scalar t232 = t97 - t98;
+  const Scalar t233 = k[51] * (t166 - t130) - (k[48] * t232 - k[59] * t128);
+  const Scalar t234 = t231 - (k[31] * t156 - (t233 + k[52] * t162));
+  const Scalar t235 = k[5] * t219 + k[4] * t216;
+  const Scalar t236 = k[19] * t222 - (s[3] * t230 - c[3] * t227);
+  const Scalar t237 = k[13] * t235 - (k[5] * t207 - k[4] * t236);
+  const Scalar t238 = (k[50] * t128 + k[59] * t232) - (k[51] * t105 + k[52] * (t166 - t129));
+  const Scalar t239 = t237 - (k[32] * t156 - t238);
+  const Scalar t240 = k[22] * t224 + (s[2] * t234 - c[2] * t239);
+  const Scalar t241 = (k[4] * t207 + k[5] * t236) + k[13] * t220;
+  const Scalar t242 = k[59] * (t213 - t167) - (k[48] * t105 + k[50] * t162);
+  const Scalar t243 = (k[32] * t161 - k[31] * t165) - (t242 - (k[51] * t106 - k[52] * t96));
+  const Scalar t244 = t241 - t243;
+  const Scalar t245 = c[2] * t221 + s[2] * t223;
+  const Scalar t246 = t235 + (k[32] * t128 + k[31] * t232);
+  const Scalar t247 = k[8] * t245 + k[7] * t246;
+  const Scalar t248 = (k[7] * t240 - k[8] * t244) - k[23] * t247;
+  const Scalar t249 = t142 - t143;
+  const Scalar t250 = t145 + t249;
+  const Scalar t251 = (k[60] * t154 - k[62] * t94) - k[63] * t250;
+  const Scalar t252 = (k[67] * t158 + k[64] * t153) - ((k[66] * t91 - k[65] * t87) + t251);
+  const Scalar t253 = t248 - t252;
+  const Scalar t254 = t247 - (k[64] * t154 + k[67] * (t144 - t250));
+  const Scalar t255 = t224 + (k[67] * t94 - k[64] * t144);
+  const Scalar t256 = s[1] * t254 + c[1] * t255;
+  const Scalar t257 = k[8] * t246 - k[7] * t245;
+  const Scalar t258 = (k[8] * t240 + k[7] * t244) - k[23] * t257;
+  const Scalar t259 = t88 - t89;
+  const Scalar t260 = (k[65] * t145 + k[66] * t94) + (k[63] * t259 + k[60] * t131);
+  const Scalar t261 = t258 - (t260 - k[64] * t146);
+  const Scalar t262 = k[66] * t249 - (k[62] * t259 - k[63] * t131);
+  const Scalar t263 = (c[2] * t234 + s[2] * t239) + k[22] * t245;
+  const Scalar t264 = (k[67] * t146 - (k[65] * t154 + t262)) + t263;
+  const Scalar t265 = k[24] * t256 + (c[1] * t261 + s[1] * t264);
+  const Scalar t266 = t257 + (k[64] * t131 + k[67] * t259);
+  const Scalar t267 = s[1] * t255 - c[1] * t254;
+  const Scalar t268 = k[9] * t266 - k[10] * t267;
+  const Scalar t269 = (k[10] * t253 + k[9] * t265) - k[25] * t268;
+  const Scalar t270 = k[87] + c[0] * (k[85] * s[0] - k[86] * c[0]);
+  const Scalar t271 = k[74] * c[0] - k[76] * s[0];
+  const Scalar t272 = k[75] * c[0] - k[73] * s[0];
+  const Scalar t273 = k[75] * s[0] + k[73] * c[0];
+  const Scalar t274 = (t270 * t136 + t133 * t271) - (t272 * t140 - t273 * t139);
+  const Scalar t275 = t269 + t274;
+  const Scalar t276 = k[28] * t30;
+  const Scalar t277 = t68 * t212 + ((torque[1] - t275) - t208 * t276);
+  const Scalar t278 = (k[17] * t12 + k[2] * t39) + k[14] * t4;
+  const Scalar t279 = k[43] - t278;
+  const Scalar t280 = c[3] * t279;
+  const Scalar t281 = (t280 + t280) + s[3] * (t49 - t50);
+  const Scalar t282 = t49 - s[3] * t281;
+  const Scalar t283 = k[47] * t40 - t48;
+  const Scalar t284 = (t53 + t53) + k[5] * (t282 - t283);
+  const Scalar t285 = k[5] * t284;
+  const Scalar t286 = k[48] - (t282 - t285);
+  const Scalar t287 = k[50] + (k[49] * t33 + (t51 - t282));
+  const Scalar t288 = t286 - t287;
+  const Scalar t289 = t279 - c[3] * t281;
+  const Scalar t290 = k[6] * t4 + k[5] * t34;
+  const Scalar t291 = (k[4] * t55 + k[5] * t289) + k[13] * t290;
+  const Scalar t292 = k[52] - t291;
+  const Scalar t293 = k[51] - (t47 - k[4] * t284);
+  const Scalar t294 = k[4] * t34 - k[3] * t4;
+  const Scalar t295 = k[31] + t294;
+  const Scalar t296 = k[32] + t33;
+  const Scalar t297 = c[2] * t295 + s[2] * t296;
+  const Scalar t298 = (s[2] * t292 - c[2] * t293) - k[22] * t297;
+  const Scalar t299 = c[2] * t296 - s[2] * t295;
+  const Scalar t300 = k[8] * t299;
+  const Scalar t301 = (k[8] * t288 - k[7] * t298) - k[23] * t300;
+  const Scalar t302 = k[22] * t299 - (c[2] * t292 + s[2] * t293);
+  const Scalar t303 = k[8] * t298;
+  const Scalar t304 = (k[7] * t288 + t303) - k[53] * t299;
+  const Scalar t305 = s[1] * t300 + c[1] * t297;
+  const Scalar t306 = (s[1] * t302 - c[1] * t304) + k[24] * t305;
+  const Scalar t307 = s[1] * t297 - c[1] * t300;
+  const Scalar t308 = k[33] * t299 + k[10] * t307;
+  const Scalar t309 = (k[10] * t301 + k[9] * t306) + k[25] * t308;
+  const Scalar t310 = t3 * t16 + t52;
+  const Scalar t311 = t211 * t68;
+  const Scalar t312 = (t309 + t276 * t16) - t310 * t311;
+  const Scalar t313 = t211 * t310;
+  const Scalar t314 = t210 * t313 - ((torque[3] + t244) + t209 * t16);
+  const Scalar t315 = k[28] * t16;
+  const Scalar t316 = Scalar(1) / ((t288 - t16 * t315) + t313 * t310);
+  const Scalar t317 = t314 * t316;
+  const Scalar t318 = t3 * t21 + t58;
+  const Scalar t319 = t211 * t318;
+  const Scalar t320 = k[64] + t299;
+  const Scalar t321 = k[7] * t290 - k[8] * t297;
+  const Scalar t322 = k[67] + t321;
+  const Scalar t323 = c[1] * t320 + s[1] * t322;
+  const Scalar t324 = k[10] * t323;
+  const Scalar t325 = k[61] * t290 + (t285 + t283);
+  const Scalar t326 = (k[4] * t289 - k[5] * t55) + k[13] * t294;
+  const Scalar t327 = k[59] + t326;
+  const Scalar t328 = s[2] * (t286 + t287) + Scalar(2) * c[2] * t327;
+  const Scalar t329 = s[2] * t328 - t287;
+  const Scalar t330 = t288 - t329;
+  const Scalar t331 = (t303 + t303) + k[7] * (t325 + t330);
+  const Scalar t332 = k[24] * t322 - (k[66] + (t298 - k[8] * t331));
+  const Scalar t333 = t327 - c[2] * t328;
+  const Scalar t334 = k[7] * t297 + k[8] * t290;
+  const Scalar t335 = (k[7] * t333 - k[8] * t302) - k[23] * t334;
+  const Scalar t336 = (k[65] - t335) + k[24] * t320;
+  const Scalar t337 = c[1] * t332 - s[1] * t336;
+  const Scalar t338 = k[60] + (k[58] * t299 - t329);
+  const Scalar t339 = k[7] * t331;
+  const Scalar t340 = k[62] - (t339 - t330);
+  const Scalar t341 = t338 - t340;
+  const Scalar t342 = k[25] * t324 + (k[9] * t337 + k[10] * t341);
+  const Scalar t343 = k[28] * t21;
+  const Scalar t344 = (t16 * t343 + t301) - t319 * t310;
+  const Scalar t345 = t344 * t316;
+  const Scalar t346 = (t319 * t68 - (t276 * t21 + t342)) - t312 * t345;
+  const Scalar t347 = t210 * t319 + ((torque[2] - t253) - t208 * t343);
+  const Scalar t348 = (t319 * t318 - (t341 + t343 * t21)) - t345 * t344;
+  const Scalar t349 = Scalar(1) / t348;
+  const Scalar t350 = (t314 * t345 + t347) * t349;
+  const Scalar t351 = (t277 + t312 * t317) - t346 * t350;
+  const Scalar t352 = k[10] * t61 + k[9] * t65;
+  const Scalar t353 = s[1] * t37 - c[1] * t60;
+  const Scalar t354 = k[11] * t352 + k[12] * (c[0] * t66 + s[0] * t353);
+  const Scalar t355 = (k[10] * t64 + k[9] * t58) + k[25] * t352;
+  const Scalar t356 = s[0] * ((s[1] * t63 + c[1] * t59) - t66);
+  const Scalar t357 = k[26] * t67 - k[27] * (c[0] * (t355 + t353) + t356);
+  const Scalar t358 = s[0] * ((s[1] * t24 + c[1] * t26) - t29);
+  const Scalar t359 = c[1] * t17 - s[1] * t11;
+  const Scalar t360 = k[9] * t28 + k[10] * t22;
+  const Scalar t361 = (k[10] * t27 - k[9] * t21) - k[25] * t360;
+  const Scalar t362 = k[27] * (t358 - c[0] * (t359 + t361)) - k[26] * t30;
+  const Scalar t363 = k[11] * t360 + k[12] * (c[0] * t29 - s[0] * t359);
+  const Scalar t364 = t362 + t363;
+  const Scalar t365 = (t354 - t357) + t364 * t3;
+  const Scalar t366 = t211 * t365;
+  const Scalar t367 = c[1] * t322 - s[1] * t320;
+  const Scalar t368 = k[10] * t334 - k[9] * t367;
+  const Scalar t369 = s[1] * t332 + c[1] * t336;
+  const Scalar t370 = k[23] * t321 + (k[8] * t333 + k[7] * t302);
+  const Scalar t371 = k[63] + t370;
+  const Scalar t372 = s[1] * (t338 + t340) - Scalar(2) * c[1] * t371;
+  const Scalar t373 = t371 + c[1] * t372;
+  const Scalar t374 = k[25] * t368 + (k[10] * t369 + k[9] * t373);
+  const Scalar t375 = k[73] + t323;
+  const Scalar t376 = k[69] * t334 + (t325 - t339);
+  const Scalar t377 = t338 - s[1] * t372;
+  const Scalar t378 = t377 - t341;
+  const Scalar t379 = k[68] * t337 + k[9] * (t376 + t378);
+  const Scalar t380 = k[9] * t334 + k[10] * t367;
+  const Scalar t381 = k[75] + t380;
+  const Scalar t382 = c[0] * ((k[76] - (k[10] * t379 - t337)) - t381);
+  const Scalar t383 = k[27] * (s[0] * ((k[74] + t374) + t375) + t382);
+  const Scalar t384 = k[9] * t379;
+  const Scalar t385 = k[70] + (t378 - t384);
+  const Scalar t386 = k[72] + (t377 + k[71] * t323);
+  const Scalar t387 = t385 - t386;
+  const Scalar t388 = s[0] * t381 + c[0] * t375;
+  const Scalar t389 = ((t383 + k[26] * t387) - k[12] * t388) + t364 * t276;
+  const Scalar t390 = k[34] * t299 - k[9] * t307;
+  const Scalar t391 = k[12] * (c[0] * t308 + s[0] * t305) + k[11] * t390;
+  const Scalar t392 = k[25] * t390 + (k[10] * t306 - k[9] * t301);
+  const Scalar t393 = k[24] * t307 - (c[1] * t302 + s[1] * t304);
+  const Scalar t394 = c[0] * (t305 + t392) - s[0] * (t393 + t308);
+  const Scalar t395 = t364 * t315 - (t391 + (k[27] * t394 + k[26] * t309));
+  const Scalar t396 = t366 * t310 - t395;
+  const Scalar t397 = t312 * t316;
+  const Scalar t398 = t396 * t316;
+  const Scalar t399 = k[28] * t364;
+  const Scalar t400 = k[26] * (s[0] * t367 + c[0] * t324) - k[78] * t323;
+  const Scalar t401 = k[77] * t323 - (k[10] * t337 - k[9] * t341);
+  const Scalar t402 = c[0] * (t367 - t401) - s[0] * (t324 + t369);
+  const Scalar t403 = k[79] * t400 + (k[27] * t402 + k[26] * t342);
+  const Scalar t404 = t398 * t344 + (t366 * t318 - (t21 * t399 - t403));
+  const Scalar t405 = t349 * t404;
+  const Scalar t406 = ((t366 * t68 - t389) + t396 * t397) - t346 * t405;
+  const Scalar t407 = t346 * t349;
+  const Scalar t408 = t312 * t397 + ((t276 * t30 - t387) - t68 * t311);
+  const Scalar t409 = Scalar(1) / (t346 * t407 + t408);
+  const Scalar t410 = t406 * t409;
+  const Scalar t411 = k[9] * t267 + k[10] * t266;
+  const Scalar t412 = t272 * t149 - (c[0] * t268 - s[0] * t256);
+  const Scalar t413 = k[11] * (t135 * t272 + t411) - k[12] * t412;
+  const Scalar t414 = t273 * t137 - (t135 * t270 - t271 * t149);
+  const Scalar t415 = (k[9] * t253 - k[10] * t265) + k[25] * t411;
+  const Scalar t416 = k[24] * t267 + (s[1] * t261 - c[1] * t264);
+  const Scalar t417 = c[0] * (t256 - t415) + s[0] * (t268 - t416);
+  const Scalar t418 = k[26] * t275 - k[27] * (t273 * t150 + (t414 - t417));
+  const Scalar t419 = t366 * t210 - ((torque[0] + (t413 - t418)) + t364 * t209);
+  const Scalar t420 = t351 * t410 + ((t419 - t317 * t396) - t350 * t404);
+  const Scalar t421 = k[25] * t380 - (k[10] * t373 - k[9] * t369);
+  const Scalar t422 = Scalar(2) * c[0] * (k[87] + t421) - s[0] * (t385 + t386);
+  const Scalar t423 = t385 + s[0] * t422;
+  const Scalar t424 = k[83] * (t423 + ((t376 - t384) + Scalar(2) * t368));
+  const Scalar t425 = (k[91] - ((t424 - k[90] * t383) - t423)) - (k[89] + ((t423 - t387) + k[88] * t388));
+  const Scalar t426 = t398 * t396 - (t366 * t365 + (t425 - t364 * t399));
+  const Scalar t427 = Scalar(1) / ((t405 * t404 + t426) - t406 * t410);
+  const Scalar t428 = t420 * t427;
+  const Scalar t429 = t351 * t409 + t428 * t410;
+  const Scalar t430 = (t428 * t405 + t350) + t429 * t407;
+  const Scalar t431 = (t429 * t397 - (t317 + t428 * t398)) - t430 * t345;
+  const Scalar t432 = ((t428 * t366 + t212) + t429 * t311) - t430 * t319;
+  const Scalar t433 = t432 + t313 * t431;
+  const Scalar t434 = t343 * t430 - (t276 * t429 + (t209 + t428 * t399));
   JointVector<Scalar> result;
-  result[0] = t434;
-  result[1] = t435;
-  result[2] = t436;
-  result[3] = -t437;
-  result[4] = t439;
-  result[5] = (t89 * t437 - t440) - t38 * t439;
+  result[0] = -t428;
+  result[1] = t429;
+  result[2] = -t430;
+  result[3] = -t431;
+  result[4] = t433;
+  result[5] = t3 * t433 + (t434 - t315 * t431);
   return result;
 }
 

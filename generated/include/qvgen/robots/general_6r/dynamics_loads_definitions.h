@@ -25,205 +25,191 @@ InverseDynamicsWithGravityVectorConstants<Scalar> inverse_dynamics_with_gravity_
   using std::sin;
   const Scalar t0 = inertia.m5 + inertia.m6;
   const Scalar t1 = inertia.m4 + t0;
-  const Scalar t2 = inertia.c4z * inertia.m4;
-  const Scalar t3 = g.d4 * inertia.m4;
-  const Scalar t4 = t2 + t3;
-  const Scalar t5 = t4 - t3;
-  const Scalar t6 = g.d5 * inertia.m5;
-  const Scalar t7 = inertia.c5z * inertia.m5;
-  const Scalar t8 = t7 + t6;
-  const Scalar t9 = t6 - t8;
-  const Scalar t10 = inertia.c6z * inertia.m6;
-  const Scalar t11 = g.d6 * inertia.m6 + t10;
-  const Scalar t12 = cos(g.alpha6) * t11;
-  const Scalar t13 = t9 - t12;
-  const Scalar t14 = t13 - g.d5 * t0;
-  const Scalar t15 = cos(g.alpha5) * t14;
-  const Scalar t16 = t5 - t15;
-  const Scalar t17 = g.d4 * t1 + t16;
-  const Scalar t18 = cos(g.alpha4) * t17;
-  const Scalar t19 = g.d3 * inertia.m3;
-  const Scalar t20 = inertia.c3z * inertia.m3;
-  const Scalar t21 = t20 + t19;
-  const Scalar t22 = t19 - t21;
-  const Scalar t23 = t18 - t22;
-  const Scalar t24 = inertia.m3 + t1;
-  const Scalar t25 = t23 + g.d3 * t24;
-  const Scalar t26 = sin(g.alpha3) * t25;
-  const Scalar t27 = inertia.c2y * inertia.m2;
-  const Scalar t28 = (t26 - t27) / (g.d3 * sin(g.alpha3));
-  const Scalar t29 = g.a2 * t28;
-  const Scalar t30 = inertia.m2 + t24;
-  const Scalar t31 = g.a2 * t30;
-  const Scalar t32 = inertia.c1x * inertia.m1;
-  const Scalar t33 = g.d3 * t28;
-  const Scalar t34 = cos(g.alpha3) * t33;
-  const Scalar t35 = t34 + g.d2 * t28;
-  const Scalar t36 = cos(g.alpha3) * t25;
-  const Scalar t37 = g.d2 * inertia.m2;
-  const Scalar t38 = inertia.c2z * inertia.m2;
-  const Scalar t39 = t37 + t38;
-  const Scalar t40 = t37 - t39;
-  const Scalar t41 = t36 - t40;
-  const Scalar t42 = g.d2 * t30 + t41;
-  const Scalar t43 = inertia.c1y * inertia.m1;
-  const Scalar t44 = g.d3 * (sin(g.alpha2) * t35 - (sin(g.alpha2) * t42 - t43));
-  const Scalar t45 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t46 = g.d2 * (t39 + t38) - ((inertia.I2zz - t45) - inertia.c2z * t38);
-  const Scalar t47 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t48 = ((inertia.I4zz - t47) - inertia.c4z * t2) - g.d4 * (t4 + t2);
-  const Scalar t49 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t50 = (inertia.c5z * t7 - (inertia.I5zz - t49)) + g.d5 * (t7 + t8);
-  const Scalar t51 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t52 = (inertia.c6z * t10 - (inertia.I6zz - t51)) + g.d6 * (t11 + t10);
-  const Scalar t53 = sin(g.alpha6) * t52;
-  const Scalar t54 = sin(g.alpha6) * t53;
-  const Scalar t55 = (g.d5 * (t9 - t8) + t50) + (t52 - t54);
-  const Scalar t56 = g.d5 * (t13 + t14) - t55;
-  const Scalar t57 = sin(g.alpha5) * t56;
-  const Scalar t58 = sin(g.alpha5) * t57;
-  const Scalar t59 = (g.d4 * (t5 + t4) + t48) - (t58 - t56);
-  const Scalar t60 = t59 - g.d4 * (t16 + t17);
-  const Scalar t61 = sin(g.alpha4) * t60;
-  const Scalar t62 = sin(g.alpha4) * t61;
-  const Scalar t63 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t64 = g.d3 * (t20 + t21) - ((inertia.I3zz - t63) - inertia.c3z * t20);
-  const Scalar t65 = (t62 - t60) + (t64 - g.d3 * (t21 - t22));
-  const Scalar t66 = t65 + g.d3 * (t23 + t25);
-  const Scalar t67 = sin(g.alpha3) * t66;
-  const Scalar t68 = sin(g.alpha3) * t67;
-  const Scalar t69 = (g.d2 * (t39 - t40) - t46) + (t68 - t66);
-  const Scalar t70 = sin(g.alpha2) * sin(g.alpha2) * (t69 - g.d2 * (t41 + t42));
-  const Scalar t71 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t72 = g.d3 * t33;
-  const Scalar t73 = sin(g.alpha3) * t72;
-  const Scalar t74 = sin(g.alpha3) * t73;
-  const Scalar t75 = sin(g.alpha2) * ((t74 - t72) - g.d2 * (t34 + t35));
-  const Scalar t76 = (t70 - (inertia.c1y * t43 - (inertia.I1yy - t71))) - sin(g.alpha2) * t75;
-  const Scalar t77 = g.a2 * t31 + (inertia.c1x * t32 - (inertia.I1xx - t71));
-  const Scalar t78 = inertia.c2x * inertia.m2;
-  const Scalar t79 = g.d2 * t78;
-  const Scalar t80 = g.a3 * t36 - (((inertia.I2xz - inertia.c2z * t78) - t79) + t79);
-  const Scalar t81 = (g.a3 * t26 + (inertia.I2xy - inertia.c2y * t78)) - g.a3 * sin(g.alpha3) * t33;
-  const Scalar t82 = (((inertia.I2yy - t45) - inertia.c2y * t27) - t68) + t74;
-  const Scalar t83 = g.d2 * t27;
-  const Scalar t84 = ((t83 - (inertia.I2yz - inertia.c2z * t27)) - t83) - cos(g.alpha3) * t67;
-  const Scalar t85 = inertia.c6x * inertia.m6;
-  const Scalar t86 = inertia.c6y * inertia.m6;
-  const Scalar t87 = g.a6 * inertia.m6;
-  const Scalar t88 = inertia.c5x * inertia.m5;
-  const Scalar t89 = inertia.c5y * inertia.m5;
-  const Scalar t90 = sin(g.alpha6) * t11;
-  const Scalar t91 = sin(g.alpha5) * t14;
-  const Scalar t92 = inertia.c4y * inertia.m4;
-  const Scalar t93 = g.a5 * t0;
-  const Scalar t94 = inertia.c4x * inertia.m4;
-  const Scalar t95 = (inertia.I6xx - t51) - inertia.c6x * t85;
-  const Scalar t96 = (inertia.I6yy - t51) - inertia.c6y * t86;
-  const Scalar t97 = inertia.I6xy - inertia.c6y * t85;
-  const Scalar t98 = g.a2 / g.d3;
-  const Scalar t99 = gravity[2] / g.d3;
-  const Scalar t100 = g.d2 / g.d3;
-  const Scalar t101 = g.d5 * t89;
-  const Scalar t102 = (t101 + ((inertia.I5yz - inertia.c5z * t89) - t101)) + cos(g.alpha6) * t53;
-  const Scalar t103 = g.d5 * t88;
-  const Scalar t104 = (t103 - (t103 - (inertia.I5xz - inertia.c5z * t88))) - g.a6 * t12;
-  const Scalar t105 = (inertia.c5x * t88 - (inertia.I5xx - t49)) + g.a6 * t87;
-  const Scalar t106 = g.d4 * t92;
-  const Scalar t107 = cos(g.alpha5) * t57 - (t106 - (t106 - (inertia.I4yz - inertia.c4z * t92)));
-  const Scalar t108 = g.d4 * t94;
-  const Scalar t109 = g.a5 * t15 + (((inertia.I4xz - inertia.c4z * t94) - t108) + t108);
-  const Scalar t110 = g.a5 * t93 - ((inertia.I4xx - t47) - inertia.c4x * t94);
-  const Scalar t111 = sin(g.alpha4) * t17;
-  const Scalar t112 = inertia.c3y * inertia.m3;
-  const Scalar t113 = inertia.c3x * inertia.m3;
-  const Scalar t114 = g.d3 * t113;
-  const Scalar t115 = g.a4 * t18 - (t114 - (t114 - (inertia.I3xz - inertia.c3z * t113)));
-  const Scalar t116 = g.d3 * t112;
-  const Scalar t117 = cos(g.alpha4) * t61 - (t116 - (t116 - (inertia.I3yz - inertia.c3z * t112)));
-  const Scalar t118 = g.a4 * t1;
-  const Scalar t119 = g.a4 * t118 + (inertia.c3x * t113 - (inertia.I3xx - t63));
-  const Scalar t120 = g.a3 * t24;
-  const Scalar t121 = g.a3 * t28;
-  const Scalar t122 = g.a3 * t120 + (inertia.c2x * t78 - (inertia.I2xx - t45));
-  return { gravity[0] / g.d3,
-           gravity[1] / g.d3,
-           g.d3 * (t29 - (t31 + t32)),
-           t44,
-           t76 + (g.a2 * t29 - t77),
-           sin(g.alpha2),
+  const Scalar t2 = inertia.m3 + t1;
+  const Scalar t3 = g.a3 * t2;
+  const Scalar t4 = inertia.c2x * inertia.m2;
+  const Scalar t5 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t6 = g.a3 * t3 + (inertia.c2x * t4 - (inertia.I2xx - t5));
+  const Scalar t7 = inertia.c4z * inertia.m4;
+  const Scalar t8 = g.d4 * inertia.m4;
+  const Scalar t9 = t7 + t8;
+  const Scalar t10 = t9 - t8;
+  const Scalar t11 = g.d5 * inertia.m5;
+  const Scalar t12 = inertia.c5z * inertia.m5;
+  const Scalar t13 = t12 + t11;
+  const Scalar t14 = t11 - t13;
+  const Scalar t15 = inertia.c6z * inertia.m6;
+  const Scalar t16 = g.d6 * inertia.m6 + t15;
+  const Scalar t17 = cos(g.alpha6) * t16;
+  const Scalar t18 = t14 - t17;
+  const Scalar t19 = t18 - g.d5 * t0;
+  const Scalar t20 = cos(g.alpha5) * t19;
+  const Scalar t21 = t10 - t20;
+  const Scalar t22 = g.d4 * t1 + t21;
+  const Scalar t23 = cos(g.alpha4) * t22;
+  const Scalar t24 = g.d3 * inertia.m3;
+  const Scalar t25 = inertia.c3z * inertia.m3;
+  const Scalar t26 = t25 + t24;
+  const Scalar t27 = t24 - t26;
+  const Scalar t28 = t23 - t27;
+  const Scalar t29 = t28 + g.d3 * t2;
+  const Scalar t30 = sin(g.alpha3) * t29;
+  const Scalar t31 = inertia.c2y * inertia.m2;
+  const Scalar t32 = (t30 - t31) / (g.d3 * sin(g.alpha3));
+  const Scalar t33 = g.a3 * t32;
+  const Scalar t34 = g.a3 * t33;
+  const Scalar t35 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t36 = ((inertia.I4zz - t35) - inertia.c4z * t7) - g.d4 * (t9 + t7);
+  const Scalar t37 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t38 = (inertia.c5z * t12 - (inertia.I5zz - t37)) + g.d5 * (t12 + t13);
+  const Scalar t39 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t40 = (inertia.c6z * t15 - (inertia.I6zz - t39)) + g.d6 * (t16 + t15);
+  const Scalar t41 = sin(g.alpha6) * t40;
+  const Scalar t42 = sin(g.alpha6) * t41;
+  const Scalar t43 = (g.d5 * (t14 - t13) + t38) + (t40 - t42);
+  const Scalar t44 = g.d5 * (t18 + t19) - t43;
+  const Scalar t45 = sin(g.alpha5) * t44;
+  const Scalar t46 = sin(g.alpha5) * t45;
+  const Scalar t47 = (g.d4 * (t10 + t9) + t36) - (t46 - t44);
+  const Scalar t48 = t47 - g.d4 * (t21 + t22);
+  const Scalar t49 = sin(g.alpha4) * t48;
+  const Scalar t50 = sin(g.alpha4) * t49;
+  const Scalar t51 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t52 = g.d3 * (t25 + t26) - ((inertia.I3zz - t51) - inertia.c3z * t25);
+  const Scalar t53 = (t50 - t48) + (t52 - g.d3 * (t26 - t27));
+  const Scalar t54 = t53 + g.d3 * (t28 + t29);
+  const Scalar t55 = sin(g.alpha3) * t54;
+  const Scalar t56 = sin(g.alpha3) * t55;
+  const Scalar t57 = g.d3 * t32;
+  const Scalar t58 = g.d3 * t57;
+  const Scalar t59 = sin(g.alpha3) * t58;
+  const Scalar t60 = sin(g.alpha3) * t59;
+  const Scalar t61 = (((inertia.I2yy - t5) - inertia.c2y * t31) - t56) + t60;
+  const Scalar t62 = (g.a3 * t30 + (inertia.I2xy - inertia.c2y * t4)) - g.a3 * sin(g.alpha3) * t57;
+  const Scalar t63 = cos(g.alpha3) * t29;
+  const Scalar t64 = g.d2 * t4;
+  const Scalar t65 = g.a3 * t63 - (((inertia.I2xz - inertia.c2z * t4) - t64) + t64);
+  const Scalar t66 = cos(g.alpha3) * t57;
+  const Scalar t67 = g.d2 * t31;
+  const Scalar t68 = ((t67 - (inertia.I2yz - inertia.c2z * t31)) - t67) - cos(g.alpha3) * t55;
+  const Scalar t69 = g.a2 / g.a3;
+  const Scalar t70 = gravity[2] / g.a3;
+  const Scalar t71 = g.a6 * inertia.m6;
+  const Scalar t72 = inertia.c5x * inertia.m5;
+  const Scalar t73 = inertia.c5y * inertia.m5;
+  const Scalar t74 = sin(g.alpha6) * t16;
+  const Scalar t75 = inertia.c6x * inertia.m6;
+  const Scalar t76 = inertia.c6y * inertia.m6;
+  const Scalar t77 = sin(g.alpha5) * t19;
+  const Scalar t78 = inertia.c4y * inertia.m4;
+  const Scalar t79 = g.a5 * t0;
+  const Scalar t80 = inertia.c4x * inertia.m4;
+  const Scalar t81 = g.a4 * t1;
+  const Scalar t82 = inertia.c3x * inertia.m3;
+  const Scalar t83 = sin(g.alpha4) * t22;
+  const Scalar t84 = inertia.c3y * inertia.m3;
+  const Scalar t85 = g.d4 * t80;
+  const Scalar t86 = g.a5 * t20 + (((inertia.I4xz - inertia.c4z * t80) - t85) + t85);
+  const Scalar t87 = g.d4 * t78;
+  const Scalar t88 = cos(g.alpha5) * t45 - (t87 - (t87 - (inertia.I4yz - inertia.c4z * t78)));
+  const Scalar t89 = (inertia.I6xx - t39) - inertia.c6x * t75;
+  const Scalar t90 = (inertia.I6yy - t39) - inertia.c6y * t76;
+  const Scalar t91 = inertia.I6xy - inertia.c6y * t75;
+  const Scalar t92 = g.d5 * t73;
+  const Scalar t93 = (t92 + ((inertia.I5yz - inertia.c5z * t73) - t92)) + cos(g.alpha6) * t41;
+  const Scalar t94 = g.d5 * t72;
+  const Scalar t95 = (t94 - (t94 - (inertia.I5xz - inertia.c5z * t72))) - g.a6 * t17;
+  const Scalar t96 = (inertia.c5x * t72 - (inertia.I5xx - t37)) + g.a6 * t71;
+  const Scalar t97 = g.a5 * t79 - ((inertia.I4xx - t35) - inertia.c4x * t80);
+  const Scalar t98 = g.a4 * t81 + (inertia.c3x * t82 - (inertia.I3xx - t51));
+  const Scalar t99 = g.d3 * t84;
+  const Scalar t100 = cos(g.alpha4) * t49 - (t99 - (t99 - (inertia.I3yz - inertia.c3z * t84)));
+  const Scalar t101 = g.d3 * t82;
+  const Scalar t102 = g.a4 * t23 - (t101 - (t101 - (inertia.I3xz - inertia.c3z * t82)));
+  const Scalar t103 = g.a2 * t32;
+  const Scalar t104 = inertia.m2 + t2;
+  const Scalar t105 = g.a2 * t104;
+  const Scalar t106 = inertia.c1x * inertia.m1;
+  const Scalar t107 = t66 + g.d2 * t32;
+  const Scalar t108 = g.d2 * inertia.m2;
+  const Scalar t109 = inertia.c2z * inertia.m2;
+  const Scalar t110 = t108 + t109;
+  const Scalar t111 = t108 - t110;
+  const Scalar t112 = t63 - t111;
+  const Scalar t113 = g.d2 * t104 + t112;
+  const Scalar t114 = inertia.c1y * inertia.m1;
+  const Scalar t115 = g.a3 * (sin(g.alpha2) * t107 - (sin(g.alpha2) * t113 - t114));
+  const Scalar t116 = g.d2 * (t110 + t109) - ((inertia.I2zz - t5) - inertia.c2z * t109);
+  const Scalar t117 = (g.d2 * (t110 - t111) - t116) + (t56 - t54);
+  const Scalar t118 = sin(g.alpha2) * sin(g.alpha2) * (t117 - g.d2 * (t112 + t113));
+  const Scalar t119 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t120 = sin(g.alpha2) * ((t60 - t58) - g.d2 * (t66 + t107));
+  const Scalar t121 = (t118 - (inertia.c1y * t114 - (inertia.I1yy - t119))) - sin(g.alpha2) * t120;
+  const Scalar t122 = g.a2 * t105 + (inertia.c1x * t106 - (inertia.I1xx - t119));
+  return { sin(g.alpha2),
            cos(g.alpha2),
-           t80 - g.a3 * t34,
-           t81,
-           t82,
-           t84 + cos(g.alpha3) * t73,
-           g.d3 * t85,
-           g.d3 * t86,
+           t6 - t34,
+           t61,
+           t62,
+           t65 - g.a3 * t66,
+           t68 + cos(g.alpha3) * t59,
+           g.d2 / g.a3,
+           t69,
+           gravity[0] / g.a3,
+           gravity[1] / g.a3,
+           sin(g.alpha2) * t70,
+           g.a3 * ((t3 + t4) - t33),
            cos(g.alpha3),
            sin(g.alpha3),
            sin(g.alpha4),
            cos(g.alpha4),
            cos(g.alpha5),
            sin(g.alpha5),
+           g.a3 * (t71 + t72),
+           g.a3 * (t73 - t74),
+           g.a3 * t75,
+           g.a3 * t76,
            sin(g.alpha6),
            cos(g.alpha6),
-           cos(g.alpha3) * sin(g.alpha3),
-           sin(g.alpha3) * sin(g.alpha3),
-           cos(g.alpha3) * cos(g.alpha3),
-           cos(g.alpha4) * sin(g.alpha4),
-           cos(g.alpha4) * cos(g.alpha4),
-           sin(g.alpha4) * sin(g.alpha4),
-           sin(g.alpha5) * sin(g.alpha5),
-           cos(g.alpha5) * sin(g.alpha5),
-           cos(g.alpha5) * cos(g.alpha5),
-           cos(g.alpha6) * sin(g.alpha6),
-           sin(g.alpha6) * sin(g.alpha6),
-           cos(g.alpha6) * cos(g.alpha6),
-           g.d3 * (t87 + t88),
-           g.d3 * (t89 - t90),
-           g.d3 * (t91 + t92),
-           g.d3 * (t93 + t94),
-           g.d4 / g.d3,
-           t95 - t96,
-           Scalar(2) * t97,
-           t96,
+           g.a3 * (t77 + t78),
+           g.a3 * (t79 + t80),
+           cos(g.alpha2) * t70,
+           g.d3 / g.a3,
+           t34,
+           g.a3 * (t81 + t82),
+           g.a3 * (t83 - t84),
+           g.a4 / g.a3,
+           g.d4 / g.a3,
+           t86,
+           t88,
+           t46 + ((inertia.I4yy - t35) - inertia.c4y * t78),
+           g.a5 * t77 - (inertia.I4xy - inertia.c4y * t80),
+           g.d5 / g.a3,
+           (inertia.I6xz - inertia.c6z * t75) - g.d6 * t75,
+           g.d6 * t76 - (inertia.I6yz - inertia.c6z * t76),
+           t89 - t90,
+           Scalar(2) * t91,
+           t89,
+           t90,
+           t91,
+           g.a5 / g.a3,
+           g.a6 / g.a3,
+           t93,
            t95,
+           t96,
+           (inertia.I5xy - inertia.c5y * t72) + g.a6 * t74,
+           (inertia.c5y * t73 - (inertia.I5yy - t37)) + t42,
            t97,
-           (inertia.I6xz - inertia.c6z * t85) - g.d6 * t85,
-           g.d6 * t86 - (inertia.I6yz - inertia.c6z * t86),
-           g.a5 / g.d3,
-           g.a3 / g.d3,
+           (inertia.I3xy - inertia.c3y * t82) + g.a4 * t83,
            t98,
-           sin(g.alpha2) * t99,
-           cos(g.alpha2) * t100,
-           sin(g.alpha2) * t100,
-           cos(g.alpha2) * t99,
-           g.a4 / g.d3,
-           g.d5 / g.d3,
-           g.a6 / g.d3,
-           t102,
-           t104,
-           t105,
-           (inertia.I5xy - inertia.c5y * t88) + g.a6 * t90,
-           (inertia.c5y * t89 - (inertia.I5yy - t49)) + t54,
-           t58 + ((inertia.I4yy - t47) - inertia.c4y * t92),
-           g.a5 * t91 - (inertia.I4xy - inertia.c4y * t94),
-           t107,
-           t109,
-           t110,
-           g.d3 * (t111 - t112),
-           t115,
-           t117,
-           (inertia.I3xy - inertia.c3y * t113) + g.a4 * t111,
-           ((inertia.I3yy - t63) - inertia.c3y * t112) + t62,
-           g.d3 * (t118 + t113),
-           t119,
-           t72,
-           g.d3 * ((t120 + t78) - t121),
+           ((inertia.I3yy - t51) - inertia.c3y * t84) + t50,
            t100,
-           t122 - g.a3 * t121,
-           cos(g.alpha2) * t98,
-           sin(g.alpha2) * t98 };
+           t102,
+           sin(g.alpha2) * t69,
+           cos(g.alpha2) * t69,
+           g.a3 * (t103 - (t105 + t106)),
+           t115,
+           t121 + (g.a2 * t103 - t122) };
 }
 
 namespace detail {
@@ -232,250 +218,252 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> inverse_dynamics_with_gravity_vector([[maybe_unused]] const JointVector<Scalar>& q, [[maybe_unused]] const JointVector<Scalar>& qd, [[maybe_unused]] const JointVector<Scalar>& qdd, [[maybe_unused]] const Angles& angles,
     [[maybe_unused]] const InverseDynamicsWithGravityVectorConstants<Scalar>& k) {
   [[maybe_unused]] const auto& [s, c] = angles;
-  const Scalar t0 = k[5] * qd[0];
-  const Scalar t1 = qd[0] * t0;
-  const Scalar t2 = k[0] * s[0] - k[1] * c[0];
-  const Scalar t3 = t2 + k[47] * qdd[0];
-  const Scalar t4 = k[50] * t1 + (k[51] + k[5] * t3);
-  const Scalar t5 = c[1] * t0;
-  const Scalar t6 = k[6] * qd[0];
-  const Scalar t7 = k[5] * qdd[0];
-  const Scalar t8 = t5 * t6 - s[1] * t7;
-  const Scalar t9 = qd[1] + t6;
-  const Scalar t10 = t5 * t9;
-  const Scalar t11 = (t8 - t10) - t10;
-  const Scalar t12 = s[1] * t0;
-  const Scalar t13 = c[1] * t7 + t6 * t12;
-  const Scalar t14 = t9 * t12;
-  const Scalar t15 = t13 - t14;
-  const Scalar t16 = t15 - t14;
-  const Scalar t17 = t9 * t9;
-  const Scalar t18 = t12 * t12;
-  const Scalar t19 = t17 - t18;
-  const Scalar t20 = qdd[1] + k[6] * qdd[0];
-  const Scalar t21 = t5 * t12;
-  const Scalar t22 = t20 - t21;
-  const Scalar t23 = (k[8] * t11 - k[75] * t16) + (k[7] * t19 + k[10] * t22);
-  const Scalar t24 = k[14] * t22 + k[13] * t13;
-  const Scalar t25 = k[1] * s[0] + k[0] * c[0];
-  const Scalar t26 = (t25 + k[47] * qd[0] * qd[0]) - k[50] * qdd[0];
-  const Scalar t27 = k[49] * t1 - (k[48] - k[6] * t3);
-  const Scalar t28 = k[5] * t1;
-  const Scalar t29 = t19 + t28;
-  const Scalar t30 = (c[1] * t26 - s[1] * t27) + k[46] * t29;
-  const Scalar t31 = t24 - t30;
-  const Scalar t32 = t17 + t18;
-  const Scalar t33 = (k[21] * t32 + k[23] * t8) - (k[21] * t28 - k[22] * t11);
-  const Scalar t34 = k[46] * t16 + t4;
-  const Scalar t35 = t20 + t21;
-  const Scalar t36 = s[1] * t26 + c[1] * t27;
-  const Scalar t37 = k[46] * t35 + t36;
-  const Scalar t38 = t33 - (k[14] * t34 - k[13] * t37);
-  const Scalar t39 = s[2] * t31 - c[2] * t38;
-  const Scalar t40 = s[2] * t38 + c[2] * t31;
-  const Scalar t41 = s[2] * t24 - c[2] * t33;
-  const Scalar t42 = c[2] * t24 + s[2] * t33;
-  const Scalar t43 = qdd[2] + (k[13] * t20 - k[14] * t15);
-  const Scalar t44 = k[14] * t9 + k[13] * t5;
-  const Scalar t45 = c[2] * t12 + s[2] * t44;
-  const Scalar t46 = s[2] * t12 - c[2] * t44;
-  const Scalar t47 = t45 * t46;
-  const Scalar t48 = t43 - t47;
-  const Scalar t49 = t43 + t47;
-  const Scalar t50 = qd[2] + (k[13] * t9 - k[14] * t5);
-  const Scalar t51 = t50 * t50;
-  const Scalar t52 = t45 * t45;
-  const Scalar t53 = t51 + t52;
-  const Scalar t54 = t51 + t46 * t46;
-  const Scalar t55 = t53 - t54;
-  const Scalar t56 = (k[71] * t48 - k[69] * t49) + k[68] * t55;
-  const Scalar t57 = (k[70] * t39 - k[65] * t40) + ((k[66] * t41 + k[67] * t42) - t56);
-  const Scalar t58 = k[12] * c[5] + k[11] * s[5];
-  const Scalar t59 = k[15] * t50 - k[16] * t46;
-  const Scalar t60 = s[3] * t59 + c[3] * t45;
-  const Scalar t61 = qd[3] + (k[16] * t50 + k[15] * t46);
-  const Scalar t62 = s[3] * t45 - c[3] * t59;
-  const Scalar t63 = k[18] * t61 - k[17] * t62;
-  const Scalar t64 = s[4] * t60 - c[4] * t63;
-  const Scalar t65 = qd[4] + (k[17] * t61 + k[18] * t62);
-  const Scalar t66 = k[20] * t64 - k[19] * t65;
-  const Scalar t67 = s[4] * t63 + c[4] * t60;
-  const Scalar t68 = t66 * t67;
-  const Scalar t69 = t65 * t67;
-  const Scalar t70 = k[15] * t49 + k[16] * t42;
-  const Scalar t71 = t50 * t46;
-  const Scalar t72 = (t71 + t71) - t41;
-  const Scalar t73 = t51 - t52;
-  const Scalar t74 = t73 - t54;
-  const Scalar t75 = (k[24] * t53 - k[25] * t41) + (k[26] * t72 + k[24] * t74);
-  const Scalar t76 = c[3] * t70 + s[3] * t75;
-  const Scalar t77 = t60 * t62;
-  const Scalar t78 = t50 * t45;
-  const Scalar t79 = t78 - t42;
-  const Scalar t80 = qdd[3] + (k[15] * t79 + k[16] * t43);
-  const Scalar t81 = t77 + t80;
-  const Scalar t82 = k[17] * t76 + k[18] * t81;
-  const Scalar t83 = t62 * t62;
-  const Scalar t84 = t60 * t60;
-  const Scalar t85 = t83 + t84;
-  const Scalar t86 = t61 * t62;
-  const Scalar t87 = s[3] * t70 - c[3] * t75;
-  const Scalar t88 = (t86 + t86) - t87;
-  const Scalar t89 = t61 * t61;
-  const Scalar t90 = t89 + t84;
-  const Scalar t91 = (k[28] * t85 - k[27] * t88) + (k[29] * t87 - k[28] * t90);
-  const Scalar t92 = c[4] * t82 - s[4] * t91;
-  const Scalar t93 = t69 - t92;
-  const Scalar t94 = t60 * t61;
-  const Scalar t95 = t94 - t76;
-  const Scalar t96 = qdd[4] + (k[18] * t95 + k[17] * t80);
-  const Scalar t97 = qdd[5] + (k[19] * t93 + k[20] * t96);
-  const Scalar t98 = t68 + t97;
-  const Scalar t99 = t66 * t66;
-  const Scalar t100 = t67 * t67;
-  const Scalar t101 = t99 - t100;
-  const Scalar t102 = qd[5] + (k[20] * t65 + k[19] * t64);
-  const Scalar t103 = t102 * t102;
-  const Scalar t104 = t100 + t103;
-  const Scalar t105 = k[12] * s[5] - k[11] * c[5];
-  const Scalar t106 = t64 * t67;
-  const Scalar t107 = t106 + t96;
-  const Scalar t108 = t65 * t65;
-  const Scalar t109 = t64 * t64;
-  const Scalar t110 = t108 + t109;
-  const Scalar t111 = (t58 * t98 - (t101 + t104) * t105) + (k[34] * t107 + k[33] * t110);
-  const Scalar t112 = t68 - t97;
-  const Scalar t113 = t104 * t58 - t112 * t105;
-  const Scalar t114 = t102 * t67;
-  const Scalar t115 = k[20] * t92 + k[19] * t107;
-  const Scalar t116 = (t114 + t114) - t115;
-  const Scalar t117 = t108 - t109;
-  const Scalar t118 = t100 - t108;
-  const Scalar t119 = t117 + t118;
-  const Scalar t120 = t110 + t119;
-  const Scalar t121 = c[4] * t91 + s[4] * t82;
-  const Scalar t122 = t64 * t65;
-  const Scalar t123 = (t121 - t122) - t122;
-  const Scalar t124 = t110 + t118;
-  const Scalar t125 = (k[30] * t120 - k[32] * t121) - (k[31] * t123 + k[30] * t124);
-  const Scalar t126 = t125 + Scalar(2) * t66 * t102;
-  const Scalar t127 = t116 * t105 + t58 * t126;
-  const Scalar t128 = k[20] * t113 - k[19] * t127;
-  const Scalar t129 = t106 - t96;
-  const Scalar t130 = t128 + (k[33] * t129 + k[34] * t120);
-  const Scalar t131 = s[4] * t111 + c[4] * t130;
-  const Scalar t132 = k[20] * t127 + k[19] * t113;
-  const Scalar t133 = t69 + t93;
-  const Scalar t134 = t132 - (k[33] * t133 + k[34] * t123);
-  const Scalar t135 = k[18] * t131 + k[17] * t134;
-  const Scalar t136 = t95 + t94;
-  const Scalar t137 = t135 + (k[35] * t88 - k[36] * t136);
-  const Scalar t138 = k[18] * t134 - k[17] * t131;
-  const Scalar t139 = t77 - t80;
-  const Scalar t140 = t138 - (k[35] * t90 + k[36] * t139);
-  const Scalar t141 = t89 + t83;
-  const Scalar t142 = c[4] * t111 - s[4] * t130;
-  const Scalar t143 = (k[35] * t81 + k[36] * t141) + t142;
-  const Scalar t144 = c[3] * t140 - s[3] * t143;
-  const Scalar t145 = k[15] * t137 + k[16] * t144;
-  const Scalar t146 = (k[13] * t34 + k[14] * t37) - t74;
-  const Scalar t147 = t79 + t78;
-  const Scalar t148 = t146 - k[52] * t147;
-  const Scalar t149 = k[52] * t48 - t39;
-  const Scalar t150 = (k[16] * t148 + k[15] * t149) + k[37] * t85;
-  const Scalar t151 = t85 - t141;
-  const Scalar t152 = (k[63] * t151 + k[62] * t81) - (k[61] * t88 - k[64] * t136);
-  const Scalar t153 = k[52] * t54 - t40;
-  const Scalar t154 = k[16] * t149 - k[15] * t148;
-  const Scalar t155 = (c[3] * t153 - s[3] * t154) - k[37] * t76;
-  const Scalar t156 = t155 + k[45] * t141;
-  const Scalar t157 = (c[3] * t154 + s[3] * t153) - k[37] * t87;
-  const Scalar t158 = t157 - k[45] * t139;
-  const Scalar t159 = k[45] * t136 - t150;
-  const Scalar t160 = k[17] * t158 + k[18] * t159;
-  const Scalar t161 = (c[4] * t156 - s[4] * t160) - k[53] * t92;
-  const Scalar t162 = k[53] * t124 + (k[18] * t158 - k[17] * t159);
-  const Scalar t163 = k[54] * t133 - t162;
-  const Scalar t164 = (c[4] * t160 + s[4] * t156) - k[53] * t121;
-  const Scalar t165 = t164 - k[54] * t129;
-  const Scalar t166 = t58 * (k[54] * t110 + t161) - (k[19] * t163 + k[20] * t165) * t105;
-  const Scalar t167 = k[43] * c[5] + k[44] * s[5];
-  const Scalar t168 = k[43] * s[5] - k[44] * c[5];
-  const Scalar t169 = k[39] * c[5] + k[38] * s[5];
-  const Scalar t170 = k[42] - c[5] * t169;
-  const Scalar t171 = s[5] * t169;
-  const Scalar t172 = k[41] - t171;
-  const Scalar t173 = k[40] + t171;
-  const Scalar t174 = t101 * t170 + (t172 * t112 - t173 * t98);
-  const Scalar t175 = t166 - ((t167 * t125 - t168 * t115) - t174);
-  const Scalar t176 = k[19] * t165 - k[20] * t163;
-  const Scalar t177 = t99 - t103;
-  const Scalar t178 = (t170 * t126 + t172 * t116) + (t167 * (t101 - t177) + t168 * t98);
-  const Scalar t179 = t176 * t105 - t178;
-  const Scalar t180 = k[54] * t128 - (k[20] * t175 - k[19] * t179);
-  const Scalar t181 = (k[57] * t129 - k[59] * t107) - k[58] * t119;
-  const Scalar t182 = (k[33] * t164 + k[34] * t161) - (t181 - (k[56] * t121 + k[55] * t92));
-  const Scalar t183 = t180 - t182;
-  const Scalar t184 = k[54] * t132 - (k[20] * t179 + k[19] * t175);
-  const Scalar t185 = (k[57] * t133 - k[58] * t123) + (k[56] * t118 - k[55] * t107);
-  const Scalar t186 = t184 + (k[33] * t162 - t185);
-  const Scalar t187 = t168 * t177 + (t170 * t116 + t173 * t126);
-  const Scalar t188 = (k[59] * t123 - k[58] * t133) - k[55] * t117;
-  const Scalar t189 = (t58 * t176 + (t167 * t112 - t187)) + (k[34] * t162 - (t188 - k[56] * t129));
-  const Scalar t190 = k[53] * t142 - (c[4] * t186 - s[4] * t189);
-  const Scalar t191 = k[45] * t135 + (k[18] * t183 - k[17] * t190);
-  const Scalar t192 = (k[36] * t150 - t152) + t191;
-  const Scalar t193 = t141 - t90;
-  const Scalar t194 = k[62] * (t151 + t193) - (k[60] * t88 + k[61] * t136);
-  const Scalar t195 = k[53] * t131 - (s[4] * t186 + c[4] * t189);
-  const Scalar t196 = (k[35] * t150 + (k[63] * t139 + t194)) - t195;
-  const Scalar t197 = c[3] * t143 + s[3] * t140;
-  const Scalar t198 = (c[3] * t192 - s[3] * t196) - k[37] * t197;
-  const Scalar t199 = (k[18] * t190 + k[17] * t183) - k[45] * t138;
-  const Scalar t200 = k[61] * t193 - (k[60] * t81 + k[64] * t139);
-  const Scalar t201 = (k[36] * t157 + k[35] * t155) + ((k[63] * t87 - k[62] * t76) + t200);
-  const Scalar t202 = t199 - t201;
-  const Scalar t203 = k[52] * t145 + (k[15] * t198 - k[16] * t202);
-  const Scalar t204 = t57 - t203;
-  const Scalar t205 = k[67] * (t55 + t73) - (k[68] * t147 - k[69] * t72);
-  const Scalar t206 = k[37] * t144 + (s[3] * t192 + c[3] * t196);
-  const Scalar t207 = ((k[66] * t48 - t205) - k[65] * t146) + t206;
-  const Scalar t208 = k[15] * t144 - k[16] * t137;
-  const Scalar t209 = k[52] * t208 - (k[16] * t198 + k[15] * t202);
-  const Scalar t210 = (k[71] * t147 + k[68] * t72) + (k[67] * t49 + k[66] * t73);
-  const Scalar t211 = t209 + (t210 - k[70] * t146);
-  const Scalar t212 = (k[70] * t54 - k[65] * t49) - k[72] * t40;
-  const Scalar t213 = t212 + t197;
-  const Scalar t214 = k[72] * t39 - (k[70] * t48 + k[65] * t53);
-  const Scalar t215 = t145 - t214;
-  const Scalar t216 = c[2] * t213 + s[2] * t215;
-  const Scalar t217 = (s[2] * t207 + c[2] * t211) + t216;
-  const Scalar t218 = c[2] * t215 - s[2] * t213;
-  const Scalar t219 = (k[70] * t147 + k[65] * t72) - k[72] * t146;
-  const Scalar t220 = t219 + t208;
-  const Scalar t221 = k[14] * t218 + k[13] * t220;
-  const Scalar t222 = (k[14] * t204 - k[13] * t217) - k[46] * t221;
-  const Scalar t223 = k[73] * t29 + t216;
-  const Scalar t224 = ((k[73] * t4 - t23) + t222) - k[74] * t223;
-  const Scalar t225 = k[14] * t220 - k[13] * t218;
-  const Scalar t226 = k[73] * t35 - t225;
-  const Scalar t227 = (k[8] * t16 + k[9] * t11) + k[10] * (t32 - t28);
-  const Scalar t228 = (t227 - k[7] * t35) - (t218 + (c[2] * t207 - s[2] * t211));
-  const Scalar t229 = c[1] * t224 - s[1] * (k[74] * t226 - t228);
-  const Scalar t230 = k[8] * (t32 - t29) - (k[9] * t22 - k[75] * t35);
-  const Scalar t231 = ((k[10] * t13 - k[7] * t8) - t230) - k[73] * t36;
-  const Scalar t232 = (k[14] * t217 + k[13] * t204) + k[46] * t225;
-  const Scalar t233 = t231 + t232;
-  const Scalar t234 = k[77] * (k[73] * t16 - t221) + k[76] * (c[1] * t226 - s[1] * t223);
-  const Scalar t235 = k[4] * qdd[0] - (k[3] * t25 - k[2] * t2);
-  const Scalar t236 = ((k[5] * t229 - k[6] * t233) + t234) - t235;
+  const Scalar t0 = k[10] * c[0] - k[9] * s[0];
+  const Scalar t1 = k[10] * s[0] + k[9] * c[0];
+  const Scalar t2 = k[63] * qdd[0] - (k[61] * t0 + k[62] * t1);
+  const Scalar t3 = k[1] * qd[0];
+  const Scalar t4 = qd[1] + t3;
+  const Scalar t5 = k[0] * qd[0];
+  const Scalar t6 = c[1] * t5;
+  const Scalar t7 = k[14] * t4 + k[13] * t6;
+  const Scalar t8 = s[1] * t5;
+  const Scalar t9 = s[2] * t7 + c[2] * t8;
+  const Scalar t10 = s[2] * t8 - c[2] * t7;
+  const Scalar t11 = t9 * t10;
+  const Scalar t12 = qdd[1] + k[1] * qdd[0];
+  const Scalar t13 = k[0] * qdd[0];
+  const Scalar t14 = t8 * t3 + c[1] * t13;
+  const Scalar t15 = t8 * t4;
+  const Scalar t16 = t14 - t15;
+  const Scalar t17 = qdd[2] + (k[13] * t12 - k[14] * t16);
+  const Scalar t18 = t11 + t17;
+  const Scalar t19 = t4 * t6;
+  const Scalar t20 = s[1] * t13 - t3 * t6;
+  const Scalar t21 = t19 + t20;
+  const Scalar t22 = k[13] * t4 - k[14] * t6;
+  const Scalar t23 = t21 - t7 * t22;
+  const Scalar t24 = t8 * t6;
+  const Scalar t25 = t12 - t24;
+  const Scalar t26 = k[13] * t14 + k[14] * t25;
+  const Scalar t27 = s[2] * t23 - c[2] * t26;
+  const Scalar t28 = k[15] * t18 - k[16] * t27;
+  const Scalar t29 = qd[2] + t22;
+  const Scalar t30 = k[15] * t10 + k[16] * t29;
+  const Scalar t31 = k[15] * t29 - k[16] * t10;
+  const Scalar t32 = t10 * t29;
+  const Scalar t33 = s[2] * t26 + c[2] * t23;
+  const Scalar t34 = t32 - t33;
+  const Scalar t35 = t30 * t31 + t34;
+  const Scalar t36 = c[3] * t28 + s[3] * t35;
+  const Scalar t37 = s[3] * t31 + c[3] * t9;
+  const Scalar t38 = qd[3] + t30;
+  const Scalar t39 = t37 * t38;
+  const Scalar t40 = t36 - t39;
+  const Scalar t41 = t40 - t39;
+  const Scalar t42 = c[3] * t35 - s[3] * t28;
+  const Scalar t43 = s[3] * t9 - c[3] * t31;
+  const Scalar t44 = t43 * t38;
+  const Scalar t45 = t42 + t44;
+  const Scalar t46 = t45 + t44;
+  const Scalar t47 = k[22] * c[5] + k[21] * s[5];
+  const Scalar t48 = k[18] * t43 + k[17] * t38;
+  const Scalar t49 = qd[4] + t48;
+  const Scalar t50 = k[18] * t38 - k[17] * t43;
+  const Scalar t51 = c[4] * t50 - s[4] * t37;
+  const Scalar t52 = k[24] * t49 - k[23] * t51;
+  const Scalar t53 = k[23] * t49 + k[24] * t51;
+  const Scalar t54 = t51 * t49;
+  const Scalar t55 = t45 + t50 * t48;
+  const Scalar t56 = t9 * t29;
+  const Scalar t57 = t56 + t27;
+  const Scalar t58 = qdd[3] + (k[15] * t57 + k[16] * t17);
+  const Scalar t59 = t37 * t43;
+  const Scalar t60 = t58 + t59;
+  const Scalar t61 = k[17] * t36 + k[18] * t60;
+  const Scalar t62 = c[4] * t55 - s[4] * t61;
+  const Scalar t63 = t54 - t62;
+  const Scalar t64 = t52 * t53 - t63;
+  const Scalar t65 = qd[5] + t52;
+  const Scalar t66 = t65 * t53;
+  const Scalar t67 = t64 - (t66 + t66);
+  const Scalar t68 = c[4] * t37 + s[4] * t50;
+  const Scalar t69 = t51 * t68;
+  const Scalar t70 = qdd[4] + (k[17] * t58 - k[18] * t40);
+  const Scalar t71 = t69 - t70;
+  const Scalar t72 = c[4] * t61 + s[4] * t55;
+  const Scalar t73 = k[23] * t71 - k[24] * t72;
+  const Scalar t74 = t65 * t68;
+  const Scalar t75 = (t73 + t74) + t74;
+  const Scalar t76 = k[21] * c[5] - k[22] * s[5];
+  const Scalar t77 = t47 * t67 - t75 * t76;
+  const Scalar t78 = t49 * t68;
+  const Scalar t79 = t72 - t78;
+  const Scalar t80 = qdd[5] - (k[23] * t79 - k[24] * t70);
+  const Scalar t81 = t68 * t53;
+  const Scalar t82 = t80 + t81;
+  const Scalar t83 = t65 * t65;
+  const Scalar t84 = t68 * t68;
+  const Scalar t85 = t82 * t76 - t47 * (t83 + t84);
+  const Scalar t86 = k[24] * t77 - k[23] * t85;
+  const Scalar t87 = t54 + t63;
+  const Scalar t88 = t79 - t78;
+  const Scalar t89 = t86 - (k[20] * t87 - k[19] * t88);
+  const Scalar t90 = t69 + t70;
+  const Scalar t91 = t51 * t51;
+  const Scalar t92 = t84 - t91;
+  const Scalar t93 = t49 * t49;
+  const Scalar t94 = t93 + t91;
+  const Scalar t95 = k[24] * t85 + k[23] * t77;
+  const Scalar t96 = (k[19] * t90 - k[20] * (t92 + t94)) + t95;
+  const Scalar t97 = t80 - t81;
+  const Scalar t98 = t53 * t53;
+  const Scalar t99 = (t47 * t97 + t76 * (t83 + t98)) - (k[20] * t71 - k[19] * t94);
+  const Scalar t100 = c[4] * t96 - s[4] * t99;
+  const Scalar t101 = k[17] * t89 - k[18] * t100;
+  const Scalar t102 = (k[26] * t41 + k[25] * t46) + t101;
+  const Scalar t103 = t38 * t38;
+  const Scalar t104 = t43 * t43;
+  const Scalar t105 = t103 + t104;
+  const Scalar t106 = c[4] * t99 + s[4] * t96;
+  const Scalar t107 = (k[25] * t60 + k[26] * t105) + t106;
+  const Scalar t108 = t37 * t37;
+  const Scalar t109 = t103 + t108;
+  const Scalar t110 = t58 - t59;
+  const Scalar t111 = k[17] * t100 + k[18] * t89;
+  const Scalar t112 = (k[25] * t109 - k[26] * t110) - t111;
+  const Scalar t113 = s[3] * t107 + c[3] * t112;
+  const Scalar t114 = k[15] * t102 - k[16] * t113;
+  const Scalar t115 = t10 * t10;
+  const Scalar t116 = t29 * t29;
+  const Scalar t117 = t115 - t116;
+  const Scalar t118 = t9 * t9 + t115;
+  const Scalar t119 = t117 - t118;
+  const Scalar t120 = t11 - t17;
+  const Scalar t121 = t6 * t6;
+  const Scalar t122 = t4 * t4;
+  const Scalar t123 = t121 + t122;
+  const Scalar t124 = t0 - k[8] * qdd[0];
+  const Scalar t125 = k[11] + k[1] * t124;
+  const Scalar t126 = t1 + k[8] * qd[0] * qd[0];
+  const Scalar t127 = k[7] * t14 - (s[1] * t125 + c[1] * t126);
+  const Scalar t128 = t123 - t127;
+  const Scalar t129 = t16 - t15;
+  const Scalar t130 = t5 * t5;
+  const Scalar t131 = k[7] * t130 + (k[27] - k[0] * t124);
+  const Scalar t132 = t129 + t131;
+  const Scalar t133 = t12 + t24;
+  const Scalar t134 = (s[1] * t126 - c[1] * t125) - k[7] * t20;
+  const Scalar t135 = t133 + t134;
+  const Scalar t136 = k[14] * t132 - k[13] * t135;
+  const Scalar t137 = (s[2] * t128 - c[2] * t136) - k[28] * t33;
+  const Scalar t138 = (k[31] * t119 + k[30] * t120) - k[29] * t137;
+  const Scalar t139 = t114 - t138;
+  const Scalar t140 = t115 + t116;
+  const Scalar t141 = (c[2] * t128 + s[2] * t136) + k[28] * t27;
+  const Scalar t142 = (k[30] * t140 - k[31] * t18) + k[29] * t141;
+  const Scalar t143 = (c[3] * t107 - s[3] * t112) + t142;
+  const Scalar t144 = s[2] * t139 + c[2] * t143;
+  const Scalar t145 = t144 + k[12] * t123;
+  const Scalar t146 = s[2] * t143 - c[2] * t139;
+  const Scalar t147 = k[16] * t102 + k[15] * t113;
+  const Scalar t148 = t56 + t57;
+  const Scalar t149 = t32 + t34;
+  const Scalar t150 = (k[13] * t132 + k[14] * t135) + k[28] * t118;
+  const Scalar t151 = (k[30] * t148 + k[31] * t149) - k[29] * t150;
+  const Scalar t152 = t147 - t151;
+  const Scalar t153 = k[13] * t146 - k[14] * t152;
+  const Scalar t154 = t153 - k[12] * t133;
+  const Scalar t155 = k[14] * t146 + k[13] * t152;
+  const Scalar t156 = k[60] * (s[1] * t145 + c[1] * t154) - k[59] * (t155 + k[12] * t129);
+  const Scalar t157 = t140 + t119;
+  const Scalar t158 = (k[55] * t148 + k[54] * t149) - (k[58] * (t117 - t157) - k[57] * t18);
+  const Scalar t159 = k[33] * t28 - (k[32] * t140 + t141);
+  const Scalar t160 = t137 - k[32] * t120;
+  const Scalar t161 = k[32] * t148 - t150;
+  const Scalar t162 = (k[16] * t160 + k[15] * t161) + k[33] * t35;
+  const Scalar t163 = s[3] * t159 - c[3] * t162;
+  const Scalar t164 = s[3] * t162 + c[3] * t159;
+  const Scalar t165 = t109 - t105;
+  const Scalar t166 = (k[36] * t60 - k[53] * t110) + k[37] * t165;
+  const Scalar t167 = (k[26] * t163 + k[25] * t164) + (t166 + (k[34] * t42 + k[35] * t36));
+  const Scalar t168 = (k[50] * t90 - k[52] * t71) + k[51] * t92;
+  const Scalar t169 = t163 - k[46] * t110;
+  const Scalar t170 = t104 + t108;
+  const Scalar t171 = k[33] * t170 - (k[16] * t161 - k[15] * t160);
+  const Scalar t172 = k[46] * t41 + t171;
+  const Scalar t173 = k[17] * t169 + k[18] * t172;
+  const Scalar t174 = k[46] * t105 - t164;
+  const Scalar t175 = k[38] * t62 - (c[4] * t173 - s[4] * t174);
+  const Scalar t176 = (s[4] * t173 + c[4] * t174) - k[38] * t72;
+  const Scalar t177 = ((k[49] * t62 - k[48] * t72) - t168) - (k[19] * t175 + k[20] * t176);
+  const Scalar t178 = k[47] * t90 + t175;
+  const Scalar t179 = (k[17] * t172 - k[18] * t169) + k[38] * (t84 + t91);
+  const Scalar t180 = k[47] * t88 + t179;
+  const Scalar t181 = k[23] * t178 + k[24] * t180;
+  const Scalar t182 = k[41] * s[5] + k[42] * c[5];
+  const Scalar t183 = s[5] * t182;
+  const Scalar t184 = k[43] - t183;
+  const Scalar t185 = k[45] - c[5] * t182;
+  const Scalar t186 = t83 - t84;
+  const Scalar t187 = k[40] * s[5] + k[39] * c[5];
+  const Scalar t188 = k[39] * s[5] - k[40] * c[5];
+  const Scalar t189 = (t75 * t184 + t185 * t67) + (t186 * t187 + t188 * t97);
+  const Scalar t190 = t76 * t181 + t189;
+  const Scalar t191 = k[44] + t183;
+  const Scalar t192 = t83 - t98;
+  const Scalar t193 = (t97 * t191 + t82 * t184) - t185 * (t186 - t192);
+  const Scalar t194 = t47 * (t176 + k[47] * t94) + t76 * (k[24] * t178 - k[23] * t180);
+  const Scalar t195 = (t193 + (t188 * t73 + t187 * t64)) - t194;
+  const Scalar t196 = (k[23] * t190 - k[24] * t195) + k[47] * t95;
+  const Scalar t197 = t177 - t196;
+  const Scalar t198 = t84 - t93;
+  const Scalar t199 = (k[48] * t71 + k[49] * t198) - (k[51] * t87 + k[50] * t88);
+  const Scalar t200 = k[47] * t86 + (k[23] * t195 + k[24] * t190);
+  const Scalar t201 = (k[19] * t179 - t199) + t200;
+  const Scalar t202 = t188 * t192 - (t185 * t75 + t67 * t191);
+  const Scalar t203 = k[48] * (t92 - t198) - (k[51] * t88 + k[52] * t87);
+  const Scalar t204 = ((t82 * t187 - t202) - t47 * t181) - (k[20] * t179 + (t203 - k[49] * t90));
+  const Scalar t205 = k[38] * t106 - (c[4] * t201 + s[4] * t204);
+  const Scalar t206 = k[46] * t111 - (k[17] * t197 + k[18] * t205);
+  const Scalar t207 = t167 - t206;
+  const Scalar t208 = k[38] * t100 - (c[4] * t204 - s[4] * t201);
+  const Scalar t209 = t109 - t170;
+  const Scalar t210 = (k[37] * t41 - k[36] * t46) - k[35] * t209;
+  const Scalar t211 = t208 + (k[25] * t171 + (t210 - k[34] * t110));
+  const Scalar t212 = t211 - k[33] * t112;
+  const Scalar t213 = (k[35] * t60 + k[34] * (t165 - t209)) - (k[53] * t41 + k[37] * t46);
+  const Scalar t214 = (k[18] * t197 - k[17] * t205) + k[46] * t101;
+  const Scalar t215 = ((t213 - k[26] * t171) - t214) + k[33] * t107;
+  const Scalar t216 = s[3] * t212 + c[3] * t215;
+  const Scalar t217 = (k[15] * t207 - k[16] * t216) + k[32] * t147;
+  const Scalar t218 = (k[30] * t150 - t158) + t217;
+  const Scalar t219 = k[57] * t117 + (k[54] * t148 - k[56] * t149);
+  const Scalar t220 = (c[3] * t212 - s[3] * t215) - (k[31] * t150 - (t219 - k[58] * t120));
+  const Scalar t221 = (c[2] * t218 - s[2] * t220) - k[28] * t144;
+  const Scalar t222 = (k[55] * t120 + k[56] * t18) + k[54] * t157;
+  const Scalar t223 = (k[31] * t141 - k[30] * t137) + (t222 + (k[58] * t33 - k[57] * t27));
+  const Scalar t224 = k[32] * t114 - (k[15] * t216 + k[16] * t207);
+  const Scalar t225 = t223 - t224;
+  const Scalar t226 = t123 - t130;
+  const Scalar t227 = t121 - t122;
+  const Scalar t228 = (k[3] * t25 - k[2] * t133) + k[4] * (t226 + t227);
+  const Scalar t229 = k[12] * t134 - ((k[5] * t20 + k[6] * t14) + t228);
+  const Scalar t230 = (t153 - (k[14] * t221 - k[13] * t225)) - t229;
+  const Scalar t231 = t21 + t19;
+  const Scalar t232 = (k[4] * t129 - k[3] * t231) - k[6] * t227;
+  const Scalar t233 = k[28] * t146 - (c[2] * t220 + s[2] * t218);
+  const Scalar t234 = k[7] * t154 + ((t232 - k[5] * t133) + t233);
+  const Scalar t235 = (k[4] * t231 + k[2] * t129) - (k[5] * t226 + k[6] * t25);
+  const Scalar t236 = (t155 + (k[14] * t225 + k[13] * t221)) + (k[12] * t131 + t235);
+  const Scalar t237 = s[1] * t234 + c[1] * (t236 - k[7] * t145);
+  const Scalar t238 = t2 + (t156 + (k[1] * t230 - k[0] * t237));
   JointVector<Scalar> result;
-  result[0] = t236;
-  result[1] = -t233;
-  result[2] = -t204;
-  result[3] = -t202;
-  result[4] = -t183;
-  result[5] = t175;
+  result[0] = -t238;
+  result[1] = -t230;
+  result[2] = -t225;
+  result[3] = -t207;
+  result[4] = -t197;
+  result[5] = -t195;
   return result;
 }
 
@@ -501,209 +489,196 @@ InverseDynamicsWithWrenchConstants<Scalar> inverse_dynamics_with_wrench_constant
     [[maybe_unused]] const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6x * inertia.m6;
-  const Scalar t1 = inertia.c6y * inertia.m6;
-  const Scalar t2 = inertia.c5y * inertia.m5;
-  const Scalar t3 = inertia.c6z * inertia.m6;
-  const Scalar t4 = g.d6 * inertia.m6 + t3;
-  const Scalar t5 = sin(g.alpha6) * t4;
-  const Scalar t6 = g.a6 * inertia.m6;
-  const Scalar t7 = inertia.c5x * inertia.m5;
-  const Scalar t8 = inertia.m5 + inertia.m6;
-  const Scalar t9 = g.a5 * t8;
-  const Scalar t10 = inertia.c4x * inertia.m4;
-  const Scalar t11 = g.d5 * inertia.m5;
-  const Scalar t12 = inertia.c5z * inertia.m5;
-  const Scalar t13 = t12 + t11;
-  const Scalar t14 = t11 - t13;
-  const Scalar t15 = cos(g.alpha6) * t4;
-  const Scalar t16 = t14 - t15;
-  const Scalar t17 = t16 - g.d5 * t8;
-  const Scalar t18 = sin(g.alpha5) * t17;
-  const Scalar t19 = inertia.c4y * inertia.m4;
-  const Scalar t20 = cos(g.alpha5) * t17;
-  const Scalar t21 = g.d4 * t10;
-  const Scalar t22 = g.a5 * t20 + (((inertia.I4xz - inertia.c4z * t10) - t21) + t21);
-  const Scalar t23 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t24 = (inertia.c5z * t12 - (inertia.I5zz - t23)) + g.d5 * (t12 + t13);
-  const Scalar t25 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t26 = (inertia.c6z * t3 - (inertia.I6zz - t25)) + g.d6 * (t4 + t3);
-  const Scalar t27 = sin(g.alpha6) * t26;
-  const Scalar t28 = sin(g.alpha6) * t27;
-  const Scalar t29 = (g.d5 * (t14 - t13) + t24) + (t26 - t28);
-  const Scalar t30 = g.d5 * (t16 + t17) - t29;
-  const Scalar t31 = sin(g.alpha5) * t30;
-  const Scalar t32 = g.d4 * t19;
-  const Scalar t33 = cos(g.alpha5) * t31 - (t32 - (t32 - (inertia.I4yz - inertia.c4z * t19)));
-  const Scalar t34 = sin(g.alpha5) * t31;
-  const Scalar t35 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t36 = g.a2 / g.d3;
-  const Scalar t37 = gravity[2] / g.d3;
-  const Scalar t38 = g.d5 * t2;
-  const Scalar t39 = (t38 + ((inertia.I5yz - inertia.c5z * t2) - t38)) + cos(g.alpha6) * t27;
-  const Scalar t40 = g.d5 * t7;
-  const Scalar t41 = (t40 - (t40 - (inertia.I5xz - inertia.c5z * t7))) - g.a6 * t15;
-  const Scalar t42 = (inertia.c5x * t7 - (inertia.I5xx - t23)) + g.a6 * t6;
-  const Scalar t43 = (inertia.I6xx - t25) - inertia.c6x * t0;
-  const Scalar t44 = (inertia.I6yy - t25) - inertia.c6y * t1;
-  const Scalar t45 = inertia.I6xy - inertia.c6y * t0;
-  const Scalar t46 = g.d6 / g.d3;
-  const Scalar t47 = g.a5 * t9 - ((inertia.I4xx - t35) - inertia.c4x * t10);
-  const Scalar t48 = inertia.m4 + t8;
-  const Scalar t49 = inertia.c4z * inertia.m4;
-  const Scalar t50 = g.d4 * inertia.m4;
-  const Scalar t51 = t49 + t50;
-  const Scalar t52 = t51 - t50;
-  const Scalar t53 = t52 - t20;
-  const Scalar t54 = g.d4 * t48 + t53;
-  const Scalar t55 = sin(g.alpha4) * t54;
-  const Scalar t56 = inertia.c3y * inertia.m3;
-  const Scalar t57 = inertia.c3x * inertia.m3;
-  const Scalar t58 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t59 = ((inertia.I4zz - t35) - inertia.c4z * t49) - g.d4 * (t51 + t49);
-  const Scalar t60 = (g.d4 * (t52 + t51) + t59) - (t34 - t30);
-  const Scalar t61 = t60 - g.d4 * (t53 + t54);
-  const Scalar t62 = sin(g.alpha4) * t61;
-  const Scalar t63 = sin(g.alpha4) * t62;
-  const Scalar t64 = g.d3 * t56;
-  const Scalar t65 = cos(g.alpha4) * t62 - (t64 - (t64 - (inertia.I3yz - inertia.c3z * t56)));
-  const Scalar t66 = cos(g.alpha4) * t54;
-  const Scalar t67 = g.d3 * t57;
-  const Scalar t68 = g.a4 * t66 - (t67 - (t67 - (inertia.I3xz - inertia.c3z * t57)));
-  const Scalar t69 = g.a4 * t48;
-  const Scalar t70 = g.d3 * inertia.m3;
-  const Scalar t71 = inertia.c3z * inertia.m3;
-  const Scalar t72 = t71 + t70;
-  const Scalar t73 = t70 - t72;
-  const Scalar t74 = t66 - t73;
-  const Scalar t75 = inertia.m3 + t48;
-  const Scalar t76 = t74 + g.d3 * t75;
-  const Scalar t77 = sin(g.alpha3) * t76;
-  const Scalar t78 = inertia.c2y * inertia.m2;
-  const Scalar t79 = (t77 - t78) / (g.d3 * sin(g.alpha3));
-  const Scalar t80 = g.d3 * t79;
-  const Scalar t81 = g.d3 * t80;
-  const Scalar t82 = g.a4 * t69 + (inertia.c3x * t57 - (inertia.I3xx - t58));
-  const Scalar t83 = cos(g.alpha3) * t76;
-  const Scalar t84 = inertia.c2x * inertia.m2;
-  const Scalar t85 = g.d2 * t84;
-  const Scalar t86 = g.a3 * t83 - (((inertia.I2xz - inertia.c2z * t84) - t85) + t85);
-  const Scalar t87 = cos(g.alpha3) * t80;
-  const Scalar t88 = (g.a3 * t77 + (inertia.I2xy - inertia.c2y * t84)) - g.a3 * sin(g.alpha3) * t80;
-  const Scalar t89 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t90 = g.d3 * (t71 + t72) - ((inertia.I3zz - t58) - inertia.c3z * t71);
-  const Scalar t91 = (t63 - t61) + (t90 - g.d3 * (t72 - t73));
-  const Scalar t92 = t91 + g.d3 * (t74 + t76);
-  const Scalar t93 = sin(g.alpha3) * t92;
-  const Scalar t94 = sin(g.alpha3) * t93;
-  const Scalar t95 = sin(g.alpha3) * t81;
-  const Scalar t96 = sin(g.alpha3) * t95;
-  const Scalar t97 = (((inertia.I2yy - t89) - inertia.c2y * t78) - t94) + t96;
-  const Scalar t98 = g.d2 * t78;
-  const Scalar t99 = ((t98 - (inertia.I2yz - inertia.c2z * t78)) - t98) - cos(g.alpha3) * t93;
-  const Scalar t100 = g.a3 * t75;
-  const Scalar t101 = g.a3 * t79;
-  const Scalar t102 = g.a3 * t100 + (inertia.c2x * t84 - (inertia.I2xx - t89));
-  const Scalar t103 = g.a2 * t79;
-  const Scalar t104 = inertia.m2 + t75;
+  const Scalar t0 = inertia.m5 + inertia.m6;
+  const Scalar t1 = inertia.m4 + t0;
+  const Scalar t2 = inertia.c4z * inertia.m4;
+  const Scalar t3 = g.d4 * inertia.m4;
+  const Scalar t4 = t2 + t3;
+  const Scalar t5 = t4 - t3;
+  const Scalar t6 = g.d5 * inertia.m5;
+  const Scalar t7 = inertia.c5z * inertia.m5;
+  const Scalar t8 = t7 + t6;
+  const Scalar t9 = t6 - t8;
+  const Scalar t10 = inertia.c6z * inertia.m6;
+  const Scalar t11 = g.d6 * inertia.m6 + t10;
+  const Scalar t12 = cos(g.alpha6) * t11;
+  const Scalar t13 = t9 - t12;
+  const Scalar t14 = t13 - g.d5 * t0;
+  const Scalar t15 = cos(g.alpha5) * t14;
+  const Scalar t16 = t5 - t15;
+  const Scalar t17 = g.d4 * t1 + t16;
+  const Scalar t18 = cos(g.alpha4) * t17;
+  const Scalar t19 = g.d3 * inertia.m3;
+  const Scalar t20 = inertia.c3z * inertia.m3;
+  const Scalar t21 = t20 + t19;
+  const Scalar t22 = t19 - t21;
+  const Scalar t23 = t18 - t22;
+  const Scalar t24 = inertia.m3 + t1;
+  const Scalar t25 = t23 + g.d3 * t24;
+  const Scalar t26 = cos(g.alpha3) * t25;
+  const Scalar t27 = inertia.c2x * inertia.m2;
+  const Scalar t28 = g.d2 * t27;
+  const Scalar t29 = g.a3 * t26 - (((inertia.I2xz - inertia.c2z * t27) - t28) + t28);
+  const Scalar t30 = sin(g.alpha3) * t25;
+  const Scalar t31 = inertia.c2y * inertia.m2;
+  const Scalar t32 = (t30 - t31) / (g.d3 * sin(g.alpha3));
+  const Scalar t33 = g.d3 * t32;
+  const Scalar t34 = cos(g.alpha3) * t33;
+  const Scalar t35 = g.d2 * t31;
+  const Scalar t36 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t37 = ((inertia.I4zz - t36) - inertia.c4z * t2) - g.d4 * (t4 + t2);
+  const Scalar t38 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t39 = (inertia.c5z * t7 - (inertia.I5zz - t38)) + g.d5 * (t7 + t8);
+  const Scalar t40 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t41 = (inertia.c6z * t10 - (inertia.I6zz - t40)) + g.d6 * (t11 + t10);
+  const Scalar t42 = sin(g.alpha6) * t41;
+  const Scalar t43 = sin(g.alpha6) * t42;
+  const Scalar t44 = (g.d5 * (t9 - t8) + t39) + (t41 - t43);
+  const Scalar t45 = g.d5 * (t13 + t14) - t44;
+  const Scalar t46 = sin(g.alpha5) * t45;
+  const Scalar t47 = sin(g.alpha5) * t46;
+  const Scalar t48 = (g.d4 * (t5 + t4) + t37) - (t47 - t45);
+  const Scalar t49 = t48 - g.d4 * (t16 + t17);
+  const Scalar t50 = sin(g.alpha4) * t49;
+  const Scalar t51 = sin(g.alpha4) * t50;
+  const Scalar t52 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t53 = g.d3 * (t20 + t21) - ((inertia.I3zz - t52) - inertia.c3z * t20);
+  const Scalar t54 = (t51 - t49) + (t53 - g.d3 * (t21 - t22));
+  const Scalar t55 = t54 + g.d3 * (t23 + t25);
+  const Scalar t56 = sin(g.alpha3) * t55;
+  const Scalar t57 = ((t35 - (inertia.I2yz - inertia.c2z * t31)) - t35) - cos(g.alpha3) * t56;
+  const Scalar t58 = g.d3 * t33;
+  const Scalar t59 = sin(g.alpha3) * t58;
+  const Scalar t60 = (g.a3 * t30 + (inertia.I2xy - inertia.c2y * t27)) - g.a3 * sin(g.alpha3) * t33;
+  const Scalar t61 = g.a3 * t24;
+  const Scalar t62 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t63 = g.a3 * t61 + (inertia.c2x * t27 - (inertia.I2xx - t62));
+  const Scalar t64 = g.a3 * t32;
+  const Scalar t65 = g.a3 * t64;
+  const Scalar t66 = sin(g.alpha3) * t56;
+  const Scalar t67 = sin(g.alpha3) * t59;
+  const Scalar t68 = (((inertia.I2yy - t62) - inertia.c2y * t31) - t66) + t67;
+  const Scalar t69 = g.a2 / g.a3;
+  const Scalar t70 = gravity[2] / g.a3;
+  const Scalar t71 = g.a5 * t0;
+  const Scalar t72 = inertia.c4x * inertia.m4;
+  const Scalar t73 = sin(g.alpha5) * t14;
+  const Scalar t74 = inertia.c4y * inertia.m4;
+  const Scalar t75 = inertia.c6x * inertia.m6;
+  const Scalar t76 = inertia.c6y * inertia.m6;
+  const Scalar t77 = g.a6 * inertia.m6;
+  const Scalar t78 = inertia.c5x * inertia.m5;
+  const Scalar t79 = inertia.c5y * inertia.m5;
+  const Scalar t80 = sin(g.alpha6) * t11;
+  const Scalar t81 = g.a5 * t71 - ((inertia.I4xx - t36) - inertia.c4x * t72);
+  const Scalar t82 = g.d4 * t74;
+  const Scalar t83 = cos(g.alpha5) * t46 - (t82 - (t82 - (inertia.I4yz - inertia.c4z * t74)));
+  const Scalar t84 = g.d4 * t72;
+  const Scalar t85 = g.a5 * t15 + (((inertia.I4xz - inertia.c4z * t72) - t84) + t84);
+  const Scalar t86 = g.d5 * t79;
+  const Scalar t87 = (t86 + ((inertia.I5yz - inertia.c5z * t79) - t86)) + cos(g.alpha6) * t42;
+  const Scalar t88 = g.d5 * t78;
+  const Scalar t89 = (t88 - (t88 - (inertia.I5xz - inertia.c5z * t78))) - g.a6 * t12;
+  const Scalar t90 = (inertia.I6xx - t40) - inertia.c6x * t75;
+  const Scalar t91 = (inertia.I6yy - t40) - inertia.c6y * t76;
+  const Scalar t92 = inertia.I6xy - inertia.c6y * t75;
+  const Scalar t93 = (inertia.c5x * t78 - (inertia.I5xx - t38)) + g.a6 * t77;
+  const Scalar t94 = g.a4 * t1;
+  const Scalar t95 = inertia.c3x * inertia.m3;
+  const Scalar t96 = g.a4 * t94 + (inertia.c3x * t95 - (inertia.I3xx - t52));
+  const Scalar t97 = sin(g.alpha4) * t17;
+  const Scalar t98 = inertia.c3y * inertia.m3;
+  const Scalar t99 = g.d3 * t98;
+  const Scalar t100 = cos(g.alpha4) * t50 - (t99 - (t99 - (inertia.I3yz - inertia.c3z * t98)));
+  const Scalar t101 = g.d3 * t95;
+  const Scalar t102 = g.a4 * t18 - (t101 - (t101 - (inertia.I3xz - inertia.c3z * t95)));
+  const Scalar t103 = g.a2 * t32;
+  const Scalar t104 = inertia.m2 + t24;
   const Scalar t105 = g.a2 * t104;
   const Scalar t106 = inertia.c1x * inertia.m1;
-  const Scalar t107 = t87 + g.d2 * t79;
+  const Scalar t107 = t34 + g.d2 * t32;
   const Scalar t108 = g.d2 * inertia.m2;
   const Scalar t109 = inertia.c2z * inertia.m2;
   const Scalar t110 = t108 + t109;
   const Scalar t111 = t108 - t110;
-  const Scalar t112 = t83 - t111;
+  const Scalar t112 = t26 - t111;
   const Scalar t113 = g.d2 * t104 + t112;
   const Scalar t114 = inertia.c1y * inertia.m1;
-  const Scalar t115 = g.d3 * (sin(g.alpha2) * t107 - (sin(g.alpha2) * t113 - t114));
-  const Scalar t116 = g.d2 * (t110 + t109) - ((inertia.I2zz - t89) - inertia.c2z * t109);
-  const Scalar t117 = (g.d2 * (t110 - t111) - t116) + (t94 - t92);
+  const Scalar t115 = g.a3 * (sin(g.alpha2) * t107 - (sin(g.alpha2) * t113 - t114));
+  const Scalar t116 = g.d2 * (t110 + t109) - ((inertia.I2zz - t62) - inertia.c2z * t109);
+  const Scalar t117 = (g.d2 * (t110 - t111) - t116) + (t66 - t55);
   const Scalar t118 = sin(g.alpha2) * sin(g.alpha2) * (t117 - g.d2 * (t112 + t113));
   const Scalar t119 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t120 = sin(g.alpha2) * ((t96 - t81) - g.d2 * (t87 + t107));
+  const Scalar t120 = sin(g.alpha2) * ((t67 - t58) - g.d2 * (t34 + t107));
   const Scalar t121 = (t118 - (inertia.c1y * t114 - (inertia.I1yy - t119))) - sin(g.alpha2) * t120;
   const Scalar t122 = g.a2 * t105 + (inertia.c1x * t106 - (inertia.I1xx - t119));
-  return { sin(g.alpha2),
-           cos(g.alpha2),
-           sin(g.alpha3),
+  return { cos(g.alpha2),
+           sin(g.alpha2),
+           t29 - g.a3 * t34,
+           t57 + cos(g.alpha3) * t59,
+           sin(g.alpha2) * sin(g.alpha2),
+           t60,
+           t63 - t65,
+           t68,
+           g.d2 / g.a3,
+           t69,
+           gravity[0] / g.a3,
+           gravity[1] / g.a3,
+           sin(g.alpha2) * t70,
+           g.a3 * ((t61 + t27) - t64),
            cos(g.alpha3),
-           cos(g.alpha4),
+           sin(g.alpha3),
            sin(g.alpha4),
+           cos(g.alpha4),
+           g.a3 * (t71 + t72),
+           g.a3 * (t73 + t74),
+           g.a3 * t75,
+           g.a3 * t76,
            sin(g.alpha5),
            cos(g.alpha5),
-           g.d3 * cos(g.alpha6),
-           g.d3 * sin(g.alpha6),
            sin(g.alpha6),
            cos(g.alpha6),
-           g.d3 * t0,
-           g.d3 * t1,
-           sin(g.alpha2) * sin(g.alpha2),
-           cos(g.alpha3) * sin(g.alpha3),
-           cos(g.alpha3) * cos(g.alpha3),
-           sin(g.alpha3) * sin(g.alpha3),
-           cos(g.alpha4) * cos(g.alpha4),
-           cos(g.alpha4) * sin(g.alpha4),
-           sin(g.alpha4) * sin(g.alpha4),
-           cos(g.alpha5) * sin(g.alpha5),
-           cos(g.alpha5) * cos(g.alpha5),
-           sin(g.alpha5) * sin(g.alpha5),
-           sin(g.alpha6) * sin(g.alpha6),
-           cos(g.alpha6) * sin(g.alpha6),
-           cos(g.alpha6) * cos(g.alpha6),
-           g.d3 * (t2 - t5),
-           g.d3 * (t6 + t7),
-           g.d3,
-           g.d3 * (t9 + t10),
-           g.d3 * (t18 + t19),
-           g.d4 / g.d3,
-           t22,
-           t33,
-           g.a5 * t18 - (inertia.I4xy - inertia.c4y * t10),
-           t34 + ((inertia.I4yy - t35) - inertia.c4y * t19),
-           g.d2 / g.d3,
-           t36,
-           gravity[0] / g.d3,
-           gravity[1] / g.d3,
-           sin(g.alpha2) * t37,
-           g.a3 / g.d3,
-           cos(g.alpha2) * t37,
-           g.a4 / g.d3,
-           g.d5 / g.d3,
-           g.a5 / g.d3,
-           t39,
-           t41,
-           (inertia.I5xy - inertia.c5y * t7) + g.a6 * t5,
-           t42,
-           g.a6 / g.d3,
-           t43 - t44,
-           Scalar(2) * t45,
-           t43,
-           t45,
-           (inertia.I6xz - inertia.c6z * t0) - g.d6 * t0,
-           g.d6 * t1 - (inertia.I6yz - inertia.c6z * t1),
-           g.d3 * t46,
-           t44,
-           (inertia.c5y * t2 - (inertia.I5yy - t23)) + t28,
-           t46,
-           t47,
-           g.d3 * (t55 - t56),
-           (inertia.I3xy - inertia.c3y * t57) + g.a4 * t55,
-           ((inertia.I3yy - t58) - inertia.c3y * t56) + t63,
-           t65,
-           t68,
-           g.d3 * (t69 + t57),
+           g.a3,
+           g.a3 * (t77 + t78),
+           g.a3 * (t79 - t80),
+           g.a3 * sin(g.alpha6),
+           g.a3 * cos(g.alpha6),
+           g.d4 / g.a3,
+           g.a4 / g.a3,
+           cos(g.alpha2) * t70,
+           g.d3 / g.a3,
            t81,
-           t82,
-           t86 - g.a3 * t87,
-           t88,
-           t97,
-           t99 + cos(g.alpha3) * t95,
-           g.d3 * ((t100 + t84) - t101),
-           t102 - g.a3 * t101,
-           cos(g.alpha2) * t36,
-           sin(g.alpha2) * t36,
-           g.d3 * (t103 - (t105 + t106)),
+           g.a5 * t73 - (inertia.I4xy - inertia.c4y * t72),
+           t83,
+           t85,
+           g.a5 / g.a3,
+           g.d5 / g.a3,
+           t87,
+           (inertia.I5xy - inertia.c5y * t78) + g.a6 * t80,
+           (inertia.c5y * t79 - (inertia.I5yy - t38)) + t43,
+           t89,
+           g.d6 / g.a3,
+           (inertia.I6xz - inertia.c6z * t75) - g.d6 * t75,
+           g.d6 * t76 - (inertia.I6yz - inertia.c6z * t76),
+           t90 - t91,
+           Scalar(2) * t92,
+           t92,
+           t91,
+           g.a6 / g.a3,
+           t90,
+           t93,
+           t47 + ((inertia.I4yy - t36) - inertia.c4y * t74),
+           g.a3 * (t94 + t95),
+           t96,
+           (inertia.I3xy - inertia.c3y * t95) + g.a4 * t97,
+           t100,
+           t102,
+           g.a3 * (t97 - t98),
+           ((inertia.I3yy - t52) - inertia.c3y * t98) + t51,
+           t65,
+           cos(g.alpha2) * t69,
+           sin(g.alpha2) * t69,
+           g.a3 * (t103 - (t105 + t106)),
            t115,
            t121 + (g.a2 * t103 - t122) };
 }
@@ -714,293 +689,295 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> inverse_dynamics_with_wrench([[maybe_unused]] const JointVector<Scalar>& q, [[maybe_unused]] const JointVector<Scalar>& qd, [[maybe_unused]] const JointVector<Scalar>& qdd, [[maybe_unused]] const Wrench<Scalar>& wrench, [[maybe_unused]] const Angles& angles,
     [[maybe_unused]] const InverseDynamicsWithWrenchConstants<Scalar>& k) {
   [[maybe_unused]] const auto& [s, c] = angles;
-  const Scalar t0 = k[40] * s[0] + k[39] * c[0];
-  const Scalar t1 = k[40] * c[0] - k[39] * s[0];
-  const Scalar t2 = (k[80] * t0 + k[79] * t1) - k[81] * qdd[0];
-  const Scalar t3 = k[0] * qd[0];
-  const Scalar t4 = s[1] * t3;
+  const Scalar t0 = k[10] * s[0] - k[11] * c[0];
+  const Scalar t1 = k[10] * c[0] + k[11] * s[0];
+  const Scalar t2 = k[68] * qdd[0] + (k[66] * t0 - k[67] * t1);
+  const Scalar t3 = k[1] * qdd[0];
+  const Scalar t4 = k[0] * qd[0];
   const Scalar t5 = k[1] * qd[0];
-  const Scalar t6 = k[0] * qdd[0];
-  const Scalar t7 = t4 * t5 + c[1] * t6;
-  const Scalar t8 = qdd[1] + k[1] * qdd[0];
-  const Scalar t9 = c[1] * t3;
-  const Scalar t10 = t4 * t9;
+  const Scalar t6 = s[1] * t5;
+  const Scalar t7 = c[1] * t3 + t4 * t6;
+  const Scalar t8 = qdd[1] + k[0] * qdd[0];
+  const Scalar t9 = c[1] * t5;
+  const Scalar t10 = t6 * t9;
   const Scalar t11 = t8 - t10;
-  const Scalar t12 = k[3] * t7 + k[2] * t11;
-  const Scalar t13 = t9 * t9;
-  const Scalar t14 = qd[1] + t5;
-  const Scalar t15 = t14 * t14;
-  const Scalar t16 = t13 + t15;
-  const Scalar t17 = t1 - k[38] * qdd[0];
-  const Scalar t18 = k[41] + k[1] * t17;
-  const Scalar t19 = qd[0] * qd[0];
-  const Scalar t20 = k[38] * t19 + t0;
-  const Scalar t21 = k[37] * t7 - (s[1] * t18 + c[1] * t20);
-  const Scalar t22 = t12 - (k[42] * t16 - t21);
-  const Scalar t23 = s[1] * t6 - t5 * t9;
-  const Scalar t24 = t13 - t15;
-  const Scalar t25 = k[14] * t19;
-  const Scalar t26 = t14 * t9;
-  const Scalar t27 = (t26 + t23) + t26;
-  const Scalar t28 = (k[16] * t23 + k[15] * (t24 - t25)) + (k[17] * t27 + k[15] * t25);
-  const Scalar t29 = (s[1] * t20 - c[1] * t18) - k[37] * t23;
-  const Scalar t30 = t8 + t10;
-  const Scalar t31 = t29 + k[42] * t30;
-  const Scalar t32 = t4 * t14;
-  const Scalar t33 = t7 - t32;
-  const Scalar t34 = t33 - t32;
-  const Scalar t35 = (k[43] - k[0] * t17) + k[37] * t25;
-  const Scalar t36 = k[42] * t34 + t35;
-  const Scalar t37 = t28 - (k[3] * t31 - k[2] * t36);
-  const Scalar t38 = c[2] * t22 - s[2] * t37;
-  const Scalar t39 = k[2] * t14 + k[3] * t9;
-  const Scalar t40 = s[2] * t39 + c[2] * t4;
-  const Scalar t41 = s[2] * t4 - c[2] * t39;
-  const Scalar t42 = t40 * t41;
-  const Scalar t43 = qdd[2] - (k[2] * t33 - k[3] * t8);
-  const Scalar t44 = t42 + t43;
-  const Scalar t45 = qd[2] + (k[3] * t14 - k[2] * t9);
-  const Scalar t46 = t41 * t41;
-  const Scalar t47 = t45 * t45 + t46;
-  const Scalar t48 = k[69] * t38 + (k[63] * t44 - k[68] * t47);
-  const Scalar t49 = k[4] * t41 - k[5] * t45;
-  const Scalar t50 = s[3] * t40 + c[3] * t49;
-  const Scalar t51 = qd[3] + (k[4] * t45 + k[5] * t41);
-  const Scalar t52 = qd[4] + (k[6] * t50 + k[7] * t51);
-  const Scalar t53 = k[7] * t50 - k[6] * t51;
-  const Scalar t54 = c[3] * t40 - s[3] * t49;
-  const Scalar t55 = c[4] * t53 + s[4] * t54;
-  const Scalar t56 = t52 * t55;
-  const Scalar t57 = t45 * t40;
-  const Scalar t58 = s[2] * t28 - c[2] * t12;
-  const Scalar t59 = t57 + t58;
-  const Scalar t60 = qdd[3] + (k[4] * t43 + k[5] * t59);
-  const Scalar t61 = t50 * t54;
-  const Scalar t62 = t60 + t61;
-  const Scalar t63 = t40 * t40;
-  const Scalar t64 = t46 + t63;
-  const Scalar t65 = t47 - t64;
-  const Scalar t66 = t46 - t63;
-  const Scalar t67 = t65 - t66;
-  const Scalar t68 = t67 + t64;
-  const Scalar t69 = s[2] * t12 + c[2] * t28;
-  const Scalar t70 = t45 * t41;
-  const Scalar t71 = (t69 - t70) - t70;
-  const Scalar t72 = (k[19] * t68 - k[18] * t69) - (k[19] * t64 + k[20] * t71);
-  const Scalar t73 = k[5] * t44 - k[4] * t58;
-  const Scalar t74 = s[3] * t72 + c[3] * t73;
-  const Scalar t75 = k[6] * t62 + k[7] * t74;
-  const Scalar t76 = c[3] * t72 - s[3] * t73;
-  const Scalar t77 = t50 * t51;
-  const Scalar t78 = (t76 + t77) + t77;
-  const Scalar t79 = t50 * t50;
-  const Scalar t80 = t54 * t54;
-  const Scalar t81 = t79 + t80;
-  const Scalar t82 = t51 * t51;
-  const Scalar t83 = t82 - t80;
-  const Scalar t84 = t79 - t80;
-  const Scalar t85 = t83 - t84;
-  const Scalar t86 = t85 + t81;
-  const Scalar t87 = (k[23] * t78 - k[21] * t81) + (k[22] * t76 + k[21] * t86);
-  const Scalar t88 = s[4] * t75 - c[4] * t87;
-  const Scalar t89 = (t56 + t56) - t88;
-  const Scalar t90 = c[4] * t54 - s[4] * t53;
-  const Scalar t91 = t90 * t52;
-  const Scalar t92 = s[4] * t87 + c[4] * t75;
-  const Scalar t93 = t91 - t92;
-  const Scalar t94 = t91 + t93;
-  const Scalar t95 = wrench[0] * s[0] - wrench[1] * c[0];
-  const Scalar t96 = k[0] * t95 + k[1] * wrench[2];
-  const Scalar t97 = k[0] * wrench[2] - k[1] * t95;
-  const Scalar t98 = wrench[0] * c[0] + wrench[1] * s[0];
-  const Scalar t99 = c[1] * t97 - s[1] * t98;
-  const Scalar t100 = k[2] * t96 + k[3] * t99;
-  const Scalar t101 = s[1] * t97 + c[1] * t98;
-  const Scalar t102 = s[2] * t100 + c[2] * t101;
-  const Scalar t103 = c[2] * t100 - s[2] * t101;
-  const Scalar t104 = k[3] * t96 - k[2] * t99;
-  const Scalar t105 = k[4] * t103 + k[5] * t104;
-  const Scalar t106 = s[3] * t102 - c[3] * t105;
-  const Scalar t107 = k[4] * t104 - k[5] * t103;
-  const Scalar t108 = k[7] * t106 - k[6] * t107;
-  const Scalar t109 = s[3] * t105 + c[3] * t102;
-  const Scalar t110 = c[4] * t108 + s[4] * t109;
-  const Scalar t111 = k[7] * t107 + k[6] * t106;
-  const Scalar t112 = qd[5] + (k[11] * t52 + k[10] * t55);
-  const Scalar t113 = k[10] * t52 - k[11] * t55;
-  const Scalar t114 = t112 * t113;
-  const Scalar t115 = t52 * t52;
-  const Scalar t116 = t90 * t90;
-  const Scalar t117 = t115 + t116;
-  const Scalar t118 = t55 * t55;
-  const Scalar t119 = t116 - t118;
-  const Scalar t120 = t119 - t117;
-  const Scalar t121 = t115 - t118;
-  const Scalar t122 = t121 - t119;
-  const Scalar t123 = t120 + t122;
-  const Scalar t124 = (k[26] * t88 - k[25] * t117) - (k[24] * t89 + k[25] * t123);
-  const Scalar t125 = t114 + (t124 + t114);
-  const Scalar t126 = k[12] * s[5] + k[13] * c[5];
-  const Scalar t127 = t90 * t55;
-  const Scalar t128 = t51 * t54;
-  const Scalar t129 = t128 - t74;
-  const Scalar t130 = qdd[4] + (k[6] * t129 + k[7] * t60);
-  const Scalar t131 = t127 + t130;
-  const Scalar t132 = k[11] * t92 + k[10] * t131;
-  const Scalar t133 = t90 * t112;
-  const Scalar t134 = t132 - (t133 + t133);
-  const Scalar t135 = k[13] * s[5] - k[12] * c[5];
-  const Scalar t136 = (k[9] * t110 + k[8] * t111) - (t125 * t126 + t134 * t135);
-  const Scalar t137 = k[8] * t110 - k[9] * t111;
-  const Scalar t138 = t112 * t112;
-  const Scalar t139 = t116 + t138;
-  const Scalar t140 = t90 * t113;
-  const Scalar t141 = qdd[5] + (k[10] * t93 + k[11] * t130);
-  const Scalar t142 = t140 + t141;
-  const Scalar t143 = t137 - (t139 * t126 + t142 * t135);
-  const Scalar t144 = k[11] * t136 - k[10] * t143;
-  const Scalar t145 = (k[27] * t89 - k[28] * t94) + t144;
-  const Scalar t146 = k[10] * t136 + k[11] * t143;
-  const Scalar t147 = t127 - t130;
-  const Scalar t148 = t146 - (k[27] * t117 + k[28] * t147);
-  const Scalar t149 = c[4] * t109 - s[4] * t108;
-  const Scalar t150 = t113 * t113;
-  const Scalar t151 = t150 - t116;
-  const Scalar t152 = t140 - t141;
-  const Scalar t153 = k[29] * t149 - ((t151 + t139) * t135 + t152 * t126);
-  const Scalar t154 = (k[28] * t120 - k[27] * t131) - t153;
-  const Scalar t155 = c[4] * t148 + s[4] * t154;
-  const Scalar t156 = k[6] * t145 + k[7] * t155;
-  const Scalar t157 = t60 - t61;
-  const Scalar t158 = t156 - (k[31] * t86 - k[30] * t157);
-  const Scalar t159 = t79 + t82;
-  const Scalar t160 = c[4] * t154 - s[4] * t148;
-  const Scalar t161 = (k[30] * t159 + k[31] * t62) - t160;
-  const Scalar t162 = t48 - (s[3] * t158 + c[3] * t161);
-  const Scalar t163 = c[3] * t158 - s[3] * t161;
-  const Scalar t164 = k[7] * t145 - k[6] * t155;
-  const Scalar t165 = t128 + t129;
-  const Scalar t166 = t164 - (k[30] * t165 - k[31] * t78);
-  const Scalar t167 = k[4] * t163 + k[5] * t166;
-  const Scalar t168 = c[2] * t37 + s[2] * t22;
-  const Scalar t169 = t42 - t43;
-  const Scalar t170 = k[69] * t168 + (k[68] * t169 - k[63] * t68);
-  const Scalar t171 = t167 - t170;
-  const Scalar t172 = (c[2] * t162 - s[2] * t171) - k[75] * t16;
-  const Scalar t173 = t16 - t25;
-  const Scalar t174 = (k[71] * t173 + k[74] * t11) - (k[76] * t34 + k[72] * t27);
-  const Scalar t175 = (k[49] * t94 + k[60] * t89) + k[47] * t121;
-  const Scalar t176 = k[32] * t73 + (t38 - k[44] * t47);
-  const Scalar t177 = (k[2] * t31 + k[3] * t36) + t64;
-  const Scalar t178 = t59 + t57;
-  const Scalar t179 = t177 - k[44] * t178;
-  const Scalar t180 = t168 + k[44] * t169;
-  const Scalar t181 = k[32] * t72 - (k[5] * t179 + k[4] * t180);
-  const Scalar t182 = s[3] * t176 - c[3] * t181;
-  const Scalar t183 = k[46] * t157 - t182;
-  const Scalar t184 = k[32] * t81 + (k[4] * t179 - k[5] * t180);
-  const Scalar t185 = t184 - k[46] * t165;
-  const Scalar t186 = (k[6] * t183 + k[7] * t185) - k[45] * t123;
-  const Scalar t187 = wrench[3] * c[0] + wrench[4] * s[0];
-  const Scalar t188 = wrench[3] * s[0] - wrench[4] * c[0];
-  const Scalar t189 = k[0] * wrench[5] - k[1] * t188;
-  const Scalar t190 = s[1] * t187 - c[1] * t189;
-  const Scalar t191 = k[1] * wrench[5] + k[0] * t188;
-  const Scalar t192 = k[2] * t190 + k[3] * t191;
-  const Scalar t193 = c[1] * t187 + s[1] * t189;
-  const Scalar t194 = k[3] * t190 - k[2] * t191;
-  const Scalar t195 = s[2] * t193 + c[2] * t194;
-  const Scalar t196 = k[4] * t192 + k[5] * t195;
-  const Scalar t197 = s[2] * t194 - c[2] * t193;
-  const Scalar t198 = k[4] * t195 - k[5] * t192;
-  const Scalar t199 = s[3] * t197 - c[3] * t198;
-  const Scalar t200 = k[6] * t196 + k[7] * t199;
-  const Scalar t201 = c[3] * t197 + s[3] * t198;
-  const Scalar t202 = k[61] * t137 + (s[4] * t200 - c[4] * t201);
-  const Scalar t203 = k[57] * s[5] + k[56] * c[5];
-  const Scalar t204 = t150 - t138;
-  const Scalar t205 = k[56] * s[5] - k[57] * c[5];
-  const Scalar t206 = k[52] * s[5] + k[53] * c[5];
-  const Scalar t207 = s[5] * t206;
-  const Scalar t208 = k[59] + t207;
-  const Scalar t209 = k[55] - c[5] * t206;
-  const Scalar t210 = t204 * t205 - (t125 * t208 + t209 * t134);
-  const Scalar t211 = t186 - k[51] * t94;
-  const Scalar t212 = k[45] * t87 - (k[6] * t185 - k[7] * t183);
-  const Scalar t213 = s[3] * t181 + c[3] * t176;
-  const Scalar t214 = (k[46] * t159 - t213) - k[45] * t75;
-  const Scalar t215 = c[4] * t212 + s[4] * t214;
-  const Scalar t216 = t215 - k[51] * t147;
-  const Scalar t217 = k[11] * t211 + k[10] * t216;
-  const Scalar t218 = t202 - ((t142 * t203 + t210) - t217 * t126);
-  const Scalar t219 = ((t175 + k[48] * t147) + k[27] * t186) + t218;
-  const Scalar t220 = k[54] - t207;
-  const Scalar t221 = (t152 * t205 + (t204 - t151) * t203) + (t125 * t209 + t220 * t134);
-  const Scalar t222 = s[4] * t201 + c[4] * t200;
-  const Scalar t223 = k[6] * t199 - k[7] * t196;
-  const Scalar t224 = (k[11] * t222 - k[10] * t223) + k[58] * t149;
-  const Scalar t225 = (t217 * t135 + t221) + t224;
-  const Scalar t226 = c[4] * t214 - s[4] * t212;
-  const Scalar t227 = (k[10] * t211 - k[11] * t216) * t135 + (t226 - k[51] * t120) * t126;
-  const Scalar t228 = (t208 * t152 - t220 * t142) + t151 * t209;
-  const Scalar t229 = t227 + (t228 + (t132 * t205 + t124 * t203));
-  const Scalar t230 = (k[10] * t222 + k[11] * t223) + t229;
-  const Scalar t231 = (k[11] * t225 + k[10] * t230) - k[51] * t144;
-  const Scalar t232 = (k[50] * t94 + k[49] * t89) - (k[47] * t131 + k[48] * t122);
-  const Scalar t233 = t231 + (t232 - k[28] * t186);
-  const Scalar t234 = (s[4] * t219 + c[4] * t233) - k[45] * t160;
-  const Scalar t235 = (k[50] * t147 - k[60] * t131) - k[49] * t119;
-  const Scalar t236 = ((k[48] * t88 + k[47] * t92) - t235) + (k[28] * t215 + k[27] * t226);
-  const Scalar t237 = k[51] * t146 + (k[11] * t230 - k[10] * t225);
-  const Scalar t238 = t236 + t237;
-  const Scalar t239 = (k[6] * t234 - k[7] * t238) - k[46] * t156;
-  const Scalar t240 = (k[36] * t62 - k[62] * t157) - k[35] * t84;
-  const Scalar t241 = ((k[34] * t74 + k[33] * t76) + t240) + (k[30] * t182 + k[31] * t213);
-  const Scalar t242 = t239 + t241;
-  const Scalar t243 = (k[6] * t238 + k[7] * t234) - k[46] * t164;
-  const Scalar t244 = (k[34] * t62 - k[33] * t83) + (k[62] * t165 - k[35] * t78);
-  const Scalar t245 = (t243 - (k[30] * t184 - t244)) + k[32] * t161;
-  const Scalar t246 = k[34] * t85 + (k[36] * t78 + k[35] * t165);
-  const Scalar t247 = k[45] * t155 + (c[4] * t219 - s[4] * t233);
-  const Scalar t248 = ((k[33] * t157 + t246) - k[31] * t184) - t247;
-  const Scalar t249 = t248 - k[32] * t158;
-  const Scalar t250 = c[3] * t245 - s[3] * t249;
-  const Scalar t251 = k[44] * t167 - (k[4] * t242 + k[5] * t250);
-  const Scalar t252 = (k[65] * t44 + k[70] * t169) + k[64] * t66;
-  const Scalar t253 = (k[63] * t38 - k[68] * t168) - ((k[67] * t69 - k[66] * t58) + t252);
-  const Scalar t254 = t251 + t253;
-  const Scalar t255 = k[66] * t67 - (k[65] * t71 + k[64] * t178);
-  const Scalar t256 = ((t255 + k[67] * t169) + k[63] * t177) + (c[3] * t249 + s[3] * t245);
-  const Scalar t257 = t171 - t256;
-  const Scalar t258 = k[4] * t166 - k[5] * t163;
-  const Scalar t259 = (k[5] * t242 - k[4] * t250) + k[44] * t258;
-  const Scalar t260 = (k[66] * t44 + k[67] * t65) + (k[70] * t178 - k[64] * t71);
-  const Scalar t261 = (t259 + (k[68] * t177 - t260)) + t162;
-  const Scalar t262 = s[2] * t257 - c[2] * t261;
-  const Scalar t263 = s[2] * t162 + c[2] * t171;
-  const Scalar t264 = k[69] * t177 - (k[68] * t178 - k[63] * t71);
-  const Scalar t265 = t264 + t258;
-  const Scalar t266 = k[2] * t263 - k[3] * t265;
-  const Scalar t267 = (k[2] * t254 + k[3] * t262) + k[42] * t266;
-  const Scalar t268 = k[37] * t172 + ((k[75] * t35 - t174) - t267);
-  const Scalar t269 = k[2] * t265 + k[3] * t263;
-  const Scalar t270 = t269 + k[75] * t30;
-  const Scalar t271 = k[74] * t24 - (k[72] * t34 - k[73] * t27);
-  const Scalar t272 = (s[2] * t261 + c[2] * t257) + (t271 + k[71] * t30);
-  const Scalar t273 = c[1] * t268 - s[1] * (k[37] * t270 + t272);
-  const Scalar t274 = k[72] * (t173 + t24) + (k[73] * t11 - k[76] * t30);
-  const Scalar t275 = (t274 + (k[74] * t7 + k[71] * t23)) - k[75] * t29;
-  const Scalar t276 = k[42] * t269 - (k[2] * t262 - k[3] * t254);
-  const Scalar t277 = t275 - t276;
-  const Scalar t278 = k[77] * (c[1] * t270 + s[1] * t172) + k[78] * (k[75] * t34 - t266);
-  const Scalar t279 = t2 + ((k[0] * t273 - k[1] * t277) + t278);
+  const Scalar t12 = k[14] * t7 + k[15] * t11;
+  const Scalar t13 = qd[1] + t4;
+  const Scalar t14 = k[15] * t13 + k[14] * t9;
+  const Scalar t15 = k[14] * t13 - k[15] * t9;
+  const Scalar t16 = s[1] * t3 - t4 * t9;
+  const Scalar t17 = t9 * t13;
+  const Scalar t18 = t16 + t17;
+  const Scalar t19 = t14 * t15 - t18;
+  const Scalar t20 = s[2] * t12 - c[2] * t19;
+  const Scalar t21 = t0 + k[9] * qdd[0];
+  const Scalar t22 = k[12] - k[0] * t21;
+  const Scalar t23 = qd[0] * qd[0];
+  const Scalar t24 = t1 + k[9] * t23;
+  const Scalar t25 = (c[1] * t22 - s[1] * t24) + k[8] * t16;
+  const Scalar t26 = t8 + t10;
+  const Scalar t27 = t25 - t26;
+  const Scalar t28 = t6 * t13;
+  const Scalar t29 = t7 - t28;
+  const Scalar t30 = t28 - t29;
+  const Scalar t31 = k[4] * t23;
+  const Scalar t32 = k[8] * t31 + (k[33] + k[1] * t21);
+  const Scalar t33 = t30 - t32;
+  const Scalar t34 = k[14] * t27 - k[15] * t33;
+  const Scalar t35 = (s[1] * t22 + c[1] * t24) - k[8] * t7;
+  const Scalar t36 = t13 * t13;
+  const Scalar t37 = t9 * t9;
+  const Scalar t38 = t36 + t37;
+  const Scalar t39 = t35 + t38;
+  const Scalar t40 = k[34] * t20 + (c[2] * t34 - s[2] * t39);
+  const Scalar t41 = qd[2] + t15;
+  const Scalar t42 = s[2] * t14 + c[2] * t6;
+  const Scalar t43 = t42 * t42;
+  const Scalar t44 = t41 * t41 - t43;
+  const Scalar t45 = c[2] * t14 - s[2] * t6;
+  const Scalar t46 = t45 * t45;
+  const Scalar t47 = t46 + t43;
+  const Scalar t48 = t44 + t47;
+  const Scalar t49 = t46 - t43;
+  const Scalar t50 = t48 - t49;
+  const Scalar t51 = t45 * t42;
+  const Scalar t52 = qdd[2] - (k[15] * t29 - k[14] * t8);
+  const Scalar t53 = t51 + t52;
+  const Scalar t54 = k[63] * t40 - (k[61] * t50 + k[56] * t53);
+  const Scalar t55 = k[17] * t41 - k[16] * t45;
+  const Scalar t56 = qd[3] + t55;
+  const Scalar t57 = k[17] * t45 + k[16] * t41;
+  const Scalar t58 = c[3] * t42 + s[3] * t57;
+  const Scalar t59 = t56 * t58;
+  const Scalar t60 = t41 * t45;
+  const Scalar t61 = t20 + t60;
+  const Scalar t62 = t57 * t55 - t61;
+  const Scalar t63 = s[2] * t19 + c[2] * t12;
+  const Scalar t64 = t51 - t52;
+  const Scalar t65 = k[17] * t63 - k[16] * t64;
+  const Scalar t66 = s[3] * t62 + c[3] * t65;
+  const Scalar t67 = t59 - t66;
+  const Scalar t68 = t59 + t67;
+  const Scalar t69 = s[3] * t42 - c[3] * t57;
+  const Scalar t70 = t56 * t69;
+  const Scalar t71 = c[3] * t62 - s[3] * t65;
+  const Scalar t72 = t70 + t71;
+  const Scalar t73 = t70 + t72;
+  const Scalar t74 = k[22] * t56 - k[23] * t69;
+  const Scalar t75 = c[4] * t74 - s[4] * t58;
+  const Scalar t76 = k[23] * t56 + k[22] * t69;
+  const Scalar t77 = qd[4] + t76;
+  const Scalar t78 = k[24] * t75 - k[25] * t77;
+  const Scalar t79 = k[25] * t75 + k[24] * t77;
+  const Scalar t80 = t75 * t77;
+  const Scalar t81 = t58 * t69;
+  const Scalar t82 = t41 * t42;
+  const Scalar t83 = t63 - t82;
+  const Scalar t84 = qdd[3] - (k[16] * t83 - k[17] * t52);
+  const Scalar t85 = t81 + t84;
+  const Scalar t86 = k[23] * t66 + k[22] * t85;
+  const Scalar t87 = t76 * t74 + t72;
+  const Scalar t88 = s[4] * t86 - c[4] * t87;
+  const Scalar t89 = t80 + t88;
+  const Scalar t90 = t78 * t79 + t89;
+  const Scalar t91 = qd[5] - t78;
+  const Scalar t92 = t91 * t79;
+  const Scalar t93 = t90 + (t92 + t92);
+  const Scalar t94 = k[21] * c[5] + k[20] * s[5];
+  const Scalar t95 = s[4] * t87 + c[4] * t86;
+  const Scalar t96 = s[4] * t74 + c[4] * t58;
+  const Scalar t97 = t75 * t96;
+  const Scalar t98 = qdd[4] + (k[22] * t67 + k[23] * t84);
+  const Scalar t99 = t97 - t98;
+  const Scalar t100 = k[25] * t95 - k[24] * t99;
+  const Scalar t101 = t96 * t91;
+  const Scalar t102 = (t100 - t101) - t101;
+  const Scalar t103 = k[20] * c[5] - k[21] * s[5];
+  const Scalar t104 = wrench[0] * s[0] - wrench[1] * c[0];
+  const Scalar t105 = k[0] * wrench[2] + k[1] * t104;
+  const Scalar t106 = k[0] * t104 - k[1] * wrench[2];
+  const Scalar t107 = wrench[0] * c[0] + wrench[1] * s[0];
+  const Scalar t108 = c[1] * t106 + s[1] * t107;
+  const Scalar t109 = k[15] * t105 - k[14] * t108;
+  const Scalar t110 = s[1] * t106 - c[1] * t107;
+  const Scalar t111 = c[2] * t109 + s[2] * t110;
+  const Scalar t112 = k[15] * t108 + k[14] * t105;
+  const Scalar t113 = k[17] * t111 + k[16] * t112;
+  const Scalar t114 = s[2] * t109 - c[2] * t110;
+  const Scalar t115 = c[3] * t113 - s[3] * t114;
+  const Scalar t116 = k[17] * t112 - k[16] * t111;
+  const Scalar t117 = k[23] * t115 + k[22] * t116;
+  const Scalar t118 = c[3] * t114 + s[3] * t113;
+  const Scalar t119 = c[4] * t117 - s[4] * t118;
+  const Scalar t120 = k[22] * t115 - k[23] * t116;
+  const Scalar t121 = (t93 * t94 - t102 * t103) + (k[29] * t119 + k[30] * t120);
+  const Scalar t122 = t96 * t79;
+  const Scalar t123 = t96 * t77;
+  const Scalar t124 = t95 - t123;
+  const Scalar t125 = qdd[5] + (k[25] * t98 - k[24] * t124);
+  const Scalar t126 = t122 + t125;
+  const Scalar t127 = t91 * t91;
+  const Scalar t128 = t79 * t79;
+  const Scalar t129 = t127 + t128;
+  const Scalar t130 = t96 * t96;
+  const Scalar t131 = t128 - t130;
+  const Scalar t132 = k[29] * t120 - k[30] * t119;
+  const Scalar t133 = (t126 * t103 - t94 * (t129 - t131)) + t132;
+  const Scalar t134 = k[24] * t121 - k[25] * t133;
+  const Scalar t135 = t75 * t75;
+  const Scalar t136 = t77 * t77;
+  const Scalar t137 = t135 - t136;
+  const Scalar t138 = t135 + t130;
+  const Scalar t139 = t135 + t136;
+  const Scalar t140 = t138 - t139;
+  const Scalar t141 = t137 - t140;
+  const Scalar t142 = t97 + t98;
+  const Scalar t143 = t134 - (k[28] * (t141 - t139) + k[27] * t142);
+  const Scalar t144 = k[26] * (c[4] * t118 + s[4] * t117);
+  const Scalar t145 = t122 - t125;
+  const Scalar t146 = (t144 - (t94 * t145 - t129 * t103)) + (k[27] * t139 - k[28] * t99);
+  const Scalar t147 = c[4] * t143 + s[4] * t146;
+  const Scalar t148 = k[25] * t121 + k[24] * t133;
+  const Scalar t149 = t89 + t80;
+  const Scalar t150 = t124 - t123;
+  const Scalar t151 = t148 + (k[28] * t149 - k[27] * t150);
+  const Scalar t152 = k[22] * t147 - k[23] * t151;
+  const Scalar t153 = (k[18] * t68 - k[19] * t73) - t152;
+  const Scalar t154 = k[23] * t147 + k[22] * t151;
+  const Scalar t155 = t81 - t84;
+  const Scalar t156 = t69 * t69;
+  const Scalar t157 = t56 * t56;
+  const Scalar t158 = t156 + t157;
+  const Scalar t159 = t58 * t58;
+  const Scalar t160 = t156 - t159;
+  const Scalar t161 = t158 - t160;
+  const Scalar t162 = t154 + (k[18] * t155 + k[19] * t161);
+  const Scalar t163 = c[4] * t146 - s[4] * t143;
+  const Scalar t164 = t163 + (k[19] * t85 + k[18] * t158);
+  const Scalar t165 = c[3] * t162 + s[3] * t164;
+  const Scalar t166 = k[16] * t153 + k[17] * t165;
+  const Scalar t167 = t54 + t166;
+  const Scalar t168 = k[34] * t63 - (c[2] * t39 + s[2] * t34);
+  const Scalar t169 = k[63] * t168 - (k[56] * t48 + k[61] * t64);
+  const Scalar t170 = (s[3] * t162 - c[3] * t164) + t169;
+  const Scalar t171 = c[2] * t167 - s[2] * t170;
+  const Scalar t172 = t83 - t82;
+  const Scalar t173 = t61 + t60;
+  const Scalar t174 = k[34] * t47 - (k[15] * t27 + k[14] * t33);
+  const Scalar t175 = (k[56] * t172 + k[61] * t173) + k[63] * t174;
+  const Scalar t176 = k[16] * t165 - k[17] * t153;
+  const Scalar t177 = t175 + t176;
+  const Scalar t178 = k[14] * t171 - k[15] * t177;
+  const Scalar t179 = t178 - k[13] * t26;
+  const Scalar t180 = c[2] * t170 + s[2] * t167;
+  const Scalar t181 = k[13] * t38 - t180;
+  const Scalar t182 = k[15] * t171 + k[14] * t177;
+  const Scalar t183 = k[64] * (c[1] * t179 + s[1] * t181) - k[65] * (t182 - k[13] * t30);
+  const Scalar t184 = t17 + t18;
+  const Scalar t185 = t36 - t37;
+  const Scalar t186 = (k[7] * t184 + k[5] * t30) - k[3] * t185;
+  const Scalar t187 = (k[60] * t44 - k[59] * t64) - (k[57] * t172 + k[58] * t173);
+  const Scalar t188 = t174 + k[32] * t172;
+  const Scalar t189 = t40 - k[32] * t53;
+  const Scalar t190 = k[31] * t62 - (k[16] * t188 + k[17] * t189);
+  const Scalar t191 = (k[32] * t48 - t168) - k[31] * t65;
+  const Scalar t192 = c[3] * t190 + s[3] * t191;
+  const Scalar t193 = c[3] * t191 - s[3] * t190;
+  const Scalar t194 = (k[35] * t155 + k[55] * t85) - k[36] * t160;
+  const Scalar t195 = (k[18] * t192 + k[19] * t193) - ((k[37] * t66 + k[38] * t71) + t194);
+  const Scalar t196 = k[42] * t141 + (k[43] * t99 - k[54] * t142);
+  const Scalar t197 = t192 - k[39] * t155;
+  const Scalar t198 = t159 - t157;
+  const Scalar t199 = t158 + t198;
+  const Scalar t200 = k[31] * t199 - (k[16] * t189 - k[17] * t188);
+  const Scalar t201 = k[39] * t68 - t200;
+  const Scalar t202 = k[23] * t197 + k[22] * t201;
+  const Scalar t203 = t193 + k[39] * t158;
+  const Scalar t204 = k[40] * t95 + (s[4] * t202 - c[4] * t203);
+  const Scalar t205 = k[40] * t88 - (c[4] * t202 + s[4] * t203);
+  const Scalar t206 = (t196 - (k[44] * t88 + k[41] * t95)) + (k[28] * t204 + k[27] * t205);
+  const Scalar t207 = wrench[3] * s[0] - wrench[4] * c[0];
+  const Scalar t208 = k[1] * wrench[5] - k[0] * t207;
+  const Scalar t209 = wrench[3] * c[0] + wrench[4] * s[0];
+  const Scalar t210 = s[1] * t208 + c[1] * t209;
+  const Scalar t211 = s[1] * t209 - c[1] * t208;
+  const Scalar t212 = k[0] * wrench[5] + k[1] * t207;
+  const Scalar t213 = k[14] * t211 - k[15] * t212;
+  const Scalar t214 = c[2] * t210 - s[2] * t213;
+  const Scalar t215 = s[2] * t210 + c[2] * t213;
+  const Scalar t216 = k[14] * t212 + k[15] * t211;
+  const Scalar t217 = k[17] * t215 - k[16] * t216;
+  const Scalar t218 = s[3] * t214 + c[3] * t217;
+  const Scalar t219 = k[17] * t216 + k[16] * t215;
+  const Scalar t220 = k[23] * t218 - k[22] * t219;
+  const Scalar t221 = s[3] * t217 - c[3] * t214;
+  const Scalar t222 = c[4] * t220 - s[4] * t221;
+  const Scalar t223 = k[23] * t219 + k[22] * t218;
+  const Scalar t224 = (k[25] * t222 - k[24] * t223) - k[45] * t144;
+  const Scalar t225 = k[49] * c[5] + k[48] * s[5];
+  const Scalar t226 = k[50] - c[5] * t225;
+  const Scalar t227 = s[5] * t225;
+  const Scalar t228 = k[53] - t227;
+  const Scalar t229 = k[47] * s[5] + k[46] * c[5];
+  const Scalar t230 = k[47] * c[5] - k[46] * s[5];
+  const Scalar t231 = (t93 * t226 + t102 * t228) - (t229 * (t127 - t130) + t230 * t145);
+  const Scalar t232 = k[52] * t142 - t205;
+  const Scalar t233 = k[40] * t138 + (k[22] * t197 - k[23] * t201);
+  const Scalar t234 = t233 + k[52] * t150;
+  const Scalar t235 = k[24] * t232 + k[25] * t234;
+  const Scalar t236 = t224 - (t231 - t103 * t235);
+  const Scalar t237 = k[51] + t227;
+  const Scalar t238 = (t126 * t228 - t237 * t145) - t226 * t131;
+  const Scalar t239 = t94 * (k[52] * t139 - t204) - t103 * (k[24] * t234 - k[25] * t232);
+  const Scalar t240 = ((t229 * t90 - t100 * t230) - t238) + t239;
+  const Scalar t241 = (k[24] * t222 + k[25] * t223) - t240;
+  const Scalar t242 = k[52] * t134 - (k[24] * t236 - k[25] * t241);
+  const Scalar t243 = t206 + t242;
+  const Scalar t244 = (k[42] * t150 + k[43] * t149) + k[41] * t137;
+  const Scalar t245 = t230 * (t127 - t128) - (t226 * t102 + t93 * t237);
+  const Scalar t246 = k[45] * t132 - (c[4] * t221 + s[4] * t220);
+  const Scalar t247 = (t94 * t235 - (t126 * t229 + t245)) + t246;
+  const Scalar t248 = ((k[44] * t142 + t244) - k[28] * t233) - t247;
+  const Scalar t249 = k[52] * t148 - (k[25] * t236 + k[24] * t241);
+  const Scalar t250 = (k[54] * t150 + k[42] * t149) - (k[44] * t140 + k[41] * t99);
+  const Scalar t251 = t249 - (k[27] * t233 + t250);
+  const Scalar t252 = (s[4] * t248 - c[4] * t251) - k[40] * t163;
+  const Scalar t253 = k[39] * t154 + (k[23] * t243 - k[22] * t252);
+  const Scalar t254 = t195 - t253;
+  const Scalar t255 = (c[4] * t248 + s[4] * t251) + k[40] * t147;
+  const Scalar t256 = k[37] * (t199 - t161) - (k[36] * t68 + k[55] * t73);
+  const Scalar t257 = t255 - (k[19] * t200 + (t256 + k[38] * t155));
+  const Scalar t258 = t257 + k[31] * t162;
+  const Scalar t259 = (k[38] * t198 + k[37] * t85) + (k[35] * t68 - k[36] * t73);
+  const Scalar t260 = k[39] * t152 + (k[22] * t243 + k[23] * t252);
+  const Scalar t261 = ((t259 - k[18] * t200) - t260) + k[31] * t164;
+  const Scalar t262 = s[3] * t258 - c[3] * t261;
+  const Scalar t263 = k[32] * t176 - (k[16] * t254 - k[17] * t262);
+  const Scalar t264 = (k[56] * t174 - t187) + t263;
+  const Scalar t265 = k[59] * (t50 - t47) + (k[58] * t172 - k[62] * t173);
+  const Scalar t266 = (k[61] * t174 + (t265 - k[60] * t53)) + (c[3] * t258 + s[3] * t261);
+  const Scalar t267 = k[34] * t171 - (s[2] * t264 - c[2] * t266);
+  const Scalar t268 = k[8] * t179 - ((k[2] * t26 + t186) - t267);
+  const Scalar t269 = k[32] * t166 - (k[17] * t254 + k[16] * t262);
+  const Scalar t270 = k[58] * t49 - (k[62] * t64 + k[57] * t53);
+  const Scalar t271 = (k[61] * t168 - k[56] * t40) - ((k[59] * t63 + k[60] * t20) + t270);
+  const Scalar t272 = t269 - t271;
+  const Scalar t273 = (c[2] * t264 + s[2] * t266) + k[34] * t180;
+  const Scalar t274 = t38 - t31;
+  const Scalar t275 = (k[3] * t11 + k[2] * t274) + (k[6] * t30 - k[5] * t184);
+  const Scalar t276 = ((k[15] * t272 + k[14] * t273) + t182) + (k[13] * t32 - t275);
+  const Scalar t277 = s[1] * t268 + c[1] * (t276 - k[8] * t181);
+  const Scalar t278 = k[5] * (t185 - t274) - (k[7] * t11 - k[6] * t26);
+  const Scalar t279 = ((k[2] * t16 + k[3] * t7) - t278) + k[13] * t25;
+  const Scalar t280 = (t178 + (k[14] * t272 - k[15] * t273)) + t279;
+  const Scalar t281 = t2 + (t183 - (k[1] * t277 - k[0] * t280));
   JointVector<Scalar> result;
-  result[0] = t279;
-  result[1] = -t277;
-  result[2] = t254;
-  result[3] = -t242;
-  result[4] = t238;
-  result[5] = t230;
+  result[0] = -t281;
+  result[1] = -t280;
+  result[2] = -t272;
+  result[3] = t254;
+  result[4] = -t243;
+  result[5] = -t241;
   return result;
 }
 
@@ -1156,223 +1133,212 @@ ForwardDynamicsWithGravityVectorConstants<Scalar> forward_dynamics_with_gravity_
   const Scalar t5 = t3 + t4;
   const Scalar t6 = g.a6 / g.d2;
   const Scalar t7 = inertia.I6xy - inertia.c6y * t0;
-  const Scalar t8 = g.d4 / g.d2;
-  const Scalar t9 = g.a4 / g.d2;
-  const Scalar t10 = gravity[2] / g.d2;
-  const Scalar t11 = g.a2 / g.d2;
-  const Scalar t12 = g.a3 / g.d2;
-  const Scalar t13 = g.d3 / g.d2;
+  const Scalar t8 = g.d3 / g.d2;
+  const Scalar t9 = g.a3 / g.d2;
+  const Scalar t10 = g.a2 / g.d2;
+  const Scalar t11 = gravity[2] / g.d2;
+  const Scalar t12 = g.a4 / g.d2;
+  const Scalar t13 = g.d4 / g.d2;
   const Scalar t14 = g.a5 / g.d2;
-  const Scalar t15 = g.d5 / g.d2;
-  const Scalar t16 = inertia.c5x * inertia.m5;
-  const Scalar t17 = g.d5 * t16;
-  const Scalar t18 = inertia.c6z * inertia.m6;
-  const Scalar t19 = g.d6 * inertia.m6 + t18;
-  const Scalar t20 = cos(g.alpha6) * t19;
-  const Scalar t21 = (t17 - (t17 - (inertia.I5xz - inertia.c5z * t16))) - g.a6 * t20;
-  const Scalar t22 = inertia.c5y * inertia.m5;
+  const Scalar t15 = inertia.c5y * inertia.m5;
+  const Scalar t16 = g.d5 * t15;
+  const Scalar t17 = inertia.c6z * inertia.m6;
+  const Scalar t18 = g.d6 * inertia.m6 + t17;
+  const Scalar t19 = (inertia.c6z * t17 - (inertia.I6zz - t2)) + g.d6 * (t18 + t17);
+  const Scalar t20 = sin(g.alpha6) * t19;
+  const Scalar t21 = (t16 + ((inertia.I5yz - inertia.c5z * t15) - t16)) + cos(g.alpha6) * t20;
+  const Scalar t22 = inertia.c5x * inertia.m5;
   const Scalar t23 = g.d5 * t22;
-  const Scalar t24 = (inertia.c6z * t18 - (inertia.I6zz - t2)) + g.d6 * (t19 + t18);
-  const Scalar t25 = sin(g.alpha6) * t24;
-  const Scalar t26 = (t23 + ((inertia.I5yz - inertia.c5z * t22) - t23)) + cos(g.alpha6) * t25;
-  const Scalar t27 = sin(g.alpha6) * t19;
-  const Scalar t28 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t29 = sin(g.alpha6) * t25;
-  const Scalar t30 = g.a6 * inertia.m6;
-  const Scalar t31 = (inertia.c5x * t16 - (inertia.I5xx - t28)) + g.a6 * t30;
-  const Scalar t32 = g.d5 * inertia.m5;
-  const Scalar t33 = inertia.c5z * inertia.m5;
-  const Scalar t34 = t33 + t32;
-  const Scalar t35 = t32 - t34;
-  const Scalar t36 = t35 - t20;
-  const Scalar t37 = inertia.m5 + inertia.m6;
-  const Scalar t38 = t36 - g.d5 * t37;
-  const Scalar t39 = sin(g.alpha5) * t38;
-  const Scalar t40 = inertia.c4x * inertia.m4;
-  const Scalar t41 = g.a5 * t37;
-  const Scalar t42 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t43 = g.a5 * t41 - ((inertia.I4xx - t42) - inertia.c4x * t40);
-  const Scalar t44 = (inertia.c5z * t33 - (inertia.I5zz - t28)) + g.d5 * (t33 + t34);
-  const Scalar t45 = (g.d5 * (t35 - t34) + t44) + (t24 - t29);
-  const Scalar t46 = g.d5 * (t36 + t38) - t45;
-  const Scalar t47 = sin(g.alpha5) * t46;
-  const Scalar t48 = sin(g.alpha5) * t47;
-  const Scalar t49 = inertia.c4y * inertia.m4;
-  const Scalar t50 = g.d4 * t49;
-  const Scalar t51 = cos(g.alpha5) * t47 - (t50 - (t50 - (inertia.I4yz - inertia.c4z * t49)));
-  const Scalar t52 = cos(g.alpha5) * t38;
-  const Scalar t53 = g.d4 * t40;
-  const Scalar t54 = g.a5 * t52 + (((inertia.I4xz - inertia.c4z * t40) - t53) + t53);
-  const Scalar t55 = inertia.c2y * inertia.m2;
-  const Scalar t56 = g.d2 * t55;
-  const Scalar t57 = inertia.c4z * inertia.m4;
-  const Scalar t58 = g.d4 * inertia.m4;
-  const Scalar t59 = t57 + t58;
-  const Scalar t60 = t59 - t58;
-  const Scalar t61 = ((inertia.I4zz - t42) - inertia.c4z * t57) - g.d4 * (t59 + t57);
-  const Scalar t62 = (g.d4 * (t60 + t59) + t61) - (t48 - t46);
-  const Scalar t63 = t60 - t52;
-  const Scalar t64 = inertia.m4 + t37;
-  const Scalar t65 = g.d4 * t64 + t63;
-  const Scalar t66 = t62 - g.d4 * (t63 + t65);
-  const Scalar t67 = sin(g.alpha4) * t66;
-  const Scalar t68 = sin(g.alpha4) * t67;
-  const Scalar t69 = inertia.c3z * inertia.m3;
-  const Scalar t70 = g.d3 * inertia.m3;
-  const Scalar t71 = t69 + t70;
-  const Scalar t72 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t73 = g.d3 * (t69 + t71) - ((inertia.I3zz - t72) - inertia.c3z * t69);
-  const Scalar t74 = t70 - t71;
-  const Scalar t75 = (t68 - t66) + (t73 - g.d3 * (t71 - t74));
-  const Scalar t76 = cos(g.alpha4) * t65;
-  const Scalar t77 = t76 - t74;
-  const Scalar t78 = inertia.m3 + t64;
-  const Scalar t79 = t77 + g.d3 * t78;
-  const Scalar t80 = t75 + g.d3 * (t77 + t79);
-  const Scalar t81 = sin(g.alpha3) * t80;
-  const Scalar t82 = ((t56 - (inertia.I2yz - inertia.c2z * t55)) - t56) - cos(g.alpha3) * t81;
-  const Scalar t83 = cos(g.alpha3) * t79;
-  const Scalar t84 = inertia.c2x * inertia.m2;
-  const Scalar t85 = g.d2 * t84;
-  const Scalar t86 = g.a3 * t83 - (((inertia.I2xz - inertia.c2z * t84) - t85) + t85);
-  const Scalar t87 = sin(g.alpha3) * t79;
-  const Scalar t88 = g.a3 * t87 + (inertia.I2xy - inertia.c2y * t84);
-  const Scalar t89 = g.a3 * t78;
-  const Scalar t90 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t91 = g.a3 * t89 + (inertia.c2x * t84 - (inertia.I2xx - t90));
-  const Scalar t92 = sin(g.alpha3) * t81;
-  const Scalar t93 = ((inertia.I2yy - t90) - inertia.c2y * t55) - t92;
-  const Scalar t94 = g.a4 * t64;
-  const Scalar t95 = inertia.c3x * inertia.m3;
-  const Scalar t96 = sin(g.alpha4) * t65;
-  const Scalar t97 = inertia.c3y * inertia.m3;
-  const Scalar t98 = g.d3 * t97;
-  const Scalar t99 = cos(g.alpha4) * t67 - (t98 - (t98 - (inertia.I3yz - inertia.c3z * t97)));
-  const Scalar t100 = g.d3 * t95;
-  const Scalar t101 = g.a4 * t76 - (t100 - (t100 - (inertia.I3xz - inertia.c3z * t95)));
-  const Scalar t102 = g.a4 * t94 + (inertia.c3x * t95 - (inertia.I3xx - t72));
-  const Scalar t103 = inertia.m2 + t78;
-  const Scalar t104 = g.a2 * t103;
-  const Scalar t105 = inertia.c1x * inertia.m1;
-  const Scalar t106 = g.d2 * inertia.m2;
-  const Scalar t107 = inertia.c2z * inertia.m2;
-  const Scalar t108 = t106 + t107;
-  const Scalar t109 = t106 - t108;
-  const Scalar t110 = t83 - t109;
-  const Scalar t111 = g.d2 * t103 + t110;
-  const Scalar t112 = inertia.c1y * inertia.m1;
-  const Scalar t113 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t114 = g.a2 * t104 + (inertia.c1x * t105 - (inertia.I1xx - t113));
-  const Scalar t115 = g.d2 * (t108 + t107) - ((inertia.I2zz - t90) - inertia.c2z * t107);
-  const Scalar t116 = (g.d2 * (t108 - t109) - t115) + (t92 - t80);
-  const Scalar t117 = sin(g.alpha2) * sin(g.alpha2) * (t116 - g.d2 * (t110 + t111));
+  const Scalar t24 = cos(g.alpha6) * t18;
+  const Scalar t25 = (t23 - (t23 - (inertia.I5xz - inertia.c5z * t22))) - g.a6 * t24;
+  const Scalar t26 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t27 = sin(g.alpha6) * t20;
+  const Scalar t28 = g.a6 * inertia.m6;
+  const Scalar t29 = (inertia.c5x * t22 - (inertia.I5xx - t26)) + g.a6 * t28;
+  const Scalar t30 = sin(g.alpha6) * t18;
+  const Scalar t31 = inertia.m5 + inertia.m6;
+  const Scalar t32 = inertia.m4 + t31;
+  const Scalar t33 = inertia.m3 + t32;
+  const Scalar t34 = inertia.m2 + t33;
+  const Scalar t35 = g.a2 * t34;
+  const Scalar t36 = inertia.c1x * inertia.m1;
+  const Scalar t37 = inertia.c4z * inertia.m4;
+  const Scalar t38 = g.d4 * inertia.m4;
+  const Scalar t39 = t37 + t38;
+  const Scalar t40 = t39 - t38;
+  const Scalar t41 = g.d5 * inertia.m5;
+  const Scalar t42 = inertia.c5z * inertia.m5;
+  const Scalar t43 = t42 + t41;
+  const Scalar t44 = t41 - t43;
+  const Scalar t45 = t44 - t24;
+  const Scalar t46 = t45 - g.d5 * t31;
+  const Scalar t47 = cos(g.alpha5) * t46;
+  const Scalar t48 = t40 - t47;
+  const Scalar t49 = g.d4 * t32 + t48;
+  const Scalar t50 = cos(g.alpha4) * t49;
+  const Scalar t51 = g.d3 * inertia.m3;
+  const Scalar t52 = inertia.c3z * inertia.m3;
+  const Scalar t53 = t52 + t51;
+  const Scalar t54 = t51 - t53;
+  const Scalar t55 = t50 - t54;
+  const Scalar t56 = t55 + g.d3 * t33;
+  const Scalar t57 = cos(g.alpha3) * t56;
+  const Scalar t58 = g.d2 * inertia.m2;
+  const Scalar t59 = inertia.c2z * inertia.m2;
+  const Scalar t60 = t58 + t59;
+  const Scalar t61 = t58 - t60;
+  const Scalar t62 = t57 - t61;
+  const Scalar t63 = g.d2 * t34 + t62;
+  const Scalar t64 = inertia.c1y * inertia.m1;
+  const Scalar t65 = g.a3 * t33;
+  const Scalar t66 = inertia.c2x * inertia.m2;
+  const Scalar t67 = sin(g.alpha3) * t56;
+  const Scalar t68 = inertia.c2y * inertia.m2;
+  const Scalar t69 = sin(g.alpha4) * t49;
+  const Scalar t70 = inertia.c3y * inertia.m3;
+  const Scalar t71 = g.a4 * t32;
+  const Scalar t72 = inertia.c3x * inertia.m3;
+  const Scalar t73 = g.a5 * t31;
+  const Scalar t74 = inertia.c4x * inertia.m4;
+  const Scalar t75 = sin(g.alpha5) * t46;
+  const Scalar t76 = inertia.c4y * inertia.m4;
+  const Scalar t77 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t78 = ((inertia.I4zz - t77) - inertia.c4z * t37) - g.d4 * (t39 + t37);
+  const Scalar t79 = (inertia.c5z * t42 - (inertia.I5zz - t26)) + g.d5 * (t42 + t43);
+  const Scalar t80 = (g.d5 * (t44 - t43) + t79) + (t19 - t27);
+  const Scalar t81 = g.d5 * (t45 + t46) - t80;
+  const Scalar t82 = sin(g.alpha5) * t81;
+  const Scalar t83 = sin(g.alpha5) * t82;
+  const Scalar t84 = (g.d4 * (t40 + t39) + t78) - (t83 - t81);
+  const Scalar t85 = t84 - g.d4 * (t48 + t49);
+  const Scalar t86 = sin(g.alpha4) * t85;
+  const Scalar t87 = g.d3 * t70;
+  const Scalar t88 = cos(g.alpha4) * t86 - (t87 - (t87 - (inertia.I3yz - inertia.c3z * t70)));
+  const Scalar t89 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t90 = sin(g.alpha4) * t86;
+  const Scalar t91 = g.d3 * t72;
+  const Scalar t92 = g.a4 * t50 - (t91 - (t91 - (inertia.I3xz - inertia.c3z * t72)));
+  const Scalar t93 = g.d4 * t74;
+  const Scalar t94 = g.a5 * t47 + (((inertia.I4xz - inertia.c4z * t74) - t93) + t93);
+  const Scalar t95 = g.d4 * t76;
+  const Scalar t96 = cos(g.alpha5) * t82 - (t95 - (t95 - (inertia.I4yz - inertia.c4z * t76)));
+  const Scalar t97 = g.a5 * t73 - ((inertia.I4xx - t77) - inertia.c4x * t74);
+  const Scalar t98 = g.a4 * t71 + (inertia.c3x * t72 - (inertia.I3xx - t89));
+  const Scalar t99 = g.d2 * t68;
+  const Scalar t100 = g.d3 * (t52 + t53) - ((inertia.I3zz - t89) - inertia.c3z * t52);
+  const Scalar t101 = (t90 - t85) + (t100 - g.d3 * (t53 - t54));
+  const Scalar t102 = t101 + g.d3 * (t55 + t56);
+  const Scalar t103 = sin(g.alpha3) * t102;
+  const Scalar t104 = ((t99 - (inertia.I2yz - inertia.c2z * t68)) - t99) - cos(g.alpha3) * t103;
+  const Scalar t105 = g.d2 * t66;
+  const Scalar t106 = g.a3 * t57 - (((inertia.I2xz - inertia.c2z * t66) - t105) + t105);
+  const Scalar t107 = g.a3 * t67 + (inertia.I2xy - inertia.c2y * t66);
+  const Scalar t108 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t109 = g.a3 * t65 + (inertia.c2x * t66 - (inertia.I2xx - t108));
+  const Scalar t110 = sin(g.alpha3) * t103;
+  const Scalar t111 = ((inertia.I2yy - t108) - inertia.c2y * t68) - t110;
+  const Scalar t112 = g.d2 * (t60 + t59) - ((inertia.I2zz - t108) - inertia.c2z * t59);
+  const Scalar t113 = (g.d2 * (t60 - t61) - t112) + (t110 - t102);
+  const Scalar t114 = sin(g.alpha2) * sin(g.alpha2) * (t113 - g.d2 * (t62 + t63));
+  const Scalar t115 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t116 = g.a2 * t35 + (inertia.c1x * t36 - (inertia.I1xx - t115));
   return { (inertia.I6xz - inertia.c6z * t0) - g.d6 * t0,
            g.d6 * t1 - (inertia.I6yz - inertia.c6z * t1),
            sin(g.alpha6),
            cos(g.alpha6) * t5,
            g.d2 * t0,
            g.d2 * t1,
-           cos(g.alpha6),
-           t6,
+           cos(g.alpha6) * t6,
+           Scalar(1) / t5,
+           t3 - t4,
+           Scalar(2) * t7,
+           t3,
+           t5,
            sin(g.alpha2),
            cos(g.alpha3),
            cos(g.alpha2),
            sin(g.alpha3),
            sin(g.alpha4),
            cos(g.alpha4),
-           cos(g.alpha5),
            sin(g.alpha5),
-           t3 - t4,
-           Scalar(2) * t7,
-           t7,
-           sin(g.alpha2) * sin(g.alpha2),
-           cos(g.alpha3) * sin(g.alpha3),
-           sin(g.alpha3) * sin(g.alpha3),
-           cos(g.alpha4) * sin(g.alpha4),
-           sin(g.alpha4) * sin(g.alpha4),
-           cos(g.alpha4) * cos(g.alpha4),
+           cos(g.alpha5),
+           cos(g.alpha6),
+           cos(g.alpha2) * cos(g.alpha3),
            cos(g.alpha4) * sin(g.alpha3),
-           cos(g.alpha5) * sin(g.alpha5),
-           cos(g.alpha5) * cos(g.alpha5),
-           sin(g.alpha5) * sin(g.alpha5),
-           t3,
-           t5,
-           cos(g.alpha6) * sin(g.alpha6),
-           sin(g.alpha6) * sin(g.alpha6),
-           cos(g.alpha6) * cos(g.alpha6),
+           t7,
+           t6,
            t8,
            t9,
-           gravity[0] / g.d2,
            gravity[1] / g.d2,
-           sin(g.alpha2) * t10,
-           t11,
+           gravity[0] / g.d2,
+           t10,
+           sin(g.alpha2) * t11,
+           cos(g.alpha2) * sin(g.alpha2),
+           cos(g.alpha2) * t11,
+           sin(g.alpha2) * sin(g.alpha2),
            t12,
            t13,
-           cos(g.alpha2) * t10,
            t14,
-           t15,
-           Scalar(1) / t5,
+           g.d5 / g.d2,
            t21,
-           t26,
-           (inertia.I5xy - inertia.c5y * t16) + g.a6 * t27,
-           (inertia.c5y * t22 - (inertia.I5yy - t28)) + t29,
-           t31,
-           g.d2 * (t22 - t27),
-           g.d2 * (t30 + t16),
+           t25,
+           (inertia.c5y * t15 - (inertia.I5yy - t26)) + t27,
+           t29,
+           (inertia.I5xy - inertia.c5y * t22) + g.a6 * t30,
+           g.d2 * (t28 + t22),
+           g.d2 * (t15 - t30),
            Scalar(2) * t6,
-           sin(g.alpha6) * t6,
-           cos(g.alpha6) * t15,
-           sin(g.alpha6) * t5,
-           sin(g.alpha5) * sin(g.alpha6),
-           g.a5 * t39 - (inertia.I4xy - inertia.c4y * t40),
-           t43,
-           t48 + ((inertia.I4yy - t42) - inertia.c4y * t49),
-           t51,
-           t54,
-           g.d2 * (t39 + t49),
-           g.d2 * (t41 + t40),
-           Scalar(2) * cos(g.alpha5),
-           Scalar(2) * sin(g.alpha6),
-           cos(g.alpha6) * t6,
-           Scalar(2) * t14,
            cos(g.alpha5) * sin(g.alpha6),
-           sin(g.alpha2) * t11,
-           cos(g.alpha2) * t11,
-           cos(g.alpha3) * sin(g.alpha4),
-           sin(g.alpha3) * sin(g.alpha4),
-           sin(g.alpha4) * t9,
+           sin(g.alpha5) * sin(g.alpha6),
+           sin(g.alpha6) * t6,
+           sin(g.alpha6) * t5,
+           sin(g.alpha2) * t10,
+           cos(g.alpha2) * t10,
            sin(g.alpha4) * sin(g.alpha5),
            cos(g.alpha4) * sin(g.alpha5),
            sin(g.alpha5) * t14,
-           t82,
-           t86,
-           Scalar(2) * t88,
-           t91 + t93,
+           cos(g.alpha5) * t14,
+           g.d2 * (t35 + t36),
+           g.d2 * (sin(g.alpha2) * t63 - t64),
+           g.d2 * (t65 + t66),
+           g.d2 * (t67 - t68),
+           g.d2 * (t69 - t70),
+           g.d2 * (t71 + t72),
+           g.d2 * (t73 + t74),
+           g.d2 * (t75 + t76),
            t88,
-           g.d2 * (t87 - t55),
-           g.d2 * (t89 + t84),
-           g.d2 * (t94 + t95),
-           g.d2 * (t96 - t97),
-           (inertia.I3xy - inertia.c3y * t95) + g.a4 * t96,
-           ((inertia.I3yy - t72) - inertia.c3y * t97) + t68,
-           t99,
-           t101,
-           t102,
-           g.d2 * (t104 + t105),
-           g.d2 * (sin(g.alpha2) * t111 - t112),
-           cos(g.alpha3) * t12,
-           Scalar(2) * t8,
-           Scalar(2) * t9,
-           sin(g.alpha3) * t12,
+           ((inertia.I3yy - t89) - inertia.c3y * t70) + t90,
+           (inertia.I3xy - inertia.c3y * t72) + g.a4 * t69,
+           t92,
+           t94,
+           t83 + ((inertia.I4yy - t77) - inertia.c4y * t76),
+           g.a5 * t75 - (inertia.I4xy - inertia.c4y * t74),
+           t96,
+           t97,
+           t98,
+           t104,
+           t106,
+           Scalar(2) * t107,
+           t109 + t111,
+           t107,
+           Scalar(2) * sin(g.alpha6),
+           Scalar(2) * t14,
+           cos(g.alpha3) * sin(g.alpha4),
+           sin(g.alpha3) * sin(g.alpha4),
+           sin(g.alpha4) * t12,
            sin(g.alpha2) * sin(g.alpha3),
            Scalar(2) * t13,
-           t93,
            Scalar(2) * t12,
-           t91,
-           Scalar(2) * t11,
-           t114,
+           cos(g.alpha3) * t9,
+           sin(g.alpha3) * t9,
+           Scalar(2) * t9,
+           t109,
+           Scalar(2) * t8,
+           t111,
            Scalar(2) * cos(g.alpha2),
-           t117 - (inertia.c1y * t112 - (inertia.I1yy - t113)) };
+           t114 - (inertia.c1y * t64 - (inertia.I1yy - t115)),
+           Scalar(2) * t10,
+           t116 };
 }
 
 namespace detail {
@@ -1382,452 +1348,455 @@ inline JointVector<Scalar> forward_dynamics_with_gravity_vector([[maybe_unused]]
     [[maybe_unused]] const ForwardDynamicsWithGravityVectorConstants<Scalar>& k) {
   [[maybe_unused]] const auto& [s, c] = angles;
   const Scalar t0 = k[4] * s[5] + k[5] * c[5];
-  const Scalar t1 = k[4] * c[5] - k[5] * s[5];
-  const Scalar t2 = k[6] * t1;
-  const Scalar t3 = s[4] * t0 - c[4] * t2;
-  const Scalar t4 = k[14] * t3 + k[57] * t1;
+  const Scalar t1 = k[44] + k[20] * t0;
+  const Scalar t2 = k[4] * c[5] - k[5] * s[5];
+  const Scalar t3 = k[43] + t2;
+  const Scalar t4 = s[4] * t1 - c[4] * t3;
   const Scalar t5 = k[0] * s[5] - k[1] * c[5];
-  const Scalar t6 = k[7] * t2 - (k[3] - k[2] * t5);
-  const Scalar t7 = k[0] * c[5] + k[1] * s[5];
-  const Scalar t8 = t7 - k[55] * t1;
-  const Scalar t9 = k[44] * t0;
-  const Scalar t10 = k[6] * t5;
-  const Scalar t11 = t9 - ((k[56] + t10) - k[54] * t1);
-  const Scalar t12 = s[4] * t8 - c[4] * t11;
-  const Scalar t13 = k[43] * t4 - (k[14] * t6 + k[15] * t12);
-  const Scalar t14 = k[45] * t6;
-  const Scalar t15 = k[51] + k[6] * t0;
-  const Scalar t16 = k[52] + t1;
-  const Scalar t17 = s[4] * t15 - c[4] * t16;
-  const Scalar t18 = k[14] * t17;
-  const Scalar t19 = c[4] * t15 + s[4] * t16;
-  const Scalar t20 = k[17] * c[5] + k[16] * s[5];
-  const Scalar t21 = k[29] - s[5] * t20;
-  const Scalar t22 = k[30] - t21;
-  const Scalar t23 = (t10 + t10) + k[2] * t22;
-  const Scalar t24 = k[47] - (t5 - k[6] * t23);
-  const Scalar t25 = k[18] - c[5] * t20;
-  const Scalar t26 = (k[6] * t7 - k[2] * t25) - k[54] * t0;
-  const Scalar t27 = k[46] + t26;
-  const Scalar t28 = k[44] * t19 - (c[4] * t24 + s[4] * t27);
-  const Scalar t29 = k[2] * t23;
-  const Scalar t30 = k[49] + (t29 - t22);
-  const Scalar t31 = k[50] - (t21 - k[53] * t1);
-  const Scalar t32 = t30 + t31;
-  const Scalar t33 = k[43] * t18 + (k[15] * t28 - k[14] * t32);
-  const Scalar t34 = t13 * t14 + t33;
-  const Scalar t35 = Scalar(1) / (t32 + t14 * t6);
-  const Scalar t36 = t34 * t35;
-  const Scalar t37 = k[45] * t13;
-  const Scalar t38 = t29 - k[66] * t9;
-  const Scalar t39 = k[67] * t0 + (k[6] * t25 + k[2] * t7);
-  const Scalar t40 = k[48] - t39;
-  const Scalar t41 = Scalar(2) * c[4] * t40 + s[4] * (t30 - t31);
-  const Scalar t42 = s[4] * t41;
-  const Scalar t43 = t42 - t30;
-  const Scalar t44 = k[15] * (t38 - t43) + k[65] * t28;
-  const Scalar t45 = k[15] * t44;
-  const Scalar t46 = k[60] + (t45 + t43);
-  const Scalar t47 = k[59] + ((t42 + t31) - k[68] * t17);
-  const Scalar t48 = t46 - t47;
-  const Scalar t49 = Scalar(1) / (t36 * t34 - (t13 * t37 - t48));
-  const Scalar t50 = k[15] * t3 - k[69] * t1;
-  const Scalar t51 = s[4] * t2 + c[4] * t0;
-  const Scalar t52 = s[3] * t51 + c[3] * t4;
-  const Scalar t53 = k[12] * t50 - k[13] * t52;
-  const Scalar t54 = k[43] * t50 + (k[14] * t12 - k[15] * t6);
-  const Scalar t55 = t54 - k[34] * t51;
-  const Scalar t56 = (c[4] * t8 + s[4] * t11) + k[34] * t4;
-  const Scalar t57 = k[41] * t53 + (s[3] * t55 - c[3] * t56);
-  const Scalar t58 = c[3] * t51 - s[3] * t4;
-  const Scalar t59 = s[3] * t56 + c[3] * t55;
-  const Scalar t60 = k[13] * t50 + k[12] * t52;
-  const Scalar t61 = (k[12] * t13 + k[13] * t59) + k[35] * t60;
-  const Scalar t62 = k[41] * t58 - t61;
-  const Scalar t63 = s[2] * t57 + c[2] * t62;
-  const Scalar t64 = (k[12] * t59 - k[13] * t13) + k[35] * t53;
-  const Scalar t65 = c[2] * t53 - s[2] * t58;
-  const Scalar t66 = k[9] * t65 + k[11] * t60;
-  const Scalar t67 = (k[11] * t63 - k[9] * t64) - k[40] * t66;
-  const Scalar t68 = k[45] * t67;
-  const Scalar t69 = s[3] * t18 - c[3] * t19;
-  const Scalar t70 = c[3] * t18 + s[3] * t19;
-  const Scalar t71 = k[75] * t17 - k[13] * t70;
-  const Scalar t72 = s[2] * t69 + c[2] * t71;
-  const Scalar t73 = k[76] * t17 + k[12] * t70;
-  const Scalar t74 = k[9] * t72 + k[11] * t73;
-  const Scalar t75 = (k[14] * t28 + k[15] * t32) - k[77] * t17;
-  const Scalar t76 = k[44] * t17 - (s[4] * t24 - c[4] * t27);
-  const Scalar t77 = (c[3] * t75 - s[3] * t76) - k[34] * t69;
-  const Scalar t78 = (k[13] * t33 + k[12] * t77) - k[35] * t71;
-  const Scalar t79 = (c[3] * t76 + s[3] * t75) + k[34] * t70;
-  const Scalar t80 = k[41] * t71 - t79;
-  const Scalar t81 = k[35] * t73 - (k[13] * t77 - k[12] * t33);
-  const Scalar t82 = t81 + k[41] * t69;
-  const Scalar t83 = s[2] * t80 - c[2] * t82;
-  const Scalar t84 = k[40] * t74 - (k[9] * t78 + k[11] * t83);
-  const Scalar t85 = t68 * t6 - t84;
-  const Scalar t86 = k[14] * t19 - k[57] * t0;
-  const Scalar t87 = k[63] + t86;
-  const Scalar t88 = k[64] - t17;
-  const Scalar t89 = c[3] * t87 + s[3] * t88;
-  const Scalar t90 = c[3] * t88 - s[3] * t87;
-  const Scalar t91 = k[13] * t90;
-  const Scalar t92 = s[2] * t89 - c[2] * t91;
-  const Scalar t93 = k[9] * t92 + k[73] * t90;
-  const Scalar t94 = k[34] * t87 + (k[61] + (k[14] * t44 - t28));
-  const Scalar t95 = k[69] * t0 + k[15] * t19;
-  const Scalar t96 = t40 - c[4] * t41;
-  const Scalar t97 = k[43] * t95 + (k[15] * t96 - k[14] * t76);
-  const Scalar t98 = k[34] * t88 - (k[62] - t97);
-  const Scalar t99 = c[3] * t94 + s[3] * t98;
-  const Scalar t100 = k[35] * t91 - (k[13] * t48 + k[12] * t99);
-  const Scalar t101 = s[3] * t94 - c[3] * t98;
-  const Scalar t102 = k[41] * t91 - t101;
-  const Scalar t103 = k[13] * t99;
-  const Scalar t104 = k[41] * t89 - ((k[12] * t48 - t103) - k[74] * t90);
-  const Scalar t105 = s[2] * t102 + c[2] * t104;
-  const Scalar t106 = k[40] * t93 - (k[9] * t100 - k[11] * t105);
-  const Scalar t107 = t36 * t85 - (t13 * t68 - t106);
-  const Scalar t108 = t49 * t107;
-  const Scalar t109 = k[8] * qd[0];
-  const Scalar t110 = c[1] * t109;
-  const Scalar t111 = k[9] * t110;
-  const Scalar t112 = k[10] * qd[0];
-  const Scalar t113 = qd[1] + t112;
-  const Scalar t114 = t111 + k[11] * t113;
-  const Scalar t115 = s[1] * t109;
-  const Scalar t116 = s[2] * t114 + c[2] * t115;
-  const Scalar t117 = c[2] * t114 - s[2] * t115;
-  const Scalar t118 = qd[2] - (k[11] * t110 - k[9] * t113);
-  const Scalar t119 = k[13] * t117 + k[12] * t118;
-  const Scalar t120 = c[3] * t116 + s[3] * t119;
-  const Scalar t121 = qd[3] - (k[12] * t117 - k[13] * t118);
-  const Scalar t122 = c[3] * t119 - s[3] * t116;
-  const Scalar t123 = k[15] * t121 + k[14] * t122;
-  const Scalar t124 = s[4] * t120 - c[4] * t123;
-  const Scalar t125 = t124 * t124;
-  const Scalar t126 = c[4] * t120 + s[4] * t123;
-  const Scalar t127 = t126 * t126;
-  const Scalar t128 = t125 - t127;
-  const Scalar t129 = t116 * t116;
-  const Scalar t130 = t118 * t118 + t129;
-  const Scalar t131 = k[9] * t112;
-  const Scalar t132 = t110 * t110;
-  const Scalar t133 = t113 * t113;
-  const Scalar t134 = qd[0] * qd[0];
-  const Scalar t135 = k[19] * t134;
-  const Scalar t136 = t133 + t135;
-  const Scalar t137 = t113 * t109;
-  const Scalar t138 = t112 * t109;
-  const Scalar t139 = (t137 - t138) + t137;
-  const Scalar t140 = (t131 * t111 - k[20] * (t132 - t136)) - (k[21] * c[1] * t139 + k[20] * t135);
-  const Scalar t141 = t115 * t110;
-  const Scalar t142 = t131 * t115 - k[11] * t141;
-  const Scalar t143 = c[2] * t140 - s[2] * t142;
-  const Scalar t144 = t117 * t118;
-  const Scalar t145 = t144 - (t143 - t144);
-  const Scalar t146 = t117 * t117;
-  const Scalar t147 = t146 + t129;
-  const Scalar t148 = (k[22] * t130 + k[24] * t143) - (k[23] * t145 + k[22] * t147);
-  const Scalar t149 = t117 * t116;
-  const Scalar t150 = qd[1] * t115;
-  const Scalar t151 = k[11] * t150;
-  const Scalar t152 = t149 - t151;
-  const Scalar t153 = c[2] * t142 + s[2] * t140;
-  const Scalar t154 = k[12] * t152 - k[13] * t153;
-  const Scalar t155 = s[3] * t148 - c[3] * t154;
-  const Scalar t156 = t121 * t120;
-  const Scalar t157 = t155 - t156;
-  const Scalar t158 = t116 * t118;
-  const Scalar t159 = t158 - t153;
-  const Scalar t160 = k[12] * t159 + k[25] * t150;
-  const Scalar t161 = k[15] * t157 - k[14] * t160;
-  const Scalar t162 = t124 * t126;
-  const Scalar t163 = t161 + t162;
-  const Scalar t164 = t161 - t162;
-  const Scalar t165 = k[48] * t128 + (k[50] * t163 + k[49] * t164);
-  const Scalar t166 = t120 * t120;
-  const Scalar t167 = t121 * t121;
-  const Scalar t168 = t166 + t167;
-  const Scalar t169 = c[3] * t148 + s[3] * t154;
-  const Scalar t170 = t122 * t122;
-  const Scalar t171 = t170 + t166;
-  const Scalar t172 = t169 - Scalar(2) * t122 * t121;
-  const Scalar t173 = (k[26] * t168 + k[27] * t169) - (k[26] * t171 - k[28] * t172);
-  const Scalar t174 = t122 * t120;
-  const Scalar t175 = t174 - t160;
-  const Scalar t176 = k[14] * t155 - k[15] * t175;
-  const Scalar t177 = c[4] * t173 - s[4] * t176;
-  const Scalar t178 = c[4] * t176 + s[4] * t173;
-  const Scalar t179 = t174 + t160;
-  const Scalar t180 = t149 + t151;
-  const Scalar t181 = k[37] * c[0] - k[36] * s[0];
-  const Scalar t182 = (k[38] + k[10] * t181) - t138;
-  const Scalar t183 = k[37] * s[0] + k[36] * c[0];
-  const Scalar t184 = t183 + k[39] * t134;
-  const Scalar t185 = s[1] * t182 + c[1] * t184;
-  const Scalar t186 = k[41] * t142 - (k[40] * (t132 + t133) + t185);
-  const Scalar t187 = s[1] * t184 - c[1] * t182;
-  const Scalar t188 = t187 + k[40] * t141;
-  const Scalar t189 = (k[42] - k[8] * t181) + t135;
-  const Scalar t190 = k[40] * s[1] * t139 - t189;
-  const Scalar t191 = (k[9] * t188 + k[11] * t190) + k[41] * t140;
-  const Scalar t192 = s[2] * t186 - c[2] * t191;
-  const Scalar t193 = k[35] * t180 - t192;
-  const Scalar t194 = k[41] * t147 - (k[9] * t190 - k[11] * t188);
-  const Scalar t195 = t159 + t158;
-  const Scalar t196 = t194 - k[35] * t195;
-  const Scalar t197 = k[34] * t148 + (k[13] * t193 - k[12] * t196);
-  const Scalar t198 = c[2] * t186 + s[2] * t191;
-  const Scalar t199 = t146 - t129;
-  const Scalar t200 = t147 - t130;
-  const Scalar t201 = t199 - t200;
-  const Scalar t202 = t147 + t201;
-  const Scalar t203 = (t198 - k[35] * t202) - k[34] * t154;
-  const Scalar t204 = c[3] * t197 - s[3] * t203;
-  const Scalar t205 = k[43] * t179 + t204;
-  const Scalar t206 = k[34] * t171 + (k[12] * t193 + k[13] * t196);
-  const Scalar t207 = t157 - t156;
-  const Scalar t208 = t206 + k[43] * t207;
-  const Scalar t209 = k[44] * t173 + (k[14] * t205 - k[15] * t208);
-  const Scalar t210 = t170 + t167;
-  const Scalar t211 = c[3] * t203 + s[3] * t197;
-  const Scalar t212 = (k[43] * t210 - t211) - k[44] * t176;
-  const Scalar t213 = s[4] * t209 - c[4] * t212;
-  const Scalar t214 = c[4] * t209 + s[4] * t212;
-  const Scalar t215 = (t165 + (k[46] * t177 - k[47] * t178)) + (k[51] * t213 - k[52] * t214);
-  const Scalar t216 = qd[4] - (k[15] * t122 - k[14] * t121);
-  const Scalar t217 = t216 * t216;
-  const Scalar t218 = t217 + t125;
-  const Scalar t219 = t126 * t216;
-  const Scalar t220 = t219 - t178;
-  const Scalar t221 = t220 + t219;
-  const Scalar t222 = t125 + t127;
-  const Scalar t223 = k[44] * t222 + (k[15] * t205 + k[14] * t208);
-  const Scalar t224 = k[7] * t221 - t223;
-  const Scalar t225 = k[7] * t163 - t214;
-  const Scalar t226 = (k[7] * t218 - t213) * t0 + (k[2] * t224 - k[6] * t225) * t1;
-  const Scalar t227 = qd[5] + (k[2] * t124 + k[6] * t216);
-  const Scalar t228 = t227 * t227;
-  const Scalar t229 = t228 + t127;
-  const Scalar t230 = k[2] * t216 - k[6] * t124;
-  const Scalar t231 = t230 * t230;
-  const Scalar t232 = t228 + t231;
-  const Scalar t233 = k[6] * t161 - k[2] * t220;
-  const Scalar t234 = t126 * t230;
-  const Scalar t235 = t233 - t234;
-  const Scalar t236 = t233 + t234;
-  const Scalar t237 = t25 * (t229 - t232) - (t21 * t235 + t236 * t22);
-  const Scalar t238 = k[6] * t178 - k[2] * t164;
-  const Scalar t239 = t128 - t218;
-  const Scalar t240 = Scalar(2) * t124 * t216 + t177;
-  const Scalar t241 = (k[33] * t177 - k[31] * t239) + (k[32] * t240 - k[31] * t222);
-  const Scalar t242 = t226 - (t237 - (t5 * t238 - t7 * t241));
-  const Scalar t243 = t126 * t227;
-  const Scalar t244 = (t243 + t243) - t238;
-  const Scalar t245 = t227 * t230;
-  const Scalar t246 = t241 - (t245 + t245);
-  const Scalar t247 = (t7 * (t228 - t127) - t5 * t236) + (t21 * t244 + t25 * t246);
-  const Scalar t248 = k[6] * t224 + k[2] * t225;
-  const Scalar t249 = t247 - t248 * t1;
-  const Scalar t250 = t244 * t1 - t0 * t246;
-  const Scalar t251 = t1 * t235 + t229 * t0;
-  const Scalar t252 = k[2] * t250 + k[6] * t251;
-  const Scalar t253 = (k[6] * t242 + k[2] * t249) - k[7] * t252;
-  const Scalar t254 = t215 - t253;
-  const Scalar t255 = torque[5] - t242;
-  const Scalar t256 = k[45] * t255;
-  const Scalar t257 = (torque[4] + t254) + t256 * t6;
-  const Scalar t258 = t210 - t168;
-  const Scalar t259 = (k[59] * t179 + k[60] * t175) + k[58] * t258;
-  const Scalar t260 = ((k[61] * t155 + k[62] * t169) - t259) + (k[63] * t211 - k[64] * t204);
-  const Scalar t261 = (t228 - t231) * t5 - (t25 * t244 + t22 * t246);
-  const Scalar t262 = k[47] * (t217 - t125) + (k[48] * t221 + k[49] * t240);
-  const Scalar t263 = (t248 * t0 - (t261 + t7 * t235)) - (k[51] * t223 + (t262 + k[46] * t163));
-  const Scalar t264 = t252 + (k[52] * t163 - k[51] * t239);
-  const Scalar t265 = t263 + k[44] * t264;
-  const Scalar t266 = k[6] * t250 - k[2] * t251;
-  const Scalar t267 = (k[6] * t249 - k[2] * t242) - k[7] * t266;
-  const Scalar t268 = (k[50] * t221 + k[48] * t240) + (k[47] * t164 - k[46] * (t218 - t222));
-  const Scalar t269 = (k[52] * t218 - k[51] * t164) - (t236 * t0 - t232 * t1);
-  const Scalar t270 = (t267 + (k[52] * t223 - t268)) - k[44] * t269;
-  const Scalar t271 = s[4] * t265 + c[4] * t270;
-  const Scalar t272 = t266 + (k[52] * t221 - k[51] * t240);
-  const Scalar t273 = c[4] * t264 + s[4] * t269;
-  const Scalar t274 = k[15] * t272 + k[14] * t273;
-  const Scalar t275 = (k[14] * t254 - k[15] * t271) + k[43] * t274;
-  const Scalar t276 = t260 + t275;
-  const Scalar t277 = t36 * t257 - (t13 * t256 - (torque[3] + t276));
-  const Scalar t278 = t85 * t35;
-  const Scalar t279 = k[82] + c[1] * (k[81] * s[1] - k[80] * c[1]);
-  const Scalar t280 = k[78] * s[1] - k[79] * c[1];
-  const Scalar t281 = (k[83] * t185 - k[84] * t187) - (t279 * t135 - t280 * t138);
-  const Scalar t282 = k[87] * t199 - (k[88] * t152 + k[91] * t180);
-  const Scalar t283 = ((k[89] * t153 - k[90] * t143) + t282) - (k[86] * t198 - k[85] * t192);
-  const Scalar t284 = t210 - t171;
-  const Scalar t285 = k[61] * (t284 - t258) + (k[60] * t172 - k[58] * t207);
-  const Scalar t286 = (c[4] * t265 - s[4] * t270) + ((t285 + k[62] * t179) - k[63] * t206);
-  const Scalar t287 = (k[63] * t168 - k[64] * t179) + t274;
-  const Scalar t288 = t286 + k[34] * t287;
-  const Scalar t289 = (k[58] * t172 + k[59] * t207) + (k[62] * t284 + k[61] * t175);
-  const Scalar t290 = k[15] * t273 - k[14] * t272;
-  const Scalar t291 = k[43] * t290 + (k[15] * t254 + k[14] * t271);
-  const Scalar t292 = (k[64] * t210 - k[63] * t175) - (s[4] * t264 - c[4] * t269);
-  const Scalar t293 = ((k[64] * t206 + t289) + t291) - k[34] * t292;
-  const Scalar t294 = s[3] * t288 + c[3] * t293;
-  const Scalar t295 = (k[63] * t172 + k[64] * t207) + t290;
-  const Scalar t296 = c[3] * t287 + s[3] * t292;
-  const Scalar t297 = k[12] * t295 - k[13] * t296;
-  const Scalar t298 = (k[13] * t276 - k[12] * t294) - k[35] * t297;
-  const Scalar t299 = t283 + t298;
-  const Scalar t300 = t297 + (k[85] * t180 + k[86] * t130);
-  const Scalar t301 = (k[88] * t145 + k[87] * t195) + k[89] * t200;
-  const Scalar t302 = ((t301 + k[90] * t180) - k[86] * t194) + (s[3] * t293 - c[3] * t288);
-  const Scalar t303 = k[41] * t300 + t302;
-  const Scalar t304 = (k[89] * t152 - k[90] * t201) + (k[87] * t145 - k[91] * t195);
-  const Scalar t305 = k[12] * t296 + k[13] * t295;
-  const Scalar t306 = (k[13] * t294 + k[12] * t276) + k[35] * t305;
-  const Scalar t307 = (c[3] * t292 - s[3] * t287) + (k[86] * t152 + k[85] * t202);
-  const Scalar t308 = ((t304 + k[85] * t194) + t306) - k[41] * t307;
-  const Scalar t309 = s[2] * t303 - c[2] * t308;
-  const Scalar t310 = t305 - (k[85] * t195 - k[86] * t145);
-  const Scalar t311 = s[2] * t307 - c[2] * t300;
-  const Scalar t312 = k[11] * t310 - k[9] * t311;
-  const Scalar t313 = (k[9] * t299 + k[11] * t309) - k[40] * t312;
-  const Scalar t314 = t281 + t313;
-  const Scalar t315 = t257 * t278 - (t67 * t256 - (torque[1] + t314));
-  const Scalar t316 = k[95] * t95 - (t38 - t45);
-  const Scalar t317 = (k[15] * t76 + k[14] * t96) + k[43] * t86;
-  const Scalar t318 = k[58] + t317;
-  const Scalar t319 = c[3] * t318;
-  const Scalar t320 = (t319 + t319) + s[3] * (t46 + t47);
-  const Scalar t321 = t46 - s[3] * t320;
-  const Scalar t322 = Scalar(2) * t103 - k[12] * (t316 + t321);
-  const Scalar t323 = k[12] * t95 - k[13] * t89;
-  const Scalar t324 = k[86] + t323;
-  const Scalar t325 = (k[89] - (t99 - k[13] * t322)) - k[41] * t324;
-  const Scalar t326 = k[85] + t90;
-  const Scalar t327 = k[12] * t89 + k[13] * t95;
-  const Scalar t328 = c[3] * t320 - t318;
-  const Scalar t329 = k[35] * t327 - (k[13] * t101 - k[12] * t328);
-  const Scalar t330 = k[41] * t326 + (k[90] + t329);
-  const Scalar t331 = c[2] * t325 + s[2] * t330;
-  const Scalar t332 = k[91] + (k[96] * t90 - (t48 - t321));
-  const Scalar t333 = k[12] * t322;
-  const Scalar t334 = k[88] + (t333 + t321);
-  const Scalar t335 = k[35] * t323 - (k[13] * t328 + k[12] * t101);
-  const Scalar t336 = k[87] + t335;
-  const Scalar t337 = c[2] * t336;
-  const Scalar t338 = s[2] * (t332 + t334) - (t337 + t337);
-  const Scalar t339 = s[2] * t338;
-  const Scalar t340 = t332 - t339;
-  const Scalar t341 = t339 - t334;
-  const Scalar t342 = t340 + t341;
-  const Scalar t343 = c[2] * t326 + s[2] * t324;
-  const Scalar t344 = (k[11] * t331 - k[9] * t342) - k[94] * t343;
-  const Scalar t345 = t14 * t64 - t78;
-  const Scalar t346 = k[45] * t64;
-  const Scalar t347 = (t13 * t346 - t100) - t36 * t345;
-  const Scalar t348 = ((t64 * t68 + t344) - t278 * t345) - t108 * t347;
-  const Scalar t349 = t49 * t347;
-  const Scalar t350 = t35 * t345;
-  const Scalar t351 = t349 * t347 + ((t346 * t64 + t342) - t345 * t350);
-  const Scalar t352 = Scalar(1) / t351;
-  const Scalar t353 = t348 * t352;
-  const Scalar t354 = t257 * t35;
-  const Scalar t355 = (t346 * t255 + (torque[2] + t299)) - t354 * t345;
-  const Scalar t356 = t277 * t349 - t355;
-  const Scalar t357 = (t108 * t277 - t315) + t353 * t356;
-  const Scalar t358 = k[9] * t331;
-  const Scalar t359 = (t316 + t333) + k[99] * t327;
-  const Scalar t360 = (t358 + t358) + k[11] * (t341 - t359);
-  const Scalar t361 = k[11] * t360;
-  const Scalar t362 = k[100] + (t361 - t341);
-  const Scalar t363 = k[102] + (t340 + k[101] * t343);
-  const Scalar t364 = t362 - t363;
-  const Scalar t365 = (t85 * t278 + (t364 - t67 * t68)) - t108 * t107;
-  const Scalar t366 = Scalar(1) / (t365 + t348 * t353);
-  const Scalar t367 = s[1] * (t93 - (c[2] * t102 - s[2] * t104));
-  const Scalar t368 = s[2] * t91 + c[2] * t89;
-  const Scalar t369 = k[11] * t92 - k[72] * t90;
-  const Scalar t370 = k[40] * t369 - (k[9] * t105 + k[11] * t100);
-  const Scalar t371 = k[8] * (t367 - c[1] * (t368 - t370)) - k[10] * t106;
-  const Scalar t372 = k[70] * t369 - k[71] * (c[1] * t93 + s[1] * t368);
-  const Scalar t373 = k[11] * t65 - k[9] * t60;
-  const Scalar t374 = (k[9] * t63 + k[11] * t64) + k[40] * t373;
-  const Scalar t375 = s[2] * t53 + c[2] * t58;
-  const Scalar t376 = s[1] * (t66 - (s[2] * t62 - c[2] * t57));
-  const Scalar t377 = k[8] * (c[1] * (t374 + t375) + t376) + k[10] * t67;
-  const Scalar t378 = k[70] * t373 - k[71] * (c[1] * t66 - s[1] * t375);
-  const Scalar t379 = t377 + t378;
-  const Scalar t380 = k[45] * t379;
-  const Scalar t381 = s[1] * (t74 + (s[2] * t82 + c[2] * t80));
-  const Scalar t382 = c[2] * t69 - s[2] * t71;
-  const Scalar t383 = k[11] * t72 - k[9] * t73;
-  const Scalar t384 = k[40] * t383 + (k[9] * t83 - k[11] * t78);
-  const Scalar t385 = k[8] * (t381 - c[1] * (t382 - t384)) - k[10] * t84;
-  const Scalar t386 = k[70] * t383 - k[71] * (c[1] * t74 + s[1] * t382);
-  const Scalar t387 = (t385 + t386) + t380 * t6;
-  const Scalar t388 = t387 * t35;
-  const Scalar t389 = ((t371 + t372) + t380 * t13) - t388 * t34;
-  const Scalar t390 = t49 * t389;
-  const Scalar t391 = s[2] * t325 - c[2] * t330;
-  const Scalar t392 = k[9] * t343;
-  const Scalar t393 = s[2] * t326 - c[2] * t324;
-  const Scalar t394 = t393 + (k[97] * t343 + (t358 + k[11] * t342));
-  const Scalar t395 = k[8] * (s[1] * (t391 - t392) - c[1] * t394);
-  const Scalar t396 = k[10] * (c[1] * t392 - s[1] * t393) - k[98] * t343;
-  const Scalar t397 = ((t395 - k[10] * t344) + k[39] * t396) - t346 * t379;
-  const Scalar t398 = t390 * t347 - (t387 * t350 + t397);
-  const Scalar t399 = t352 * t398;
-  const Scalar t400 = k[11] * t393 + k[9] * t327;
-  const Scalar t401 = c[2] * t338 + t336;
-  const Scalar t402 = k[40] * t400 - (k[9] * t391 - k[11] * t401);
-  const Scalar t403 = k[84] + t343;
-  const Scalar t404 = k[9] * t393 - k[11] * t327;
-  const Scalar t405 = k[83] - t404;
-  const Scalar t406 = c[1] * (t405 - (k[78] - (t331 - k[9] * t360)));
-  const Scalar t407 = k[8] * (s[1] * ((k[79] + t402) + t403) - t406);
-  const Scalar t408 = s[1] * t405 + c[1] * t403;
-  const Scalar t409 = t379 * t68 - ((k[10] * t364 + t407) - k[71] * t408);
-  const Scalar t410 = t348 * t399 + (t390 * t107 + (t85 * t388 - t409));
-  const Scalar t411 = t366 * t410;
-  const Scalar t412 = k[83] * c[1] - k[84] * s[1];
-  const Scalar t413 = c[2] * t307 + s[2] * t300;
-  const Scalar t414 = t133 * t412 + (c[1] * t312 - s[1] * t413);
-  const Scalar t415 = k[9] * t310 + k[11] * t311;
-  const Scalar t416 = k[71] * t414 + k[70] * (t415 + t412 * t139);
-  const Scalar t417 = k[83] * s[1] + k[84] * c[1];
-  const Scalar t418 = s[1] * (t312 + (c[2] * t303 + s[2] * t308));
-  const Scalar t419 = k[40] * t415 + (k[11] * t299 - k[9] * t309);
-  const Scalar t420 = t417 * t189 + (t280 * t133 - t279 * t139);
-  const Scalar t421 = t136 * t417 + ((t418 - c[1] * (t419 - t413)) - t420);
-  const Scalar t422 = (k[93] * t183 + k[92] * t181) - (t416 - (k[8] * t421 + k[10] * t314));
-  const Scalar t423 = (t380 * t255 - (torque[0] + t422)) - t257 * t388;
-  const Scalar t424 = t357 * t411 - (t399 * t356 - (t390 * t277 - t423));
-  const Scalar t425 = k[40] * t404 + (k[9] * t401 + k[11] * t391);
-  const Scalar t426 = Scalar(2) * c[1] * (k[82] - t425) - s[1] * (t362 + t363);
-  const Scalar t427 = t362 + s[1] * t426;
-  const Scalar t428 = k[19] * (t427 + ((t400 + t400) + (t361 + t359)));
-  const Scalar t429 = (k[104] - ((t364 - t427) - k[103] * t408)) - (k[106] + (t427 + (k[105] * t407 - t428)));
-  const Scalar t430 = (t388 * t387 - (t380 * t379 + t429)) - t389 * t390;
-  const Scalar t431 = Scalar(1) / (t410 * t411 - (t430 + t399 * t398));
-  const Scalar t432 = t424 * t431;
-  const Scalar t433 = t432 * t411 - t366 * t357;
-  const Scalar t434 = t353 * t433 - (t399 * t432 - t352 * t356);
-  const Scalar t435 = (t49 * t277 - t390 * t432) - t108 * t433;
-  const Scalar t436 = t435 - t434 * t349;
-  const Scalar t437 = ((t354 + t388 * t432) - t278 * t433) + t434 * t350;
-  const Scalar t438 = t437 - t36 * t436;
-  const Scalar t439 = t346 * t434 - (t433 * t68 - (t256 + t380 * t432));
+  const Scalar t6 = k[20] * t5;
+  const Scalar t7 = k[9] * c[5] + k[8] * s[5];
+  const Scalar t8 = k[10] - s[5] * t7;
+  const Scalar t9 = k[11] - t8;
+  const Scalar t10 = Scalar(2) * t6 + k[2] * t9;
+  const Scalar t11 = k[2] * t10;
+  const Scalar t12 = k[40] + (t11 - t9);
+  const Scalar t13 = k[41] - (t8 - k[45] * t2);
+  const Scalar t14 = t12 + t13;
+  const Scalar t15 = k[38] - (t5 - k[20] * t10);
+  const Scalar t16 = k[23] - c[5] * t7;
+  const Scalar t17 = k[0] * c[5] + k[1] * s[5];
+  const Scalar t18 = k[48] * t0 + (k[2] * t16 - k[20] * t17);
+  const Scalar t19 = k[39] - t18;
+  const Scalar t20 = s[4] * t3 + c[4] * t1;
+  const Scalar t21 = (c[4] * t15 + s[4] * t19) - k[37] * t20;
+  const Scalar t22 = k[55] * t4 - (k[19] * t14 + k[18] * t21);
+  const Scalar t23 = k[19] * t21;
+  const Scalar t24 = k[35] * t20 + ((k[18] * t14 - t23) - k[54] * t4);
+  const Scalar t25 = (s[4] * t15 - c[4] * t19) - k[37] * t4;
+  const Scalar t26 = k[19] * t4;
+  const Scalar t27 = t25 - k[35] * t26;
+  const Scalar t28 = c[3] * t24 + s[3] * t27;
+  const Scalar t29 = s[3] * t20 + c[3] * t26;
+  const Scalar t30 = k[17] * t29 - k[52] * t4;
+  const Scalar t31 = (k[17] * t22 + k[16] * t28) + k[34] * t30;
+  const Scalar t32 = k[6] * t2 - (k[3] - k[2] * t5);
+  const Scalar t33 = k[7] * t32;
+  const Scalar t34 = k[20] * t2;
+  const Scalar t35 = s[4] * t0 - c[4] * t34;
+  const Scalar t36 = k[47] * t2 + k[19] * t35;
+  const Scalar t37 = t17 - k[37] * t34;
+  const Scalar t38 = k[37] * t0;
+  const Scalar t39 = t38 + (k[48] * t2 - (k[49] + t6));
+  const Scalar t40 = k[35] * t36 + (c[4] * t37 + s[4] * t39);
+  const Scalar t41 = s[4] * t34 + c[4] * t0;
+  const Scalar t42 = k[46] * t2 - k[18] * t35;
+  const Scalar t43 = c[4] * t39 - s[4] * t37;
+  const Scalar t44 = k[36] * t42 + (k[18] * t32 + k[19] * t43);
+  const Scalar t45 = k[35] * t41 + t44;
+  const Scalar t46 = s[3] * t40 - c[3] * t45;
+  const Scalar t47 = k[36] * t36 + (k[18] * t43 - k[19] * t32);
+  const Scalar t48 = s[3] * t41 + c[3] * t36;
+  const Scalar t49 = k[16] * t42 + k[17] * t48;
+  const Scalar t50 = (k[16] * t46 - k[17] * t47) - k[34] * t49;
+  const Scalar t51 = t31 - t33 * t50;
+  const Scalar t52 = t47 * t33 + t22;
+  const Scalar t53 = Scalar(1) / (t14 + t32 * t33);
+  const Scalar t54 = t52 * t53;
+  const Scalar t55 = k[7] * t47;
+  const Scalar t56 = k[62] - t4;
+  const Scalar t57 = k[19] * t20 - k[47] * t0;
+  const Scalar t58 = k[63] + t57;
+  const Scalar t59 = c[3] * t56 - s[3] * t58;
+  const Scalar t60 = k[17] * t59;
+  const Scalar t61 = k[6] * t0 + (k[2] * t17 + k[20] * t16);
+  const Scalar t62 = k[42] - t61;
+  const Scalar t63 = Scalar(2) * c[4] * t62 + s[4] * (t12 - t13);
+  const Scalar t64 = t13 + s[4] * t63;
+  const Scalar t65 = t14 - t64;
+  const Scalar t66 = t11 - k[79] * t38;
+  const Scalar t67 = (t23 + t23) - k[18] * (t65 + t66);
+  const Scalar t68 = k[18] * t67;
+  const Scalar t69 = k[69] - (t68 + t65);
+  const Scalar t70 = k[72] + (t64 - k[80] * t4);
+  const Scalar t71 = t69 - t70;
+  const Scalar t72 = s[3] * t56 + c[3] * t58;
+  const Scalar t73 = k[18] * t20 + k[46] * t0;
+  const Scalar t74 = t62 - c[4] * t63;
+  const Scalar t75 = k[36] * t73 + (k[18] * t74 + k[19] * t25);
+  const Scalar t76 = k[68] - t75;
+  const Scalar t77 = k[71] - (k[19] * t67 - t21);
+  const Scalar t78 = k[35] * t72 - (s[3] * t76 - c[3] * t77);
+  const Scalar t79 = k[34] * t60 - (k[17] * t71 + k[16] * t78);
+  const Scalar t80 = t51 * t54 + (t55 * t50 - t79);
+  const Scalar t81 = Scalar(1) / ((t71 - t55 * t47) + t52 * t54);
+  const Scalar t82 = t80 * t81;
+  const Scalar t83 = s[2] * t72 - c[2] * t60;
+  const Scalar t84 = k[13] * t83 + k[82] * t59;
+  const Scalar t85 = k[17] * t78;
+  const Scalar t86 = k[25] * t72 + (k[83] * t59 + (t85 - k[16] * t71));
+  const Scalar t87 = (c[3] * t76 + s[3] * t77) - k[35] * t59;
+  const Scalar t88 = t87 - k[25] * t60;
+  const Scalar t89 = c[2] * t86 - s[2] * t88;
+  const Scalar t90 = k[26] * t84 + (k[15] * t89 - k[13] * t79);
+  const Scalar t91 = c[3] * t41 - s[3] * t36;
+  const Scalar t92 = s[2] * t91 + c[2] * t49;
+  const Scalar t93 = k[17] * t42 - k[16] * t48;
+  const Scalar t94 = k[13] * t92 + k[15] * t93;
+  const Scalar t95 = c[3] * t40 + s[3] * t45;
+  const Scalar t96 = k[34] * t93 - (k[17] * t46 + k[16] * t47);
+  const Scalar t97 = c[2] * t91 - s[2] * t49;
+  const Scalar t98 = (s[2] * t95 - c[2] * t96) - k[25] * t97;
+  const Scalar t99 = k[26] * t94 - (k[13] * t50 + k[15] * t98);
+  const Scalar t100 = s[3] * t24 - c[3] * t27;
+  const Scalar t101 = k[16] * t29 + k[53] * t4;
+  const Scalar t102 = k[34] * t101 - (k[17] * t28 - k[16] * t22);
+  const Scalar t103 = c[3] * t20 - s[3] * t26;
+  const Scalar t104 = c[2] * t103 - s[2] * t30;
+  const Scalar t105 = (s[2] * t100 + c[2] * t102) - k[25] * t104;
+  const Scalar t106 = c[2] * t30 + s[2] * t103;
+  const Scalar t107 = k[15] * t101 - k[13] * t106;
+  const Scalar t108 = (k[15] * t105 - k[13] * t31) + k[26] * t107;
+  const Scalar t109 = k[7] * t99;
+  const Scalar t110 = t108 - t109 * t32;
+  const Scalar t111 = (t90 - t99 * t55) - t110 * t54;
+  const Scalar t112 = t53 * t51;
+  const Scalar t113 = k[61] + t59;
+  const Scalar t114 = k[16] * t73 - k[17] * t72;
+  const Scalar t115 = k[60] + t114;
+  const Scalar t116 = c[2] * t113 + s[2] * t115;
+  const Scalar t117 = (t68 + t66) - k[85] * t73;
+  const Scalar t118 = (k[18] * t25 - k[19] * t74) - k[36] * t57;
+  const Scalar t119 = k[70] - t118;
+  const Scalar t120 = c[3] * t119;
+  const Scalar t121 = s[3] * (t69 + t70) + (t120 + t120);
+  const Scalar t122 = s[3] * t121;
+  const Scalar t123 = t69 - t122;
+  const Scalar t124 = k[16] * (t117 - t123) + Scalar(2) * t85;
+  const Scalar t125 = (k[64] - (t78 - k[17] * t124)) - k[25] * t115;
+  const Scalar t126 = c[3] * t121 - t119;
+  const Scalar t127 = k[16] * t72 + k[17] * t73;
+  const Scalar t128 = (k[16] * t126 - k[17] * t87) + k[34] * t127;
+  const Scalar t129 = (k[67] + t128) + k[25] * t113;
+  const Scalar t130 = c[2] * t125 + s[2] * t129;
+  const Scalar t131 = k[16] * t124;
+  const Scalar t132 = k[65] + (t123 + t131);
+  const Scalar t133 = k[73] + (k[86] * t59 - (t122 - t70));
+  const Scalar t134 = t132 - t133;
+  const Scalar t135 = k[87] * t116 - (k[15] * t130 + k[13] * t134);
+  const Scalar t136 = t82 * t111 + (t112 * t110 + (t135 - t109 * t50));
+  const Scalar t137 = k[13] * t101 + k[15] * t106;
+  const Scalar t138 = (k[15] * t31 + k[13] * t105) + k[26] * t137;
+  const Scalar t139 = (s[2] * t102 - c[2] * t100) - k[25] * t106;
+  const Scalar t140 = c[1] * (t138 - t104) - s[1] * (t107 + t139);
+  const Scalar t141 = k[51] * (s[1] * t104 - c[1] * t107) - k[50] * t137;
+  const Scalar t142 = k[13] * t93 - k[15] * t92;
+  const Scalar t143 = k[50] * t142 + k[51] * (c[1] * t94 + s[1] * t97);
+  const Scalar t144 = (k[15] * t50 - k[13] * t98) + k[26] * t142;
+  const Scalar t145 = k[25] * t92 + (s[2] * t96 + c[2] * t95);
+  const Scalar t146 = c[1] * (t144 + t97) - s[1] * (t145 + t94);
+  const Scalar t147 = t143 + (k[14] * t99 + k[12] * t146);
+  const Scalar t148 = ((k[14] * t108 + k[12] * t140) - t141) - t147 * t33;
+  const Scalar t149 = t148 * t53;
+  const Scalar t150 = c[2] * t115 - s[2] * t113;
+  const Scalar t151 = k[13] * t130;
+  const Scalar t152 = t150 - ((t151 - k[15] * t134) + k[88] * t116);
+  const Scalar t153 = k[13] * t116;
+  const Scalar t154 = c[2] * t129 - s[2] * t125;
+  const Scalar t155 = k[12] * (c[1] * t152 - s[1] * (t153 + t154));
+  const Scalar t156 = k[84] * t116 - k[14] * (s[1] * t150 + c[1] * t153);
+  const Scalar t157 = k[7] * t50;
+  const Scalar t158 = ((k[14] * t135 + t155) - k[29] * t156) - t157 * t147;
+  const Scalar t159 = k[15] * t83 - k[81] * t59;
+  const Scalar t160 = c[2] * t72 + s[2] * t60;
+  const Scalar t161 = k[50] * t159 - k[51] * (c[1] * t84 + s[1] * t160);
+  const Scalar t162 = (k[13] * t89 + k[15] * t79) - k[26] * t159;
+  const Scalar t163 = s[1] * ((s[2] * t86 + c[2] * t88) + t84);
+  const Scalar t164 = k[12] * (c[1] * (t162 + t160) - t163) + k[14] * t90;
+  const Scalar t165 = ((t161 - t164) + t55 * t147) + t149 * t52;
+  const Scalar t166 = t165 * t81;
+  const Scalar t167 = (t149 * t51 + t158) - t166 * t80;
+  const Scalar t168 = (t112 * t51 - (t157 * t50 - t134)) - t82 * t80;
+  const Scalar t169 = Scalar(1) / t168;
+  const Scalar t170 = t167 * t169;
+  const Scalar t171 = (k[17] * t126 + k[16] * t87) - k[34] * t114;
+  const Scalar t172 = k[66] - t171;
+  const Scalar t173 = c[2] * t172;
+  const Scalar t174 = s[2] * (t132 + t133) - (t173 + t173);
+  const Scalar t175 = t132 - s[2] * t174;
+  const Scalar t176 = k[91] * t127 - (t117 - t131);
+  const Scalar t177 = (t151 + t151) - k[15] * (t176 + t175);
+  const Scalar t178 = k[15] * t177;
+  const Scalar t179 = k[92] + (t175 + t178);
+  const Scalar t180 = k[90] + ((t175 - t134) + k[89] * t116);
+  const Scalar t181 = t179 - t180;
+  const Scalar t182 = k[58] + t116;
+  const Scalar t183 = c[2] * t174 + t172;
+  const Scalar t184 = k[15] * t150 - k[13] * t127;
+  const Scalar t185 = (k[15] * t183 + k[13] * t154) - k[26] * t184;
+  const Scalar t186 = k[13] * t150 + k[15] * t127;
+  const Scalar t187 = k[59] + t186;
+  const Scalar t188 = c[1] * (t187 - (k[74] - (t130 - k[13] * t177)));
+  const Scalar t189 = k[12] * (s[1] * (t182 + (k[75] + t185)) - t188);
+  const Scalar t190 = c[1] * t182 + s[1] * t187;
+  const Scalar t191 = t109 * t147 - ((k[14] * t181 + t189) - k[51] * t190);
+  const Scalar t192 = t136 * t170 - (t166 * t111 + (t149 * t110 - t191));
+  const Scalar t193 = t136 * t169;
+  const Scalar t194 = t111 * t81;
+  const Scalar t195 = t53 * t110;
+  const Scalar t196 = t111 * t194 - (t110 * t195 + (t181 - t99 * t109));
+  const Scalar t197 = Scalar(1) / (t193 * t136 + t196);
+  const Scalar t198 = t197 * t192;
+  const Scalar t199 = k[7] * t147;
+  const Scalar t200 = k[26] * t186 - (k[13] * t183 - k[15] * t154);
+  const Scalar t201 = s[1] * (t179 + t180) - Scalar(2) * c[1] * (k[78] + t200);
+  const Scalar t202 = t180 - s[1] * t201;
+  const Scalar t203 = t202 + t181;
+  const Scalar t204 = k[33] * (t203 + ((t176 + t178) - Scalar(2) * t184));
+  const Scalar t205 = (k[94] + ((k[93] * t189 - t204) + t203)) - (k[96] + (t202 + k[95] * t190));
+  const Scalar t206 = t165 * t166 + ((t199 * t147 - t205) - t149 * t148);
+  const Scalar t207 = Scalar(1) / (t192 * t198 - (t206 + t167 * t170));
+  const Scalar t208 = qd[1] + k[14] * qd[0];
+  const Scalar t209 = k[12] * qd[0];
+  const Scalar t210 = c[1] * t209;
+  const Scalar t211 = k[15] * t208 + k[13] * t210;
+  const Scalar t212 = s[1] * t209;
+  const Scalar t213 = s[2] * t211 + c[2] * t212;
+  const Scalar t214 = t213 * t213;
+  const Scalar t215 = s[2] * t212 - c[2] * t211;
+  const Scalar t216 = t215 * t215;
+  const Scalar t217 = t214 + t216;
+  const Scalar t218 = qd[0] * qd[0];
+  const Scalar t219 = k[27] * s[0] + k[28] * c[0];
+  const Scalar t220 = k[29] * t218 + t219;
+  const Scalar t221 = k[31] * t218;
+  const Scalar t222 = k[28] * s[0] - k[27] * c[0];
+  const Scalar t223 = t221 - (k[30] - k[14] * t222);
+  const Scalar t224 = s[1] * t220 + c[1] * t223;
+  const Scalar t225 = t224 + k[26] * t212 * t210;
+  const Scalar t226 = qd[1] * t209;
+  const Scalar t227 = t226 + t208 * t209;
+  const Scalar t228 = k[33] * t218;
+  const Scalar t229 = t228 + (k[32] + k[12] * t222);
+  const Scalar t230 = k[26] * s[1] * t227 - t229;
+  const Scalar t231 = k[25] * t217 + (k[15] * t225 - k[13] * t230);
+  const Scalar t232 = k[15] * t210;
+  const Scalar t233 = t232 - k[13] * t208;
+  const Scalar t234 = qd[2] - t233;
+  const Scalar t235 = t234 * t213;
+  const Scalar t236 = c[1] * t226 + t233 * t211;
+  const Scalar t237 = t212 * t232 - t212 * k[21] * qd[0];
+  const Scalar t238 = s[2] * t236 + c[2] * t237;
+  const Scalar t239 = t235 + t238;
+  const Scalar t240 = t235 + t239;
+  const Scalar t241 = t231 - k[34] * t240;
+  const Scalar t242 = t208 * t208;
+  const Scalar t243 = t228 + t242;
+  const Scalar t244 = c[1] * t220 - s[1] * t223;
+  const Scalar t245 = k[25] * t237 - (k[26] * (t212 * t212 - t243) - t244);
+  const Scalar t246 = (k[15] * t230 + k[13] * t225) - k[25] * t236;
+  const Scalar t247 = s[2] * t245 + c[2] * t246;
+  const Scalar t248 = t213 * t215;
+  const Scalar t249 = s[1] * t226;
+  const Scalar t250 = k[15] * t249;
+  const Scalar t251 = t248 - t250;
+  const Scalar t252 = t247 - k[34] * t251;
+  const Scalar t253 = k[16] * t234 - k[17] * t215;
+  const Scalar t254 = s[3] * t253 + c[3] * t213;
+  const Scalar t255 = t254 * t254;
+  const Scalar t256 = s[3] * t213 - c[3] * t253;
+  const Scalar t257 = t256 * t256;
+  const Scalar t258 = t255 + t257;
+  const Scalar t259 = (k[17] * t241 + k[16] * t252) + k[35] * t258;
+  const Scalar t260 = t248 + t250;
+  const Scalar t261 = k[16] * t260 - k[17] * t238;
+  const Scalar t262 = t234 * t215;
+  const Scalar t263 = c[2] * t236 - s[2] * t237;
+  const Scalar t264 = t262 - t263;
+  const Scalar t265 = k[16] * t215 + k[17] * t234;
+  const Scalar t266 = t264 + t265 * t253;
+  const Scalar t267 = c[3] * t261 + s[3] * t266;
+  const Scalar t268 = qd[3] + t265;
+  const Scalar t269 = t268 * t254;
+  const Scalar t270 = t267 - t269;
+  const Scalar t271 = t270 - t269;
+  const Scalar t272 = t259 + k[36] * t271;
+  const Scalar t273 = (k[17] * t252 - k[16] * t241) + k[35] * t266;
+  const Scalar t274 = c[2] * t245 - s[2] * t246;
+  const Scalar t275 = t234 * t234;
+  const Scalar t276 = t275 + t216;
+  const Scalar t277 = k[35] * t261 - (t274 + k[34] * t276);
+  const Scalar t278 = c[3] * t273 - s[3] * t277;
+  const Scalar t279 = k[16] * t239 + k[22] * t249;
+  const Scalar t280 = t256 * t254;
+  const Scalar t281 = t279 - t280;
+  const Scalar t282 = t278 + k[36] * t281;
+  const Scalar t283 = k[18] * t272 - k[19] * t282;
+  const Scalar t284 = t268 * t268;
+  const Scalar t285 = t257 + t284;
+  const Scalar t286 = s[3] * t273 + c[3] * t277;
+  const Scalar t287 = k[36] * t285 - t286;
+  const Scalar t288 = t279 + t280;
+  const Scalar t289 = k[19] * t267 + k[18] * t288;
+  const Scalar t290 = t268 * t256;
+  const Scalar t291 = c[3] * t266 - s[3] * t261;
+  const Scalar t292 = t290 + t291;
+  const Scalar t293 = k[19] * t268 + k[18] * t256;
+  const Scalar t294 = k[18] * t268 - k[19] * t256;
+  const Scalar t295 = t292 + t293 * t294;
+  const Scalar t296 = s[4] * t289 - c[4] * t295;
+  const Scalar t297 = (c[4] * t283 - s[4] * t287) + k[37] * t296;
+  const Scalar t298 = s[4] * t295 + c[4] * t289;
+  const Scalar t299 = k[37] * t298 - (c[4] * t287 + s[4] * t283);
+  const Scalar t300 = c[4] * t294 - s[4] * t254;
+  const Scalar t301 = t300 * t300;
+  const Scalar t302 = s[4] * t294 + c[4] * t254;
+  const Scalar t303 = t302 * t302;
+  const Scalar t304 = k[18] * t270 - k[19] * t279;
+  const Scalar t305 = t300 * t302;
+  const Scalar t306 = t304 + t305;
+  const Scalar t307 = t304 - t305;
+  const Scalar t308 = k[42] * (t301 - t303) + (k[40] * t306 + k[41] * t307);
+  const Scalar t309 = (k[43] * t297 + k[44] * t299) - ((k[39] * t296 + k[38] * t298) - t308);
+  const Scalar t310 = qd[4] + t293;
+  const Scalar t311 = k[2] * t300 - k[20] * t310;
+  const Scalar t312 = qd[5] - t311;
+  const Scalar t313 = t302 * t312;
+  const Scalar t314 = k[2] * t306 - k[20] * t298;
+  const Scalar t315 = t313 + (t314 + t313);
+  const Scalar t316 = k[2] * t310 + k[20] * t300;
+  const Scalar t317 = t316 * t312;
+  const Scalar t318 = t300 * t310;
+  const Scalar t319 = t318 + t296;
+  const Scalar t320 = t316 * t311 + t319;
+  const Scalar t321 = (t317 + t320) + t317;
+  const Scalar t322 = t316 * t316;
+  const Scalar t323 = t303 - t322;
+  const Scalar t324 = t312 * t312;
+  const Scalar t325 = t322 - t324;
+  const Scalar t326 = t310 * t302;
+  const Scalar t327 = t326 - t298;
+  const Scalar t328 = k[20] * t304 - k[2] * t327;
+  const Scalar t329 = t316 * t302;
+  const Scalar t330 = t328 + t329;
+  const Scalar t331 = (t8 * t315 - t16 * t321) - (t17 * (t323 + t325) + t5 * t330);
+  const Scalar t332 = t326 + t327;
+  const Scalar t333 = t301 + t303;
+  const Scalar t334 = (k[18] * t282 + k[19] * t272) + k[37] * t333;
+  const Scalar t335 = k[24] * t332 - t334;
+  const Scalar t336 = t297 + k[24] * t307;
+  const Scalar t337 = k[20] * t335 + k[2] * t336;
+  const Scalar t338 = t331 - t337 * t2;
+  const Scalar t339 = t310 * t310;
+  const Scalar t340 = t303 - t339;
+  const Scalar t341 = t333 - t340;
+  const Scalar t342 = t0 * (k[24] * t341 - t299) + t2 * (k[2] * t335 - k[20] * t336);
+  const Scalar t343 = t328 - t329;
+  const Scalar t344 = (t343 * t8 + t330 * t9) - t16 * t323;
+  const Scalar t345 = t342 - ((t5 * t314 - t17 * t320) - t344);
+  const Scalar t346 = t0 * (t303 + t324) + t343 * t2;
+  const Scalar t347 = t321 * t0 + t2 * t315;
+  const Scalar t348 = k[20] * t346 + k[2] * t347;
+  const Scalar t349 = (k[2] * t338 + k[20] * t345) - k[24] * t348;
+  const Scalar t350 = t309 - t349;
+  const Scalar t351 = torque[5] - t345;
+  const Scalar t352 = t53 * ((torque[4] + t350) + t351 * t33);
+  const Scalar t353 = t214 + t275;
+  const Scalar t354 = (k[73] * t251 + k[65] * t260) - k[66] * (t353 - t276);
+  const Scalar t355 = (k[61] * t247 - k[60] * t274) - (t354 + (k[67] * t263 - k[64] * t238));
+  const Scalar t356 = t255 - t257;
+  const Scalar t357 = t356 + t285;
+  const Scalar t358 = t290 + t292;
+  const Scalar t359 = k[71] * (t357 - t258) + (k[69] * t358 - k[70] * t271);
+  const Scalar t360 = k[2] * t346 - k[20] * t347;
+  const Scalar t361 = k[24] * t360 - (k[2] * t345 - k[20] * t338);
+  const Scalar t362 = t318 + t319;
+  const Scalar t363 = (k[41] * t332 - k[42] * t362) + (k[38] * t306 + k[39] * t340);
+  const Scalar t364 = t361 + (k[43] * t334 - t363);
+  const Scalar t365 = t303 + t339;
+  const Scalar t366 = (k[42] * t332 - k[40] * t362) - k[38] * (t333 - t365);
+  const Scalar t367 = (t16 * t315 - t321 * t9) + t5 * t325;
+  const Scalar t368 = ((t366 + k[39] * t307) + k[44] * t334) - (t337 * t0 + (t367 - t343 * t17));
+  const Scalar t369 = t348 + (k[44] * t365 + k[43] * t307);
+  const Scalar t370 = (k[43] * t341 - k[44] * t306) - (t330 * t0 - (t322 + t324) * t2);
+  const Scalar t371 = c[4] * t369 + s[4] * t370;
+  const Scalar t372 = (s[4] * t364 + c[4] * t368) - k[37] * t371;
+  const Scalar t373 = (k[63] * t259 - (k[68] * t281 + t359)) + t372;
+  const Scalar t374 = s[4] * t369 - c[4] * t370;
+  const Scalar t375 = (c[4] * t364 - s[4] * t368) + k[37] * t374;
+  const Scalar t376 = t360 - (k[44] * t362 + k[43] * t332);
+  const Scalar t377 = k[19] * t376 + k[18] * t371;
+  const Scalar t378 = (k[18] * t350 + k[19] * t375) + k[36] * t377;
+  const Scalar t379 = (k[70] * t358 + k[72] * t271) - (k[68] * (t255 - t284) + k[71] * t288);
+  const Scalar t380 = t378 + (k[62] * t259 + t379);
+  const Scalar t381 = (k[63] * t288 + k[62] * t285) - t374;
+  const Scalar t382 = k[18] * t376 - k[19] * t371;
+  const Scalar t383 = t382 - (k[63] * t357 - k[62] * t281);
+  const Scalar t384 = c[3] * t381 + s[3] * t383;
+  const Scalar t385 = (s[3] * t373 - c[3] * t380) + k[35] * t384;
+  const Scalar t386 = k[36] * t382 + (k[18] * t375 - k[19] * t350);
+  const Scalar t387 = (k[72] * t281 - k[69] * t288) - k[70] * t356;
+  const Scalar t388 = (k[62] * t278 - k[63] * t286) - ((k[68] * t291 + k[71] * t267) - t387);
+  const Scalar t389 = t386 + t388;
+  const Scalar t390 = t377 + (k[62] * t271 + k[63] * t358);
+  const Scalar t391 = c[3] * t383 - s[3] * t381;
+  const Scalar t392 = k[16] * t390 + k[17] * t391;
+  const Scalar t393 = (k[16] * t385 - k[17] * t389) - k[34] * t392;
+  const Scalar t394 = t355 - t393;
+  const Scalar t395 = k[7] * t351;
+  const Scalar t396 = t352 * t51 + ((torque[2] - t394) + t395 * t50);
+  const Scalar t397 = (t47 * t395 - (torque[3] - t389)) - t352 * t52;
+  const Scalar t398 = t397 * t81;
+  const Scalar t399 = t396 + t398 * t80;
+  const Scalar t400 = k[59] * s[1] + k[58] * c[1];
+  const Scalar t401 = k[74] * s[1] - k[75] * c[1];
+  const Scalar t402 = k[78] + c[1] * (k[77] * s[1] - k[76] * c[1]);
+  const Scalar t403 = t400 * t229 + (t401 * t242 - t402 * t227);
+  const Scalar t404 = (k[60] * t353 - k[61] * t251) + t392;
+  const Scalar t405 = t384 + (k[61] * t276 - k[60] * t260);
+  const Scalar t406 = s[2] * t404 + c[2] * t405;
+  const Scalar t407 = t262 + t264;
+  const Scalar t408 = (k[67] * (t276 - t217) + k[64] * t260) + (k[66] * t407 + k[73] * t240);
+  const Scalar t409 = k[16] * t391 - k[17] * t390;
+  const Scalar t410 = k[34] * t409 + (k[16] * t389 + k[17] * t385);
+  const Scalar t411 = (t408 - k[61] * t231) + t410;
+  const Scalar t412 = (k[65] * t407 - k[66] * t240) + k[64] * (t275 - t216);
+  const Scalar t413 = (c[3] * t373 + s[3] * t380) + k[35] * t391;
+  const Scalar t414 = ((k[67] * t251 + t412) + k[60] * t231) - t413;
+  const Scalar t415 = k[25] * t406 + (c[2] * t411 - s[2] * t414);
+  const Scalar t416 = c[2] * t404 - s[2] * t405;
+  const Scalar t417 = (k[61] * t240 + k[60] * t407) + t409;
+  const Scalar t418 = k[15] * t416 + k[13] * t417;
+  const Scalar t419 = (k[13] * t415 + k[15] * t394) + k[26] * t418;
+  const Scalar t420 = k[13] * t416 - k[15] * t417;
+  const Scalar t421 = k[25] * t416 - (s[2] * t411 + c[2] * t414);
+  const Scalar t422 = c[1] * (t419 + t406) + s[1] * (t420 + t421);
+  const Scalar t423 = (k[59] * t244 - k[58] * t224) + (t401 * t221 - t402 * t228);
+  const Scalar t424 = k[26] * t420 + (k[13] * t394 - k[15] * t415);
+  const Scalar t425 = t423 - t424;
+  const Scalar t426 = k[12] * (t400 * t243 - (t403 - t422)) + k[14] * t425;
+  const Scalar t427 = k[58] * s[1] - k[59] * c[1];
+  const Scalar t428 = (c[1] * t420 - s[1] * t406) - t242 * t427;
+  const Scalar t429 = k[51] * t428 - k[50] * (t418 + t227 * t427);
+  const Scalar t430 = (t426 - t429) - (k[56] * t222 - k[57] * t219);
+  const Scalar t431 = t148 * t352 + (t147 * t395 - (torque[0] + t430));
+  const Scalar t432 = t352 * t110 - ((torque[1] + t425) - t109 * t351);
+  const Scalar t433 = t169 * t399;
+  const Scalar t434 = (t397 * t194 - t432) + t136 * t433;
+  const Scalar t435 = (t399 * t170 - (t165 * t398 + t431)) - t434 * t198;
+  const Scalar t436 = t207 * t435;
+  const Scalar t437 = t197 * t434 + t436 * t198;
+  const Scalar t438 = t193 * t437 - (t436 * t170 + t433);
+  const Scalar t439 = t82 * t438 - ((t398 - t436 * t166) - t194 * t437);
+  const Scalar t440 = (t195 * t437 - (t149 * t436 + t352)) - t112 * t438;
+  const Scalar t441 = t440 + t439 * t54;
+  const Scalar t442 = t157 * t438 - (t109 * t437 - (t436 * t199 - t395));
   JointVector<Scalar> result;
-  result[0] = t432;
-  result[1] = -t433;
-  result[2] = -t434;
-  result[3] = -t436;
-  result[4] = t438;
-  result[5] = (t37 * t436 - t439) + t438 * t14;
+  result[0] = -t436;
+  result[1] = t437;
+  result[2] = t438;
+  result[3] = -t439;
+  result[4] = -t441;
+  result[5] = (t55 * t439 + t442) - t441 * t33;
   return result;
 }
 
@@ -1855,236 +1824,219 @@ ForwardDynamicsWithWrenchConstants<Scalar> forward_dynamics_with_wrench_constant
   using std::sin;
   const Scalar t0 = inertia.c6x * inertia.m6;
   const Scalar t1 = inertia.c6y * inertia.m6;
-  const Scalar t2 = g.a6 * inertia.m6;
-  const Scalar t3 = inertia.c5x * inertia.m5;
-  const Scalar t4 = inertia.c5y * inertia.m5;
-  const Scalar t5 = inertia.c6z * inertia.m6;
-  const Scalar t6 = g.d6 * inertia.m6 + t5;
-  const Scalar t7 = sin(g.alpha6) * t6;
-  const Scalar t8 = g.a5 / g.d2;
-  const Scalar t9 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t10 = (inertia.I6xx - t9) - inertia.c6x * t0;
-  const Scalar t11 = (inertia.I6yy - t9) - inertia.c6y * t1;
-  const Scalar t12 = inertia.I6xy - inertia.c6y * t0;
-  const Scalar t13 = g.a6 / g.d2;
-  const Scalar t14 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t15 = (inertia.c5x * t3 - (inertia.I5xx - t14)) + g.a6 * t2;
-  const Scalar t16 = (inertia.c6z * t5 - (inertia.I6zz - t9)) + g.d6 * (t6 + t5);
-  const Scalar t17 = sin(g.alpha6) * t16;
-  const Scalar t18 = sin(g.alpha6) * t17;
-  const Scalar t19 = inertia.m5 + inertia.m6;
-  const Scalar t20 = g.a5 * t19;
-  const Scalar t21 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t22 = inertia.c4x * inertia.m4;
-  const Scalar t23 = g.a5 * t20 - ((inertia.I4xx - t21) - inertia.c4x * t22);
-  const Scalar t24 = g.d5 * t4;
-  const Scalar t25 = (t24 + ((inertia.I5yz - inertia.c5z * t4) - t24)) + cos(g.alpha6) * t17;
-  const Scalar t26 = g.d5 * t3;
-  const Scalar t27 = cos(g.alpha6) * t6;
-  const Scalar t28 = (t26 - (t26 - (inertia.I5xz - inertia.c5z * t3))) - g.a6 * t27;
-  const Scalar t29 = g.d5 * inertia.m5;
-  const Scalar t30 = inertia.c5z * inertia.m5;
-  const Scalar t31 = t30 + t29;
-  const Scalar t32 = t29 - t31;
-  const Scalar t33 = t32 - t27;
-  const Scalar t34 = t33 - g.d5 * t19;
-  const Scalar t35 = (inertia.c5z * t30 - (inertia.I5zz - t14)) + g.d5 * (t30 + t31);
-  const Scalar t36 = (g.d5 * (t32 - t31) + t35) + (t16 - t18);
-  const Scalar t37 = g.d5 * (t33 + t34) - t36;
-  const Scalar t38 = sin(g.alpha5) * t37;
-  const Scalar t39 = sin(g.alpha5) * t38;
-  const Scalar t40 = inertia.c4y * inertia.m4;
-  const Scalar t41 = g.d4 / g.d2;
-  const Scalar t42 = cos(g.alpha5) * t34;
-  const Scalar t43 = g.d4 * t22;
-  const Scalar t44 = g.a5 * t42 + (((inertia.I4xz - inertia.c4z * t22) - t43) + t43);
-  const Scalar t45 = sin(g.alpha5) * t34;
-  const Scalar t46 = g.d4 * t40;
-  const Scalar t47 = cos(g.alpha5) * t38 - (t46 - (t46 - (inertia.I4yz - inertia.c4z * t40)));
-  const Scalar t48 = g.a4 / g.d2;
-  const Scalar t49 = t10 + t11;
-  const Scalar t50 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t51 = inertia.c3y * inertia.m3;
-  const Scalar t52 = inertia.c4z * inertia.m4;
-  const Scalar t53 = g.d4 * inertia.m4;
-  const Scalar t54 = t52 + t53;
-  const Scalar t55 = t54 - t53;
-  const Scalar t56 = ((inertia.I4zz - t21) - inertia.c4z * t52) - g.d4 * (t54 + t52);
-  const Scalar t57 = (g.d4 * (t55 + t54) + t56) - (t39 - t37);
-  const Scalar t58 = t55 - t42;
-  const Scalar t59 = inertia.m4 + t19;
-  const Scalar t60 = g.d4 * t59 + t58;
-  const Scalar t61 = t57 - g.d4 * (t58 + t60);
-  const Scalar t62 = sin(g.alpha4) * t61;
-  const Scalar t63 = sin(g.alpha4) * t62;
-  const Scalar t64 = g.a4 * t59;
-  const Scalar t65 = inertia.c3x * inertia.m3;
-  const Scalar t66 = g.a4 * t64 + (inertia.c3x * t65 - (inertia.I3xx - t50));
-  const Scalar t67 = sin(g.alpha4) * t60;
-  const Scalar t68 = g.d3 / g.d2;
-  const Scalar t69 = g.a3 / g.d2;
-  const Scalar t70 = g.a2 / g.d2;
-  const Scalar t71 = cos(g.alpha4) * t60;
-  const Scalar t72 = g.d3 * t65;
-  const Scalar t73 = g.a4 * t71 - (t72 - (t72 - (inertia.I3xz - inertia.c3z * t65)));
-  const Scalar t74 = g.d3 * t51;
-  const Scalar t75 = cos(g.alpha4) * t62 - (t74 - (t74 - (inertia.I3yz - inertia.c3z * t51)));
-  const Scalar t76 = inertia.m3 + t59;
-  const Scalar t77 = g.a3 * t76;
-  const Scalar t78 = inertia.c2x * inertia.m2;
-  const Scalar t79 = g.d3 * inertia.m3;
-  const Scalar t80 = inertia.c3z * inertia.m3;
-  const Scalar t81 = t80 + t79;
-  const Scalar t82 = t79 - t81;
-  const Scalar t83 = t71 - t82;
-  const Scalar t84 = t83 + g.d3 * t76;
-  const Scalar t85 = sin(g.alpha3) * t84;
-  const Scalar t86 = inertia.c2y * inertia.m2;
-  const Scalar t87 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t88 = g.a3 * t77 + (inertia.c2x * t78 - (inertia.I2xx - t87));
-  const Scalar t89 = g.d3 * (t80 + t81) - ((inertia.I3zz - t50) - inertia.c3z * t80);
-  const Scalar t90 = (t63 - t61) + (t89 - g.d3 * (t81 - t82));
-  const Scalar t91 = t90 + g.d3 * (t83 + t84);
-  const Scalar t92 = sin(g.alpha3) * t91;
-  const Scalar t93 = sin(g.alpha3) * t92;
-  const Scalar t94 = ((inertia.I2yy - t87) - inertia.c2y * t86) - t93;
-  const Scalar t95 = g.a3 * t85 + (inertia.I2xy - inertia.c2y * t78);
-  const Scalar t96 = inertia.m2 + t76;
-  const Scalar t97 = g.a2 * t96;
-  const Scalar t98 = inertia.c1x * inertia.m1;
-  const Scalar t99 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t100 = g.a2 * t97 + (inertia.c1x * t98 - (inertia.I1xx - t99));
-  const Scalar t101 = g.d2 * t86;
-  const Scalar t102 = ((t101 - (inertia.I2yz - inertia.c2z * t86)) - t101) - cos(g.alpha3) * t92;
-  const Scalar t103 = cos(g.alpha3) * t84;
-  const Scalar t104 = g.d2 * t78;
-  const Scalar t105 = g.a3 * t103 - (((inertia.I2xz - inertia.c2z * t78) - t104) + t104);
-  const Scalar t106 = g.d2 * inertia.m2;
-  const Scalar t107 = inertia.c2z * inertia.m2;
-  const Scalar t108 = t106 + t107;
-  const Scalar t109 = t106 - t108;
-  const Scalar t110 = g.d2 * (t108 + t107) - ((inertia.I2zz - t87) - inertia.c2z * t107);
-  const Scalar t111 = (g.d2 * (t108 - t109) - t110) + (t93 - t91);
-  const Scalar t112 = t103 - t109;
-  const Scalar t113 = g.d2 * t96 + t112;
-  const Scalar t114 = sin(g.alpha2) * sin(g.alpha2) * (t111 - g.d2 * (t112 + t113));
-  const Scalar t115 = inertia.c1y * inertia.m1;
-  const Scalar t116 = gravity[2] / g.d2;
-  const Scalar t117 = g.d6 / g.d2;
+  const Scalar t2 = g.a5 / g.d2;
+  const Scalar t3 = g.d5 / g.d2;
+  const Scalar t4 = g.a6 / g.d2;
+  const Scalar t5 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t6 = (inertia.I6xx - t5) - inertia.c6x * t0;
+  const Scalar t7 = (inertia.I6yy - t5) - inertia.c6y * t1;
+  const Scalar t8 = t6 + t7;
+  const Scalar t9 = g.a3 / g.d2;
+  const Scalar t10 = g.d4 / g.d2;
+  const Scalar t11 = g.a4 / g.d2;
+  const Scalar t12 = g.d3 / g.d2;
+  const Scalar t13 = g.a2 / g.d2;
+  const Scalar t14 = g.a6 * inertia.m6;
+  const Scalar t15 = inertia.c5x * inertia.m5;
+  const Scalar t16 = inertia.c5y * inertia.m5;
+  const Scalar t17 = inertia.c6z * inertia.m6;
+  const Scalar t18 = g.d6 * inertia.m6 + t17;
+  const Scalar t19 = sin(g.alpha6) * t18;
+  const Scalar t20 = g.d5 * inertia.m5;
+  const Scalar t21 = inertia.c5z * inertia.m5;
+  const Scalar t22 = t21 + t20;
+  const Scalar t23 = t20 - t22;
+  const Scalar t24 = cos(g.alpha6) * t18;
+  const Scalar t25 = t23 - t24;
+  const Scalar t26 = inertia.m5 + inertia.m6;
+  const Scalar t27 = t25 - g.d5 * t26;
+  const Scalar t28 = sin(g.alpha5) * t27;
+  const Scalar t29 = inertia.c4y * inertia.m4;
+  const Scalar t30 = g.a5 * t26;
+  const Scalar t31 = inertia.c4x * inertia.m4;
+  const Scalar t32 = inertia.I6xy - inertia.c6y * t0;
+  const Scalar t33 = g.d5 * t15;
+  const Scalar t34 = (t33 - (t33 - (inertia.I5xz - inertia.c5z * t15))) - g.a6 * t24;
+  const Scalar t35 = g.d5 * t16;
+  const Scalar t36 = (inertia.c6z * t17 - (inertia.I6zz - t5)) + g.d6 * (t18 + t17);
+  const Scalar t37 = sin(g.alpha6) * t36;
+  const Scalar t38 = (t35 + ((inertia.I5yz - inertia.c5z * t16) - t35)) + cos(g.alpha6) * t37;
+  const Scalar t39 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t40 = (inertia.c5x * t15 - (inertia.I5xx - t39)) + g.a6 * t14;
+  const Scalar t41 = sin(g.alpha6) * t37;
+  const Scalar t42 = (inertia.c5z * t21 - (inertia.I5zz - t39)) + g.d5 * (t21 + t22);
+  const Scalar t43 = (g.d5 * (t23 - t22) + t42) + (t36 - t41);
+  const Scalar t44 = g.d5 * (t25 + t27) - t43;
+  const Scalar t45 = sin(g.alpha5) * t44;
+  const Scalar t46 = g.d4 * t29;
+  const Scalar t47 = cos(g.alpha5) * t45 - (t46 - (t46 - (inertia.I4yz - inertia.c4z * t29)));
+  const Scalar t48 = cos(g.alpha5) * t27;
+  const Scalar t49 = g.d4 * t31;
+  const Scalar t50 = g.a5 * t48 + (((inertia.I4xz - inertia.c4z * t31) - t49) + t49);
+  const Scalar t51 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t52 = g.a5 * t30 - ((inertia.I4xx - t51) - inertia.c4x * t31);
+  const Scalar t53 = sin(g.alpha5) * t45;
+  const Scalar t54 = inertia.m4 + t26;
+  const Scalar t55 = inertia.c4z * inertia.m4;
+  const Scalar t56 = g.d4 * inertia.m4;
+  const Scalar t57 = t55 + t56;
+  const Scalar t58 = t57 - t56;
+  const Scalar t59 = t58 - t48;
+  const Scalar t60 = g.d4 * t54 + t59;
+  const Scalar t61 = sin(g.alpha4) * t60;
+  const Scalar t62 = inertia.c3y * inertia.m3;
+  const Scalar t63 = g.a4 * t54;
+  const Scalar t64 = inertia.c3x * inertia.m3;
+  const Scalar t65 = cos(g.alpha4) * t60;
+  const Scalar t66 = g.d3 * inertia.m3;
+  const Scalar t67 = inertia.c3z * inertia.m3;
+  const Scalar t68 = t67 + t66;
+  const Scalar t69 = t66 - t68;
+  const Scalar t70 = t65 - t69;
+  const Scalar t71 = inertia.m3 + t54;
+  const Scalar t72 = t70 + g.d3 * t71;
+  const Scalar t73 = sin(g.alpha3) * t72;
+  const Scalar t74 = inertia.c2y * inertia.m2;
+  const Scalar t75 = ((inertia.I4zz - t51) - inertia.c4z * t55) - g.d4 * (t57 + t55);
+  const Scalar t76 = (g.d4 * (t58 + t57) + t75) - (t53 - t44);
+  const Scalar t77 = t76 - g.d4 * (t59 + t60);
+  const Scalar t78 = sin(g.alpha4) * t77;
+  const Scalar t79 = g.d3 * t62;
+  const Scalar t80 = cos(g.alpha4) * t78 - (t79 - (t79 - (inertia.I3yz - inertia.c3z * t62)));
+  const Scalar t81 = g.d3 * t64;
+  const Scalar t82 = g.a4 * t65 - (t81 - (t81 - (inertia.I3xz - inertia.c3z * t64)));
+  const Scalar t83 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t84 = g.a4 * t63 + (inertia.c3x * t64 - (inertia.I3xx - t83));
+  const Scalar t85 = sin(g.alpha4) * t78;
+  const Scalar t86 = g.d2 * t74;
+  const Scalar t87 = g.d3 * (t67 + t68) - ((inertia.I3zz - t83) - inertia.c3z * t67);
+  const Scalar t88 = (t85 - t77) + (t87 - g.d3 * (t68 - t69));
+  const Scalar t89 = t88 + g.d3 * (t70 + t72);
+  const Scalar t90 = sin(g.alpha3) * t89;
+  const Scalar t91 = ((t86 - (inertia.I2yz - inertia.c2z * t74)) - t86) - cos(g.alpha3) * t90;
+  const Scalar t92 = cos(g.alpha3) * t72;
+  const Scalar t93 = inertia.c2x * inertia.m2;
+  const Scalar t94 = g.d2 * t93;
+  const Scalar t95 = g.a3 * t92 - (((inertia.I2xz - inertia.c2z * t93) - t94) + t94);
+  const Scalar t96 = g.a3 * t71;
+  const Scalar t97 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t98 = sin(g.alpha3) * t90;
+  const Scalar t99 = ((inertia.I2yy - t97) - inertia.c2y * t74) - t98;
+  const Scalar t100 = g.a3 * t96 + (inertia.c2x * t93 - (inertia.I2xx - t97));
+  const Scalar t101 = g.a3 * t73 + (inertia.I2xy - inertia.c2y * t93);
+  const Scalar t102 = g.d2 * inertia.m2;
+  const Scalar t103 = inertia.c2z * inertia.m2;
+  const Scalar t104 = t102 + t103;
+  const Scalar t105 = t102 - t104;
+  const Scalar t106 = g.d2 * (t104 + t103) - ((inertia.I2zz - t97) - inertia.c2z * t103);
+  const Scalar t107 = (g.d2 * (t104 - t105) - t106) + (t98 - t89);
+  const Scalar t108 = t92 - t105;
+  const Scalar t109 = inertia.m2 + t71;
+  const Scalar t110 = g.d2 * t109 + t108;
+  const Scalar t111 = sin(g.alpha2) * sin(g.alpha2) * (t107 - g.d2 * (t108 + t110));
+  const Scalar t112 = inertia.c1y * inertia.m1;
+  const Scalar t113 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t114 = g.a2 * t109;
+  const Scalar t115 = inertia.c1x * inertia.m1;
+  const Scalar t116 = g.a2 * t114 + (inertia.c1x * t115 - (inertia.I1xx - t113));
+  const Scalar t117 = gravity[2] / g.d2;
   return { g.d2 * t0,
            g.d2 * t1,
-           g.d2 * (t2 + t3),
            cos(g.alpha6),
-           g.d2 * (t4 - t7),
-           Scalar(2) * t8,
-           t10 - t11,
-           Scalar(2) * t12,
-           t10,
-           Scalar(2) * t13,
-           t15,
-           t11,
+           cos(g.alpha5),
+           sin(g.alpha5) * sin(g.alpha6),
+           t2,
+           cos(g.alpha6) * t3,
            (inertia.I6xz - inertia.c6z * t0) - g.d6 * t0,
            g.d6 * t1 - (inertia.I6yz - inertia.c6z * t1),
-           sin(g.alpha6),
-           (inertia.c5y * t4 - (inertia.I5yy - t14)) + t18,
-           t12,
-           t13,
-           (inertia.I5xy - inertia.c5y * t3) + g.a6 * t7,
-           t23,
-           t25,
-           g.d5 / g.d2,
-           sin(g.alpha6) * t13,
-           t28,
-           cos(g.alpha5),
-           Scalar(2) * sin(g.alpha6),
+           t3,
+           sin(g.alpha6) * t4,
+           sin(g.alpha6) * t8,
            sin(g.alpha5),
-           t39 + ((inertia.I4yy - t21) - inertia.c4y * t40),
-           cos(g.alpha4),
-           g.d2 * (t20 + t22),
-           t41,
+           sin(g.alpha6),
+           cos(g.alpha6) * t8,
+           cos(g.alpha6) * t4,
            cos(g.alpha5) * sin(g.alpha6),
-           t8,
-           t44,
-           sin(g.alpha5) * sin(g.alpha6),
-           g.d2 * (t45 + t40),
-           t47,
            sin(g.alpha4),
-           cos(g.alpha4) * t48,
-           sin(g.alpha6) * t49,
-           cos(g.alpha6) * t49,
-           cos(g.alpha6) * t13,
-           Scalar(1) / t49,
-           t48,
-           cos(g.alpha5) * t8,
-           sin(g.alpha5) * t8,
-           sin(g.alpha4) * sin(g.alpha5),
-           g.a5 * t45 - (inertia.I4xy - inertia.c4y * t22),
-           Scalar(2) * cos(g.alpha4),
-           Scalar(2) * t41,
-           ((inertia.I3yy - t50) - inertia.c3y * t51) + t63,
-           Scalar(2) * t48,
-           t66,
-           (inertia.I3xy - inertia.c3y * t65) + g.a4 * t67,
-           sin(g.alpha4) * t48,
-           t68,
-           sin(g.alpha3) * sin(g.alpha4),
+           cos(g.alpha4),
            cos(g.alpha3),
-           cos(g.alpha3) * sin(g.alpha4),
            sin(g.alpha3),
-           t69,
-           sin(g.alpha2),
+           t9,
+           t10,
+           t11,
+           t12,
            cos(g.alpha2),
-           sin(g.alpha2) * t70,
-           cos(g.alpha2) * t70,
+           sin(g.alpha2),
+           sin(g.alpha2) * t13,
+           cos(g.alpha2) * t13,
+           Scalar(1) / t8,
+           g.d2 * (t14 + t15),
+           g.d2 * (t16 - t19),
+           g.d2 * (t28 + t29),
+           g.d2 * (t30 + t31),
+           cos(g.alpha3) * sin(g.alpha4),
+           sin(g.alpha3) * sin(g.alpha4),
+           t6 - t7,
+           Scalar(2) * t32,
+           t32,
+           t34,
+           t6,
+           t8,
+           t38,
+           Scalar(2) * t4,
+           t40,
+           (inertia.c5y * t16 - (inertia.I5yy - t39)) + t41,
+           t4,
+           (inertia.I5xy - inertia.c5y * t15) + g.a6 * t19,
+           Scalar(2) * sin(g.alpha6),
+           t47,
+           t50,
+           sin(g.alpha4) * t11,
+           Scalar(2) * t2,
+           t52,
+           t53 + ((inertia.I4yy - t51) - inertia.c4y * t29),
+           sin(g.alpha4) * sin(g.alpha5),
            cos(g.alpha4) * sin(g.alpha5),
-           g.d2 * (t67 - t51),
-           g.d2 * (t64 + t65),
-           sin(g.alpha2) * sin(g.alpha3),
-           t70,
-           cos(g.alpha3) * t69,
-           t73,
-           t75,
-           sin(g.alpha3) * t69,
-           g.d2 * (t77 + t78),
-           g.d2 * (t85 - t86),
-           Scalar(2) * t70,
-           Scalar(2) * t69,
-           t88,
-           Scalar(2) * t68,
-           t94,
+           sin(g.alpha5) * t2,
+           g.d2 * (t61 - t62),
+           g.d2 * (t63 + t64),
+           g.d2 * (t73 - t74),
+           g.a5 * t28 - (inertia.I4xy - inertia.c4y * t31),
+           Scalar(2) * t10,
+           t80,
+           t82,
+           Scalar(2) * t12,
+           Scalar(2) * t11,
+           t84,
+           ((inertia.I3yy - t83) - inertia.c3y * t62) + t85,
+           (inertia.I3xy - inertia.c3y * t64) + g.a4 * t61,
+           Scalar(2) * cos(g.alpha3),
+           t91,
            t95,
-           t100,
-           sin(g.alpha2) * sin(g.alpha2),
-           t102,
-           t105,
+           g.d2 * (t96 + t93),
            Scalar(2) * cos(g.alpha2),
-           t114 - (inertia.c1y * t115 - (inertia.I1yy - t99)),
-           cos(g.alpha2) * cos(g.alpha3),
-           cos(g.alpha2) * sin(g.alpha2),
-           sin(g.alpha3) * sin(g.alpha3),
-           cos(g.alpha3) * sin(g.alpha3),
-           g.d2 * cos(g.alpha6),
-           g.d2 * sin(g.alpha6),
-           sin(g.alpha4) * sin(g.alpha4),
-           cos(g.alpha4) * sin(g.alpha4),
-           cos(g.alpha4) * cos(g.alpha4),
-           cos(g.alpha5) * sin(g.alpha5),
-           cos(g.alpha5) * cos(g.alpha5),
-           sin(g.alpha5) * sin(g.alpha5),
-           sin(g.alpha6) * sin(g.alpha6),
-           cos(g.alpha6) * sin(g.alpha6),
-           cos(g.alpha6) * cos(g.alpha6),
-           g.d2,
+           t99,
+           Scalar(2) * t9,
+           t100,
+           t101,
+           sin(g.alpha2) * sin(g.alpha2),
+           t111 - (inertia.c1y * t112 - (inertia.I1yy - t113)),
+           Scalar(2) * t13,
+           t116,
+           cos(g.alpha3) * t9,
            gravity[1] / g.d2,
            gravity[0] / g.d2,
-           sin(g.alpha2) * t116,
-           cos(g.alpha2) * t116,
-           g.d2 * t117,
-           t117,
-           Scalar(2) * t95,
-           t88 + t94,
-           g.d2 * (t97 + t98),
-           g.d2 * (sin(g.alpha2) * t113 - t115) };
+           t13,
+           sin(g.alpha2) * t117,
+           cos(g.alpha2) * t117,
+           g.d2 * sin(g.alpha6),
+           g.d2 * cos(g.alpha6),
+           g.d2,
+           g.d6 / g.d2,
+           g.d2 * (t114 + t115),
+           g.d2 * (sin(g.alpha2) * t110 - t112),
+           Scalar(2) * t101,
+           t100 + t99 };
 }
 
 namespace detail {
@@ -2093,498 +2045,492 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> forward_dynamics_with_wrench([[maybe_unused]] const JointVector<Scalar>& q, [[maybe_unused]] const JointVector<Scalar>& qd, [[maybe_unused]] const JointVector<Scalar>& torque, [[maybe_unused]] const Wrench<Scalar>& wrench, [[maybe_unused]] const Angles& angles,
     [[maybe_unused]] const ForwardDynamicsWithWrenchConstants<Scalar>& k) {
   [[maybe_unused]] const auto& [s, c] = angles;
-  const Scalar t0 = k[61] * qd[0];
-  const Scalar t1 = c[1] * t0;
-  const Scalar t2 = k[57] * t1;
-  const Scalar t3 = qd[1] + k[62] * qd[0];
-  const Scalar t4 = t2 + k[59] * t3;
-  const Scalar t5 = s[1] * t0;
-  const Scalar t6 = s[2] * t4 + c[2] * t5;
-  const Scalar t7 = s[2] * t5 - c[2] * t4;
-  const Scalar t8 = qd[2] + (k[57] * t3 - k[59] * t1);
-  const Scalar t9 = k[28] * t7 - k[37] * t8;
-  const Scalar t10 = s[3] * t6 + c[3] * t9;
-  const Scalar t11 = qd[3] + (k[37] * t7 + k[28] * t8);
-  const Scalar t12 = k[24] * t10 - k[26] * t11;
-  const Scalar t13 = s[3] * t9 - c[3] * t6;
-  const Scalar t14 = c[4] * t12 - s[4] * t13;
-  const Scalar t15 = t14 * t14;
-  const Scalar t16 = c[4] * t13 + s[4] * t12;
-  const Scalar t17 = t16 * t16;
-  const Scalar t18 = t15 - t17;
-  const Scalar t19 = qd[4] + (k[26] * t10 + k[24] * t11);
-  const Scalar t20 = t19 * t19;
-  const Scalar t21 = t17 + t20;
-  const Scalar t22 = t18 + t21;
-  const Scalar t23 = t16 * t14;
-  const Scalar t24 = t6 * t8;
-  const Scalar t25 = t0 * t0;
-  const Scalar t26 = qd[0] * qd[0];
-  const Scalar t27 = k[89] * t26;
-  const Scalar t28 = t27 - Scalar(2) * t0 * t3;
-  const Scalar t29 = k[88] * qd[0];
-  const Scalar t30 = t3 * t3;
-  const Scalar t31 = t5 * t5;
-  const Scalar t32 = (k[91] * t25 - k[90] * c[1] * t28) - (t2 * t29 + k[91] * (t30 + t31));
-  const Scalar t33 = t5 * t1;
-  const Scalar t34 = k[59] * t33 - t5 * t29;
-  const Scalar t35 = s[2] * t32 + c[2] * t34;
-  const Scalar t36 = t24 + t35;
-  const Scalar t37 = k[59] * qd[1] * t5;
-  const Scalar t38 = k[37] * t36 + k[28] * t37;
-  const Scalar t39 = t6 * t7;
-  const Scalar t40 = t37 + t39;
-  const Scalar t41 = k[37] * t40 - k[28] * t35;
-  const Scalar t42 = c[2] * t32 - s[2] * t34;
-  const Scalar t43 = t6 * t6;
-  const Scalar t44 = t7 * t7;
-  const Scalar t45 = t43 + t44;
-  const Scalar t46 = t8 * t8;
-  const Scalar t47 = t46 - t44;
-  const Scalar t48 = t45 + t47;
-  const Scalar t49 = t8 * t7;
-  const Scalar t50 = (t49 + t49) - t42;
-  const Scalar t51 = (k[96] * t42 - k[95] * t48) + (k[95] * t45 - k[94] * t50);
-  const Scalar t52 = c[3] * t41 - s[3] * t51;
-  const Scalar t53 = t13 * t11;
-  const Scalar t54 = t52 + t53;
-  const Scalar t55 = k[24] * t38 - k[26] * t54;
-  const Scalar t56 = t23 - t55;
-  const Scalar t57 = k[0] * s[5] + k[1] * c[5];
-  const Scalar t58 = k[14] * t19 - k[3] * t14;
-  const Scalar t59 = t16 * t58;
-  const Scalar t60 = t16 * t19;
-  const Scalar t61 = t13 * t13;
-  const Scalar t62 = t10 * t10;
-  const Scalar t63 = t61 + t62;
-  const Scalar t64 = s[3] * t41 + c[3] * t51;
-  const Scalar t65 = t10 * t11;
-  const Scalar t66 = t64 - (t65 + t65);
-  const Scalar t67 = t11 * t11;
-  const Scalar t68 = t67 - t62;
-  const Scalar t69 = t68 + t63;
-  const Scalar t70 = (k[97] * t63 + k[99] * t66) + (k[98] * t64 - k[97] * t69);
-  const Scalar t71 = t13 * t10;
-  const Scalar t72 = t38 - t71;
-  const Scalar t73 = k[24] * t52 + k[26] * t72;
-  const Scalar t74 = s[4] * t70 - c[4] * t73;
-  const Scalar t75 = t60 - t74;
-  const Scalar t76 = k[3] * t55 - k[14] * t75;
-  const Scalar t77 = t59 + t76;
-  const Scalar t78 = k[0] * c[5] - k[1] * s[5];
-  const Scalar t79 = qd[5] + (k[14] * t14 + k[3] * t19);
-  const Scalar t80 = t79 * t79;
-  const Scalar t81 = t58 * t58 + t80;
-  const Scalar t82 = wrench[0] * s[0] - wrench[1] * c[0];
-  const Scalar t83 = k[61] * wrench[2] - k[62] * t82;
-  const Scalar t84 = wrench[0] * c[0] + wrench[1] * s[0];
-  const Scalar t85 = s[1] * t83 + c[1] * t84;
-  const Scalar t86 = k[61] * t82 + k[62] * wrench[2];
-  const Scalar t87 = c[1] * t83 - s[1] * t84;
-  const Scalar t88 = k[59] * t86 + k[57] * t87;
-  const Scalar t89 = c[2] * t85 + s[2] * t88;
-  const Scalar t90 = c[2] * t88 - s[2] * t85;
-  const Scalar t91 = k[59] * t87 - k[57] * t86;
-  const Scalar t92 = k[28] * t90 - k[37] * t91;
-  const Scalar t93 = s[3] * t89 - c[3] * t92;
-  const Scalar t94 = k[37] * t90 + k[28] * t91;
-  const Scalar t95 = k[24] * t93 + k[26] * t94;
-  const Scalar t96 = s[3] * t92 + c[3] * t89;
-  const Scalar t97 = s[4] * t95 - c[4] * t96;
-  const Scalar t98 = (t57 * t77 + t78 * t81) - k[103] * t97;
-  const Scalar t99 = (k[2] * t22 - k[4] * t56) + t98;
-  const Scalar t100 = t79 * t58;
-  const Scalar t101 = c[4] * t70 + s[4] * t73;
-  const Scalar t102 = t15 + t17;
-  const Scalar t103 = t14 * t19;
-  const Scalar t104 = t101 - (t103 + t103);
-  const Scalar t105 = (k[101] * t21 - k[102] * t101) - (k[101] * t102 + k[100] * t104);
-  const Scalar t106 = t100 - (t105 - t100);
-  const Scalar t107 = t16 * t79;
-  const Scalar t108 = k[3] * t74 + k[14] * t56;
-  const Scalar t109 = (t107 + t107) - t108;
-  const Scalar t110 = s[4] * t96 + c[4] * t95;
-  const Scalar t111 = k[26] * t93 - k[24] * t94;
-  const Scalar t112 = (t57 * t106 - t109 * t78) - (k[93] * t110 + k[92] * t111);
-  const Scalar t113 = k[93] * t111 - k[92] * t110;
-  const Scalar t114 = t17 + t80;
-  const Scalar t115 = t59 - t76;
-  const Scalar t116 = t113 + (t57 * t114 + t115 * t78);
-  const Scalar t117 = k[14] * t112 + k[3] * t116;
-  const Scalar t118 = t23 + t55;
-  const Scalar t119 = t117 - (k[2] * t118 - k[4] * t21);
-  const Scalar t120 = s[4] * t99 + c[4] * t119;
-  const Scalar t121 = k[3] * t112 - k[14] * t116;
-  const Scalar t122 = t60 + t75;
-  const Scalar t123 = t121 + (k[4] * t104 - k[2] * t122);
-  const Scalar t124 = k[24] * t120 + k[26] * t123;
-  const Scalar t125 = k[12] * s[5] - k[13] * c[5];
-  const Scalar t126 = k[13] * s[5] + k[12] * c[5];
-  const Scalar t127 = t114 - t81;
-  const Scalar t128 = k[7] * c[5] + k[6] * s[5];
-  const Scalar t129 = k[16] - c[5] * t128;
-  const Scalar t130 = s[5] * t128;
-  const Scalar t131 = k[8] - t130;
-  const Scalar t132 = k[11] + t130;
-  const Scalar t133 = t127 * t129 - (t115 * t131 - t132 * t77);
-  const Scalar t134 = k[105] * s[0] - k[104] * c[0];
-  const Scalar t135 = (k[106] - k[62] * t134) - t27;
-  const Scalar t136 = k[105] * c[0] + k[104] * s[0];
-  const Scalar t137 = k[69] * t26 + t136;
-  const Scalar t138 = t30 + t25;
-  const Scalar t139 = (s[1] * t135 + c[1] * t137) + k[60] * (t138 - t31);
-  const Scalar t140 = (k[107] + k[61] * t134) + t25;
-  const Scalar t141 = k[60] * s[1] * t28 + t140;
-  const Scalar t142 = (s[1] * t137 - c[1] * t135) + k[60] * t33;
-  const Scalar t143 = k[59] * t141 - k[57] * t142;
-  const Scalar t144 = (c[2] * t139 + s[2] * t143) + k[55] * t35;
-  const Scalar t145 = t46 + t44;
-  const Scalar t146 = t144 + k[43] * t145;
-  const Scalar t147 = t24 + t36;
-  const Scalar t148 = (k[59] * t142 + k[57] * t141) + k[55] * t45;
-  const Scalar t149 = k[43] * t147 - t148;
-  const Scalar t150 = t37 - t39;
-  const Scalar t151 = k[55] * t42 + (c[2] * t143 - s[2] * t139);
-  const Scalar t152 = k[43] * t150 - t151;
-  const Scalar t153 = k[37] * t149 + k[28] * t152;
-  const Scalar t154 = (s[3] * t146 + c[3] * t153) - k[30] * t64;
-  const Scalar t155 = t38 + t71;
-  const Scalar t156 = t154 + k[32] * t155;
-  const Scalar t157 = t54 + t53;
-  const Scalar t158 = k[30] * t63 + (k[37] * t152 - k[28] * t149);
-  const Scalar t159 = k[32] * t157 + t158;
-  const Scalar t160 = k[24] * t156 - k[26] * t159;
-  const Scalar t161 = t61 - t67;
-  const Scalar t162 = t63 - t161;
-  const Scalar t163 = k[30] * t52 + (s[3] * t153 - c[3] * t146);
-  const Scalar t164 = k[32] * t162 - t163;
-  const Scalar t165 = (s[4] * t160 - c[4] * t164) - k[21] * t74;
-  const Scalar t166 = k[21] * t102 + (k[24] * t159 + k[26] * t156);
-  const Scalar t167 = t166 + k[17] * t122;
-  const Scalar t168 = k[21] * t101 - (c[4] * t160 + s[4] * t164);
-  const Scalar t169 = t168 - k[17] * t118;
-  const Scalar t170 = t57 * (t165 - k[17] * t22) + t78 * (k[14] * t167 + k[3] * t169);
-  const Scalar t171 = ((t125 * t108 + t105 * t126) + t133) + t170;
-  const Scalar t172 = wrench[3] * c[0] + wrench[4] * s[0];
-  const Scalar t173 = wrench[3] * s[0] - wrench[4] * c[0];
-  const Scalar t174 = k[61] * wrench[5] - k[62] * t173;
-  const Scalar t175 = s[1] * t172 - c[1] * t174;
-  const Scalar t176 = k[62] * wrench[5] + k[61] * t173;
-  const Scalar t177 = k[57] * t175 - k[59] * t176;
-  const Scalar t178 = c[1] * t172 + s[1] * t174;
-  const Scalar t179 = s[2] * t177 - c[2] * t178;
-  const Scalar t180 = k[59] * t175 + k[57] * t176;
-  const Scalar t181 = c[2] * t177 + s[2] * t178;
-  const Scalar t182 = k[37] * t180 - k[28] * t181;
-  const Scalar t183 = c[3] * t179 - s[3] * t182;
-  const Scalar t184 = k[37] * t181 + k[28] * t180;
-  const Scalar t185 = s[3] * t179 + c[3] * t182;
-  const Scalar t186 = k[26] * t184 + k[24] * t185;
-  const Scalar t187 = s[4] * t183 + c[4] * t186;
-  const Scalar t188 = k[24] * t184 - k[26] * t185;
-  const Scalar t189 = t171 - (k[14] * t187 - k[3] * t188);
-  const Scalar t190 = k[14] * t169 - k[3] * t167;
-  const Scalar t191 = t17 - t80;
-  const Scalar t192 = (t109 * t131 + t129 * t106) - (t125 * t77 - t191 * t126);
-  const Scalar t193 = (k[3] * t187 + k[14] * t188) - k[108] * t97;
-  const Scalar t194 = (t190 * t78 + t192) + t193;
-  const Scalar t195 = (k[3] * t189 + k[14] * t194) + k[17] * t117;
-  const Scalar t196 = (k[10] * t118 - k[15] * t56) - k[18] * t18;
-  const Scalar t197 = (k[2] * t168 + k[4] * t165) - (t196 - (k[20] * t74 - k[23] * t101));
-  const Scalar t198 = t195 + t197;
-  const Scalar t199 = c[4] * t99 - s[4] * t119;
-  const Scalar t200 = (k[14] * t189 - k[3] * t194) - k[17] * t121;
-  const Scalar t201 = t17 - t20;
-  const Scalar t202 = (k[18] * t104 + k[10] * t122) - (k[20] * t56 + k[23] * t201);
-  const Scalar t203 = t200 + (t202 + k[2] * t166);
-  const Scalar t204 = (k[15] * t104 + k[18] * t122) + k[20] * (t201 + t18);
-  const Scalar t205 = t125 * (t191 - t127) - (t132 * t106 + t109 * t129);
-  const Scalar t206 = (s[4] * t186 - c[4] * t183) - k[109] * t113;
-  const Scalar t207 = (t57 * t190 + (t205 - t115 * t126)) - t206;
-  const Scalar t208 = ((t204 + k[23] * t118) - k[4] * t166) + t207;
-  const Scalar t209 = k[21] * t199 - (c[4] * t203 + s[4] * t208);
-  const Scalar t210 = k[32] * t124 + (k[24] * t198 + k[26] * t209);
-  const Scalar t211 = k[47] * (t61 - t62) + (k[27] * t72 - k[19] * t155);
-  const Scalar t212 = (k[35] * t163 - k[29] * t154) + (t211 + (k[36] * t52 - k[33] * t64));
-  const Scalar t213 = t210 + t212;
-  const Scalar t214 = (k[40] - k[14] * t125) - k[41] * t78;
-  const Scalar t215 = k[3] * t78;
-  const Scalar t216 = k[21] * t215 - t126;
-  const Scalar t217 = k[21] * t57;
-  const Scalar t218 = k[3] * t125;
-  const Scalar t219 = t217 - ((k[39] + t218) - k[22] * t78);
-  const Scalar t220 = s[4] * t216 + c[4] * t219;
-  const Scalar t221 = s[4] * t57 - c[4] * t215;
-  const Scalar t222 = k[34] * t78 + k[24] * t221;
-  const Scalar t223 = (k[24] * t214 + k[26] * t220) + k[32] * t222;
-  const Scalar t224 = k[42] * t223;
-  const Scalar t225 = torque[5] + t189;
-  const Scalar t226 = (t218 + t218) + k[14] * t132;
-  const Scalar t227 = k[14] * t226;
-  const Scalar t228 = k[15] + (t227 - t132);
-  const Scalar t229 = k[3] * t57;
-  const Scalar t230 = k[17] * t229 + (k[14] * t126 + k[3] * t129);
-  const Scalar t231 = k[18] - t230;
-  const Scalar t232 = c[4] * t231;
-  const Scalar t233 = k[10] + (k[9] * t78 - t131);
-  const Scalar t234 = (t232 + t232) + s[4] * (t228 - t233);
-  const Scalar t235 = s[4] * t234;
-  const Scalar t236 = t228 - t235;
-  const Scalar t237 = t233 + t235;
-  const Scalar t238 = t236 + t237;
-  const Scalar t239 = k[4] + t229;
-  const Scalar t240 = (k[20] + (k[3] * t226 - t125)) - k[21] * t239;
-  const Scalar t241 = k[2] + t78;
-  const Scalar t242 = (k[3] * t126 - k[14] * t129) - k[22] * t57;
-  const Scalar t243 = k[21] * t241 - (k[23] + t242);
-  const Scalar t244 = c[4] * t240 - s[4] * t243;
-  const Scalar t245 = s[4] * t239 - c[4] * t241;
-  const Scalar t246 = (k[24] * t238 + k[26] * t244) - k[44] * t245;
-  const Scalar t247 = k[42] * t214;
-  const Scalar t248 = t246 + t247 * t223;
-  const Scalar t249 = Scalar(1) / (t238 + t247 * t214);
-  const Scalar t250 = t248 * t249;
-  const Scalar t251 = t247 * t225 - (torque[4] + t198);
-  const Scalar t252 = ((torque[3] + t213) - t224 * t225) + t250 * t251;
-  const Scalar t253 = k[24] * t244;
-  const Scalar t254 = k[25] * t217 - t227;
-  const Scalar t255 = Scalar(2) * t253 - k[26] * (t236 - t254);
-  const Scalar t256 = k[26] * t255;
-  const Scalar t257 = k[27] - (t236 + t256);
-  const Scalar t258 = k[19] - (k[5] * t245 - t237);
-  const Scalar t259 = t257 - t258;
-  const Scalar t260 = Scalar(1) / ((t224 * t223 - t259) - t250 * t248);
-  const Scalar t261 = s[4] * t241 + c[4] * t239;
-  const Scalar t262 = k[24] * t245;
-  const Scalar t263 = s[3] * t261 + c[3] * t262;
-  const Scalar t264 = k[28] * t263 - k[46] * t245;
-  const Scalar t265 = c[3] * t261 - s[3] * t262;
-  const Scalar t266 = s[2] * t264 - c[2] * t265;
-  const Scalar t267 = k[37] * t263 + k[65] * t245;
-  const Scalar t268 = s[2] * t265 + c[2] * t264;
-  const Scalar t269 = k[59] * t267 - k[57] * t268;
-  const Scalar t270 = k[57] * t267 + k[59] * t268;
-  const Scalar t271 = k[64] * (s[1] * t266 + c[1] * t269) + k[63] * t270;
-  const Scalar t272 = c[4] * t243 + s[4] * t240;
-  const Scalar t273 = (k[26] * t238 - t253) - k[45] * t245;
-  const Scalar t274 = k[30] * t263 - (c[3] * t272 - s[3] * t273);
-  const Scalar t275 = t274 + k[55] * t264;
-  const Scalar t276 = (s[3] * t272 + c[3] * t273) + k[30] * t265;
-  const Scalar t277 = (k[28] * t276 + k[37] * t246) - k[43] * t267;
-  const Scalar t278 = k[55] * t265 + t277;
-  const Scalar t279 = s[2] * t275 - c[2] * t278;
-  const Scalar t280 = (k[37] * t276 - k[28] * t246) + k[43] * t264;
-  const Scalar t281 = (k[57] * t279 + k[59] * t280) + k[60] * t270;
-  const Scalar t282 = s[1] * (t269 - (c[2] * t275 + s[2] * t278));
-  const Scalar t283 = k[60] * t269 + (k[59] * t279 - k[57] * t280);
-  const Scalar t284 = k[61] * (c[1] * (t281 + t266) - t282) + k[62] * t283;
-  const Scalar t285 = s[4] * t215 + c[4] * t57;
-  const Scalar t286 = s[3] * t222 - c[3] * t285;
-  const Scalar t287 = k[31] * t78 - k[26] * t221;
-  const Scalar t288 = k[32] * t287 + (k[24] * t220 - k[26] * t214);
-  const Scalar t289 = s[4] * t219 - c[4] * t216;
-  const Scalar t290 = k[30] * t286 - (c[3] * t288 - s[3] * t289);
-  const Scalar t291 = c[3] * t222 + s[3] * t285;
-  const Scalar t292 = k[37] * t291 - k[28] * t287;
-  const Scalar t293 = (k[28] * t290 + k[37] * t223) + k[43] * t292;
-  const Scalar t294 = k[30] * t291 + (s[3] * t288 + c[3] * t289);
-  const Scalar t295 = k[28] * t291 + k[37] * t287;
-  const Scalar t296 = s[2] * t286 - c[2] * t295;
-  const Scalar t297 = (s[2] * t293 - c[2] * t294) + k[55] * t296;
-  const Scalar t298 = k[59] * t292 + k[57] * t296;
-  const Scalar t299 = s[2] * t295 + c[2] * t286;
-  const Scalar t300 = k[57] * t292 - k[59] * t296;
-  const Scalar t301 = k[43] * t295 + (k[28] * t223 - k[37] * t290);
-  const Scalar t302 = (c[2] * t293 + s[2] * t294) + k[55] * t299;
-  const Scalar t303 = k[60] * t300 + (k[59] * t301 + k[57] * t302);
-  const Scalar t304 = s[1] * (t297 + t298) - c[1] * (t299 + t303);
-  const Scalar t305 = (k[57] * t301 - k[59] * t302) - k[60] * t298;
-  const Scalar t306 = k[63] * t300 + k[64] * (c[1] * t298 + s[1] * t299);
-  const Scalar t307 = (k[61] * t304 + k[62] * t305) - t306;
-  const Scalar t308 = (t271 + t284) + t307 * t247;
-  const Scalar t309 = t308 * t249;
-  const Scalar t310 = k[29] - t245;
-  const Scalar t311 = k[34] * t57 - k[24] * t261;
-  const Scalar t312 = k[35] - t311;
-  const Scalar t313 = c[3] * t310 - s[3] * t312;
-  const Scalar t314 = k[28] * t313;
-  const Scalar t315 = s[3] * t310 + c[3] * t312;
-  const Scalar t316 = c[2] * t314 - s[2] * t315;
-  const Scalar t317 = k[57] * t316 - k[56] * t313;
-  const Scalar t318 = s[2] * t314 + c[2] * t315;
-  const Scalar t319 = k[58] * t313 + k[59] * t316;
-  const Scalar t320 = k[64] * (c[1] * t317 - s[1] * t318) - k[63] * t319;
-  const Scalar t321 = (k[36] - (k[24] * t255 - t244)) + k[30] * t312;
-  const Scalar t322 = t231 - c[4] * t234;
-  const Scalar t323 = k[31] * t57 + k[26] * t261;
-  const Scalar t324 = (k[26] * t322 + k[24] * t272) + k[32] * t323;
-  const Scalar t325 = k[30] * t310 - (k[33] - t324);
-  const Scalar t326 = c[3] * t321 + s[3] * t325;
-  const Scalar t327 = (k[28] * t259 + k[37] * t326) - k[38] * t313;
-  const Scalar t328 = (k[28] * t326 - k[37] * t259) + k[54] * t313;
-  const Scalar t329 = s[3] * t321 - c[3] * t325;
-  const Scalar t330 = k[55] * t318 + (c[2] * t328 - s[2] * t329);
-  const Scalar t331 = k[60] * t319 - (k[59] * t327 - k[57] * t330);
-  const Scalar t332 = k[55] * t316 - (c[2] * t329 + s[2] * t328);
-  const Scalar t333 = c[1] * (t318 + t331) + s[1] * (t332 + t317);
-  const Scalar t334 = (k[59] * t330 + k[57] * t327) - k[60] * t317;
-  const Scalar t335 = (t320 - (k[61] * t333 + k[62] * t334)) + t307 * t224;
-  const Scalar t336 = t309 * t248 - t335;
-  const Scalar t337 = t260 * t336;
-  const Scalar t338 = k[42] * t307;
-  const Scalar t339 = k[74] * s[1] - k[75] * c[1];
-  const Scalar t340 = (k[29] * t162 + k[35] * t72) + t199;
-  const Scalar t341 = (k[29] * t155 - k[35] * t69) - t124;
-  const Scalar t342 = (k[67] * t145 - k[66] * t40) + (c[3] * t340 + s[3] * t341);
-  const Scalar t343 = k[26] * t120 - k[24] * t123;
-  const Scalar t344 = t343 - (k[35] * t66 - k[29] * t157);
-  const Scalar t345 = c[3] * t341 - s[3] * t340;
-  const Scalar t346 = k[37] * t344 + k[28] * t345;
-  const Scalar t347 = t346 + (k[67] * t150 + k[66] * t48);
-  const Scalar t348 = s[2] * t342 - c[2] * t347;
-  const Scalar t349 = k[37] * t345 - k[28] * t344;
-  const Scalar t350 = (k[67] * t147 + k[66] * t50) + t349;
-  const Scalar t351 = k[59] * t348 - k[57] * t350;
-  const Scalar t352 = s[2] * t347 + c[2] * t342;
-  const Scalar t353 = k[57] * t348 + k[59] * t350;
-  const Scalar t354 = (s[1] * t352 + c[1] * t353) + t339 * t30;
-  const Scalar t355 = k[63] * (t28 * t339 + t351) - k[64] * t354;
-  const Scalar t356 = (k[24] * t209 - k[26] * t198) - k[32] * t343;
-  const Scalar t357 = (k[19] * t157 - k[47] * t66) - (k[33] * t161 + k[36] * t72);
-  const Scalar t358 = k[30] * t340 + (t356 - (t357 + k[29] * t158));
-  const Scalar t359 = (s[4] * t203 - c[4] * t208) - k[21] * t120;
-  const Scalar t360 = k[36] * t68 - (k[27] * t66 + k[47] * t157);
-  const Scalar t361 = t359 - ((t360 + k[33] * t155) - k[35] * t158);
-  const Scalar t362 = k[30] * t341 + t361;
-  const Scalar t363 = k[72] * t47 + (k[50] * t50 - k[53] * t147);
-  const Scalar t364 = (s[3] * t358 - c[3] * t362) - ((k[71] * t150 - t363) - k[66] * t148);
-  const Scalar t365 = t364 - k[55] * t347;
-  const Scalar t366 = (k[53] * t50 + k[52] * t147) - (k[71] * (t43 - t46) - k[72] * t40);
-  const Scalar t367 = s[3] * t362 + c[3] * t358;
-  const Scalar t368 = (k[37] * t213 - k[28] * t367) - k[43] * t349;
-  const Scalar t369 = k[55] * t342 - ((k[67] * t148 - t366) + t368);
-  const Scalar t370 = s[2] * t365 - c[2] * t369;
-  const Scalar t371 = (k[50] * t40 - k[52] * t150) - k[53] * (t48 - t145);
-  const Scalar t372 = (t371 + (k[71] * t42 - k[72] * t35)) + (k[66] * t144 + k[67] * t151);
-  const Scalar t373 = (k[37] * t367 + k[28] * t213) - k[43] * t346;
-  const Scalar t374 = t372 + t373;
-  const Scalar t375 = k[60] * t351 + (k[57] * t370 + k[59] * t374);
-  const Scalar t376 = s[1] * ((s[2] * t369 + c[2] * t365) + t353);
-  const Scalar t377 = k[74] * c[1] + k[75] * s[1];
-  const Scalar t378 = k[81] - c[1] * (k[110] * c[1] - k[111] * s[1]);
-  const Scalar t379 = k[85] * c[1] - k[84] * s[1];
-  const Scalar t380 = t377 * t140 + (t28 * t378 - t30 * t379);
-  const Scalar t381 = ((c[1] * (t352 - t375) - t376) - t380) + t138 * t377;
-  const Scalar t382 = k[60] * t353 - (k[59] * t370 - k[57] * t374);
-  const Scalar t383 = (t27 * t379 + t378 * t25) - (t135 * t377 - t339 * t137);
-  const Scalar t384 = t382 - t383;
-  const Scalar t385 = (k[112] * t134 - k[113] * t136) + (t355 - (k[61] * t381 + k[62] * t384));
-  const Scalar t386 = t251 * t249;
-  const Scalar t387 = (t225 * t338 - (torque[0] - t385)) - t308 * t386;
-  const Scalar t388 = k[42] * t301;
-  const Scalar t389 = t280 - t214 * t388;
-  const Scalar t390 = t389 * t249;
-  const Scalar t391 = t390 * t248 + (t224 * t301 - t327);
-  const Scalar t392 = k[67] + t313;
-  const Scalar t393 = k[37] * t323 - k[28] * t315;
-  const Scalar t394 = k[66] + t393;
-  const Scalar t395 = c[2] * t392 + s[2] * t394;
-  const Scalar t396 = k[57] * t395;
-  const Scalar t397 = c[2] * t394 - s[2] * t392;
-  const Scalar t398 = k[68] * t395 - k[62] * (c[1] * t396 + s[1] * t397);
-  const Scalar t399 = (k[24] * t322 - k[26] * t272) - k[32] * t311;
-  const Scalar t400 = k[47] + t399;
-  const Scalar t401 = c[3] * t400;
-  const Scalar t402 = (t401 + t401) + s[3] * (t257 + t258);
-  const Scalar t403 = s[3] * t402;
-  const Scalar t404 = t257 - t403;
-  const Scalar t405 = (t254 - t256) + k[49] * t323;
-  const Scalar t406 = k[48] * t326 - k[37] * (t404 + t405);
-  const Scalar t407 = k[37] * t406;
-  const Scalar t408 = k[50] + (t404 + t407);
-  const Scalar t409 = k[52] + (k[51] * t313 + (t258 - t403));
-  const Scalar t410 = c[3] * t402 - t400;
-  const Scalar t411 = k[43] * t393 - (k[28] * t410 + k[37] * t329);
-  const Scalar t412 = k[53] + t411;
-  const Scalar t413 = c[2] * t412;
-  const Scalar t414 = s[2] * (t408 + t409) - (t413 + t413);
-  const Scalar t415 = s[2] * t414;
-  const Scalar t416 = t415 - t408;
-  const Scalar t417 = t415 - t409;
-  const Scalar t418 = t416 - t417;
-  const Scalar t419 = k[28] * t323 + k[37] * t315;
-  const Scalar t420 = k[43] * t419 + (k[37] * t410 - k[28] * t329);
-  const Scalar t421 = (k[71] + t420) + k[55] * t392;
-  const Scalar t422 = (k[72] + (k[28] * t406 - t326)) - k[55] * t394;
-  const Scalar t423 = s[2] * t421 + c[2] * t422;
-  const Scalar t424 = k[70] * t395 + (k[57] * t418 - k[59] * t423);
-  const Scalar t425 = k[57] * t423;
-  const Scalar t426 = t397 - ((t425 + k[59] * t418) + k[73] * t395);
-  const Scalar t427 = c[2] * t421 - s[2] * t422;
-  const Scalar t428 = k[61] * (c[1] * t426 - s[1] * (t396 + t427));
-  const Scalar t429 = t307 * t388 - (k[69] * t398 - (k[62] * t424 + t428));
-  const Scalar t430 = t391 * t337 + (t309 * t389 + t429);
-  const Scalar t431 = t260 * t391;
-  const Scalar t432 = t389 * t386 - ((torque[2] + t374) - t225 * t388);
-  const Scalar t433 = ((t418 + t388 * t301) - t390 * t389) - t431 * t391;
-  const Scalar t434 = Scalar(1) / t433;
-  const Scalar t435 = (t431 * t252 + t432) * t434;
-  const Scalar t436 = k[42] * t305;
-  const Scalar t437 = t436 * t214 + t283;
-  const Scalar t438 = (t334 - t224 * t305) + t250 * t437;
-  const Scalar t439 = t260 * t438;
-  const Scalar t440 = ((t305 * t388 + t424) + t390 * t437) + t439 * t391;
-  const Scalar t441 = t437 * t249;
-  const Scalar t442 = ((torque[1] + t384) - t436 * t225) + t251 * t441;
-  const Scalar t443 = t440 * t435 + (t442 + t439 * t252);
-  const Scalar t444 = t430 * t434;
-  const Scalar t445 = (t407 + t405) + k[79] * t419;
-  const Scalar t446 = k[59] * (t416 - t445) + (t425 + t425);
-  const Scalar t447 = k[59] * t446;
-  const Scalar t448 = k[80] - (t416 - t447);
-  const Scalar t449 = k[78] - (t417 - k[77] * t395);
-  const Scalar t450 = t448 - t449;
-  const Scalar t451 = k[57] * t397 + k[59] * t419;
-  const Scalar t452 = k[75] + t451;
-  const Scalar t453 = c[1] * (t452 - (k[84] - (t423 - k[57] * t446)));
-  const Scalar t454 = k[74] + t395;
-  const Scalar t455 = c[2] * t414 + t412;
-  const Scalar t456 = k[57] * t419 - k[59] * t397;
-  const Scalar t457 = (k[57] * t427 + k[59] * t455) + k[60] * t456;
-  const Scalar t458 = k[61] * (t453 - s[1] * (t454 + (k[85] + t457)));
-  const Scalar t459 = c[1] * t454 + s[1] * t452;
-  const Scalar t460 = ((k[62] * t450 - t458) - k[64] * t459) - t436 * t307;
-  const Scalar t461 = t440 * t444 + ((t460 + t309 * t437) + t439 * t336);
-  const Scalar t462 = t440 * t434;
-  const Scalar t463 = ((t436 * t305 - t450) - t437 * t441) - t439 * t438;
-  const Scalar t464 = Scalar(1) / (t440 * t462 - t463);
-  const Scalar t465 = t461 * t464;
-  const Scalar t466 = ((t252 * t337 - t387) + t430 * t435) - t443 * t465;
-  const Scalar t467 = (k[57] * t455 - k[59] * t427) - k[60] * t451;
-  const Scalar t468 = c[1] * (k[81] - t467);
-  const Scalar t469 = s[1] * ((t468 + t468) - s[1] * (t448 + t449));
-  const Scalar t470 = t469 + t449;
-  const Scalar t471 = t470 + t450;
-  const Scalar t472 = k[83] * (t471 + ((t445 + t447) + (t456 + t456)));
-  const Scalar t473 = (k[82] + (k[76] * t459 + t470)) - (k[87] + (t471 - (k[86] * t458 + t472)));
-  const Scalar t474 = ((t307 * t338 + t473) - t309 * t308) - t336 * t337;
-  const Scalar t475 = Scalar(1) / ((t444 * t430 - t474) - t461 * t465);
-  const Scalar t476 = t466 * t475;
-  const Scalar t477 = t476 * t465 - t443 * t464;
-  const Scalar t478 = t477 * t462 - (t444 * t476 - t435);
-  const Scalar t479 = (t260 * t252 - t476 * t337) + t439 * t477;
-  const Scalar t480 = t431 * t478 + t479;
-  const Scalar t481 = t390 * t478 + (t477 * t441 - (t309 * t476 - t386));
-  const Scalar t482 = t250 * t480 + t481;
-  const Scalar t483 = t436 * t477 + (k[42] * t225 - t338 * t476);
-  const Scalar t484 = (t224 * t480 - (t478 * t388 - t483)) - t482 * t247;
+  const Scalar t0 = k[26] * qd[0];
+  const Scalar t1 = s[1] * t0;
+  const Scalar t2 = k[25] * qd[0];
+  const Scalar t3 = qd[1] + t2;
+  const Scalar t4 = c[1] * t0;
+  const Scalar t5 = k[20] * t3 + k[19] * t4;
+  const Scalar t6 = s[2] * t1 - c[2] * t5;
+  const Scalar t7 = k[19] * t3 - k[20] * t4;
+  const Scalar t8 = qd[2] + t7;
+  const Scalar t9 = k[18] * t6 - k[17] * t8;
+  const Scalar t10 = c[2] * t1 + s[2] * t5;
+  const Scalar t11 = s[3] * t9 - c[3] * t10;
+  const Scalar t12 = c[3] * t9 + s[3] * t10;
+  const Scalar t13 = k[18] * t8 + k[17] * t6;
+  const Scalar t14 = qd[3] + t13;
+  const Scalar t15 = k[3] * t12 - k[12] * t14;
+  const Scalar t16 = s[4] * t11 - c[4] * t15;
+  const Scalar t17 = c[4] * t11 + s[4] * t15;
+  const Scalar t18 = t16 * t17;
+  const Scalar t19 = k[20] * qd[1] * t1;
+  const Scalar t20 = t8 * t10;
+  const Scalar t21 = t1 * t4;
+  const Scalar t22 = k[19] * t1 * t2 - k[20] * t21;
+  const Scalar t23 = qd[1] * t0;
+  const Scalar t24 = c[1] * t23 - t7 * t5;
+  const Scalar t25 = c[2] * t22 - s[2] * t24;
+  const Scalar t26 = t20 - t25;
+  const Scalar t27 = k[18] * t19 + k[17] * t26;
+  const Scalar t28 = c[2] * t24 + s[2] * t22;
+  const Scalar t29 = t6 * t8;
+  const Scalar t30 = t28 - t29;
+  const Scalar t31 = t9 * t13 + t30;
+  const Scalar t32 = t6 * t10;
+  const Scalar t33 = t19 + t32;
+  const Scalar t34 = k[18] * t25 + k[17] * t33;
+  const Scalar t35 = s[3] * t31 - c[3] * t34;
+  const Scalar t36 = t14 * t11;
+  const Scalar t37 = t35 - t36;
+  const Scalar t38 = k[3] * t27 + k[12] * t37;
+  const Scalar t39 = t18 - t38;
+  const Scalar t40 = t12 * t11;
+  const Scalar t41 = t40 - t27;
+  const Scalar t42 = k[3] * t35 + k[12] * t41;
+  const Scalar t43 = k[12] * t12 + k[3] * t14;
+  const Scalar t44 = t12 * t14;
+  const Scalar t45 = c[3] * t31 + s[3] * t34;
+  const Scalar t46 = t44 - t45;
+  const Scalar t47 = t15 * t43 - t46;
+  const Scalar t48 = s[4] * t42 - c[4] * t47;
+  const Scalar t49 = t3 * t3;
+  const Scalar t50 = k[85] * s[0] - k[84] * c[0];
+  const Scalar t51 = t0 * t2;
+  const Scalar t52 = (k[87] - k[25] * t50) - t51;
+  const Scalar t53 = k[84] * s[0] + k[85] * c[0];
+  const Scalar t54 = t53 + k[86] * qd[0] * qd[0];
+  const Scalar t55 = s[1] * t52 + c[1] * t54;
+  const Scalar t56 = k[24] * t22 - (k[21] * (t49 + t4 * t4) + t55);
+  const Scalar t57 = c[1] * t52 - s[1] * t54;
+  const Scalar t58 = t57 - k[21] * t21;
+  const Scalar t59 = t0 * t0;
+  const Scalar t60 = t59 + (k[88] + k[26] * t50);
+  const Scalar t61 = t0 * t3 + t23;
+  const Scalar t62 = t60 - k[21] * s[1] * t61;
+  const Scalar t63 = k[24] * t24 + (k[19] * t58 + k[20] * t62);
+  const Scalar t64 = s[2] * t56 + c[2] * t63;
+  const Scalar t65 = t19 - t32;
+  const Scalar t66 = t64 - k[23] * t65;
+  const Scalar t67 = t6 * t6;
+  const Scalar t68 = t8 * t8;
+  const Scalar t69 = t67 + t68;
+  const Scalar t70 = t67 - t68;
+  const Scalar t71 = t68 + t10 * t10;
+  const Scalar t72 = t71 - t69;
+  const Scalar t73 = t70 + t72;
+  const Scalar t74 = (k[20] * t58 - k[19] * t62) - k[24] * (t69 + t73);
+  const Scalar t75 = t20 + t26;
+  const Scalar t76 = t74 + k[23] * t75;
+  const Scalar t77 = t12 * t12;
+  const Scalar t78 = t14 * t14;
+  const Scalar t79 = t77 + t78;
+  const Scalar t80 = t11 * t11;
+  const Scalar t81 = t80 - t78;
+  const Scalar t82 = t79 + t81;
+  const Scalar t83 = (k[17] * t66 + k[18] * t76) - k[22] * t82;
+  const Scalar t84 = t37 - t36;
+  const Scalar t85 = t83 + k[5] * t84;
+  const Scalar t86 = c[2] * t56 - s[2] * t63;
+  const Scalar t87 = k[22] * t34 + (t86 - k[23] * t69);
+  const Scalar t88 = (k[17] * t76 - k[18] * t66) - k[22] * t31;
+  const Scalar t89 = s[3] * t87 - c[3] * t88;
+  const Scalar t90 = t40 + t27;
+  const Scalar t91 = t89 - k[5] * t90;
+  const Scalar t92 = k[12] * t85 - k[3] * t91;
+  const Scalar t93 = c[3] * t87 + s[3] * t88;
+  const Scalar t94 = t93 - k[5] * t79;
+  const Scalar t95 = k[9] * t48 + (c[4] * t92 - s[4] * t94);
+  const Scalar t96 = k[46] * t39 - t95;
+  const Scalar t97 = c[4] * t42 + s[4] * t47;
+  const Scalar t98 = qd[4] + t43;
+  const Scalar t99 = t98 * t17;
+  const Scalar t100 = t97 - t99;
+  const Scalar t101 = t100 - t99;
+  const Scalar t102 = t17 * t17;
+  const Scalar t103 = t16 * t16;
+  const Scalar t104 = t102 + t103;
+  const Scalar t105 = (k[12] * t91 + k[3] * t85) - k[9] * t104;
+  const Scalar t106 = k[46] * t101 + t105;
+  const Scalar t107 = k[0] * c[5] - k[1] * s[5];
+  const Scalar t108 = k[0] * s[5] + k[1] * c[5];
+  const Scalar t109 = k[9] * t97 - (c[4] * t94 + s[4] * t92);
+  const Scalar t110 = t98 * t98 - t103;
+  const Scalar t111 = t110 + t104;
+  const Scalar t112 = t102 - t103;
+  const Scalar t113 = t111 - t112;
+  const Scalar t114 = (k[2] * t96 - k[13] * t106) * t107 - t108 * (t109 + k[46] * t113);
+  const Scalar t115 = k[37] * c[5] + k[36] * s[5];
+  const Scalar t116 = k[40] - s[5] * t115;
+  const Scalar t117 = k[13] * t100 + k[2] * t38;
+  const Scalar t118 = k[13] * t98 + k[2] * t16;
+  const Scalar t119 = t118 * t17;
+  const Scalar t120 = t117 - t119;
+  const Scalar t121 = k[41] - t116;
+  const Scalar t122 = t117 + t119;
+  const Scalar t123 = k[38] - c[5] * t115;
+  const Scalar t124 = t118 * t118 - t102;
+  const Scalar t125 = (t116 * t120 + t121 * t122) - t123 * t124;
+  const Scalar t126 = k[7] * c[5] + k[8] * s[5];
+  const Scalar t127 = t16 * t98;
+  const Scalar t128 = t48 - t127;
+  const Scalar t129 = k[13] * t16 - k[2] * t98;
+  const Scalar t130 = t128 - t118 * t129;
+  const Scalar t131 = t18 + t38;
+  const Scalar t132 = k[2] * t97 - k[13] * t131;
+  const Scalar t133 = k[8] * c[5] - k[7] * s[5];
+  const Scalar t134 = t114 + (t125 + (t126 * t130 - t132 * t133));
+  const Scalar t135 = wrench[3] * c[0] + wrench[4] * s[0];
+  const Scalar t136 = wrench[3] * s[0] - wrench[4] * c[0];
+  const Scalar t137 = k[26] * wrench[5] - k[25] * t136;
+  const Scalar t138 = s[1] * t135 - c[1] * t137;
+  const Scalar t139 = k[25] * wrench[5] + k[26] * t136;
+  const Scalar t140 = k[19] * t138 - k[20] * t139;
+  const Scalar t141 = s[1] * t137 + c[1] * t135;
+  const Scalar t142 = s[2] * t140 - c[2] * t141;
+  const Scalar t143 = s[2] * t141 + c[2] * t140;
+  const Scalar t144 = k[20] * t138 + k[19] * t139;
+  const Scalar t145 = k[18] * t143 - k[17] * t144;
+  const Scalar t146 = s[3] * t142 - c[3] * t145;
+  const Scalar t147 = k[18] * t144 + k[17] * t143;
+  const Scalar t148 = k[3] * t146 + k[12] * t147;
+  const Scalar t149 = s[3] * t145 + c[3] * t142;
+  const Scalar t150 = c[4] * t148 + s[4] * t149;
+  const Scalar t151 = k[3] * t147 - k[12] * t146;
+  const Scalar t152 = t134 - (k[13] * t150 - k[2] * t151);
+  const Scalar t153 = torque[5] + t152;
+  const Scalar t154 = k[2] * t107;
+  const Scalar t155 = s[4] * t154 + c[4] * t108;
+  const Scalar t156 = s[4] * t108 - c[4] * t154;
+  const Scalar t157 = k[3] * t156 + k[4] * t107;
+  const Scalar t158 = c[3] * t155 - s[3] * t157;
+  const Scalar t159 = k[16] * t107 - k[12] * t156;
+  const Scalar t160 = c[3] * t157 + s[3] * t155;
+  const Scalar t161 = k[17] * t159 + k[18] * t160;
+  const Scalar t162 = s[2] * t158 + c[2] * t161;
+  const Scalar t163 = k[18] * t159 - k[17] * t160;
+  const Scalar t164 = k[19] * t162 + k[20] * t163;
+  const Scalar t165 = t126 - k[6] * t107;
+  const Scalar t166 = k[2] * t133;
+  const Scalar t167 = k[9] * t108;
+  const Scalar t168 = ((k[11] - t166) - k[10] * t107) - t167;
+  const Scalar t169 = (c[4] * t165 - s[4] * t168) + k[22] * t157;
+  const Scalar t170 = c[4] * t168 + s[4] * t165;
+  const Scalar t171 = (k[14] + k[13] * t133) - k[15] * t107;
+  const Scalar t172 = k[5] * t159 - (k[3] * t170 + k[12] * t171);
+  const Scalar t173 = t172 + k[22] * t155;
+  const Scalar t174 = s[3] * t169 - c[3] * t173;
+  const Scalar t175 = (k[3] * t171 - k[12] * t170) + k[5] * t157;
+  const Scalar t176 = k[23] * t161 - (k[17] * t174 - k[18] * t175);
+  const Scalar t177 = s[2] * t161 - c[2] * t158;
+  const Scalar t178 = c[3] * t169 + s[3] * t173;
+  const Scalar t179 = (k[18] * t174 + k[17] * t175) - k[23] * t163;
+  const Scalar t180 = k[24] * t177 + (s[2] * t178 + c[2] * t179);
+  const Scalar t181 = k[21] * t164 + (k[19] * t176 - k[20] * t180);
+  const Scalar t182 = (s[2] * t179 - c[2] * t178) - k[24] * t162;
+  const Scalar t183 = k[20] * t162 - k[19] * t163;
+  const Scalar t184 = (k[19] * t180 + k[20] * t176) + k[21] * t183;
+  const Scalar t185 = s[1] * (t164 - t182) + c[1] * (t177 + t184);
+  const Scalar t186 = k[27] * t183 + k[28] * (s[1] * t177 - c[1] * t164);
+  const Scalar t187 = (k[25] * t181 - k[26] * t185) - t186;
+  const Scalar t188 = k[29] * t187;
+  const Scalar t189 = t80 + t78;
+  const Scalar t190 = qd[5] - t129;
+  const Scalar t191 = Scalar(2) * t118 * t190 - t130;
+  const Scalar t192 = t190 * t17;
+  const Scalar t193 = t192 - (t132 - t192);
+  const Scalar t194 = wrench[0] * s[0] - wrench[1] * c[0];
+  const Scalar t195 = k[26] * t194 + k[25] * wrench[2];
+  const Scalar t196 = k[26] * wrench[2] - k[25] * t194;
+  const Scalar t197 = wrench[0] * c[0] + wrench[1] * s[0];
+  const Scalar t198 = c[1] * t196 - s[1] * t197;
+  const Scalar t199 = k[20] * t195 + k[19] * t198;
+  const Scalar t200 = c[1] * t197 + s[1] * t196;
+  const Scalar t201 = s[2] * t199 + c[2] * t200;
+  const Scalar t202 = k[19] * t195 - k[20] * t198;
+  const Scalar t203 = s[2] * t200 - c[2] * t199;
+  const Scalar t204 = k[17] * t202 - k[18] * t203;
+  const Scalar t205 = c[3] * t201 + s[3] * t204;
+  const Scalar t206 = k[18] * t202 + k[17] * t203;
+  const Scalar t207 = c[3] * t204 - s[3] * t201;
+  const Scalar t208 = k[12] * t206 + k[3] * t207;
+  const Scalar t209 = s[4] * t205 - c[4] * t208;
+  const Scalar t210 = k[12] * t207 - k[3] * t206;
+  const Scalar t211 = (t108 * t191 - t107 * t193) - (k[89] * t209 - k[90] * t210);
+  const Scalar t212 = t190 * t190;
+  const Scalar t213 = t212 + t102;
+  const Scalar t214 = k[90] * t209 + k[89] * t210;
+  const Scalar t215 = (t108 * t213 - t120 * t107) - t214;
+  const Scalar t216 = k[13] * t211 + k[2] * t215;
+  const Scalar t217 = t216 + (k[31] * t111 + k[30] * t39);
+  const Scalar t218 = k[91] * (s[4] * t208 + c[4] * t205);
+  const Scalar t219 = ((t213 + t124) * t107 + t108 * t122) + t218;
+  const Scalar t220 = (k[30] * t113 + k[31] * t131) + t219;
+  const Scalar t221 = c[4] * t217 + s[4] * t220;
+  const Scalar t222 = k[2] * t211 - k[13] * t215;
+  const Scalar t223 = t127 - t128;
+  const Scalar t224 = t222 + (k[31] * t223 + k[30] * t101);
+  const Scalar t225 = k[3] * t221 + k[12] * t224;
+  const Scalar t226 = (k[32] * t189 - k[33] * t90) + t225;
+  const Scalar t227 = (k[33] * t79 - k[32] * t41) + (c[4] * t220 - s[4] * t217);
+  const Scalar t228 = s[3] * t226 - c[3] * t227;
+  const Scalar t229 = t228 + (k[58] * t33 - k[59] * t69);
+  const Scalar t230 = c[3] * t226 + s[3] * t227;
+  const Scalar t231 = t44 + t46;
+  const Scalar t232 = k[3] * t224 - k[12] * t221;
+  const Scalar t233 = (k[32] * t231 - k[33] * t84) - t232;
+  const Scalar t234 = k[18] * t230 - k[17] * t233;
+  const Scalar t235 = (k[59] * t65 + k[58] * t71) - t234;
+  const Scalar t236 = s[2] * t229 + c[2] * t235;
+  const Scalar t237 = t30 - t29;
+  const Scalar t238 = k[18] * t233 + k[17] * t230;
+  const Scalar t239 = (k[59] * t75 - k[58] * t237) - t238;
+  const Scalar t240 = k[19] * t236 - k[20] * t239;
+  const Scalar t241 = c[2] * t229 - s[2] * t235;
+  const Scalar t242 = k[60] * c[1] - k[73] * s[1];
+  const Scalar t243 = (c[1] * t240 + s[1] * t241) + t242 * t49;
+  const Scalar t244 = k[20] * t236 + k[19] * t239;
+  const Scalar t245 = k[28] * t243 - k[27] * (t244 - t242 * t61);
+  const Scalar t246 = k[72] * c[1] - k[71] * s[1];
+  const Scalar t247 = k[78] - c[1] * (k[95] * c[1] - k[96] * s[1]);
+  const Scalar t248 = (k[73] * t57 + k[60] * t55) - (t51 * t246 + t247 * t59);
+  const Scalar t249 = k[61] * (t77 - t80) + (k[54] * t41 + k[53] * t90);
+  const Scalar t250 = (k[33] * t89 + k[32] * t93) - ((k[50] * t45 + k[49] * t35) + t249);
+  const Scalar t251 = k[42] * t110 - (k[45] * t223 - k[47] * t101);
+  const Scalar t252 = (s[4] * t148 - c[4] * t149) + k[92] * t214;
+  const Scalar t253 = k[2] * t106 + k[13] * t96;
+  const Scalar t254 = t212 - t102;
+  const Scalar t255 = (t124 - t254) * t133 + (t191 * t121 + t123 * t193);
+  const Scalar t256 = t252 - (t108 * t253 + (t126 * t120 - t255));
+  const Scalar t257 = ((k[39] * t39 + t251) - k[31] * t105) + t256;
+  const Scalar t258 = t257 - k[9] * t217;
+  const Scalar t259 = (k[42] * t131 + k[39] * (t113 - t104)) - (k[44] * t101 - k[47] * t223);
+  const Scalar t260 = (t191 * t123 + t116 * t193) + (t122 * t133 - t126 * t254);
+  const Scalar t261 = (k[13] * t151 + k[2] * t150) + k[92] * t218;
+  const Scalar t262 = (t260 + t107 * t253) + t261;
+  const Scalar t263 = k[46] * t222 - (k[13] * t152 - k[2] * t262);
+  const Scalar t264 = ((t259 - k[30] * t105) - t263) - k[9] * t220;
+  const Scalar t265 = s[4] * t258 - c[4] * t264;
+  const Scalar t266 = (k[45] * t131 - k[44] * t39) + k[47] * t112;
+  const Scalar t267 = (k[31] * t109 + k[30] * t95) + (t266 - (k[39] * t48 + k[42] * t97));
+  const Scalar t268 = k[46] * t216 + (k[13] * t262 + k[2] * t152);
+  const Scalar t269 = t267 - t268;
+  const Scalar t270 = (k[12] * t265 - k[3] * t269) + k[5] * t225;
+  const Scalar t271 = t250 + t270;
+  const Scalar t272 = (k[53] * t84 - k[61] * t231) - (k[49] * t41 - k[50] * t81);
+  const Scalar t273 = k[5] * t232 + (k[12] * t269 + k[3] * t265);
+  const Scalar t274 = (k[33] * t83 + t272) + t273;
+  const Scalar t275 = k[49] * (t82 - t189) - (k[61] * t84 + k[54] * t231);
+  const Scalar t276 = (k[32] * t83 - (t275 - k[50] * t90)) - (c[4] * t258 + s[4] * t264);
+  const Scalar t277 = k[22] * t228 - (c[3] * t274 - s[3] * t276);
+  const Scalar t278 = (k[17] * t271 + k[18] * t277) + k[23] * t238;
+  const Scalar t279 = (k[67] * t75 - k[69] * t237) + (k[63] * t33 - k[64] * t73);
+  const Scalar t280 = t278 - (k[59] * t74 + t279);
+  const Scalar t281 = (k[68] * t237 + k[69] * t75) + k[63] * t70;
+  const Scalar t282 = k[22] * t230 + (c[3] * t276 + s[3] * t274);
+  const Scalar t283 = ((t281 + k[64] * t65) + k[58] * t74) - t282;
+  const Scalar t284 = (c[2] * t280 - s[2] * t283) + k[24] * t241;
+  const Scalar t285 = k[69] * t72 + (k[67] * t65 - k[68] * t33);
+  const Scalar t286 = ((k[64] * t28 + k[63] * t25) - t285) + (k[59] * t64 - k[58] * t86);
+  const Scalar t287 = k[23] * t234 - (k[17] * t277 - k[18] * t271);
+  const Scalar t288 = t286 + t287;
+  const Scalar t289 = (k[20] * t284 - k[19] * t288) + k[21] * t240;
+  const Scalar t290 = t248 - t289;
+  const Scalar t291 = k[60] * s[1] + k[73] * c[1];
+  const Scalar t292 = (t247 * t61 + t49 * t246) - t291 * t60;
+  const Scalar t293 = k[24] * t236 + (s[2] * t280 + c[2] * t283);
+  const Scalar t294 = (k[20] * t288 + k[19] * t284) - k[21] * t244;
+  const Scalar t295 = s[1] * (t240 + t293) - c[1] * (t241 + t294);
+  const Scalar t296 = k[26] * (t291 * (t49 + t59) + (t292 + t295));
+  const Scalar t297 = (k[93] * t50 - k[94] * t53) + (t245 - (k[25] * t290 + t296));
+  const Scalar t298 = k[29] * t171;
+  const Scalar t299 = t153 * t298 - (torque[4] - t269);
+  const Scalar t300 = k[44] - (t116 - k[43] * t107);
+  const Scalar t301 = (t166 + t166) - k[13] * t121;
+  const Scalar t302 = k[13] * t301;
+  const Scalar t303 = k[45] - (t121 + t302);
+  const Scalar t304 = t300 + t303;
+  const Scalar t305 = Scalar(1) / (t171 * t298 + t304);
+  const Scalar t306 = t299 * t305;
+  const Scalar t307 = k[2] * t108;
+  const Scalar t308 = k[31] + t307;
+  const Scalar t309 = k[30] + t107;
+  const Scalar t310 = s[4] * t308 - c[4] * t309;
+  const Scalar t311 = k[3] * t310;
+  const Scalar t312 = c[4] * t308 + s[4] * t309;
+  const Scalar t313 = c[3] * t311 + s[3] * t312;
+  const Scalar t314 = k[56] * t310 + k[17] * t313;
+  const Scalar t315 = k[55] * t310 - k[18] * t313;
+  const Scalar t316 = s[3] * t311 - c[3] * t312;
+  const Scalar t317 = c[2] * t315 + s[2] * t316;
+  const Scalar t318 = k[19] * t314 - k[20] * t317;
+  const Scalar t319 = c[2] * t316 - s[2] * t315;
+  const Scalar t320 = k[20] * t314 + k[19] * t317;
+  const Scalar t321 = k[27] * t318 + k[28] * (s[1] * t319 + c[1] * t320);
+  const Scalar t322 = (k[42] - (k[2] * t301 - t133)) - k[9] * t308;
+  const Scalar t323 = (k[13] * t123 - k[2] * t126) + k[10] * t108;
+  const Scalar t324 = k[9] * t309 - (k[39] - t323);
+  const Scalar t325 = c[4] * t322 - s[4] * t324;
+  const Scalar t326 = k[3] * t325;
+  const Scalar t327 = k[57] * t310 + (t326 - k[12] * t304);
+  const Scalar t328 = s[4] * t322 + c[4] * t324;
+  const Scalar t329 = (c[3] * t327 - s[3] * t328) + k[22] * t316;
+  const Scalar t330 = k[5] * t311 - (k[3] * t304 + k[12] * t325);
+  const Scalar t331 = k[23] * t314 + (k[18] * t329 + k[17] * t330);
+  const Scalar t332 = (c[3] * t328 + s[3] * t327) - k[22] * t313;
+  const Scalar t333 = (c[2] * t331 - s[2] * t332) + k[24] * t319;
+  const Scalar t334 = (k[17] * t329 - k[18] * t330) + k[23] * t315;
+  const Scalar t335 = (k[19] * t333 - k[20] * t334) + k[21] * t318;
+  const Scalar t336 = k[24] * t317 + (c[2] * t332 + s[2] * t331);
+  const Scalar t337 = c[1] * (t319 + t335) - s[1] * (t336 + t320);
+  const Scalar t338 = k[21] * t320 + (k[19] * t334 + k[20] * t333);
+  const Scalar t339 = t171 * t188 + (t321 + (k[26] * t337 + k[25] * t338));
+  const Scalar t340 = (t153 * t188 - (torque[0] - t297)) - t306 * t339;
+  const Scalar t341 = k[4] * t108 - k[3] * t312;
+  const Scalar t342 = k[32] - t341;
+  const Scalar t343 = k[33] - t310;
+  const Scalar t344 = c[3] * t342 + s[3] * t343;
+  const Scalar t345 = c[3] * t343 - s[3] * t342;
+  const Scalar t346 = k[18] * t345;
+  const Scalar t347 = c[2] * t344 + s[2] * t346;
+  const Scalar t348 = s[2] * t344 - c[2] * t346;
+  const Scalar t349 = k[35] * t345 + k[19] * t348;
+  const Scalar t350 = k[20] * t348 - k[34] * t345;
+  const Scalar t351 = k[28] * (s[1] * t347 + c[1] * t349) - k[27] * t350;
+  const Scalar t352 = k[12] * t312 + k[16] * t108;
+  const Scalar t353 = (k[2] * t123 + k[13] * t126) + k[46] * t307;
+  const Scalar t354 = k[47] - t353;
+  const Scalar t355 = c[4] * t354;
+  const Scalar t356 = s[4] * (t300 - t303) - (t355 + t355);
+  const Scalar t357 = t354 + c[4] * t356;
+  const Scalar t358 = k[5] * t352 + (k[3] * t328 + k[12] * t357);
+  const Scalar t359 = k[50] - t358;
+  const Scalar t360 = s[4] * t356 + t303;
+  const Scalar t361 = t302 + k[48] * t167;
+  const Scalar t362 = k[12] * (t360 - t361) - (t326 + t326);
+  const Scalar t363 = k[49] + (k[3] * t362 + t325);
+  const Scalar t364 = (s[3] * t359 - c[3] * t363) - k[22] * t344;
+  const Scalar t365 = k[12] * t362;
+  const Scalar t366 = k[54] - (t360 - t365);
+  const Scalar t367 = k[53] + ((t304 - t360) - k[52] * t310);
+  const Scalar t368 = t366 - t367;
+  const Scalar t369 = (k[17] * t364 - k[18] * t368) + k[23] * t346;
+  const Scalar t370 = k[22] * t345 - (c[3] * t359 + s[3] * t363);
+  const Scalar t371 = t370 + k[24] * t346;
+  const Scalar t372 = k[18] * t364;
+  const Scalar t373 = (k[51] * t345 - (t372 + k[17] * t368)) + k[24] * t344;
+  const Scalar t374 = s[2] * t371 + c[2] * t373;
+  const Scalar t375 = k[21] * t350 - (k[20] * t369 + k[19] * t374);
+  const Scalar t376 = s[1] * (t349 + (s[2] * t373 - c[2] * t371));
+  const Scalar t377 = k[21] * t349 + (k[20] * t374 - k[19] * t369);
+  const Scalar t378 = k[26] * (c[1] * (t347 - t375) - t376) + k[25] * t377;
+  const Scalar t379 = t305 * t339;
+  const Scalar t380 = t175 * t298 - t330;
+  const Scalar t381 = ((t351 + t378) - t175 * t188) + t379 * t380;
+  const Scalar t382 = t305 * t380;
+  const Scalar t383 = k[29] * t175;
+  const Scalar t384 = Scalar(1) / (t382 * t380 + (t368 - t175 * t383));
+  const Scalar t385 = t381 * t384;
+  const Scalar t386 = k[29] * t153;
+  const Scalar t387 = ((torque[3] + t271) - t175 * t386) + t306 * t380;
+  const Scalar t388 = k[29] * t176;
+  const Scalar t389 = t334 + t171 * t388;
+  const Scalar t390 = (t369 + t175 * t388) - t389 * t382;
+  const Scalar t391 = t390 * t384;
+  const Scalar t392 = (k[3] * t357 - k[12] * t328) - k[5] * t341;
+  const Scalar t393 = k[61] + t392;
+  const Scalar t394 = Scalar(2) * c[3] * t393 + s[3] * (t366 + t367);
+  const Scalar t395 = s[3] * t394;
+  const Scalar t396 = k[67] + (k[66] * t345 - (t395 - t367));
+  const Scalar t397 = k[62] * t352 + (t365 + t361);
+  const Scalar t398 = t395 - t366;
+  const Scalar t399 = k[17] * (t397 - t398) + Scalar(2) * t372;
+  const Scalar t400 = k[17] * t399;
+  const Scalar t401 = k[68] - (t400 + t398);
+  const Scalar t402 = t396 - t401;
+  const Scalar t403 = t389 * t305;
+  const Scalar t404 = t391 * t390 + ((t176 * t388 + t402) - t403 * t389);
+  const Scalar t405 = Scalar(1) / t404;
+  const Scalar t406 = t387 * t384;
+  const Scalar t407 = (t176 * t386 - (torque[2] + t288)) - t403 * t299;
+  const Scalar t408 = t405 * (t390 * t406 - t407);
+  const Scalar t409 = k[17] * t352 - k[18] * t344;
+  const Scalar t410 = k[58] + t409;
+  const Scalar t411 = k[59] + t345;
+  const Scalar t412 = c[2] * t410 - s[2] * t411;
+  const Scalar t413 = c[2] * t411 + s[2] * t410;
+  const Scalar t414 = k[19] * t413;
+  const Scalar t415 = k[20] * t413;
+  const Scalar t416 = k[28] * (s[1] * t412 + c[1] * t414) - k[27] * t415;
+  const Scalar t417 = c[3] * t394 - t393;
+  const Scalar t418 = k[17] * t344 + k[18] * t352;
+  const Scalar t419 = (k[17] * t417 + k[18] * t370) + k[23] * t418;
+  const Scalar t420 = k[64] + t419;
+  const Scalar t421 = k[63] + (t364 - k[18] * t399);
+  const Scalar t422 = k[24] * t412 - (s[2] * t420 + c[2] * t421);
+  const Scalar t423 = k[83] * t413 + (k[20] * t422 + k[19] * t402);
+  const Scalar t424 = (c[2] * t420 - s[2] * t421) + k[24] * t413;
+  const Scalar t425 = (k[20] * t402 - k[19] * t422) + k[21] * t415;
+  const Scalar t426 = s[1] * (t424 + t414) - c[1] * (t412 - t425);
+  const Scalar t427 = (t416 + (k[25] * t423 - k[26] * t426)) + t187 * t388;
+  const Scalar t428 = t390 * t385 + (t389 * t379 - t427);
+  const Scalar t429 = k[29] * t181;
+  const Scalar t430 = t338 + t171 * t429;
+  const Scalar t431 = t305 * t430;
+  const Scalar t432 = t431 * t380 + (t377 - t181 * t383);
+  const Scalar t433 = t432 * t384;
+  const Scalar t434 = t390 * t433 - ((t423 + t181 * t388) - t389 * t431);
+  const Scalar t435 = (t181 * t386 - (torque[1] + t290)) - t306 * t430;
+  const Scalar t436 = t408 * t434 - (t435 + t432 * t406);
+  const Scalar t437 = k[73] + t413;
+  const Scalar t438 = k[19] * t412 + k[20] * t418;
+  const Scalar t439 = k[60] + t438;
+  const Scalar t440 = c[1] * t437 + s[1] * t439;
+  const Scalar t441 = k[23] * t409 + (k[17] * t370 - k[18] * t417);
+  const Scalar t442 = k[69] + t441;
+  const Scalar t443 = s[2] * (t396 + t401) - Scalar(2) * c[2] * t442;
+  const Scalar t444 = t396 - s[2] * t443;
+  const Scalar t445 = t444 - t402;
+  const Scalar t446 = (t397 - t400) + k[65] * t418;
+  const Scalar t447 = k[70] * t422 + k[20] * (t445 + t446);
+  const Scalar t448 = k[20] * t447;
+  const Scalar t449 = k[75] - (t448 - t445);
+  const Scalar t450 = k[77] + (t444 + k[76] * t413);
+  const Scalar t451 = t449 - t450;
+  const Scalar t452 = c[2] * t443 + t442;
+  const Scalar t453 = k[20] * t412 - k[19] * t418;
+  const Scalar t454 = (k[20] * t452 + k[19] * t424) - k[21] * t453;
+  const Scalar t455 = c[1] * (t439 - (k[71] + (t422 - k[19] * t447)));
+  const Scalar t456 = k[26] * (s[1] * (t437 + (k[72] + t454)) - t455);
+  const Scalar t457 = (k[28] * t440 - (k[25] * t451 + t456)) + t181 * t188;
+  const Scalar t458 = t405 * t428;
+  const Scalar t459 = ((t457 - t379 * t430) + t385 * t432) - t434 * t458;
+  const Scalar t460 = t432 * t433 + ((t181 * t429 - t451) - t431 * t430);
+  const Scalar t461 = t405 * t434;
+  const Scalar t462 = Scalar(1) / (t460 - t434 * t461);
+  const Scalar t463 = t459 * t462;
+  const Scalar t464 = ((t340 + t385 * t387) - t408 * t428) + t436 * t463;
+  const Scalar t465 = k[21] * t438 - (k[19] * t452 - k[20] * t424);
+  const Scalar t466 = Scalar(2) * c[1] * (k[78] + t465) - s[1] * (t449 + t450);
+  const Scalar t467 = s[1] * t466 + t449;
+  const Scalar t468 = k[79] * (((t453 + t453) + (t448 - t446)) - t467);
+  const Scalar t469 = (k[82] + (k[81] * t440 + (t467 - t451))) - (k[80] + ((k[74] * t456 + t468) + t467));
+  const Scalar t470 = t381 * t385 - (t379 * t339 - (t469 + t188 * t187));
+  const Scalar t471 = Scalar(1) / (t459 * t463 + (t458 * t428 - t470));
+  const Scalar t472 = t464 * t471;
+  const Scalar t473 = t462 * t436 - t472 * t463;
+  const Scalar t474 = t461 * t473 + (t408 + t472 * t458);
+  const Scalar t475 = t391 * t474 - (t433 * t473 + (t406 + t385 * t472));
+  const Scalar t476 = t474 * t403 + (t431 * t473 + (t306 + t472 * t379));
+  const Scalar t477 = t475 * t382 + t476;
+  const Scalar t478 = t474 * t388 + ((t386 + t472 * t188) + t429 * t473);
   JointVector<Scalar> result;
-  result[0] = -t476;
-  result[1] = t477;
-  result[2] = -t478;
-  result[3] = t480;
-  result[4] = -t482;
-  result[5] = -t484;
+  result[0] = t472;
+  result[1] = t473;
+  result[2] = t474;
+  result[3] = t475;
+  result[4] = -t477;
+  result[5] = t477 * t298 - (t478 + t475 * t383);
   return result;
 }
 

@@ -1187,107 +1187,104 @@ ForwardDynamicsConstants<Scalar> forward_dynamics_constants([[maybe_unused]] con
   using std::sin;
   const Scalar t0 = inertia.c6x * inertia.m6;
   const Scalar t1 = inertia.c6y * inertia.m6;
-  const Scalar t2 = inertia.c5z * inertia.m5;
-  const Scalar t3 = inertia.c4y * inertia.m4;
-  const Scalar t4 = inertia.c5x * inertia.m5;
-  const Scalar t5 = inertia.c6z * inertia.m6;
+  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t0;
+  const Scalar t4 = (inertia.I6yy - t2) - inertia.c6y * t1;
+  const Scalar t5 = t3 + t4;
   const Scalar t6 = inertia.c5y * inertia.m5;
-  const Scalar t7 = inertia.c4x * inertia.m4;
-  const Scalar t8 = g.RL4 * t7;
-  const Scalar t9 = inertia.I6xy - inertia.c6y * t0;
-  const Scalar t10 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t11 = (inertia.I6xx - t10) - inertia.c6x * t0;
-  const Scalar t12 = (inertia.I6yy - t10) - inertia.c6y * t1;
-  const Scalar t13 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t14 = (inertia.c6z * t5 - (inertia.I6zz - t10)) + (inertia.c5y * t6 - (inertia.I5yy - t13));
-  const Scalar t15 = g.RL4 * t3;
-  const Scalar t16 = t11 + t12;
-  const Scalar t17 = Scalar(1) / t16;
+  const Scalar t7 = inertia.I6xy - inertia.c6y * t0;
+  const Scalar t8 = inertia.c5x * inertia.m5;
+  const Scalar t9 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t10 = inertia.c6z * inertia.m6;
+  const Scalar t11 = (inertia.c6z * t10 - (inertia.I6zz - t2)) + (inertia.c5y * t6 - (inertia.I5yy - t9));
+  const Scalar t12 = g.RL4 / g.D3;
+  const Scalar t13 = inertia.c5z * inertia.m5;
+  const Scalar t14 = inertia.c4y * inertia.m4;
+  const Scalar t15 = g.RL4 * t14;
+  const Scalar t16 = inertia.c4x * inertia.m4;
+  const Scalar t17 = g.RL4 * t16;
   const Scalar t18 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t19 = ((inertia.I4yy - t18) - inertia.c4y * t3) - (inertia.c5z * t2 - (inertia.I5zz - t13));
-  const Scalar t20 = g.D3 / g.RL4;
-  const Scalar t21 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t22 = g.RL4 * inertia.m4;
-  const Scalar t23 = inertia.c4z * inertia.m4;
-  const Scalar t24 = t23 + t22;
-  const Scalar t25 = t22 - t24;
-  const Scalar t26 = g.RL4 * t21 - t25;
-  const Scalar t27 = inertia.c3y * inertia.m3;
-  const Scalar t28 = (t26 + t27) / g.RL4;
-  const Scalar t29 = g.RL4 * g.RL4 * t28;
-  const Scalar t30 = ((inertia.I4zz - t18) - inertia.c4z * t23) - g.RL4 * (t23 + t24);
-  const Scalar t31 = (t30 - g.RL4 * (t25 - t24)) - g.RL4 * (t26 - t25);
+  const Scalar t19 = ((inertia.I4yy - t18) - inertia.c4y * t14) - (inertia.c5z * t13 - (inertia.I5zz - t9));
+  const Scalar t20 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t21 = g.RL4 * inertia.m4;
+  const Scalar t22 = inertia.c4z * inertia.m4;
+  const Scalar t23 = t22 + t21;
+  const Scalar t24 = t21 - t23;
+  const Scalar t25 = g.RL4 * t20 - t24;
+  const Scalar t26 = inertia.c3y * inertia.m3;
+  const Scalar t27 = (t25 + t26) / g.RL4;
+  const Scalar t28 = g.D3 * t27;
+  const Scalar t29 = g.D3 * t28;
+  const Scalar t30 = ((inertia.I4zz - t18) - inertia.c4z * t22) - g.RL4 * (t22 + t23);
+  const Scalar t31 = (t30 - g.RL4 * (t24 - t23)) - g.RL4 * (t25 - t24);
   const Scalar t32 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t33 = (t31 + ((inertia.I3yy - t32) - inertia.c3y * t27)) + t29;
+  const Scalar t33 = (t31 + ((inertia.I3yy - t32) - inertia.c3y * t26)) + g.RL4 * g.RL4 * t27;
   const Scalar t34 = inertia.c3x * inertia.m3;
-  const Scalar t35 = inertia.c3x * t34 - (inertia.I3xx - t32);
-  const Scalar t36 = g.RL4 * t34;
-  const Scalar t37 = gravity / g.RL4;
-  const Scalar t38 = inertia.I3xy - inertia.c3y * t34;
-  const Scalar t39 = inertia.c2x * inertia.m2;
-  const Scalar t40 = inertia.I2xy - inertia.c2y * t39;
-  const Scalar t41 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t42 = inertia.c2y * inertia.m2;
-  const Scalar t43 = (inertia.I2yy - t41) - inertia.c2y * t42;
-  const Scalar t44 = g.D3 * t28;
-  const Scalar t45 = g.D3 * (inertia.m3 + t21);
-  const Scalar t46 = (inertia.c2x * t39 - (inertia.I2xx - t41)) + g.D3 * t45;
-  const Scalar t47 = g.D3 * t44 - t46;
-  const Scalar t48 = inertia.c3z * inertia.m3;
-  const Scalar t49 = ((inertia.I3zz - t32) - inertia.c3z * t48) + ((inertia.I2zz - t41) - inertia.c2z * inertia.c2z * inertia.m2);
-  const Scalar t50 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t51 = t49 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t50));
-  return { g.RL4 * t0,
-           g.RL4 * t1,
-           g.RL4 * (t2 - t3),
-           g.RL4 * t4,
-           g.RL4 * (t5 + t6),
-           t8,
-           Scalar(2) * t9,
-           t11 - t12,
-           t11,
-           inertia.c5x * t4 - (inertia.I5xx - t13),
-           t14,
-           inertia.I6xz - inertia.c6z * t0,
+  const Scalar t35 = inertia.I3xy - inertia.c3y * t34;
+  const Scalar t36 = inertia.c3x * t34 - (inertia.I3xx - t32);
+  const Scalar t37 = g.D3 * t34;
+  const Scalar t38 = inertia.c2x * inertia.m2;
+  const Scalar t39 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t40 = g.D3 * (inertia.m3 + t20);
+  const Scalar t41 = (inertia.c2x * t38 - (inertia.I2xx - t39)) + g.D3 * t40;
+  const Scalar t42 = t29 - t41;
+  const Scalar t43 = inertia.c2y * inertia.m2;
+  const Scalar t44 = (inertia.I2yy - t39) - inertia.c2y * t43;
+  const Scalar t45 = inertia.c3z * inertia.m3;
+  const Scalar t46 = ((inertia.I3zz - t32) - inertia.c3z * t45) + ((inertia.I2zz - t39) - inertia.c2z * inertia.c2z * inertia.m2);
+  const Scalar t47 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t48 = t46 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t47));
+  const Scalar t49 = inertia.I2xy - inertia.c2y * t38;
+  const Scalar t50 = gravity / g.D3;
+  return { inertia.I6xz - inertia.c6z * t0,
            inertia.I6yz - inertia.c6z * t1,
-           inertia.I5xy - inertia.c5y * t4,
-           ((inertia.I4xz - inertia.c4z * t7) - t8) + t8,
+           Scalar(1) / t5,
            inertia.I5yz - inertia.c5z * t6,
-           t9,
-           inertia.I5xz - inertia.c5z * t4,
-           ((inertia.I4yz - inertia.c4z * t3) - t15) + t15,
-           t16,
-           t17,
-           (inertia.I4xx - t18) - inertia.c4x * t7,
+           Scalar(2) * t7,
+           t3 - t4,
+           t7,
+           inertia.I5xz - inertia.c5z * t8,
+           t3,
+           inertia.c5x * t8 - (inertia.I5xx - t9),
+           t11,
+           g.D3 * (t10 + t6),
+           g.D3 * t1,
+           g.D3 * t0,
+           g.D3 * t8,
+           t12,
+           t5,
+           g.D3 * (t13 - t14),
+           ((inertia.I4yz - inertia.c4z * t14) - t15) + t15,
+           g.D3 * t16,
+           inertia.I5xy - inertia.c5y * t8,
+           ((inertia.I4xz - inertia.c4z * t16) - t17) + t17,
+           (inertia.I4xx - t18) - inertia.c4x * t16,
            t19,
-           t20 * t17,
-           t20,
-           t29,
+           t29 * t12,
            t33,
-           inertia.I4xy - inertia.c4y * t7,
            t35,
+           inertia.I4xy - inertia.c4y * t16,
            t36,
            t37,
-           t38,
-           t35 + t33,
-           Scalar(2) * t40,
-           t43 - t47,
-           t40,
-           g.RL4 * (t44 - (t45 + t39)) * t37,
-           g.RL4 * t42,
-           t20 * t29,
-           t47,
-           t43,
-           inertia.I3yz - inertia.c3z * t27,
+           t29,
+           t42,
+           t44,
+           inertia.I3yz - inertia.c3z * t26,
            inertia.I3xz - inertia.c3z * t34,
-           inertia.I2yz - inertia.c2z * t42,
-           (inertia.I2xz - inertia.c2z * t39) - g.D3 * t48,
-           Scalar(2) * t36,
-           Scalar(2) * t38,
-           Scalar(2) * t33,
+           inertia.I2yz - inertia.c2z * t43,
+           (inertia.I2xz - inertia.c2z * t38) - g.D3 * t45,
+           t48,
+           t49,
+           inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t47),
+           Scalar(2) * t49,
+           t44 - t42,
+           t50,
+           g.D3 * (t28 - (t40 + t38)),
+           t50 * g.D3 * t43,
+           t36 + t33,
+           Scalar(2) * t37,
            Scalar(2) * t35,
-           t51,
-           inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t50) };
+           Scalar(2) * t36 };
 }
 
 namespace detail {
@@ -1296,252 +1293,249 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> forward_dynamics([[maybe_unused]] const JointVector<Scalar>& q, [[maybe_unused]] const JointVector<Scalar>& qd, [[maybe_unused]] const JointVector<Scalar>& torque, [[maybe_unused]] const Angles& angles,
     [[maybe_unused]] const ForwardDynamicsConstants<Scalar>& k) {
   [[maybe_unused]] const auto& [s, c] = angles;
-  const Scalar t0 = k[6] * c[4] + k[7] * s[4];
-  const Scalar t1 = k[16] - c[4] * t0;
-  const Scalar t2 = k[17] + t1;
-  const Scalar t3 = k[12] * c[4] + k[11] * s[4];
-  const Scalar t4 = k[15] - t3;
-  const Scalar t5 = c[3] * t2 - s[3] * t4;
-  const Scalar t6 = k[0] * c[4] - k[1] * s[4];
-  const Scalar t7 = k[3] + t6;
-  const Scalar t8 = k[4] * c[3] + s[3] * t7;
-  const Scalar t9 = k[8] - s[4] * t0;
-  const Scalar t10 = k[9] - t9;
-  const Scalar t11 = k[10] + t10;
-  const Scalar t12 = t8 + t11;
-  const Scalar t13 = c[1] * s[0] + c[0] * s[1];
-  const Scalar t14 = s[0] * s[1] - c[0] * c[1];
-  const Scalar t15 = c[3] * t4 + s[3] * t2;
-  const Scalar t16 = (c[2] * t5 + s[2] * t12) * t13 - t14 * t15;
-  const Scalar t17 = k[24] * c[0];
-  const Scalar t18 = k[0] * s[4] + k[1] * c[4];
-  const Scalar t19 = c[3] * t18;
-  const Scalar t20 = k[12] * s[4] - k[11] * c[4];
-  const Scalar t21 = c[3] + k[20] * s[3] * t20;
-  const Scalar t22 = k[19] * t21;
-  const Scalar t23 = (c[3] * t20 - k[19] * s[3]) + t6;
-  const Scalar t24 = t3 - t19;
-  const Scalar t25 = t14 * t22 - (c[2] * t23 + s[2] * t24) * t13;
-  const Scalar t26 = (c[2] * t6 - s[2] * t19) * t17 + t25;
-  const Scalar t27 = k[20] * t26;
-  const Scalar t28 = (t16 - t17 * s[2] * t8) - t3 * t27;
-  const Scalar t29 = k[20] * t3;
-  const Scalar t30 = t29 * t22 + t15;
-  const Scalar t31 = Scalar(1) / (t11 + t29 * t3);
-  const Scalar t32 = t30 * t31;
-  const Scalar t33 = k[2] - t18;
-  const Scalar t34 = k[4] * s[3] - c[3] * t7;
-  const Scalar t35 = k[5] - t34;
-  const Scalar t36 = s[2] * t33 + c[2] * t35;
-  const Scalar t37 = k[13] - t20;
-  const Scalar t38 = Scalar(2) * c[3] * t37 + s[3] * (k[10] - t10);
-  const Scalar t39 = k[14] - (t37 - c[3] * t38);
-  const Scalar t40 = k[18] - t15;
-  const Scalar t41 = t36 - (c[2] * t39 - s[2] * t40);
-  const Scalar t42 = s[3] * t38;
-  const Scalar t43 = k[21] - (t42 + t10);
-  const Scalar t44 = k[19] - t9;
-  const Scalar t45 = k[22] + t44;
-  const Scalar t46 = t43 + t45;
-  const Scalar t47 = t36 * t17 - (t41 * t13 - t46 * t14);
-  const Scalar t48 = t28 * t32 - (t47 - t21 * t26);
-  const Scalar t49 = k[24] * (c[1] * t34 + s[1] * c[2] * t8);
-  const Scalar t50 = c[2] * t12 - s[2] * t5;
-  const Scalar t51 = c[2] * t24 - s[2] * t23;
-  const Scalar t52 = k[20] * t51;
-  const Scalar t53 = c[1] * s[3] * t18 + s[1] * (s[2] * t6 + c[2] * t19);
-  const Scalar t54 = t52 + k[23] * t53;
-  const Scalar t55 = (t49 - t50) - t3 * t54;
-  const Scalar t56 = c[2] * t33 - s[2] * t35;
-  const Scalar t57 = k[24] * t56;
-  const Scalar t58 = (c[2] * t40 + s[2] * t39) + t56;
-  const Scalar t59 = t32 * t55 + (t22 * t54 + (s[1] * t57 - t58));
-  const Scalar t60 = Scalar(1) / (t30 * t32 + (t46 - t21 * t22));
-  const Scalar t61 = t59 * t60;
-  const Scalar t62 = k[27] - t5;
-  const Scalar t63 = c[2] * t62;
-  const Scalar t64 = s[2] * (t43 - t45) + (t63 + t63);
-  const Scalar t65 = k[42] - (c[2] * t64 - t62);
-  const Scalar t66 = k[41] - t58;
-  const Scalar t67 = c[1] * t65 - s[1] * t66;
-  const Scalar t68 = t14 * t66 - t65 * t13;
-  const Scalar t69 = ((s[0] * t67 + t68) - k[43] * c[0]) - s[0] * (k[44] - (t57 - t67));
-  const Scalar t70 = t28 * t31;
-  const Scalar t71 = t48 * t61 + ((t69 + t26 * t54) - t55 * t70);
-  const Scalar t72 = t3 * t52 + t50;
-  const Scalar t73 = t31 * t72;
-  const Scalar t74 = t30 * t73 + (t58 - t22 * t52);
-  const Scalar t75 = t60 * t74;
-  const Scalar t76 = k[25] + t8;
-  const Scalar t77 = k[26] - ((t8 + t76) + (k[10] - t42));
-  const Scalar t78 = s[2] * t64 + t45;
-  const Scalar t79 = k[28] - (t46 - t78);
-  const Scalar t80 = t77 - t79;
-  const Scalar t81 = k[29] + t36;
-  const Scalar t82 = s[1] * t76 - c[1] * t81;
-  const Scalar t83 = t31 * t55;
-  const Scalar t84 = (t51 * t54 - (t80 + k[24] * t82)) + t72 * t83;
-  const Scalar t85 = t59 * t75 - t84;
-  const Scalar t86 = ((t80 - t51 * t52) + t73 * t72) - t75 * t74;
-  const Scalar t87 = Scalar(1) / t86;
-  const Scalar t88 = t48 * t60;
-  const Scalar t89 = t88 * t74 - ((t51 * t27 + t68) + t70 * t72);
-  const Scalar t90 = t87 * t89;
-  const Scalar t91 = t71 + t85 * t90;
-  const Scalar t92 = k[31] - t41;
-  const Scalar t93 = s[1] * (t77 + t79) - Scalar(2) * c[1] * t92;
-  const Scalar t94 = s[1] * t93 - t79;
-  const Scalar t95 = k[40] + (t80 - t94);
-  const Scalar t96 = k[39] + (t94 + k[24] * (t82 - (k[38] - t82)));
-  const Scalar t97 = k[19] * t54;
-  const Scalar t98 = ((t95 + t96) - t54 * t97) + t55 * t83;
-  const Scalar t99 = t87 * t85;
-  const Scalar t100 = Scalar(1) / ((t98 - t59 * t61) - t99 * t85);
-  const Scalar t101 = t91 * t100;
-  const Scalar t102 = (t92 + c[1] * t93) + k[24] * (c[1] * t76 + s[1] * t81);
-  const Scalar t103 = c[0] * s[0];
-  const Scalar t104 = (t95 - t96) * s[0] * s[0] - Scalar(2) * (k[35] - t102) * t103;
-  const Scalar t105 = ((k[50] - (t96 + t104)) - (k[49] + t78)) + t26 * t27;
-  const Scalar t106 = ((t105 - t28 * t70) + t48 * t88) + t89 * t90;
-  const Scalar t107 = qd[0] * t14;
+  const Scalar t0 = k[0] * s[4] + k[1] * c[4];
+  const Scalar t1 = k[0] * c[4] - k[1] * s[4];
+  const Scalar t2 = c[3] * t1 + k[16] * s[3];
+  const Scalar t3 = k[13] * s[4] + k[12] * c[4];
+  const Scalar t4 = c[3] * t3;
+  const Scalar t5 = k[12] * s[4] - k[13] * c[4];
+  const Scalar t6 = c[2] * t4 - s[2] * t5;
+  const Scalar t7 = (c[2] * t0 + s[2] * t2) - k[15] * t6;
+  const Scalar t8 = t7 + (s[1] * t6 + c[1] * s[3] * t3);
+  const Scalar t9 = k[2] * t8;
+  const Scalar t10 = k[3] - t0;
+  const Scalar t11 = k[4] * c[4] + k[5] * s[4];
+  const Scalar t12 = k[6] - c[4] * t11;
+  const Scalar t13 = k[7] + t12;
+  const Scalar t14 = s[3] * t10 - c[3] * t13;
+  const Scalar t15 = k[27] + t14;
+  const Scalar t16 = c[2] * t15;
+  const Scalar t17 = k[8] - s[4] * t11;
+  const Scalar t18 = k[16] - t17;
+  const Scalar t19 = k[23] + t18;
+  const Scalar t20 = k[9] - t17;
+  const Scalar t21 = k[20] + t1;
+  const Scalar t22 = s[3] * (k[10] - t20) + Scalar(2) * c[3] * t21;
+  const Scalar t23 = s[3] * t22;
+  const Scalar t24 = k[22] - (t23 + t20);
+  const Scalar t25 = (t16 + t16) - s[2] * (t19 - t24);
+  const Scalar t26 = s[2] * t25 + t19;
+  const Scalar t27 = t19 + t24;
+  const Scalar t28 = k[28] + (t26 - t27);
+  const Scalar t29 = k[14] - t5;
+  const Scalar t30 = k[11] * c[3] + s[3] * t29;
+  const Scalar t31 = k[24] + t30;
+  const Scalar t32 = k[25] - (k[15] * (t31 + t30) + (k[10] - t23));
+  const Scalar t33 = k[11] * s[3] - c[3] * t29;
+  const Scalar t34 = k[19] - t33;
+  const Scalar t35 = k[15] * t34 - (k[21] - (t21 - c[3] * t22));
+  const Scalar t36 = k[17] - t3;
+  const Scalar t37 = s[3] * t13 + c[3] * t10;
+  const Scalar t38 = k[15] * t36 + (k[18] - t37);
+  const Scalar t39 = c[2] * t35 + s[2] * t38;
+  const Scalar t40 = k[26] - t39;
+  const Scalar t41 = s[1] * (t32 + t28) - Scalar(2) * c[1] * t40;
+  const Scalar t42 = s[1] * t41;
+  const Scalar t43 = t28 - t42;
+  const Scalar t44 = t32 - t42;
+  const Scalar t45 = t43 - t44;
+  const Scalar t46 = s[2] * t36 + c[2] * t34;
+  const Scalar t47 = k[29] + t46;
+  const Scalar t48 = c[1] * t47 - s[1] * t31;
+  const Scalar t49 = k[10] + t20;
+  const Scalar t50 = t49 + k[15] * t30;
+  const Scalar t51 = c[2] * t50 + s[2] * t14;
+  const Scalar t52 = k[2] * t7;
+  const Scalar t53 = t51 + t0 * t52;
+  const Scalar t54 = k[2] * t0;
+  const Scalar t55 = Scalar(1) / (t49 + t0 * t54);
+  const Scalar t56 = t53 * t55;
+  const Scalar t57 = (s[1] * c[2] * t30 + c[1] * t33) - t51;
+  const Scalar t58 = t0 * t9 - t57;
+  const Scalar t59 = (t7 * t9 + (t45 + t48)) - t56 * t58;
+  const Scalar t60 = c[3] - k[2] * s[3] * t1;
+  const Scalar t61 = t0 * t60 + t37;
+  const Scalar t62 = k[16] * t60;
+  const Scalar t63 = s[2] * t35 - c[2] * t38;
+  const Scalar t64 = t56 * t61 - (t62 * t52 + t63);
+  const Scalar t65 = t61 * t55;
+  const Scalar t66 = c[2] * t36 - s[2] * t34;
+  const Scalar t67 = t65 * t58 - ((s[1] * t66 + t63) + t62 * t9);
+  const Scalar t68 = Scalar(1) / (t65 * t61 - (t62 * t60 - t27));
+  const Scalar t69 = t67 * t68;
+  const Scalar t70 = t59 + t64 * t69;
+  const Scalar t71 = t64 * t68;
+  const Scalar t72 = t71 * t64 + ((t7 * t52 + t45) - t53 * t56);
+  const Scalar t73 = Scalar(1) / t72;
+  const Scalar t74 = s[0] * s[1] - c[0] * c[1];
+  const Scalar t75 = c[1] * s[0] + c[0] * s[1];
+  const Scalar t76 = c[0] * t46 + (t74 * t27 - t39 * t75);
+  const Scalar t77 = s[2] * t4 + c[2] * t5;
+  const Scalar t78 = (c[2] * t2 - s[2] * t0) + k[15] * t77;
+  const Scalar t79 = c[0] * t77 - (t62 * t74 + t78 * t75);
+  const Scalar t80 = k[2] * t79;
+  const Scalar t81 = t74 * t37 + (c[2] * t14 - s[2] * t50) * t75;
+  const Scalar t82 = t54 * t79 - (t81 + c[0] * s[2] * t30);
+  const Scalar t83 = t82 * t55;
+  const Scalar t84 = (t76 + t62 * t80) - t83 * t61;
+  const Scalar t85 = t84 * t68;
+  const Scalar t86 = k[33] + t63;
+  const Scalar t87 = k[34] + (t15 - c[2] * t25);
+  const Scalar t88 = t74 * t86 - t87 * t75;
+  const Scalar t89 = t64 * t85 + (t53 * t83 + (t88 - t79 * t52));
+  const Scalar t90 = t73 * t89;
+  const Scalar t91 = c[1] * t87 - s[1] * t86;
+  const Scalar t92 = s[0] * (k[36] - (t66 - t91)) - ((s[0] * t91 + t88) - k[35] * c[0]);
+  const Scalar t93 = t58 * t55;
+  const Scalar t94 = t84 * t69 - ((t79 * t9 + t92) - t82 * t93);
+  const Scalar t95 = t70 * t90 - t94;
+  const Scalar t96 = t70 * t73;
+  const Scalar t97 = k[31] - (((k[30] + t48) + t48) + t43);
+  const Scalar t98 = k[32] + t44;
+  const Scalar t99 = (t8 * t9 - (t97 + t98)) - t58 * t93;
+  const Scalar t100 = Scalar(1) / (t70 * t96 - (t99 + t67 * t69));
+  const Scalar t101 = t95 * t100;
+  const Scalar t102 = qd[1] + qd[2];
+  const Scalar t103 = qd[0] * t75;
+  const Scalar t104 = c[2] * t102 + s[2] * t103;
+  const Scalar t105 = qd[4] + t104;
+  const Scalar t106 = t105 * t105;
+  const Scalar t107 = qd[0] * t74;
   const Scalar t108 = qd[3] - t107;
-  const Scalar t109 = qd[1] + qd[2];
-  const Scalar t110 = qd[0] * t13;
-  const Scalar t111 = c[2] * t110;
-  const Scalar t112 = s[2] * t109 - t111;
-  const Scalar t113 = c[3] * t108 + s[3] * t112;
-  const Scalar t114 = c[2] * t109 + s[2] * t110;
-  const Scalar t115 = qd[4] + t114;
-  const Scalar t116 = t109 * t107;
-  const Scalar t117 = Scalar(2) * t116;
-  const Scalar t118 = t110 * t107;
-  const Scalar t119 = c[2] * t117 + s[2] * t118;
-  const Scalar t120 = Scalar(2) * t108 * t114 + t119;
-  const Scalar t121 = t110 * t109;
-  const Scalar t122 = t114 * t112;
-  const Scalar t123 = t121 + t122;
-  const Scalar t124 = c[3] * t120 + s[3] * t123;
-  const Scalar t125 = Scalar(2) * t113 * t115 - t124;
-  const Scalar t126 = t107 * t111 - s[2] * t117;
-  const Scalar t127 = t108 * t112;
-  const Scalar t128 = t126 - t127;
-  const Scalar t129 = s[3] * t108 - c[3] * t112;
-  const Scalar t130 = t129 * t113;
-  const Scalar t131 = t128 - t130;
-  const Scalar t132 = t115 * t115;
-  const Scalar t133 = t129 * t129;
-  const Scalar t134 = t132 - t133;
-  const Scalar t135 = c[3] * t123 - s[3] * t120;
-  const Scalar t136 = Scalar(2) * t129 * t115 + t135;
-  const Scalar t137 = t1 * t134 + (t135 * t44 + t9 * t136);
-  const Scalar t138 = qd[1] * qd[1];
-  const Scalar t139 = qd[0] * c[0];
-  const Scalar t140 = k[30] * s[0];
-  const Scalar t141 = k[24] * (t138 + t139 * t139) - t140;
-  const Scalar t142 = qd[0] * qd[0];
-  const Scalar t143 = k[30] * c[0] + k[24] * t142 * t103;
-  const Scalar t144 = c[1] * t141 - s[1] * t143;
-  const Scalar t145 = Scalar(2) * qd[0] * qd[1];
-  const Scalar t146 = k[24] * s[0] * t145;
-  const Scalar t147 = (s[2] * t144 - c[2] * t146) + t119;
-  const Scalar t148 = s[1] * t141 + c[1] * t143;
-  const Scalar t149 = t109 * t109;
-  const Scalar t150 = t107 * t107;
-  const Scalar t151 = t149 - t150;
-  const Scalar t152 = t142 + t151;
-  const Scalar t153 = t148 - t152;
-  const Scalar t154 = t126 + (c[2] * t144 + s[2] * t146);
-  const Scalar t155 = s[3] * t153 - c[3] * t154;
-  const Scalar t156 = ((t125 * t20 + t3 * t131) - t137) - (t147 * t6 - t18 * t155);
-  const Scalar t157 = torque[5] + t156;
-  const Scalar t158 = qd[5] + t113;
-  const Scalar t159 = t158 * t158;
-  const Scalar t160 = t159 - t133;
-  const Scalar t161 = t158 * t115;
-  const Scalar t162 = (t125 - t161) - t161;
-  const Scalar t163 = t129 * t158;
-  const Scalar t164 = t163 + (t163 + t131);
-  const Scalar t165 = (t160 * t20 + t3 * t135) + (t1 * t162 - t9 * t164);
-  const Scalar t166 = c[3] * t153 + s[3] * t154;
-  const Scalar t167 = t108 * t108;
-  const Scalar t168 = t114 * t114;
-  const Scalar t169 = t167 - t168;
-  const Scalar t170 = t152 + t169;
-  const Scalar t171 = t132 + t159;
-  const Scalar t172 = t160 - t171;
-  const Scalar t173 = t170 + t172;
-  const Scalar t174 = t173 + t134;
-  const Scalar t175 = t128 + t130;
-  const Scalar t176 = k[13] * t174 - (k[9] * t175 + k[10] * t131);
-  const Scalar t177 = (t176 + (k[17] * t124 + k[15] * t135)) + (k[4] * t155 - k[3] * t166);
-  const Scalar t178 = (t165 + t166 * t6) - t177;
-  const Scalar t179 = t29 * t157 - (torque[4] - t178);
-  const Scalar t180 = t31 * t179;
-  const Scalar t181 = k[20] * t157;
-  const Scalar t182 = t128 - t127;
-  const Scalar t183 = k[18] * t169 - (k[22] * t120 - k[27] * t182);
-  const Scalar t184 = t121 - t122;
-  const Scalar t185 = t159 + t133;
-  const Scalar t186 = t3 * (t172 + t185) + (t162 * t44 - t1 * t164);
-  const Scalar t187 = k[15] * t173 + (k[10] * t125 - k[13] * t136);
-  const Scalar t188 = (t18 * t166 - (t186 - t20 * t136)) - (k[4] * t147 - (k[17] * t175 + t187));
-  const Scalar t189 = (k[17] * t134 + k[15] * t131) - (k[9] * t136 - k[13] * t125);
-  const Scalar t190 = (k[3] * t147 + t189) - t156;
-  const Scalar t191 = (k[2] * t153 + (t183 + k[14] * t184)) - (c[3] * t188 - s[3] * t190);
-  const Scalar t192 = t167 + t168;
-  const Scalar t193 = t170 - t192;
-  const Scalar t194 = (k[14] * (t193 - t169) + k[18] * t123) + (k[27] * t120 - k[21] * t182);
-  const Scalar t195 = (k[5] * t153 + t194) + t178;
-  const Scalar t196 = (t136 * t6 + t18 * t185) + (k[4] * t125 + k[3] * t136);
-  const Scalar t197 = k[25] * t147 + (k[2] * t170 - k[5] * t184);
-  const Scalar t198 = t196 - t197;
-  const Scalar t199 = (k[4] * t172 + k[3] * t175) + (t164 * t6 + t18 * t162);
-  const Scalar t200 = (t18 * t135 - t171 * t6) + (k[3] * (t172 - t174) - k[4] * t131);
-  const Scalar t201 = k[25] * t154 + (k[2] * t123 + k[5] * t192);
-  const Scalar t202 = (s[3] * t199 - c[3] * t200) + t201;
-  const Scalar t203 = s[2] * t198 - c[2] * t202;
-  const Scalar t204 = t149 + t150;
-  const Scalar t205 = t152 - t204;
-  const Scalar t206 = k[29] * t148 - (k[32] * t118 - k[31] * t205);
-  const Scalar t207 = ((s[2] * t191 + c[2] * t195) - t203) + t206;
-  const Scalar t208 = t180 * t72 - (t181 * t51 - (torque[2] - t207));
-  const Scalar t209 = (k[21] * t184 + k[22] * t123) + k[27] * t193;
-  const Scalar t210 = (k[2] * t154 - k[5] * t147) + ((k[18] * t126 + k[14] * t119) - t209);
-  const Scalar t211 = t210 - (s[3] * t188 + c[3] * t190);
-  const Scalar t212 = t32 * t179 - (t181 * t22 - (torque[3] + t211));
-  const Scalar t213 = t208 - t212 * t75;
-  const Scalar t214 = t87 * t213;
-  const Scalar t215 = t212 * t60;
-  const Scalar t216 = k[35] + c[0] * (k[34] * s[0] - k[33] * c[0]);
-  const Scalar t217 = t142 * t216 - (k[37] * t140 + k[36] * c[0]);
-  const Scalar t218 = (k[5] * t182 + k[2] * t120) + k[25] * t153;
-  const Scalar t219 = ((c[3] * t199 + s[3] * t200) + t218) - k[29] * t118;
-  const Scalar t220 = s[1] * (k[29] * t204 - t203) - c[1] * t219;
-  const Scalar t221 = (torque[1] - (t217 + (t207 - k[24] * t220))) - t181 * t97;
-  const Scalar t222 = t214 * t85 - (t59 * t215 - (t179 * t83 - t221));
-  const Scalar t223 = (k[42] * (t151 - t205) + k[41] * t118) - (k[48] * t121 + k[46] * t116);
-  const Scalar t224 = k[41] * t151 + (k[46] * t121 - k[47] * t116);
-  const Scalar t225 = s[2] * t202 + c[2] * t198;
-  const Scalar t226 = (k[42] * t118 + t224) - (t225 + (s[2] * t195 - c[2] * t191));
-  const Scalar t227 = t14 * ((t223 - k[29] * t146) - t211) + t226 * t13;
-  const Scalar t228 = t216 * t145 - (k[44] * c[0] - k[43] * s[0]) * t138;
-  const Scalar t229 = (t227 + (k[45] * t121 + t225) * t17) + t228;
-  const Scalar t230 = t28 * t180 + ((torque[0] + t229) + t181 * t26);
-  const Scalar t231 = t222 * t101 + (t213 * t90 + (t230 - t212 * t88));
-  const Scalar t232 = Scalar(1) / (t91 * t101 + t106) * t231;
-  const Scalar t233 = t222 * t100 - t232 * t101;
-  const Scalar t234 = t99 * t233 + (t214 - t232 * t90);
-  const Scalar t235 = t75 * t234 - ((t232 * t88 + t215) - t233 * t61);
-  const Scalar t236 = ((t180 + t232 * t70) - t233 * t83) - t73 * t234;
-  const Scalar t237 = t235 * t32 + t236;
-  const Scalar t238 = ((t181 - t232 * t27) + t233 * t54) - t52 * t234;
+  const Scalar t109 = s[2] * t102 - c[2] * t103;
+  const Scalar t110 = s[3] * t108 - c[3] * t109;
+  const Scalar t111 = t110 * t110;
+  const Scalar t112 = t106 - t111;
+  const Scalar t113 = t110 * t105;
+  const Scalar t114 = t108 * t104;
+  const Scalar t115 = Scalar(2) * t102 * t107;
+  const Scalar t116 = t103 * t107;
+  const Scalar t117 = c[2] * t115 + s[2] * t116;
+  const Scalar t118 = t114 + (t114 + t117);
+  const Scalar t119 = t103 * t102;
+  const Scalar t120 = t104 * t109;
+  const Scalar t121 = t119 + t120;
+  const Scalar t122 = s[3] * t118 - c[3] * t121;
+  const Scalar t123 = t113 + (t113 - t122);
+  const Scalar t124 = t112 * t12 + (t123 * t17 - t18 * t122);
+  const Scalar t125 = c[3] * t108 + s[3] * t109;
+  const Scalar t126 = t125 * t105;
+  const Scalar t127 = c[3] * t118 + s[3] * t121;
+  const Scalar t128 = t126 - (t127 - t126);
+  const Scalar t129 = c[2] * t116 - s[2] * t115;
+  const Scalar t130 = t108 * t109;
+  const Scalar t131 = t129 - t130;
+  const Scalar t132 = t110 * t125;
+  const Scalar t133 = t131 - t132;
+  const Scalar t134 = qd[1] * qd[1];
+  const Scalar t135 = qd[0] * c[0];
+  const Scalar t136 = (t134 + t135 * t135) - k[42] * s[0];
+  const Scalar t137 = qd[0] * qd[0];
+  const Scalar t138 = k[42] * c[0];
+  const Scalar t139 = t137 * c[0] * s[0] + t138;
+  const Scalar t140 = s[1] * t136 + c[1] * t139;
+  const Scalar t141 = t103 * t103;
+  const Scalar t142 = t102 * t102;
+  const Scalar t143 = t141 + t142;
+  const Scalar t144 = t140 - k[15] * t143;
+  const Scalar t145 = qd[0] * qd[1];
+  const Scalar t146 = t145 + t145;
+  const Scalar t147 = s[0] * t146;
+  const Scalar t148 = s[1] * t139 - c[1] * t136;
+  const Scalar t149 = (s[2] * t147 - c[2] * t148) + k[15] * t129;
+  const Scalar t150 = s[3] * t144 - c[3] * t149;
+  const Scalar t151 = (s[2] * t148 + c[2] * t147) - k[15] * t117;
+  const Scalar t152 = (t124 + (t128 * t1 - t0 * t133)) - (t150 * t3 - t151 * t5);
+  const Scalar t153 = torque[5] - t152;
+  const Scalar t154 = k[2] * t153;
+  const Scalar t155 = t131 + t132;
+  const Scalar t156 = t108 * t108;
+  const Scalar t157 = t104 * t104;
+  const Scalar t158 = t156 - t157;
+  const Scalar t159 = t143 + t158;
+  const Scalar t160 = t106 + t111;
+  const Scalar t161 = t159 - t160;
+  const Scalar t162 = (k[20] * t123 - k[10] * t128) - k[3] * t161;
+  const Scalar t163 = s[3] * t149 + c[3] * t144;
+  const Scalar t164 = qd[5] + t125;
+  const Scalar t165 = t164 * t164;
+  const Scalar t166 = Scalar(2) * t110 * t164 + t133;
+  const Scalar t167 = t164 * t105;
+  const Scalar t168 = t128 - (t167 + t167);
+  const Scalar t169 = t0 * (t106 - t165) + (t166 * t12 - t18 * t168);
+  const Scalar t170 = (k[11] * t151 + (k[7] * t155 - t162)) + (t3 * t163 - (t123 * t1 - t169));
+  const Scalar t171 = (k[3] * t133 + k[7] * t112) + (k[20] * t128 - k[9] * t123);
+  const Scalar t172 = (t171 - k[14] * t151) + t152;
+  const Scalar t173 = t156 + t157;
+  const Scalar t174 = t119 - t120;
+  const Scalar t175 = k[27] * (t159 - t173) + (k[23] * t121 + k[22] * t174);
+  const Scalar t176 = (k[17] * t149 + k[19] * t151) + ((k[21] * t117 + k[18] * t129) - t175);
+  const Scalar t177 = (s[3] * t170 + c[3] * t172) - t176;
+  const Scalar t178 = (k[10] * t133 + k[9] * t155) - k[20] * (t161 + t112);
+  const Scalar t179 = ((k[3] * t122 - k[7] * t127) + t178) + (k[14] * t163 - k[11] * t150);
+  const Scalar t180 = t106 + t165;
+  const Scalar t181 = (t0 * t122 + (t180 - t160) * t1) + (t166 * t17 - t168 * t12);
+  const Scalar t182 = t179 - (t5 * t163 + t181);
+  const Scalar t183 = t0 * t154 - (torque[4] - t182);
+  const Scalar t184 = t183 * t55;
+  const Scalar t185 = (t62 * t154 - (torque[3] - t177)) - t184 * t61;
+  const Scalar t186 = t68 * t185;
+  const Scalar t187 = t141 - t142;
+  const Scalar t188 = t137 - t187;
+  const Scalar t189 = t143 - t188;
+  const Scalar t190 = (k[26] * t189 - k[45] * t116) + k[29] * t140;
+  const Scalar t191 = t131 - t130;
+  const Scalar t192 = (k[22] * t191 - k[27] * t118) - (k[18] * t121 + k[21] * (t143 - t173));
+  const Scalar t193 = k[30] * t149 + (k[17] * t121 + k[19] * t173);
+  const Scalar t194 = (t122 * t3 - t180 * t5) + (k[14] * (t159 + t112) + k[11] * t133);
+  const Scalar t195 = (k[14] * t155 - k[11] * t160) - (t166 * t5 - t168 * t3);
+  const Scalar t196 = t193 + (c[3] * t194 + s[3] * t195);
+  const Scalar t197 = (t182 + (k[19] * t144 - t192)) + k[15] * t196;
+  const Scalar t198 = (k[23] * t118 - k[27] * t191) - k[18] * t158;
+  const Scalar t199 = (k[17] * t144 - (t198 - k[21] * t174)) - (c[3] * t170 - s[3] * t172);
+  const Scalar t200 = k[30] * t151 + (k[19] * t174 - k[17] * t159);
+  const Scalar t201 = ((t180 - t112) * t3 - t5 * t123) + (k[11] * t128 + k[14] * t123);
+  const Scalar t202 = t200 + t201;
+  const Scalar t203 = t199 - k[15] * t202;
+  const Scalar t204 = t190 + (c[2] * t197 + s[2] * t203);
+  const Scalar t205 = k[29] * t188 + (c[2] * t196 - s[2] * t202);
+  const Scalar t206 = k[30] * t144 + (k[19] * t191 + k[17] * t118);
+  const Scalar t207 = (t206 + (c[3] * t195 - s[3] * t194)) - k[29] * t116;
+  const Scalar t208 = k[38] - c[0] * (k[40] * c[0] - k[41] * s[0]);
+  const Scalar t209 = t137 * t208 - (k[44] * s[0] + k[43] * t138);
+  const Scalar t210 = (t204 - (s[1] * t205 - c[1] * t207)) + t209;
+  const Scalar t211 = t183 * t93 - (t8 * t154 - (torque[1] - t210));
+  const Scalar t212 = t183 * t56 - (t153 * t52 - (torque[2] - t204));
+  const Scalar t213 = t212 + t71 * t185;
+  const Scalar t214 = t213 * t73;
+  const Scalar t215 = (t186 * t67 + t211) - t214 * t70;
+  const Scalar t216 = t134 * (k[35] * s[0] - k[36] * c[0]) + t208 * t146;
+  const Scalar t217 = (k[26] * t115 + k[48] * t119) - (k[33] * t116 - k[34] * t187);
+  const Scalar t218 = k[33] * (t189 - t187) + (k[47] * t119 - k[25] * t115);
+  const Scalar t219 = (t218 + k[34] * t116) + (c[2] * t203 - s[2] * t197);
+  const Scalar t220 = (t177 - (t217 + k[29] * t147)) * t74 + t75 * t219;
+  const Scalar t221 = k[46] * t119 + (c[2] * t202 + s[2] * t196);
+  const Scalar t222 = t154 * t79 - (torque[0] + (t216 + (t220 + c[0] * t221)));
+  const Scalar t223 = t213 * t90 - (t84 * t186 + (t222 - t183 * t83));
+  const Scalar t224 = (s[1] * t47 + c[1] * t31) + (c[1] * t41 + t40);
+  const Scalar t225 = c[0] * (k[38] - t224);
+  const Scalar t226 = s[0] * ((t225 + t225) + s[0] * (t97 - t98));
+  const Scalar t227 = t79 * t80 + ((k[39] - (t97 - t226)) - (k[37] + t26));
+  const Scalar t228 = t89 * t90 - (t84 * t85 + (t227 - t83 * t82));
+  const Scalar t229 = (t101 * t215 + t223) * Scalar(1) / (t95 * t101 - t228);
+  const Scalar t230 = t229 * t101 - t215 * t100;
+  const Scalar t231 = (t214 + t229 * t90) - t230 * t96;
+  const Scalar t232 = (t230 * t69 - (t229 * t85 + t186)) + t71 * t231;
+  const Scalar t233 = ((t184 + t229 * t83) + t230 * t93) + t56 * t231;
+  const Scalar t234 = t65 * t232 - t233;
+  const Scalar t235 = ((t154 + t229 * t80) + t230 * t9) + t231 * t52;
   JointVector<Scalar> result;
-  result[0] = t232;
-  result[1] = t233;
-  result[2] = -t234;
-  result[3] = t235;
-  result[4] = -t237;
-  result[5] = t29 * t237 - (t21 * t235 + t238);
+  result[0] = t229;
+  result[1] = t230;
+  result[2] = t231;
+  result[3] = -t232;
+  result[4] = t234;
+  result[5] = (t60 * t232 - t235) - t234 * t54;
   return result;
 }
 

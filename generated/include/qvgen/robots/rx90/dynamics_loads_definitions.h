@@ -683,114 +683,117 @@ ForwardDynamicsWithGravityVectorConstants<Scalar> forward_dynamics_with_gravity_
     [[maybe_unused]] const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6y * inertia.m6;
+  const Scalar t0 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
   const Scalar t1 = inertia.c6x * inertia.m6;
-  const Scalar t2 = g.D3 / g.RL4;
-  const Scalar t3 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t4 = (inertia.I6xx - t3) - inertia.c6x * t1;
-  const Scalar t5 = (inertia.I6yy - t3) - inertia.c6y * t0;
-  const Scalar t6 = t4 + t5;
-  const Scalar t7 = inertia.c6z * inertia.m6;
-  const Scalar t8 = inertia.c5y * inertia.m5;
-  const Scalar t9 = inertia.c5x * inertia.m5;
-  const Scalar t10 = inertia.c4x * inertia.m4;
-  const Scalar t11 = g.RL4 * t10;
-  const Scalar t12 = inertia.c5z * inertia.m5;
-  const Scalar t13 = inertia.c4y * inertia.m4;
-  const Scalar t14 = inertia.I6xy - inertia.c6y * t1;
-  const Scalar t15 = g.RL4 * t13;
-  const Scalar t16 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t17 = (inertia.c6z * t7 - (inertia.I6zz - t3)) + (inertia.c5y * t8 - (inertia.I5yy - t16));
-  const Scalar t18 = inertia.c3y * inertia.m3;
-  const Scalar t19 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t20 = ((inertia.I4yy - t19) - inertia.c4y * t13) - (inertia.c5z * t12 - (inertia.I5zz - t16));
-  const Scalar t21 = inertia.c3x * inertia.m3;
-  const Scalar t22 = inertia.c2x * inertia.m2;
-  const Scalar t23 = inertia.c3z * inertia.m3;
-  const Scalar t24 = inertia.c2y * inertia.m2;
-  const Scalar t25 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t26 = g.RL4 * inertia.m4;
-  const Scalar t27 = inertia.c4z * inertia.m4;
-  const Scalar t28 = t27 + t26;
-  const Scalar t29 = t26 - t28;
-  const Scalar t30 = g.RL4 * t25 - t29;
-  const Scalar t31 = (t30 + t18) / g.RL4;
-  const Scalar t32 = g.RL4 * g.RL4 * t31;
-  const Scalar t33 = ((inertia.I4zz - t19) - inertia.c4z * t27) - g.RL4 * (t27 + t28);
-  const Scalar t34 = (t33 - g.RL4 * (t29 - t28)) - g.RL4 * (t30 - t29);
-  const Scalar t35 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t36 = (t34 + ((inertia.I3yy - t35) - inertia.c3y * t18)) + t32;
-  const Scalar t37 = inertia.c3x * t21 - (inertia.I3xx - t35);
-  const Scalar t38 = g.RL4 * t21;
-  const Scalar t39 = inertia.I3xy - inertia.c3y * t21;
-  const Scalar t40 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t41 = (inertia.I2yy - t40) - inertia.c2y * t24;
-  const Scalar t42 = g.D3 * t31;
-  const Scalar t43 = g.D3 * (inertia.m3 + t25);
-  const Scalar t44 = (inertia.c2x * t22 - (inertia.I2xx - t40)) + g.D3 * t43;
-  const Scalar t45 = g.D3 * t42 - t44;
-  const Scalar t46 = inertia.I2xy - inertia.c2y * t22;
-  const Scalar t47 = inertia.c1x * inertia.m1;
-  const Scalar t48 = inertia.c1y * inertia.m1;
-  const Scalar t49 = inertia.c2z * inertia.m2;
-  const Scalar t50 = ((inertia.I3zz - t35) - inertia.c3z * t23) + ((inertia.I2zz - t40) - inertia.c2z * t49);
-  const Scalar t51 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  return { g.RL4 * t0,
-           g.RL4 * t1,
+  const Scalar t2 = (inertia.I6xx - t0) - inertia.c6x * t1;
+  const Scalar t3 = inertia.c6y * inertia.m6;
+  const Scalar t4 = (inertia.I6yy - t0) - inertia.c6y * t3;
+  const Scalar t5 = inertia.I6xy - inertia.c6y * t1;
+  const Scalar t6 = inertia.c5x * inertia.m5;
+  const Scalar t7 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t8 = inertia.c6z * inertia.m6;
+  const Scalar t9 = inertia.c5y * inertia.m5;
+  const Scalar t10 = (inertia.c6z * t8 - (inertia.I6zz - t0)) + (inertia.c5y * t9 - (inertia.I5yy - t7));
+  const Scalar t11 = g.RL4 / g.D3;
+  const Scalar t12 = inertia.I6yz - inertia.c6z * t3;
+  const Scalar t13 = t2 + t4;
+  const Scalar t14 = Scalar(1) / t13;
+  const Scalar t15 = inertia.I6xz - inertia.c6z * t1;
+  const Scalar t16 = inertia.c4x * inertia.m4;
+  const Scalar t17 = inertia.c5z * inertia.m5;
+  const Scalar t18 = inertia.c4y * inertia.m4;
+  const Scalar t19 = g.RL4 * t18;
+  const Scalar t20 = g.RL4 * t16;
+  const Scalar t21 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t22 = ((inertia.I4yy - t21) - inertia.c4y * t18) - (inertia.c5z * t17 - (inertia.I5zz - t7));
+  const Scalar t23 = inertia.c3x * inertia.m3;
+  const Scalar t24 = inertia.c3y * inertia.m3;
+  const Scalar t25 = g.D3 * t23;
+  const Scalar t26 = inertia.I3xy - inertia.c3y * t23;
+  const Scalar t27 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t28 = inertia.c3x * t23 - (inertia.I3xx - t27);
+  const Scalar t29 = inertia.c4z * inertia.m4;
+  const Scalar t30 = g.RL4 * inertia.m4;
+  const Scalar t31 = t29 + t30;
+  const Scalar t32 = ((inertia.I4zz - t21) - inertia.c4z * t29) - g.RL4 * (t29 + t31);
+  const Scalar t33 = t30 - t31;
+  const Scalar t34 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t35 = g.RL4 * t34 - t33;
+  const Scalar t36 = (t32 - g.RL4 * (t33 - t31)) - g.RL4 * (t35 - t33);
+  const Scalar t37 = (t35 + t24) / g.RL4;
+  const Scalar t38 = (t36 + ((inertia.I3yy - t27) - inertia.c3y * t24)) + g.RL4 * g.RL4 * t37;
+  const Scalar t39 = g.D3 * t37;
+  const Scalar t40 = g.D3 * t39;
+  const Scalar t41 = inertia.c1x * inertia.m1;
+  const Scalar t42 = inertia.c1y * inertia.m1;
+  const Scalar t43 = inertia.c3z * inertia.m3;
+  const Scalar t44 = inertia.c2z * inertia.m2;
+  const Scalar t45 = inertia.c2x * inertia.m2;
+  const Scalar t46 = inertia.c2y * inertia.m2;
+  const Scalar t47 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t48 = (inertia.I2yy - t47) - inertia.c2y * t46;
+  const Scalar t49 = g.D3 * (inertia.m3 + t34);
+  const Scalar t50 = (inertia.c2x * t45 - (inertia.I2xx - t47)) + g.D3 * t49;
+  const Scalar t51 = t40 - t50;
+  const Scalar t52 = inertia.I2xy - inertia.c2y * t45;
+  const Scalar t53 = ((inertia.I3zz - t27) - inertia.c3z * t43) + ((inertia.I2zz - t47) - inertia.c2z * t44);
+  const Scalar t54 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  return { t2 - t4,
+           Scalar(2) * t5,
            t2,
-           inertia.I6xz - inertia.c6z * t1,
-           inertia.I6yz - inertia.c6z * t0,
-           t6,
-           Scalar(1) / t6,
-           g.RL4 * (t7 + t8),
-           g.RL4 * t9,
+           inertia.c5x * t6 - (inertia.I5xx - t7),
+           t10,
+           g.D3 * (t8 + t9),
+           g.D3 * t3,
+           g.D3 * t1,
+           g.D3 * t6,
            t11,
-           g.RL4 * (t12 - t13),
-           inertia.I5yz - inertia.c5z * t8,
-           t4 - t5,
-           Scalar(2) * t14,
-           t14,
-           inertia.I5xz - inertia.c5z * t9,
-           ((inertia.I4yz - inertia.c4z * t13) - t15) + t15,
-           inertia.I5xy - inertia.c5y * t9,
            t5,
-           inertia.c5x * t9 - (inertia.I5xx - t16),
-           t17,
-           Scalar(2) * t17,
-           ((inertia.I4xz - inertia.c4z * t10) - t11) + t11,
-           inertia.I3yz - inertia.c3z * t18,
-           (inertia.I4xx - t19) - inertia.c4x * t10,
-           t20,
-           inertia.I4xy - inertia.c4y * t10,
-           inertia.I3xz - inertia.c3z * t21,
-           (inertia.I2xz - inertia.c2z * t22) - g.D3 * t23,
-           inertia.I2yz - inertia.c2z * t24,
-           t32,
-           t36,
-           t37,
+           inertia.I5xz - inertia.c5z * t6,
+           t12 * t14,
+           t15 * t14,
+           t13,
+           inertia.I5yz - inertia.c5z * t9,
+           t15,
+           t12,
+           t14,
+           g.D3 * t16,
+           g.D3 * (t17 - t18),
+           ((inertia.I4yz - inertia.c4z * t18) - t19) + t19,
+           inertia.I5xy - inertia.c5y * t6,
+           Scalar(2) * t10,
+           ((inertia.I4xz - inertia.c4z * t16) - t20) + t20,
+           (inertia.I4xx - t21) - inertia.c4x * t16,
+           t22,
+           inertia.I4xy - inertia.c4y * t16,
+           inertia.I3xz - inertia.c3z * t23,
+           inertia.I3yz - inertia.c3z * t24,
+           gravity[2] / g.D3,
+           gravity[1] / g.D3,
+           gravity[0] / g.D3,
+           t25,
+           t26,
+           t28 + t38,
+           t40,
+           t28,
+           t40 * t11,
            t38,
-           t39,
-           t41,
-           t2 * t32,
-           t45,
-           gravity[2] / g.RL4,
-           gravity[1] / g.RL4,
-           gravity[0] / g.RL4,
-           Scalar(2) * t2,
-           g.RL4 * (t42 - (t43 + t22)),
-           g.RL4 * t24,
-           t41 - t45,
-           Scalar(2) * t46,
-           t46,
-           t37 + t36,
-           g.RL4 * t47,
-           g.RL4 * (t48 - (t23 + t49)),
-           Scalar(2) * t38,
-           Scalar(2) * t36,
-           Scalar(2) * t39,
-           Scalar(2) * t37,
-           t50 - (inertia.c1y * t48 - (inertia.I1yy - t51)),
-           inertia.c1x * t47 - (inertia.I1xx - t51) };
+           g.D3 * t41,
+           g.D3 * (t42 - (t43 + t44)),
+           (inertia.I2xz - inertia.c2z * t45) - g.D3 * t43,
+           inertia.I2yz - inertia.c2z * t46,
+           t48 - t51,
+           Scalar(2) * t52,
+           t52,
+           g.D3 * t46,
+           g.D3 * (t39 - (t49 + t45)),
+           Scalar(2) * t25,
+           Scalar(2) * t28,
+           Scalar(2) * t26,
+           t48,
+           t51,
+           t53 - (inertia.c1y * t42 - (inertia.I1yy - t54)),
+           inertia.c1x * t41 - (inertia.I1xx - t54) };
 }
 
 namespace detail {
@@ -799,259 +802,257 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> forward_dynamics_with_gravity_vector([[maybe_unused]] const JointVector<Scalar>& q, [[maybe_unused]] const JointVector<Scalar>& qd, [[maybe_unused]] const JointVector<Scalar>& torque, [[maybe_unused]] const Angles& angles,
     [[maybe_unused]] const ForwardDynamicsWithGravityVectorConstants<Scalar>& k) {
   [[maybe_unused]] const auto& [s, c] = angles;
-  const Scalar t0 = k[4] * c[5] + k[3] * s[5];
-  const Scalar t1 = k[6] * t0;
-  const Scalar t2 = k[12] * s[5] + k[13] * c[5];
-  const Scalar t3 = k[18] + s[5] * t2;
-  const Scalar t4 = k[5] - t3;
-  const Scalar t5 = k[19] - t4;
-  const Scalar t6 = k[20] + t5;
-  const Scalar t7 = Scalar(1) / (t1 * t0 + t6);
-  const Scalar t8 = s[1] * s[2] - c[1] * c[2];
-  const Scalar t9 = k[11] - t0;
-  const Scalar t10 = k[14] - c[5] * t2;
-  const Scalar t11 = k[15] + t10;
-  const Scalar t12 = c[4] * t9 + s[4] * t11;
-  const Scalar t13 = c[4] * t11 - s[4] * t9;
-  const Scalar t14 = k[0] * s[5] - k[1] * c[5];
-  const Scalar t15 = k[8] - t14;
-  const Scalar t16 = k[7] * c[4] + s[4] * t15;
-  const Scalar t17 = t16 + t6;
-  const Scalar t18 = c[2] * s[1] + c[1] * s[2];
-  const Scalar t19 = t8 * t12 - (c[3] * t13 + s[3] * t17) * t18;
-  const Scalar t20 = k[2] * c[1];
-  const Scalar t21 = k[3] * c[5] - k[4] * s[5];
-  const Scalar t22 = c[4] - k[6] * s[4] * t21;
-  const Scalar t23 = k[5] * t22;
-  const Scalar t24 = t14 + (c[4] * t21 + k[5] * s[4]);
-  const Scalar t25 = k[0] * c[5] + k[1] * s[5];
-  const Scalar t26 = c[4] * t25;
-  const Scalar t27 = t26 - t0;
-  const Scalar t28 = t23 * t8 + (c[3] * t24 + s[3] * t27) * t18;
-  const Scalar t29 = t28 - (s[3] * t26 + c[3] * t14) * t20;
-  const Scalar t30 = k[6] * t29;
-  const Scalar t31 = (t19 + s[3] * t16 * t20) + t30 * t0;
-  const Scalar t32 = t7 * t31;
-  const Scalar t33 = k[10] - t25;
-  const Scalar t34 = t33 + (k[16] - t12);
-  const Scalar t35 = k[17] + t21;
-  const Scalar t36 = c[4] * t35;
-  const Scalar t37 = (t36 + t36) + s[4] * (k[21] - t6);
-  const Scalar t38 = c[4] * t15 - k[7] * s[4];
-  const Scalar t39 = k[9] + t38;
-  const Scalar t40 = (k[22] + (c[4] * t37 - t35)) - t39;
-  const Scalar t41 = s[3] * t34 - c[3] * t40;
-  const Scalar t42 = k[34] - t41;
-  const Scalar t43 = t5 + s[4] * t37;
-  const Scalar t44 = k[24] - t43;
-  const Scalar t45 = k[25] + t3;
-  const Scalar t46 = k[26] - t13;
-  const Scalar t47 = c[3] * t46;
-  const Scalar t48 = s[3] * (t44 - t45) + (t47 + t47);
-  const Scalar t49 = s[3] * t48;
-  const Scalar t50 = t44 - t49;
-  const Scalar t51 = k[32] - t50;
-  const Scalar t52 = k[30] + t16;
-  const Scalar t53 = k[31] + ((t43 - t6) - (t52 + t16));
-  const Scalar t54 = s[2] * (t51 + t53) - Scalar(2) * c[2] * t42;
-  const Scalar t55 = s[3] * t33 + c[3] * t39;
-  const Scalar t56 = k[33] + t55;
-  const Scalar t57 = (t42 + c[2] * t54) + k[2] * (s[2] * t56 + c[2] * t52);
-  const Scalar t58 = s[2] * t54;
-  const Scalar t59 = s[2] * t52 - c[2] * t56;
-  const Scalar t60 = (t51 - t58) + k[2] * ((k[36] - t59) - t59);
-  const Scalar t61 = k[37] - t60;
-  const Scalar t62 = k[35] + (t53 - t58);
-  const Scalar t63 = Scalar(2) * c[1] * (k[46] - t57) + s[1] * (t61 - t62);
-  const Scalar t64 = t45 + t49;
-  const Scalar t65 = (k[55] + (s[1] * t63 - t61)) - (k[54] + t64);
-  const Scalar t66 = t50 + t64;
-  const Scalar t67 = (t41 * t18 - t8 * t66) - t55 * t20;
-  const Scalar t68 = t12 + t23 * t1;
-  const Scalar t69 = t7 * t68;
-  const Scalar t70 = (t67 + t29 * t22) - t69 * t31;
-  const Scalar t71 = Scalar(1) / ((t66 - t23 * t22) + t68 * t69);
-  const Scalar t72 = t70 * t71;
-  const Scalar t73 = (t32 * t31 - (t65 + t29 * t30)) - t72 * t70;
-  const Scalar t74 = c[3] * t27 - s[3] * t24;
-  const Scalar t75 = s[3] * t13 - c[3] * t17;
-  const Scalar t76 = t74 * t1 + t75;
-  const Scalar t77 = t76 * t7;
-  const Scalar t78 = s[3] * t40 + c[3] * t34;
-  const Scalar t79 = k[6] * t74;
-  const Scalar t80 = t68 * t77 - (t78 + t23 * t79);
-  const Scalar t81 = t80 * t71;
-  const Scalar t82 = t51 - t53;
-  const Scalar t83 = t80 * t81 + ((t82 + t74 * t79) - t76 * t77);
-  const Scalar t84 = Scalar(1) / t83;
-  const Scalar t85 = k[27] - (c[3] * t48 - t46);
-  const Scalar t86 = k[23] - t78;
-  const Scalar t87 = t85 * t18 - t8 * t86;
-  const Scalar t88 = t80 * t72 + (t77 * t31 - (t29 * t79 + t87));
-  const Scalar t89 = t84 * t88;
-  const Scalar t90 = k[2] * (c[2] * t38 - s[2] * c[3] * t16);
-  const Scalar t91 = s[2] * (s[3] * t14 - c[3] * t26) - c[2] * s[4] * t25;
-  const Scalar t92 = t74 + k[2] * t91;
-  const Scalar t93 = (t90 - t75) - t1 * t92;
-  const Scalar t94 = k[2] * (c[3] * t33 - s[3] * t39);
-  const Scalar t95 = k[6] * t92;
-  const Scalar t96 = t69 * t93 + ((t78 - s[2] * t94) + t23 * t95);
-  const Scalar t97 = t96 * t71;
-  const Scalar t98 = t7 * t93;
-  const Scalar t99 = t98 * t93 - (t95 * t92 - (t61 + t62));
-  const Scalar t100 = ((t82 - k[2] * t59) + t74 * t95) + t77 * t93;
-  const Scalar t101 = t80 * t97 - t100;
-  const Scalar t102 = t84 * t101;
-  const Scalar t103 = Scalar(1) / ((t96 * t97 - t99) - t101 * t102);
-  const Scalar t104 = s[2] * t86 - c[2] * t85;
-  const Scalar t105 = s[1] * (k[28] - (t94 + t104)) + ((s[1] * t104 + t87) + k[29] * c[1]);
-  const Scalar t106 = t97 * t70 + (t32 * t93 + (t105 + t30 * t92));
-  const Scalar t107 = t89 * t101 - t106;
-  const Scalar t108 = t103 * t107;
-  const Scalar t109 = Scalar(1) / ((t73 + t89 * t88) + t108 * t107);
-  const Scalar t110 = qd[0] * t8;
-  const Scalar t111 = qd[3] - t110;
-  const Scalar t112 = qd[1] + qd[2];
-  const Scalar t113 = qd[0] * t18;
-  const Scalar t114 = s[3] * t112 - c[3] * t113;
-  const Scalar t115 = s[4] * t111 - c[4] * t114;
-  const Scalar t116 = c[4] * t111 + s[4] * t114;
-  const Scalar t117 = t115 * t116;
-  const Scalar t118 = t112 * t110;
-  const Scalar t119 = t118 + t118;
-  const Scalar t120 = t113 * t110;
-  const Scalar t121 = s[3] * t119 - c[3] * t120;
-  const Scalar t122 = t111 * t114;
-  const Scalar t123 = t121 + t122;
-  const Scalar t124 = t117 + t123;
-  const Scalar t125 = c[3] * t119 + s[3] * t120;
-  const Scalar t126 = c[3] * t112 + s[3] * t113;
-  const Scalar t127 = t111 * t126;
-  const Scalar t128 = t125 + (t127 + t127);
-  const Scalar t129 = t113 * t112;
-  const Scalar t130 = t126 * t114;
-  const Scalar t131 = t129 + t130;
-  const Scalar t132 = c[4] * t128 + s[4] * t131;
-  const Scalar t133 = qd[4] + t126;
-  const Scalar t134 = t116 * t133;
-  const Scalar t135 = t132 - (t134 + t134);
-  const Scalar t136 = s[4] * t128 - c[4] * t131;
-  const Scalar t137 = t115 * t133;
-  const Scalar t138 = t136 - (t137 + t137);
-  const Scalar t139 = t115 * t115;
-  const Scalar t140 = t133 * t133 - t139;
-  const Scalar t141 = (t138 * t4 + t3 * t136) - t140 * t10;
-  const Scalar t142 = qd[0] * qd[0];
-  const Scalar t143 = k[40] * c[0] + k[39] * s[0];
-  const Scalar t144 = s[1] * t143 - k[38] * c[1];
-  const Scalar t145 = k[2] * t142 * c[1] * s[1] + t144;
-  const Scalar t146 = c[1] * t143 + k[38] * s[1];
-  const Scalar t147 = qd[1] * qd[1];
-  const Scalar t148 = qd[0] * c[1];
-  const Scalar t149 = t146 + k[2] * (t147 + t148 * t148);
-  const Scalar t150 = t120 - (s[2] * t145 - c[2] * t149);
-  const Scalar t151 = k[40] * s[0] - k[39] * c[0];
-  const Scalar t152 = qd[0] * qd[1];
-  const Scalar t153 = t151 - k[41] * s[1] * t152;
-  const Scalar t154 = t153 + t119;
-  const Scalar t155 = s[3] * t150 + c[3] * t154;
-  const Scalar t156 = t112 * t112;
-  const Scalar t157 = t110 * t110;
-  const Scalar t158 = t156 - t157;
-  const Scalar t159 = t142 + t158;
-  const Scalar t160 = s[2] * t149 + c[2] * t145;
-  const Scalar t161 = t159 - t160;
-  const Scalar t162 = c[3] * t150 - s[3] * t154;
-  const Scalar t163 = s[4] * t161 + c[4] * t162;
-  const Scalar t164 = ((t124 * t0 - t135 * t21) - t141) - (t14 * t155 - t25 * t163);
-  const Scalar t165 = torque[5] - t164;
-  const Scalar t166 = k[6] * t165;
-  const Scalar t167 = qd[5] + t116;
-  const Scalar t168 = t167 * t167;
-  const Scalar t169 = t168 - t139;
-  const Scalar t170 = t135 + Scalar(2) * t167 * t133;
-  const Scalar t171 = t115 * t167;
-  const Scalar t172 = (t171 - t124) + t171;
-  const Scalar t173 = (t0 * t136 + t169 * t21) + (t170 * t10 + t172 * t4);
-  const Scalar t174 = s[4] * t162 - c[4] * t161;
-  const Scalar t175 = t169 - t140;
-  const Scalar t176 = t168 + t139;
-  const Scalar t177 = t175 - t176;
-  const Scalar t178 = t111 * t111;
-  const Scalar t179 = t126 * t126;
-  const Scalar t180 = t178 - t179;
-  const Scalar t181 = t159 + t180;
-  const Scalar t182 = t181 + t140;
-  const Scalar t183 = t177 + t182;
-  const Scalar t184 = t117 - t123;
-  const Scalar t185 = k[17] * t183 + (k[20] * t124 - k[19] * t184);
-  const Scalar t186 = (t185 + (k[15] * t132 - k[11] * t136)) - (k[8] * t174 + k[7] * t163);
-  const Scalar t187 = (t173 + t14 * t174) + t186;
-  const Scalar t188 = t0 * t166 - (torque[4] + t187);
-  const Scalar t189 = t156 + t157;
-  const Scalar t190 = t159 - t189;
-  const Scalar t191 = (k[34] * t190 - k[47] * t120) + k[33] * t160;
-  const Scalar t192 = (t172 * t10 + t3 * t170) - t175 * t0;
-  const Scalar t193 = (k[20] * t135 - k[17] * t138) + k[11] * (t140 - t183);
-  const Scalar t194 = (t25 * t174 + (t192 + t138 * t21)) + ((k[15] * t184 - t193) - k[7] * t155);
-  const Scalar t195 = (k[11] * t124 - k[15] * t140) + (k[17] * t135 - k[19] * t138);
-  const Scalar t196 = t164 - (t195 - k[8] * t155);
-  const Scalar t197 = t123 + t122;
-  const Scalar t198 = (k[25] * t128 + k[26] * t197) - k[16] * t180;
-  const Scalar t199 = t129 - t130;
-  const Scalar t200 = (c[4] * t194 - s[4] * t196) + (k[10] * t161 + (t198 - k[22] * t199));
-  const Scalar t201 = t178 + t179;
-  const Scalar t202 = t181 - t201;
-  const Scalar t203 = (k[26] * t128 + k[24] * t197) + (k[22] * (t202 - t180) + k[16] * t131);
-  const Scalar t204 = (t203 - k[9] * t161) - t187;
-  const Scalar t205 = (k[8] * t184 + k[7] * t177) - (t25 * t170 + t14 * t172);
-  const Scalar t206 = (t25 * t136 - t14 * (t140 + t176)) + (k[8] * t182 - k[7] * t124);
-  const Scalar t207 = k[30] * t162 + (k[9] * t201 + k[10] * t131);
-  const Scalar t208 = (s[4] * t205 + c[4] * t206) + t207;
-  const Scalar t209 = (k[7] * t135 + k[8] * t138) - (t25 * t176 + t14 * t138);
-  const Scalar t210 = k[30] * t155 + (k[10] * t181 - k[9] * t199);
-  const Scalar t211 = t209 + t210;
-  const Scalar t212 = c[3] * t208 + s[3] * t211;
-  const Scalar t213 = t191 - ((s[3] * t200 - c[3] * t204) - t212);
-  const Scalar t214 = t77 * t188 - (t165 * t79 + (torque[2] - t213));
-  const Scalar t215 = (k[25] * t131 + k[24] * t199) + k[26] * t202;
-  const Scalar t216 = ((k[22] * t125 - k[16] * t121) - t215) + (k[10] * t162 - k[9] * t155);
-  const Scalar t217 = t216 - (c[4] * t196 + s[4] * t194);
-  const Scalar t218 = t7 * t188;
-  const Scalar t219 = (t22 * t165 - (torque[3] + t217)) - t218 * t68;
-  const Scalar t220 = t219 * t71;
-  const Scalar t221 = t84 * (t214 + t80 * t220);
-  const Scalar t222 = k[46] + c[1] * (k[44] * s[1] - k[45] * c[1]);
-  const Scalar t223 = t222 * Scalar(2) * t152 - (k[28] * c[1] - k[29] * s[1]) * t147;
-  const Scalar t224 = t223 + t151 * (k[43] * s[1] + k[42] * c[1]);
-  const Scalar t225 = c[3] * t211 - s[3] * t208;
-  const Scalar t226 = (k[51] * t118 - k[52] * t129) - k[23] * t158;
-  const Scalar t227 = (t226 - k[27] * t120) + ((c[3] * t200 + s[3] * t204) - t225);
-  const Scalar t228 = (k[53] * t129 + k[52] * t118) - (k[27] * (t158 - t190) + k[23] * t120);
-  const Scalar t229 = t18 * t227 - t8 * ((k[33] * t153 - t228) - t217);
-  const Scalar t230 = t224 + ((k[50] * t129 - t225) * t20 - t229);
-  const Scalar t231 = torque[0] - ((k[49] * t143 + k[48] * t151) - t230);
-  const Scalar t232 = t220 * t70 + ((t231 + t29 * t166) - t32 * t188);
-  const Scalar t233 = k[30] * t161 - (k[10] * t128 - k[9] * t197);
-  const Scalar t234 = (t233 + (s[4] * t206 - c[4] * t205)) + k[33] * t120;
-  const Scalar t235 = s[2] * (k[33] * t189 + t212) + c[2] * t234;
-  const Scalar t236 = t142 * t222 - (k[42] * t144 - k[43] * t146);
-  const Scalar t237 = (torque[1] + ((k[2] * t235 - t213) - t236)) + t165 * t95;
-  const Scalar t238 = (t97 * t219 + (t237 + t98 * t188)) - t101 * t221;
-  const Scalar t239 = t109 * ((t88 * t221 - t232) - t108 * t238);
-  const Scalar t240 = t103 * t238 + t239 * t108;
-  const Scalar t241 = t240 * t102 + (t239 * t89 - t221);
-  const Scalar t242 = t81 * t241 + ((t220 - t239 * t72) - t240 * t97);
-  const Scalar t243 = ((t218 - t239 * t32) + t240 * t98) - t241 * t77;
-  const Scalar t244 = t243 + t69 * t242;
-  const Scalar t245 = ((t30 * t239 - t166) + t240 * t95) + t241 * t79;
+  const Scalar t0 = k[6] * c[5] + k[7] * s[5];
+  const Scalar t1 = k[7] * c[5] - k[6] * s[5];
+  const Scalar t2 = c[4] * t0;
+  const Scalar t3 = c[2] * s[4] * t0 + s[2] * (s[3] * t1 + c[3] * t2);
+  const Scalar t4 = k[13] * s[5] + k[12] * c[5];
+  const Scalar t5 = k[14] * t4;
+  const Scalar t6 = t5 - k[9] * t2;
+  const Scalar t7 = k[17] * s[5] - k[16] * c[5];
+  const Scalar t8 = (c[4] * t7 - k[14] * s[4]) + k[9] * t1;
+  const Scalar t9 = c[3] * t6 - s[3] * t8;
+  const Scalar t10 = t3 + t9;
+  const Scalar t11 = k[18] * t9;
+  const Scalar t12 = k[22] - t7;
+  const Scalar t13 = c[4] * t12;
+  const Scalar t14 = k[0] * s[5] + k[1] * c[5];
+  const Scalar t15 = k[2] - s[5] * t14;
+  const Scalar t16 = k[3] - t15;
+  const Scalar t17 = k[4] + t16;
+  const Scalar t18 = (t13 + t13) + s[4] * (k[23] - t17);
+  const Scalar t19 = s[4] * t18;
+  const Scalar t20 = k[8] + t1;
+  const Scalar t21 = k[5] * c[4] + s[4] * t20;
+  const Scalar t22 = k[38] + t21;
+  const Scalar t23 = k[39] - ((k[4] - t19) + k[9] * (t22 + t21));
+  const Scalar t24 = k[14] - t15;
+  const Scalar t25 = k[26] + t24;
+  const Scalar t26 = k[25] - (t19 + t16);
+  const Scalar t27 = t25 + t26;
+  const Scalar t28 = k[15] - t5;
+  const Scalar t29 = k[10] - c[5] * t14;
+  const Scalar t30 = k[11] + t29;
+  const Scalar t31 = s[4] * t28 - c[4] * t30;
+  const Scalar t32 = k[27] + t31;
+  const Scalar t33 = c[3] * t32;
+  const Scalar t34 = (t33 + t33) - s[3] * (t25 - t26);
+  const Scalar t35 = t25 + s[3] * t34;
+  const Scalar t36 = k[37] - (t27 - t35);
+  const Scalar t37 = t23 - t36;
+  const Scalar t38 = k[20] - t0;
+  const Scalar t39 = k[5] * s[4] - c[4] * t20;
+  const Scalar t40 = k[19] - t39;
+  const Scalar t41 = s[3] * t38 + c[3] * t40;
+  const Scalar t42 = k[33] + t41;
+  const Scalar t43 = c[2] * t42 - s[2] * t22;
+  const Scalar t44 = Scalar(1) / (t17 + t5 * t4);
+  const Scalar t45 = k[9] * t21 + t17;
+  const Scalar t46 = c[3] * t45 + s[3] * t31;
+  const Scalar t47 = t5 * t11 + t46;
+  const Scalar t48 = t44 * t47;
+  const Scalar t49 = t46 - (c[2] * t39 + s[2] * c[3] * t21);
+  const Scalar t50 = t10 * t4 + t49;
+  const Scalar t51 = (t10 * t11 - (t37 - t43)) - t48 * t50;
+  const Scalar t52 = s[4] * t7 + k[14] * c[4];
+  const Scalar t53 = c[4] * t28 + s[4] * t30;
+  const Scalar t54 = t4 * t52 + t53;
+  const Scalar t55 = t44 * t54;
+  const Scalar t56 = k[18] * t52;
+  const Scalar t57 = Scalar(1) / (t55 * t54 - (t52 * t56 - t27));
+  const Scalar t58 = k[18] * t10;
+  const Scalar t59 = s[3] * t40 - c[3] * t38;
+  const Scalar t60 = k[21] - t53;
+  const Scalar t61 = k[24] - (t12 - c[4] * t18);
+  const Scalar t62 = (c[3] * t60 + s[3] * t61) - k[9] * t59;
+  const Scalar t63 = t55 * t50 - (t58 * t52 - (s[2] * t59 + t62));
+  const Scalar t64 = t57 * t63;
+  const Scalar t65 = t55 * t47 - (t9 * t56 - t62);
+  const Scalar t66 = t51 + t64 * t65;
+  const Scalar t67 = t57 * t65;
+  const Scalar t68 = ((t37 - t11 * t9) + t48 * t47) - t67 * t65;
+  const Scalar t69 = Scalar(1) / t68;
+  const Scalar t70 = t69 * t66;
+  const Scalar t71 = t44 * t50;
+  const Scalar t72 = (s[3] * t60 - c[3] * t61) + k[9] * t41;
+  const Scalar t73 = k[34] - t72;
+  const Scalar t74 = Scalar(2) * c[2] * t73 - s[2] * (t23 + t36);
+  const Scalar t75 = t36 + s[2] * t74;
+  const Scalar t76 = k[53] - ((t43 + (k[36] + t43)) + t75);
+  const Scalar t77 = k[52] + (t37 + t75);
+  const Scalar t78 = t50 * t71 + ((t76 + t77) - t58 * t10);
+  const Scalar t79 = Scalar(1) / (t66 * t70 - (t78 - t64 * t63));
+  const Scalar t80 = s[1] * s[2] - c[1] * c[2];
+  const Scalar t81 = c[2] * s[1] + c[1] * s[2];
+  const Scalar t82 = t80 * t52 - t81 * (s[3] * t6 + c[3] * t8);
+  const Scalar t83 = c[1] * (c[3] * t1 - s[3] * t2) + t82;
+  const Scalar t84 = (c[3] * t31 - s[3] * t45) * t81 + t80 * t53;
+  const Scalar t85 = t83 * t4 + (t84 + c[1] * s[3] * t21);
+  const Scalar t86 = c[1] * t41 - (t81 * t72 - t80 * t27);
+  const Scalar t87 = t55 * t85 + (t86 - t83 * t56);
+  const Scalar t88 = t87 * t57;
+  const Scalar t89 = k[29] - t62;
+  const Scalar t90 = k[28] - (c[3] * t34 - t32);
+  const Scalar t91 = t80 * t89 - t90 * t81;
+  const Scalar t92 = t88 * t65 - (t48 * t85 - (t83 * t11 + t91));
+  const Scalar t93 = t69 * t92;
+  const Scalar t94 = c[2] * t90 - s[2] * t89;
+  const Scalar t95 = s[1] * (k[42] + (t94 + t59)) - ((s[1] * t94 + t91) - k[43] * c[1]);
+  const Scalar t96 = k[18] * t83;
+  const Scalar t97 = t87 * t64 - (t85 * t71 + (t95 - t10 * t96));
+  const Scalar t98 = t93 * t66 + t97;
+  const Scalar t99 = t79 * t98;
+  const Scalar t100 = (c[2] * t74 - t73) - (c[2] * t22 + s[2] * t42);
+  const Scalar t101 = s[1] * (t76 - t77) + Scalar(2) * c[1] * (k[46] + t100);
+  const Scalar t102 = (k[54] + t35) - (k[55] + (s[1] * t101 - t76));
+  const Scalar t103 = t44 * t85;
+  const Scalar t104 = ((t102 - t83 * t96) + t85 * t103) - t87 * t88;
+  const Scalar t105 = Scalar(1) / (t99 * t98 - (t93 * t92 - t104));
+  const Scalar t106 = qd[1] + qd[2];
+  const Scalar t107 = qd[0] * t80;
+  const Scalar t108 = t106 * t107;
+  const Scalar t109 = t108 + t108;
+  const Scalar t110 = qd[0] * t81;
+  const Scalar t111 = t110 * t107;
+  const Scalar t112 = c[3] * t109 + s[3] * t111;
+  const Scalar t113 = qd[3] - t107;
+  const Scalar t114 = c[3] * t106 + s[3] * t110;
+  const Scalar t115 = t112 + Scalar(2) * t113 * t114;
+  const Scalar t116 = t110 * t106;
+  const Scalar t117 = c[3] * t110;
+  const Scalar t118 = s[3] * t106 - t117;
+  const Scalar t119 = t114 * t118;
+  const Scalar t120 = t116 + t119;
+  const Scalar t121 = s[4] * t115 - c[4] * t120;
+  const Scalar t122 = s[4] * t113 - c[4] * t118;
+  const Scalar t123 = qd[4] + t114;
+  const Scalar t124 = t122 * t123;
+  const Scalar t125 = t121 - (t124 + t124);
+  const Scalar t126 = t123 * t123;
+  const Scalar t127 = t122 * t122;
+  const Scalar t128 = t126 - t127;
+  const Scalar t129 = (t125 * t15 + t24 * t121) - t128 * t29;
+  const Scalar t130 = c[4] * t113 + s[4] * t118;
+  const Scalar t131 = t130 * t123;
+  const Scalar t132 = s[4] * t120 + c[4] * t115;
+  const Scalar t133 = t131 - (t132 - t131);
+  const Scalar t134 = t122 * t130;
+  const Scalar t135 = t107 * t117 - s[3] * t109;
+  const Scalar t136 = t113 * t118;
+  const Scalar t137 = t135 - t136;
+  const Scalar t138 = t134 - t137;
+  const Scalar t139 = qd[0] * qd[0];
+  const Scalar t140 = k[32] * c[0] + k[31] * s[0];
+  const Scalar t141 = k[30] * c[1] - s[1] * t140;
+  const Scalar t142 = t139 * c[1] * s[1] - t141;
+  const Scalar t143 = qd[1] * qd[1];
+  const Scalar t144 = qd[0] * c[1];
+  const Scalar t145 = c[1] * t140 + k[30] * s[1];
+  const Scalar t146 = (t143 + t144 * t144) + t145;
+  const Scalar t147 = s[2] * t142 - c[2] * t146;
+  const Scalar t148 = Scalar(2) * qd[0] * qd[1];
+  const Scalar t149 = k[31] * c[0] - k[32] * s[0];
+  const Scalar t150 = s[1] * t148 + t149;
+  const Scalar t151 = k[9] * t112 - (s[3] * t147 + c[3] * t150);
+  const Scalar t152 = k[9] * t135 - (c[3] * t147 - s[3] * t150);
+  const Scalar t153 = t118 * t118;
+  const Scalar t154 = t114 * t114;
+  const Scalar t155 = t153 + t154;
+  const Scalar t156 = s[2] * t146 + c[2] * t142;
+  const Scalar t157 = k[9] * t155 - t156;
+  const Scalar t158 = c[4] * t152 + s[4] * t157;
+  const Scalar t159 = (t129 + (t133 * t7 - t5 * t138)) - (t1 * t151 + t158 * t0);
+  const Scalar t160 = torque[5] + t159;
+  const Scalar t161 = k[18] * t160;
+  const Scalar t162 = t137 - t136;
+  const Scalar t163 = t130 * t130;
+  const Scalar t164 = t163 + t127;
+  const Scalar t165 = (k[26] * t115 - k[27] * t162) - k[21] * (t164 - t155);
+  const Scalar t166 = t116 - t119;
+  const Scalar t167 = s[4] * t152 - c[4] * t157;
+  const Scalar t168 = t126 - t163;
+  const Scalar t169 = t168 + t164;
+  const Scalar t170 = qd[5] + t130;
+  const Scalar t171 = t170 * t170;
+  const Scalar t172 = t171 + t127;
+  const Scalar t173 = t169 - t172;
+  const Scalar t174 = t122 * t170;
+  const Scalar t175 = t174 + (t174 - t138);
+  const Scalar t176 = t170 * t123;
+  const Scalar t177 = (t133 - t176) - t176;
+  const Scalar t178 = t173 * t5 + (t175 * t29 - t24 * t177);
+  const Scalar t179 = t134 + t137;
+  const Scalar t180 = k[15] * t168 - (k[4] * t133 + k[22] * t125);
+  const Scalar t181 = (t167 * t0 + (t178 - t125 * t7)) - (k[5] * t151 - (k[11] * t179 - t180));
+  const Scalar t182 = (k[3] * t125 + k[22] * t133) + (k[11] * t128 - k[15] * t138);
+  const Scalar t183 = t159 - (k[8] * t151 + t182);
+  const Scalar t184 = (k[20] * t157 + (t165 - k[24] * t166)) + (c[4] * t181 + s[4] * t183);
+  const Scalar t185 = t153 - t154;
+  const Scalar t186 = t164 - t185;
+  const Scalar t187 = (k[25] * t162 - k[27] * t115) + (k[24] * (t186 - t155) - k[21] * t120);
+  const Scalar t188 = (t15 * t175 - t29 * t177) + (t7 * (t173 - t128) + t121 * t5);
+  const Scalar t189 = k[22] * (t168 - t128) + (k[3] * t179 - k[4] * t138);
+  const Scalar t190 = (k[5] * t158 + k[8] * t167) + (t189 - (k[11] * t132 - k[15] * t121));
+  const Scalar t191 = (t188 - t167 * t1) - t190;
+  const Scalar t192 = (t187 + k[19] * t157) + t191;
+  const Scalar t193 = k[36] * t151 - (k[19] * t166 - k[20] * t164);
+  const Scalar t194 = (t172 * t0 - t125 * t1) - (k[8] * t125 - k[5] * t133);
+  const Scalar t195 = t193 - t194;
+  const Scalar t196 = (t121 * t0 + (t126 + t171) * t1) - (k[5] * t138 - k[8] * (t126 + t163));
+  const Scalar t197 = (t1 * t175 + t177 * t0) - (k[5] * t169 - k[8] * t179);
+  const Scalar t198 = (k[20] * t120 + k[19] * t186) + k[36] * t152;
+  const Scalar t199 = (c[4] * t196 + s[4] * t197) + t198;
+  const Scalar t200 = s[3] * t195 + c[3] * t199;
+  const Scalar t201 = (s[3] * t184 + c[3] * t192) - k[9] * t200;
+  const Scalar t202 = t106 * t106;
+  const Scalar t203 = t107 * t107;
+  const Scalar t204 = t202 - t203;
+  const Scalar t205 = t202 + t203;
+  const Scalar t206 = t139 - t205;
+  const Scalar t207 = k[33] * t156 + (k[34] * (t204 + t206) - k[35] * t111);
+  const Scalar t208 = t201 - t207;
+  const Scalar t209 = t160 * t4 - (torque[4] + t191);
+  const Scalar t210 = (t161 * t9 - (torque[2] + t208)) - t48 * t209;
+  const Scalar t211 = k[27] * t185 + (k[25] * t166 + k[26] * t120);
+  const Scalar t212 = (k[19] * t151 - k[20] * t152) - ((k[21] * t135 + k[24] * t112) - t211);
+  const Scalar t213 = t212 + (s[4] * t181 - c[4] * t183);
+  const Scalar t214 = (t161 * t52 - (torque[3] - t213)) - t55 * t209;
+  const Scalar t215 = t214 * t57;
+  const Scalar t216 = t210 - t215 * t65;
+  const Scalar t217 = k[36] * t157 - (k[19] * t162 + k[20] * t115);
+  const Scalar t218 = k[33] * t111 + (t217 - (c[4] * t197 - s[4] * t196));
+  const Scalar t219 = s[2] * (t200 + k[33] * t205) + c[2] * t218;
+  const Scalar t220 = k[46] + c[1] * (k[44] * s[1] - k[45] * c[1]);
+  const Scalar t221 = t139 * t220 + (k[47] * t145 + k[48] * t141);
+  const Scalar t222 = (torque[1] + ((t208 + t219) - t221)) - t58 * t160;
+  const Scalar t223 = t216 * t70 - ((t222 + t209 * t71) + t214 * t64);
+  const Scalar t224 = t79 * t223;
+  const Scalar t225 = t69 * t216;
+  const Scalar t226 = t44 * t209;
+  const Scalar t227 = (k[43] * s[1] - k[42] * c[1]) * t143 + t220 * t148;
+  const Scalar t228 = t227 - t149 * (k[48] * c[1] + k[47] * s[1]);
+  const Scalar t229 = c[3] * t195 - s[3] * t199;
+  const Scalar t230 = (s[3] * t192 - c[3] * t184) + k[9] * t229;
+  const Scalar t231 = k[29] * t204 + (k[51] * t116 - k[39] * t109);
+  const Scalar t232 = (k[50] * t116 + k[34] * t109) + (k[28] * t206 - k[29] * t111);
+  const Scalar t233 = (t230 + (k[28] * t111 + t231)) * t81 - t80 * ((k[33] * t150 + t232) - t213);
+  const Scalar t234 = t228 + (c[1] * (k[49] * t116 - t229) + t233);
+  const Scalar t235 = torque[0] + ((k[40] * t149 - k[41] * t140) + t234);
+  const Scalar t236 = (t226 * t85 - (t235 + t83 * t161)) + t214 * t88;
+  const Scalar t237 = t105 * (t224 * t98 - (t225 * t92 - t236));
+  const Scalar t238 = t224 - t99 * t237;
+  const Scalar t239 = (t225 - t93 * t237) - t238 * t70;
+  const Scalar t240 = ((t215 + t88 * t237) + t64 * t238) - t239 * t67;
+  const Scalar t241 = t48 * t239 + ((t226 - t103 * t237) - t238 * t71);
+  const Scalar t242 = t240 * t55 + t241;
+  const Scalar t243 = t239 * t11 - (t58 * t238 - (t161 - t96 * t237));
   JointVector<Scalar> result;
-  result[0] = t239;
-  result[1] = t240;
-  result[2] = t241;
-  result[3] = t242;
-  result[4] = -t244;
-  result[5] = (t245 - t22 * t242) + t244 * t1;
+  result[0] = t237;
+  result[1] = -t238;
+  result[2] = t239;
+  result[3] = t240;
+  result[4] = -t242;
+  result[5] = t4 * t242 - (t240 * t56 + t243);
   return result;
 }
 
@@ -1077,121 +1078,118 @@ ForwardDynamicsWithWrenchConstants<Scalar> forward_dynamics_with_wrench_constant
     [[maybe_unused]] const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t1 = inertia.c6x * inertia.m6;
-  const Scalar t2 = (inertia.I6xx - t0) - inertia.c6x * t1;
-  const Scalar t3 = inertia.c6y * inertia.m6;
-  const Scalar t4 = (inertia.I6yy - t0) - inertia.c6y * t3;
-  const Scalar t5 = t2 + t4;
-  const Scalar t6 = inertia.I6xz - inertia.c6z * t1;
-  const Scalar t7 = inertia.I6yz - inertia.c6z * t3;
-  const Scalar t8 = Scalar(1) / t5;
-  const Scalar t9 = inertia.I6xy - inertia.c6y * t1;
-  const Scalar t10 = g.D3 / g.RL4;
-  const Scalar t11 = inertia.c4y * inertia.m4;
-  const Scalar t12 = g.RL4 * t11;
-  const Scalar t13 = inertia.c4x * inertia.m4;
-  const Scalar t14 = g.RL4 * t13;
+  const Scalar t0 = inertia.c6y * inertia.m6;
+  const Scalar t1 = inertia.I6yz - inertia.c6z * t0;
+  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t3 = inertia.c6x * inertia.m6;
+  const Scalar t4 = (inertia.I6xx - t2) - inertia.c6x * t3;
+  const Scalar t5 = (inertia.I6yy - t2) - inertia.c6y * t0;
+  const Scalar t6 = t4 + t5;
+  const Scalar t7 = Scalar(1) / t6;
+  const Scalar t8 = inertia.I6xz - inertia.c6z * t3;
+  const Scalar t9 = inertia.c5x * inertia.m5;
+  const Scalar t10 = inertia.I6xy - inertia.c6y * t3;
+  const Scalar t11 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t12 = inertia.c6z * inertia.m6;
+  const Scalar t13 = inertia.c5y * inertia.m5;
+  const Scalar t14 = (inertia.c6z * t12 - (inertia.I6zz - t2)) + (inertia.c5y * t13 - (inertia.I5yy - t11));
   const Scalar t15 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t16 = inertia.c5z * inertia.m5;
-  const Scalar t17 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t18 = ((inertia.I4yy - t15) - inertia.c4y * t11) - (inertia.c5z * t16 - (inertia.I5zz - t17));
-  const Scalar t19 = inertia.c5x * inertia.m5;
-  const Scalar t20 = inertia.c5y * inertia.m5;
-  const Scalar t21 = inertia.c6z * inertia.m6;
-  const Scalar t22 = (inertia.c6z * t21 - (inertia.I6zz - t0)) + (inertia.c5y * t20 - (inertia.I5yy - t17));
-  const Scalar t23 = inertia.c1x * inertia.m1;
-  const Scalar t24 = inertia.c1y * inertia.m1;
-  const Scalar t25 = inertia.c3z * inertia.m3;
-  const Scalar t26 = inertia.c2z * inertia.m2;
-  const Scalar t27 = inertia.c2x * inertia.m2;
-  const Scalar t28 = inertia.c2y * inertia.m2;
-  const Scalar t29 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t30 = (inertia.I2yy - t29) - inertia.c2y * t28;
-  const Scalar t31 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t32 = g.RL4 * inertia.m4;
-  const Scalar t33 = inertia.c4z * inertia.m4;
-  const Scalar t34 = t33 + t32;
-  const Scalar t35 = t32 - t34;
-  const Scalar t36 = g.RL4 * t31 - t35;
-  const Scalar t37 = inertia.c3y * inertia.m3;
-  const Scalar t38 = (t36 + t37) / g.RL4;
-  const Scalar t39 = g.D3 * t38;
-  const Scalar t40 = g.D3 * (inertia.m3 + t31);
-  const Scalar t41 = (inertia.c2x * t27 - (inertia.I2xx - t29)) + g.D3 * t40;
-  const Scalar t42 = g.D3 * t39 - t41;
-  const Scalar t43 = inertia.I2xy - inertia.c2y * t27;
-  const Scalar t44 = inertia.c3x * inertia.m3;
-  const Scalar t45 = g.RL4 * t44;
-  const Scalar t46 = g.RL4 * g.RL4 * t38;
-  const Scalar t47 = inertia.I3xy - inertia.c3y * t44;
-  const Scalar t48 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t49 = inertia.c3x * t44 - (inertia.I3xx - t48);
-  const Scalar t50 = ((inertia.I4zz - t15) - inertia.c4z * t33) - g.RL4 * (t33 + t34);
-  const Scalar t51 = (t50 - g.RL4 * (t35 - t34)) - g.RL4 * (t36 - t35);
-  const Scalar t52 = (t51 + ((inertia.I3yy - t48) - inertia.c3y * t37)) + t46;
-  const Scalar t53 = ((inertia.I3zz - t48) - inertia.c3z * t25) + ((inertia.I2zz - t29) - inertia.c2z * t26);
-  const Scalar t54 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  return { t5,
+  const Scalar t16 = inertia.c4x * inertia.m4;
+  const Scalar t17 = inertia.c4y * inertia.m4;
+  const Scalar t18 = inertia.c5z * inertia.m5;
+  const Scalar t19 = ((inertia.I4yy - t15) - inertia.c4y * t17) - (inertia.c5z * t18 - (inertia.I5zz - t11));
+  const Scalar t20 = g.RL4 / g.D3;
+  const Scalar t21 = g.RL4 * t17;
+  const Scalar t22 = g.RL4 * t16;
+  const Scalar t23 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t24 = g.RL4 * inertia.m4;
+  const Scalar t25 = inertia.c4z * inertia.m4;
+  const Scalar t26 = t25 + t24;
+  const Scalar t27 = t24 - t26;
+  const Scalar t28 = g.RL4 * t23 - t27;
+  const Scalar t29 = inertia.c3y * inertia.m3;
+  const Scalar t30 = (t28 + t29) / g.RL4;
+  const Scalar t31 = g.D3 * t30;
+  const Scalar t32 = g.D3 * t31;
+  const Scalar t33 = ((inertia.I4zz - t15) - inertia.c4z * t25) - g.RL4 * (t25 + t26);
+  const Scalar t34 = (t33 - g.RL4 * (t27 - t26)) - g.RL4 * (t28 - t27);
+  const Scalar t35 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t36 = (t34 + ((inertia.I3yy - t35) - inertia.c3y * t29)) + g.RL4 * g.RL4 * t30;
+  const Scalar t37 = inertia.c3x * inertia.m3;
+  const Scalar t38 = inertia.c3x * t37 - (inertia.I3xx - t35);
+  const Scalar t39 = inertia.I3xy - inertia.c3y * t37;
+  const Scalar t40 = g.D3 * t37;
+  const Scalar t41 = inertia.c2x * inertia.m2;
+  const Scalar t42 = inertia.I2xy - inertia.c2y * t41;
+  const Scalar t43 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t44 = inertia.c2y * inertia.m2;
+  const Scalar t45 = (inertia.I2yy - t43) - inertia.c2y * t44;
+  const Scalar t46 = g.D3 * (inertia.m3 + t23);
+  const Scalar t47 = (inertia.c2x * t41 - (inertia.I2xx - t43)) + g.D3 * t46;
+  const Scalar t48 = t32 - t47;
+  const Scalar t49 = inertia.c1x * inertia.m1;
+  const Scalar t50 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t51 = inertia.c3z * inertia.m3;
+  const Scalar t52 = inertia.c2z * inertia.m2;
+  const Scalar t53 = ((inertia.I3zz - t35) - inertia.c3z * t51) + ((inertia.I2zz - t43) - inertia.c2z * t52);
+  const Scalar t54 = inertia.c1y * inertia.m1;
+  return { t1 * t7,
+           t8 * t7,
            t6,
-           t7,
            t8,
-           t7 * t8,
-           t6 * t8,
-           t2 - t4,
-           Scalar(2) * t9,
-           t9,
-           t4,
-           g.RL4 * t3,
-           g.RL4 * t1,
-           gravity[2] / g.RL4,
-           gravity[1] / g.RL4,
-           gravity[0] / g.RL4,
-           t10,
+           t1,
+           inertia.I5xy - inertia.c5y * t9,
+           t4 - t5,
            Scalar(2) * t10,
-           ((inertia.I4yz - inertia.c4z * t11) - t12) + t12,
-           ((inertia.I4xz - inertia.c4z * t13) - t14) + t14,
-           inertia.I4xy - inertia.c4y * t13,
-           t18,
-           (inertia.I4xx - t15) - inertia.c4x * t13,
+           t4,
+           inertia.c5x * t9 - (inertia.I5xx - t11),
            t14,
-           g.RL4 * (t16 - t11),
-           inertia.I5xz - inertia.c5z * t19,
-           inertia.I5yz - inertia.c5z * t20,
-           inertia.I5xy - inertia.c5y * t19,
-           t22,
-           g.RL4 * (t21 + t20),
-           g.RL4 * t19,
-           inertia.c5x * t19 - (inertia.I5xx - t17),
-           Scalar(2) * t22,
-           g.RL4 * t23,
-           g.RL4 * (t24 - (t25 + t26)),
-           (inertia.I2xz - inertia.c2z * t27) - g.D3 * t25,
-           inertia.I2yz - inertia.c2z * t28,
-           t30 - t42,
-           Scalar(2) * t43,
-           t43,
-           g.RL4 * t28,
-           g.RL4 * (t39 - (t40 + t27)),
-           Scalar(2) * t45,
-           t46,
-           g.RL4,
-           inertia.I3yz - inertia.c3z * t37,
-           inertia.I3xz - inertia.c3z * t44,
-           t47,
-           Scalar(2) * t49,
-           t45,
-           Scalar(2) * t52,
-           Scalar(2) * t47,
-           t49 + t52,
-           t49,
-           t52,
-           t10 * t8,
-           t10 * t46,
+           inertia.I5yz - inertia.c5z * t13,
+           t10,
+           inertia.I5xz - inertia.c5z * t9,
+           t7,
+           (inertia.I4xx - t15) - inertia.c4x * t16,
+           inertia.I4xy - inertia.c4y * t16,
+           t5,
+           t19,
+           g.D3 * t0,
+           g.D3 * t3,
+           t20,
+           g.D3 * (t18 - t17),
+           ((inertia.I4yz - inertia.c4z * t17) - t21) + t21,
+           ((inertia.I4xz - inertia.c4z * t16) - t22) + t22,
+           g.D3 * (t12 + t13),
+           g.D3 * t9,
+           g.D3 * t16,
+           t32 * t20,
+           t36,
+           t38,
+           inertia.I3yz - inertia.c3z * t29,
+           inertia.I3xz - inertia.c3z * t37,
+           t39,
+           t40,
            t42,
-           t30,
-           t53 - (inertia.c1y * t24 - (inertia.I1yy - t54)),
-           inertia.c1x * t23 - (inertia.I1xx - t54) };
+           t45,
+           t32,
+           t48,
+           inertia.c1x * t49 - (inertia.I1xx - t50),
+           t53 - (inertia.c1y * t54 - (inertia.I1yy - t50)),
+           (inertia.I2xz - inertia.c2z * t41) - g.D3 * t51,
+           inertia.I2yz - inertia.c2z * t44,
+           gravity[0] / g.D3,
+           gravity[1] / g.D3,
+           gravity[2] / g.D3,
+           g.D3,
+           t38 + t36,
+           g.D3 * (t31 - (t46 + t41)),
+           g.D3 * t44,
+           t45 - t48,
+           Scalar(2) * t42,
+           g.D3 * t49,
+           g.D3 * (t54 - (t51 + t52)),
+           Scalar(2) * t39,
+           Scalar(2) * t38,
+           Scalar(2) * t40 };
 }
 
 namespace detail {
@@ -1200,273 +1198,267 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> forward_dynamics_with_wrench([[maybe_unused]] const JointVector<Scalar>& q, [[maybe_unused]] const JointVector<Scalar>& qd, [[maybe_unused]] const JointVector<Scalar>& torque, [[maybe_unused]] const Wrench<Scalar>& wrench, [[maybe_unused]] const Angles& angles,
     [[maybe_unused]] const ForwardDynamicsWithWrenchConstants<Scalar>& k) {
   [[maybe_unused]] const auto& [s, c] = angles;
-  const Scalar t0 = k[4] * c[5] + k[5] * s[5];
-  const Scalar t1 = k[0] * t0;
-  const Scalar t2 = k[7] * c[5] + k[6] * s[5];
-  const Scalar t3 = k[9] + s[5] * t2;
-  const Scalar t4 = k[0] - t3;
-  const Scalar t5 = k[27] - (k[30] - t4);
-  const Scalar t6 = k[31] - t5;
-  const Scalar t7 = Scalar(1) / (t1 * t0 + t6);
-  const Scalar t8 = k[1] * c[5] - k[2] * s[5];
-  const Scalar t9 = s[4] * t8 - k[0] * c[4];
-  const Scalar t10 = k[3] * t9;
-  const Scalar t11 = k[25] - t1;
-  const Scalar t12 = k[8] - c[5] * t2;
-  const Scalar t13 = k[24] + t12;
-  const Scalar t14 = c[4] * t11 + s[4] * t13;
-  const Scalar t15 = t1 * t10 - t14;
-  const Scalar t16 = t7 * t15;
-  const Scalar t17 = k[10] * s[5] - k[11] * c[5];
-  const Scalar t18 = (c[4] * t8 + k[0] * s[4]) + t17;
-  const Scalar t19 = k[10] * c[5] + k[11] * s[5];
-  const Scalar t20 = c[4] * t19;
-  const Scalar t21 = t1 - t20;
-  const Scalar t22 = s[3] * t18 + c[3] * t21;
-  const Scalar t23 = c[4] * t13 - s[4] * t11;
-  const Scalar t24 = k[29] - t17;
-  const Scalar t25 = k[28] * c[4] + s[4] * t24;
-  const Scalar t26 = t6 + t25;
-  const Scalar t27 = s[3] * t23 - c[3] * t26;
-  const Scalar t28 = t22 * t0 - t27;
-  const Scalar t29 = c[4] * t24 - k[28] * s[4];
-  const Scalar t30 = k[22] + t29;
-  const Scalar t31 = k[26] + t8;
-  const Scalar t32 = c[4] * t31;
-  const Scalar t33 = s[4] * t5 + (t32 + t32);
-  const Scalar t34 = t30 - (k[18] - (t31 - c[4] * t33));
-  const Scalar t35 = k[23] - t19;
-  const Scalar t36 = t35 + (k[17] - t14);
-  const Scalar t37 = s[3] * t34 - c[3] * t36;
-  const Scalar t38 = k[3] * t22;
-  const Scalar t39 = t16 * t28 + (t37 - t9 * t38);
-  const Scalar t40 = k[27] - s[4] * t33;
-  const Scalar t41 = k[21] + (t40 - t6);
-  const Scalar t42 = k[20] + t3;
-  const Scalar t43 = t41 + t42;
-  const Scalar t44 = Scalar(1) / ((t9 * t10 - t43) - t16 * t15);
-  const Scalar t45 = t39 * t44;
-  const Scalar t46 = t7 * t28;
-  const Scalar t47 = k[42] + t25;
-  const Scalar t48 = k[53] - (t40 + (t47 + t25));
-  const Scalar t49 = k[19] - t23;
-  const Scalar t50 = c[3] * t49;
-  const Scalar t51 = s[3] * (t41 - t42) + (t50 + t50);
-  const Scalar t52 = t41 - s[3] * t51;
-  const Scalar t53 = k[52] - t52;
-  const Scalar t54 = t48 - t53;
-  const Scalar t55 = t45 * t39 + (t46 * t28 + (t54 - t22 * t38));
-  const Scalar t56 = Scalar(1) / t55;
-  const Scalar t57 = s[2] * (c[3] * t20 - s[3] * t17) + c[2] * s[4] * t19;
-  const Scalar t58 = k[54] * t57 + t38;
-  const Scalar t59 = c[3] * t30 + s[3] * t35;
-  const Scalar t60 = k[48] + t59;
-  const Scalar t61 = s[2] * t47 - c[2] * t60;
-  const Scalar t62 = k[15] * (s[2] * c[3] * t25 - c[2] * t29);
-  const Scalar t63 = t1 * t58 - (t62 + t27);
-  const Scalar t64 = (t22 * t58 - (t54 + k[15] * t61)) - t63 * t46;
-  const Scalar t65 = k[15] * (s[3] * t30 - c[3] * t35);
-  const Scalar t66 = k[0] * t58;
-  const Scalar t67 = t63 * t16 - ((s[2] * t65 - t37) + t66 * t10);
-  const Scalar t68 = t67 * t44;
-  const Scalar t69 = t64 - t68 * t39;
-  const Scalar t70 = t56 * t69;
-  const Scalar t71 = qd[1] + qd[2];
-  const Scalar t72 = c[2] * s[1] + c[1] * s[2];
-  const Scalar t73 = qd[0] * t72;
-  const Scalar t74 = c[3] * t71 + s[3] * t73;
-  const Scalar t75 = qd[4] + t74;
-  const Scalar t76 = t75 * t75;
-  const Scalar t77 = s[1] * s[2] - c[1] * c[2];
-  const Scalar t78 = qd[0] * t77;
-  const Scalar t79 = qd[3] - t78;
-  const Scalar t80 = c[3] * t73;
-  const Scalar t81 = s[3] * t71 - t80;
-  const Scalar t82 = c[4] * t79 + s[4] * t81;
-  const Scalar t83 = qd[5] + t82;
-  const Scalar t84 = t76 + t83 * t83;
-  const Scalar t85 = t82 * t82;
-  const Scalar t86 = t76 - t85;
-  const Scalar t87 = t81 * t81;
-  const Scalar t88 = t79 * t79;
-  const Scalar t89 = t87 + t88;
-  const Scalar t90 = t86 + t89;
-  const Scalar t91 = t84 - t90;
-  const Scalar t92 = t79 * t74;
-  const Scalar t93 = t71 * t78;
-  const Scalar t94 = Scalar(2) * t93;
-  const Scalar t95 = t73 * t78;
-  const Scalar t96 = c[3] * t94 + s[3] * t95;
-  const Scalar t97 = (t92 + t92) + t96;
-  const Scalar t98 = t73 * t71;
-  const Scalar t99 = t74 * t81;
-  const Scalar t100 = t98 + t99;
-  const Scalar t101 = s[4] * t97 - c[4] * t100;
-  const Scalar t102 = s[4] * t79 - c[4] * t81;
-  const Scalar t103 = t102 * t83;
-  const Scalar t104 = t78 * t80 - s[3] * t94;
-  const Scalar t105 = t79 * t81;
-  const Scalar t106 = t104 - t105;
-  const Scalar t107 = t102 * t82;
-  const Scalar t108 = t106 - t107;
-  const Scalar t109 = t103 + (t103 + t108);
-  const Scalar t110 = s[4] * t100 + c[4] * t97;
-  const Scalar t111 = Scalar(2) * t82 * t75 - t110;
-  const Scalar t112 = t83 * t75;
-  const Scalar t113 = (t111 - t112) - t112;
-  const Scalar t114 = (t8 * t91 + t1 * t101) + (t109 * t4 - t113 * t12);
-  const Scalar t115 = qd[0] * qd[1];
-  const Scalar t116 = k[14] * s[0] - k[13] * c[0];
-  const Scalar t117 = k[16] * s[1] * t115 - t116;
-  const Scalar t118 = t117 - t94;
+  const Scalar t0 = k[19] * s[5] - k[20] * c[5];
+  const Scalar t1 = k[3] * c[5] - k[4] * s[5];
+  const Scalar t2 = k[21] * t0 + (c[4] * t1 + k[2] * s[4]);
+  const Scalar t3 = k[0] * c[5] + k[1] * s[5];
+  const Scalar t4 = k[2] * t3;
+  const Scalar t5 = k[19] * c[5] + k[20] * s[5];
+  const Scalar t6 = c[4] * t5;
+  const Scalar t7 = t4 - k[21] * t6;
+  const Scalar t8 = s[3] * t2 + c[3] * t7;
+  const Scalar t9 = c[4] - k[14] * s[4] * t1;
+  const Scalar t10 = k[7] * c[5] + k[6] * s[5];
+  const Scalar t11 = k[12] - c[5] * t10;
+  const Scalar t12 = k[13] + t11;
+  const Scalar t13 = k[11] - t4;
+  const Scalar t14 = s[4] * t12 + c[4] * t13;
+  const Scalar t15 = k[22] - t5;
+  const Scalar t16 = (k[23] - t14) + k[21] * t15;
+  const Scalar t17 = k[26] - t0;
+  const Scalar t18 = c[4] * t17 - k[25] * s[4];
+  const Scalar t19 = k[27] + t18;
+  const Scalar t20 = k[5] + t1;
+  const Scalar t21 = s[5] * t10;
+  const Scalar t22 = k[8] - t21;
+  const Scalar t23 = k[9] - t22;
+  const Scalar t24 = Scalar(2) * c[4] * t20 + s[4] * (k[10] - t23);
+  const Scalar t25 = k[21] * t19 - (k[24] - (t20 - c[4] * t24));
+  const Scalar t26 = c[3] * t16 - s[3] * t25;
+  const Scalar t27 = k[2] * t9;
+  const Scalar t28 = t3 * t27 + t14;
+  const Scalar t29 = s[4] * t24;
+  const Scalar t30 = k[10] - t29;
+  const Scalar t31 = t29 + t23;
+  const Scalar t32 = t30 + t31;
+  const Scalar t33 = Scalar(1) / (t32 + t3 * t4);
+  const Scalar t34 = t28 * t33;
+  const Scalar t35 = k[14] * t8;
+  const Scalar t36 = s[4] * t13 - c[4] * t12;
+  const Scalar t37 = k[25] * c[4] + s[4] * t17;
+  const Scalar t38 = k[21] * t37 + t32;
+  const Scalar t39 = s[3] * t36 + c[3] * t38;
+  const Scalar t40 = t4 * t35 + t39;
+  const Scalar t41 = (t8 * t9 - t26) - t34 * t40;
+  const Scalar t42 = k[17] + t21;
+  const Scalar t43 = k[18] + t42;
+  const Scalar t44 = k[15] - t31;
+  const Scalar t45 = k[16] + t36;
+  const Scalar t46 = s[3] * (t43 - t44) - Scalar(2) * c[3] * t45;
+  const Scalar t47 = s[3] * t46;
+  const Scalar t48 = t43 - t47;
+  const Scalar t49 = t44 + t47;
+  const Scalar t50 = t48 + t49;
+  const Scalar t51 = Scalar(1) / ((t27 * t9 - t50) - t34 * t28);
+  const Scalar t52 = t51 * t41;
+  const Scalar t53 = t33 * t40;
+  const Scalar t54 = k[28] + t37;
+  const Scalar t55 = k[29] - (t30 + k[21] * (t37 + t54));
+  const Scalar t56 = k[30] - t49;
+  const Scalar t57 = t55 - t56;
+  const Scalar t58 = t41 * t52 + (t40 * t53 + (t57 - t8 * t35));
+  const Scalar t59 = Scalar(1) / t58;
+  const Scalar t60 = s[1] * s[2] - c[1] * c[2];
+  const Scalar t61 = c[2] * s[1] + c[1] * s[2];
+  const Scalar t62 = t60 * t27 + t61 * (c[3] * t2 - s[3] * t7);
+  const Scalar t63 = t62 - c[1] * (s[3] * t6 + c[3] * t0);
+  const Scalar t64 = k[31] - t26;
+  const Scalar t65 = k[32] + (t45 + c[3] * t46);
+  const Scalar t66 = t64 * t60 - t65 * t61;
+  const Scalar t67 = t60 * t14 - t61 * (s[3] * t38 - c[3] * t36);
+  const Scalar t68 = t3 * t63 + (t67 + c[1] * s[3] * t37);
+  const Scalar t69 = t68 * t33;
+  const Scalar t70 = k[14] * t63;
+  const Scalar t71 = c[3] * t25 + s[3] * t16;
+  const Scalar t72 = c[3] * t19 + s[3] * t15;
+  const Scalar t73 = (t60 * t50 - t71 * t61) + c[1] * t72;
+  const Scalar t74 = t69 * t28 - (t70 * t27 - t73);
+  const Scalar t75 = ((t63 * t35 + t66) - t68 * t53) + t74 * t52;
+  const Scalar t76 = t59 * t75;
+  const Scalar t77 = wrench[3] * s[0] - wrench[4] * c[0];
+  const Scalar t78 = wrench[3] * c[0] + wrench[4] * s[0];
+  const Scalar t79 = t60 * t78 - wrench[5] * t61;
+  const Scalar t80 = s[3] * t77 + c[3] * t79;
+  const Scalar t81 = t78 * t61 + wrench[5] * t60;
+  const Scalar t82 = qd[0] * t61;
+  const Scalar t83 = qd[0] * t60;
+  const Scalar t84 = t82 * t83;
+  const Scalar t85 = qd[1] + qd[2];
+  const Scalar t86 = Scalar(2) * t85 * t83;
+  const Scalar t87 = c[3] * t84 - s[3] * t86;
+  const Scalar t88 = qd[3] - t83;
+  const Scalar t89 = s[3] * t85 - c[3] * t82;
+  const Scalar t90 = t88 * t89;
+  const Scalar t91 = t87 - t90;
+  const Scalar t92 = s[4] * t88 - c[4] * t89;
+  const Scalar t93 = c[4] * t88 + s[4] * t89;
+  const Scalar t94 = t92 * t93;
+  const Scalar t95 = t91 - t94;
+  const Scalar t96 = c[3] * t85 + s[3] * t82;
+  const Scalar t97 = qd[4] + t96;
+  const Scalar t98 = c[3] * t86 + s[3] * t84;
+  const Scalar t99 = Scalar(2) * t88 * t96 + t98;
+  const Scalar t100 = t82 * t85;
+  const Scalar t101 = t96 * t89;
+  const Scalar t102 = t100 + t101;
+  const Scalar t103 = c[4] * t99 + s[4] * t102;
+  const Scalar t104 = Scalar(2) * t93 * t97 - t103;
+  const Scalar t105 = c[4] * t102 - s[4] * t99;
+  const Scalar t106 = Scalar(2) * t92 * t97 + t105;
+  const Scalar t107 = t97 * t97;
+  const Scalar t108 = t92 * t92;
+  const Scalar t109 = t107 - t108;
+  const Scalar t110 = (t105 * t42 + t106 * t22) + t109 * t11;
+  const Scalar t111 = Scalar(2) * qd[0] * qd[1];
+  const Scalar t112 = k[44] * c[0] - k[43] * s[0];
+  const Scalar t113 = s[1] * t111 + t112;
+  const Scalar t114 = qd[0] * c[1];
+  const Scalar t115 = k[43] * c[0] + k[44] * s[0];
+  const Scalar t116 = k[45] * c[1] - s[1] * t115;
+  const Scalar t117 = qd[0] * s[1] * t114 - t116;
+  const Scalar t118 = c[1] * t115 + k[45] * s[1];
   const Scalar t119 = qd[1] * qd[1];
-  const Scalar t120 = qd[0] * c[1];
-  const Scalar t121 = k[13] * s[0] + k[14] * c[0];
-  const Scalar t122 = k[12] * s[1] + c[1] * t121;
-  const Scalar t123 = k[15] * (t119 + t120 * t120) + t122;
-  const Scalar t124 = qd[0] * qd[0];
-  const Scalar t125 = s[1] * t121 - k[12] * c[1];
-  const Scalar t126 = k[15] * t124 * c[1] * s[1] + t125;
-  const Scalar t127 = t95 + (c[2] * t123 - s[2] * t126);
-  const Scalar t128 = s[3] * t118 + c[3] * t127;
-  const Scalar t129 = s[2] * t123 + c[2] * t126;
-  const Scalar t130 = t71 * t71;
-  const Scalar t131 = t78 * t78;
-  const Scalar t132 = t130 - t131;
-  const Scalar t133 = t124 + t132;
-  const Scalar t134 = t129 - t133;
-  const Scalar t135 = s[4] * t128 + c[4] * t134;
-  const Scalar t136 = wrench[3] * s[0] - wrench[4] * c[0];
-  const Scalar t137 = wrench[3] * c[0] + wrench[4] * s[0];
-  const Scalar t138 = t77 * t137 - wrench[5] * t72;
-  const Scalar t139 = (t114 + t17 * t135) + (c[3] * t136 - s[3] * t138);
-  const Scalar t140 = t106 + t107;
-  const Scalar t141 = t76 + t85;
-  const Scalar t142 = t89 - t141;
-  const Scalar t143 = (k[30] * t140 + k[27] * t108) + k[26] * (t86 + t142);
-  const Scalar t144 = c[4] * t128 - s[4] * t134;
-  const Scalar t145 = ((k[25] * t101 - k[24] * t110) + t143) + (k[28] * t144 + k[29] * t135);
-  const Scalar t146 = t139 - t145;
-  const Scalar t147 = s[3] * t136 + c[3] * t138;
-  const Scalar t148 = t137 * t72 + wrench[5] * t77;
-  const Scalar t149 = t102 * t75;
-  const Scalar t150 = t101 - (t149 + t149);
-  const Scalar t151 = t12 * t142 + (t150 * t4 + t3 * t101);
-  const Scalar t152 = s[3] * t127 - c[3] * t118;
-  const Scalar t153 = (t151 + (t1 * t108 - t8 * t111)) + (t152 * t17 - t19 * t144);
-  const Scalar t154 = (s[4] * t147 - c[4] * t148) + t153;
-  const Scalar t155 = torque[5] + t154;
-  const Scalar t156 = k[3] * t155;
-  const Scalar t157 = t7 * ((torque[4] + t146) - t1 * t156);
-  const Scalar t158 = t1 * (t91 + t142) - (t12 * t109 - t113 * t3);
-  const Scalar t159 = (c[4] * t147 + s[4] * t148) + (t19 * t135 + (t8 * t150 - t158));
-  const Scalar t160 = k[25] * t86 - (k[26] * t150 + k[27] * t111);
-  const Scalar t161 = t159 + ((k[24] * t140 - t160) - k[28] * t152);
-  const Scalar t162 = (k[26] * t111 + k[30] * t150) + (k[25] * t108 - k[24] * t142);
-  const Scalar t163 = t154 - (k[29] * t152 + t162);
-  const Scalar t164 = t98 - t99;
-  const Scalar t165 = t87 - t88;
-  const Scalar t166 = t133 - t165;
-  const Scalar t167 = t89 - t166;
-  const Scalar t168 = (k[21] * t164 + k[20] * t100) + k[19] * t167;
-  const Scalar t169 = (k[23] * t128 - k[22] * t152) - (t168 - (k[18] * t96 + k[17] * t104));
-  const Scalar t170 = (s[4] * t161 - c[4] * t163) - t169;
-  const Scalar t171 = t157 * t15 + (t155 * t10 + (torque[3] - t170));
-  const Scalar t172 = t130 + t131;
-  const Scalar t173 = t124 - t172;
-  const Scalar t174 = k[48] * t129 + (k[46] * (t132 + t173) - k[51] * t95);
-  const Scalar t175 = t106 - t105;
-  const Scalar t176 = (k[18] * t165 + k[17] * t100) + (k[19] * t97 - k[21] * t175);
-  const Scalar t177 = (k[22] * t166 + k[23] * t100) + k[42] * t128;
-  const Scalar t178 = wrench[0] * c[0] + wrench[1] * s[0];
-  const Scalar t179 = t77 * t178 - wrench[2] * t72;
-  const Scalar t180 = wrench[0] * s[0] - wrench[1] * c[0];
-  const Scalar t181 = c[3] * t179 + s[3] * t180;
-  const Scalar t182 = wrench[2] * t77 + t178 * t72;
-  const Scalar t183 = (t113 * t19 - t17 * t109) - k[43] * (s[4] * t181 - c[4] * t182);
-  const Scalar t184 = (k[28] * t90 - k[29] * t140) - t183;
-  const Scalar t185 = (t19 * t101 - t84 * t17) - k[43] * (c[4] * t181 + s[4] * t182);
-  const Scalar t186 = (k[29] * t141 + k[28] * t108) + t185;
-  const Scalar t187 = t177 - (s[4] * t184 - c[4] * t186);
-  const Scalar t188 = ((k[22] * t134 + t176) - t146) + t187;
-  const Scalar t189 = (k[19] * t175 - k[20] * t97) + k[17] * (t167 - t165);
-  const Scalar t190 = ((t189 + k[18] * t164) + k[23] * t134) - (s[4] * t163 + c[4] * t161);
-  const Scalar t191 = ((t84 + t142) * t19 + t17 * t150) + k[43] * (s[3] * t179 - c[3] * t180);
-  const Scalar t192 = (k[23] * t89 - k[22] * t164) + k[42] * t152;
-  const Scalar t193 = (t191 - (k[29] * t150 - k[28] * t111)) - t192;
-  const Scalar t194 = t190 - t193;
-  const Scalar t195 = t174 + (c[3] * t188 + s[3] * t194);
-  const Scalar t196 = t157 * t28 - ((torque[2] - t195) - t22 * t156);
-  const Scalar t197 = t45 * t171 + t196;
-  const Scalar t198 = k[38] + c[1] * (k[36] * s[1] - k[37] * c[1]);
-  const Scalar t199 = t124 * t198 - (k[40] * t125 - k[39] * t122);
-  const Scalar t200 = (k[22] * t175 + k[23] * t97) + k[42] * t134;
-  const Scalar t201 = (t200 - (c[4] * t184 + s[4] * t186)) - k[48] * t95;
-  const Scalar t202 = k[48] * t172 - (s[3] * t193 - c[3] * t187);
-  const Scalar t203 = t195 + k[15] * (c[2] * t201 - s[2] * t202);
-  const Scalar t204 = ((torque[1] - (t199 + t203)) - t155 * t58) - t157 * t63;
-  const Scalar t205 = t7 * t63;
-  const Scalar t206 = s[3] * t36 + c[3] * t34;
-  const Scalar t207 = k[46] - t206;
-  const Scalar t208 = Scalar(2) * c[2] * t207 - s[2] * (t48 + t53);
-  const Scalar t209 = s[2] * t208 + t48;
-  const Scalar t210 = (t209 - t54) + k[15] * ((k[55] - t61) - t61);
-  const Scalar t211 = k[56] - t210;
-  const Scalar t212 = k[57] + t209;
-  const Scalar t213 = t63 * t205 + ((t211 + t212) - t66 * t58);
-  const Scalar t214 = Scalar(1) / ((t213 + t68 * t67) - t70 * t69);
-  const Scalar t215 = (t70 * t197 + (t68 * t171 - t204)) * t214;
-  const Scalar t216 = k[45] + (t49 - c[3] * t51);
-  const Scalar t217 = k[44] + t37;
-  const Scalar t218 = t72 * t216 - t77 * t217;
-  const Scalar t219 = t72 * (c[3] * t18 - s[3] * t21) - t77 * t9;
-  const Scalar t220 = k[15] * c[1];
-  const Scalar t221 = t219 - t220 * (c[3] * t17 + s[3] * t20);
-  const Scalar t222 = k[3] * t221;
-  const Scalar t223 = (s[3] * t26 + c[3] * t23) * t72 - t77 * t14;
-  const Scalar t224 = t1 * t222 - (t223 - s[3] * t25 * t220);
-  const Scalar t225 = t7 * t224;
-  const Scalar t226 = t59 * t220 - (t206 * t72 - t77 * t43);
-  const Scalar t227 = (t226 + t9 * t222) - t225 * t15;
-  const Scalar t228 = ((t218 - t221 * t38) + t225 * t28) - t45 * t227;
-  const Scalar t229 = t56 * t228;
-  const Scalar t230 = c[2] * t216 - s[2] * t217;
-  const Scalar t231 = s[1] * (k[34] + (t230 + t65)) + ((t218 - s[1] * t230) + k[35] * c[1]);
-  const Scalar t232 = ((t231 - t66 * t222) + t63 * t225) - t68 * t227;
-  const Scalar t233 = t229 * t69 + t232;
-  const Scalar t234 = t227 * t44;
-  const Scalar t235 = (c[3] * t193 + s[3] * t187) + k[41] * t98;
-  const Scalar t236 = k[44] * t132 + (k[50] * t98 - k[49] * t93);
-  const Scalar t237 = (t236 + k[45] * t95) - (s[3] * t188 - c[3] * t194);
-  const Scalar t238 = (k[46] * t94 + k[47] * t98) - (k[44] * t95 - k[45] * t173);
-  const Scalar t239 = t237 * t72 - t77 * ((t238 + k[48] * t117) - t170);
-  const Scalar t240 = Scalar(2) * t115 * t198 + (k[35] * s[1] - k[34] * c[1]) * t119;
-  const Scalar t241 = (k[39] * s[1] + k[40] * c[1]) * t116 + t240;
-  const Scalar t242 = (k[33] * t121 + k[32] * t116) - ((t235 * t220 + t239) + t241);
-  const Scalar t243 = (t221 * t156 + (torque[0] - t242)) + t157 * t224;
-  const Scalar t244 = t215 * t233 + ((t171 * t234 - t243) + t229 * t197);
-  const Scalar t245 = (c[2] * t208 - t207) - k[15] * (s[2] * t60 + c[2] * t47);
-  const Scalar t246 = c[1] * (k[38] + t245);
-  const Scalar t247 = s[1] * (s[1] * (t211 - t212) + (t246 + t246));
-  const Scalar t248 = (k[59] + (t247 - t211)) - (k[58] + (t43 - t52));
-  const Scalar t249 = ((t221 * t222 + t248) - t225 * t224) - t227 * t234;
-  const Scalar t250 = t214 * t233;
-  const Scalar t251 = Scalar(1) / ((t229 * t228 + t249) + t233 * t250);
-  const Scalar t252 = t244 * t251;
-  const Scalar t253 = t252 * t250 - t215;
-  const Scalar t254 = t70 * t253 + (t229 * t252 - t197 * t56);
-  const Scalar t255 = t68 * t253 + (t171 * t44 + t252 * t234);
-  const Scalar t256 = t45 * t254 + t255;
-  const Scalar t257 = t46 * t254 + (t205 * t253 + (t157 - t225 * t252));
-  const Scalar t258 = t16 * t256 + t257;
-  const Scalar t259 = (t253 * t58 - (t222 * t252 + t156)) + t254 * t38;
+  const Scalar t120 = t118 + (t119 + t114 * t114);
+  const Scalar t121 = s[2] * t117 - c[2] * t120;
+  const Scalar t122 = (s[3] * t113 - c[3] * t121) + k[21] * t87;
+  const Scalar t123 = s[2] * t120 + c[2] * t117;
+  const Scalar t124 = t82 * t82;
+  const Scalar t125 = t85 * t85;
+  const Scalar t126 = t124 + t125;
+  const Scalar t127 = t123 - k[21] * t126;
+  const Scalar t128 = c[4] * t122 - s[4] * t127;
+  const Scalar t129 = k[21] * t98 - (c[3] * t113 + s[3] * t121);
+  const Scalar t130 = ((t4 * t95 - t104 * t1) - t110) - (t128 * t5 - t0 * t129);
+  const Scalar t131 = (s[4] * t80 - c[4] * t81) + t130;
+  const Scalar t132 = torque[5] + t131;
+  const Scalar t133 = s[4] * t122 + c[4] * t127;
+  const Scalar t134 = t89 * t89;
+  const Scalar t135 = t88 * t88;
+  const Scalar t136 = t134 + t135;
+  const Scalar t137 = t109 + t136;
+  const Scalar t138 = t107 + t108;
+  const Scalar t139 = t91 + t94;
+  const Scalar t140 = k[5] * (t137 - t138) - (k[10] * t95 + k[9] * t139);
+  const Scalar t141 = (k[25] * t128 + k[26] * t133) - ((k[13] * t103 + k[11] * t105) + t140);
+  const Scalar t142 = qd[5] + t93;
+  const Scalar t143 = t142 * t142;
+  const Scalar t144 = t107 + t143;
+  const Scalar t145 = t142 * t97;
+  const Scalar t146 = (t104 - t145) - t145;
+  const Scalar t147 = Scalar(2) * t92 * t142 + t95;
+  const Scalar t148 = (t4 * t105 - (t144 - t138) * t1) + (t146 * t11 - t147 * t22);
+  const Scalar t149 = (t133 * t0 - t148) + (c[3] * t77 - s[3] * t79);
+  const Scalar t150 = t141 - t149;
+  const Scalar t151 = t3 * t132 - (torque[4] - t150);
+  const Scalar t152 = k[14] * t132;
+  const Scalar t153 = t100 - t101;
+  const Scalar t154 = (k[27] * t153 - k[22] * t136) - k[37] * t129;
+  const Scalar t155 = wrench[0] * c[0] + wrench[1] * s[0];
+  const Scalar t156 = t60 * t155 - wrench[2] * t61;
+  const Scalar t157 = wrench[0] * s[0] - wrench[1] * c[0];
+  const Scalar t158 = ((t144 - t109) * t5 - t106 * t0) + k[46] * (s[3] * t156 - c[3] * t157);
+  const Scalar t159 = t154 + (t158 + (k[26] * t106 + k[25] * t104));
+  const Scalar t160 = t91 - t90;
+  const Scalar t161 = t134 - t135;
+  const Scalar t162 = t126 - t161;
+  const Scalar t163 = t136 - t162;
+  const Scalar t164 = (k[18] * t99 - k[16] * t160) - k[23] * (t163 - t161);
+  const Scalar t165 = (t146 * t42 - t147 * t11) - t4 * (t107 - t143);
+  const Scalar t166 = (c[4] * t80 + s[4] * t81) - ((t106 * t1 + t165) - t133 * t5);
+  const Scalar t167 = k[11] * (t136 - t138) - (k[5] * t106 - k[10] * t104);
+  const Scalar t168 = t166 + ((t167 + k[13] * t139) - k[25] * t129);
+  const Scalar t169 = (k[13] * t109 + k[11] * t95) - (k[9] * t106 - k[5] * t104);
+  const Scalar t170 = (k[26] * t129 + t169) - t131;
+  const Scalar t171 = ((t164 - k[24] * t153) - k[22] * t127) + (c[4] * t168 - s[4] * t170);
+  const Scalar t172 = k[21] * t159 + t171;
+  const Scalar t173 = (k[23] * t102 + k[24] * t161) - (k[15] * t160 - k[16] * t99);
+  const Scalar t174 = c[3] * t156 + s[3] * t157;
+  const Scalar t175 = wrench[2] * t60 + t155 * t61;
+  const Scalar t176 = (t147 * t0 - t146 * t5) + k[46] * (s[4] * t174 - c[4] * t175);
+  const Scalar t177 = t176 - (k[26] * t139 - k[25] * t138);
+  const Scalar t178 = (t105 * t5 + t144 * t0) + k[46] * (c[4] * t174 + s[4] * t175);
+  const Scalar t179 = (k[25] * t95 + k[26] * t137) - t178;
+  const Scalar t180 = (k[22] * t102 + k[27] * t162) + k[37] * t122;
+  const Scalar t181 = (s[4] * t177 - c[4] * t179) - t180;
+  const Scalar t182 = (t150 + (k[27] * t127 + t173)) - k[21] * t181;
+  const Scalar t183 = qd[0] * qd[0];
+  const Scalar t184 = t183 - t126;
+  const Scalar t185 = t124 - t125;
+  const Scalar t186 = t184 - t185;
+  const Scalar t187 = k[34] * t123 - (k[33] * t186 + k[47] * t84);
+  const Scalar t188 = (s[3] * t172 - c[3] * t182) - t187;
+  const Scalar t189 = t151 * t53 - (t152 * t8 - (torque[2] + t188));
+  const Scalar t190 = t151 * t33;
+  const Scalar t191 = k[16] * t163 + (k[18] * t102 + k[15] * t153);
+  const Scalar t192 = (k[27] * t129 - k[22] * t122) - ((k[23] * t87 + k[24] * t98) - t191);
+  const Scalar t193 = t192 + (s[4] * t168 + c[4] * t170);
+  const Scalar t194 = t28 * t190 + ((torque[3] - t193) - t132 * t9);
+  const Scalar t195 = t194 * t51;
+  const Scalar t196 = t189 - t195 * t41;
+  const Scalar t197 = k[35] + c[1] * (k[50] * s[1] - k[51] * c[1]);
+  const Scalar t198 = (k[41] * c[1] - k[42] * s[1]) * t119 - t111 * t197;
+  const Scalar t199 = (k[49] * s[1] + k[48] * c[1]) * t112 + t198;
+  const Scalar t200 = k[56] * t100 - (s[3] * t181 - c[3] * t159);
+  const Scalar t201 = k[31] * t184 + (k[29] * t86 - k[54] * t100);
+  const Scalar t202 = (k[32] * t84 - t201) - (c[3] * t172 + s[3] * t182);
+  const Scalar t203 = (k[33] * t86 + k[55] * t100) + (k[32] * t185 - k[31] * t84);
+  const Scalar t204 = t202 * t61 - t60 * ((t203 + k[34] * t113) - t193);
+  const Scalar t205 = (t199 - (c[1] * t200 + t204)) - (k[52] * t112 - k[53] * t115);
+  const Scalar t206 = (t63 * t152 + (torque[0] - t205)) - t69 * t151;
+  const Scalar t207 = s[2] * (s[3] * t0 - c[3] * t6) - c[2] * s[4] * t5;
+  const Scalar t208 = t8 - t207;
+  const Scalar t209 = (s[2] * c[3] * t37 - c[2] * t18) - t39;
+  const Scalar t210 = t3 * t208 - t209;
+  const Scalar t211 = s[3] * t19 - c[3] * t15;
+  const Scalar t212 = t34 * t210 - (t208 * t9 - (s[2] * t211 + t26));
+  const Scalar t213 = t51 * t212;
+  const Scalar t214 = k[14] * t208;
+  const Scalar t215 = k[33] - t71;
+  const Scalar t216 = s[2] * (t55 + t56) - Scalar(2) * c[2] * t215;
+  const Scalar t217 = s[2] * t216;
+  const Scalar t218 = k[36] - (t217 - t55);
+  const Scalar t219 = k[34] + t72;
+  const Scalar t220 = s[2] * t54 - c[2] * t219;
+  const Scalar t221 = k[38] - (((k[37] - t220) - t220) - (t217 - t56));
+  const Scalar t222 = t210 * t33;
+  const Scalar t223 = (t214 * t208 - (t218 + t221)) - t210 * t222;
+  const Scalar t224 = t210 * t53 - (t208 * t35 - (t57 + t220));
+  const Scalar t225 = t213 * t41 - t224;
+  const Scalar t226 = t59 * t225;
+  const Scalar t227 = Scalar(1) / ((t213 * t212 - t223) - t226 * t225);
+  const Scalar t228 = (k[22] * t99 + k[27] * t160) + k[37] * t127;
+  const Scalar t229 = k[34] * t84 + ((s[4] * t179 + c[4] * t177) - t228);
+  const Scalar t230 = (c[3] * t181 + s[3] * t159) - k[34] * (t126 + t186);
+  const Scalar t231 = (k[49] * t118 + k[48] * t116) + t183 * t197;
+  const Scalar t232 = (t188 + (c[2] * t229 - s[2] * t230)) - t231;
+  const Scalar t233 = t151 * t222 + ((torque[1] + t232) - t152 * t208);
+  const Scalar t234 = t227 * (t226 * t196 + (t233 + t194 * t213));
+  const Scalar t235 = c[2] * t65 - s[2] * t64;
+  const Scalar t236 = (k[42] * c[1] - (s[1] * t235 + t66)) + s[1] * (k[41] + (t235 + t211));
+  const Scalar t237 = t74 * t51;
+  const Scalar t238 = (t69 * t210 - (t214 * t63 - t236)) + t237 * t212;
+  const Scalar t239 = t76 * t225 - t238;
+  const Scalar t240 = (t76 * t196 + (t74 * t195 - t206)) + t234 * t239;
+  const Scalar t241 = t227 * t239;
+  const Scalar t242 = (t215 + c[2] * t216) + (s[2] * t219 + c[2] * t54);
+  const Scalar t243 = c[1] * (k[35] - t242);
+  const Scalar t244 = s[1] * ((t243 + t243) - s[1] * (t218 - t221));
+  const Scalar t245 = t70 * t63 + ((k[39] + (t244 - t221)) - (k[40] + t48));
+  const Scalar t246 = (t74 * t237 - (t245 - t69 * t68)) - t76 * t75;
+  const Scalar t247 = t240 * Scalar(1) / (t241 * t239 - t246);
+  const Scalar t248 = t234 - t241 * t247;
+  const Scalar t249 = t226 * t248 - (t76 * t247 - t59 * t196);
+  const Scalar t250 = t52 * t249 + ((t195 + t237 * t247) - t213 * t248);
+  const Scalar t251 = t249 * t53 + (t222 * t248 - (t69 * t247 + t190));
+  const Scalar t252 = t34 * t250 - t251;
+  const Scalar t253 = (t214 * t248 - (t70 * t247 + t152)) + t35 * t249;
   JointVector<Scalar> result;
-  result[0] = -t252;
-  result[1] = -t253;
-  result[2] = -t254;
-  result[3] = t256;
-  result[4] = t258;
-  result[5] = (t256 * t10 + t259) - t0 * t258;
+  result[0] = -t247;
+  result[1] = -t248;
+  result[2] = -t249;
+  result[3] = t250;
+  result[4] = -t252;
+  result[5] = (t253 - t250 * t9) + t3 * t252;
   return result;
 }
 

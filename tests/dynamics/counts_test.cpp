@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// Operation counts, exact: a change that makes a function cheaper or dearer shows here.
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "application/dynamics_function.h"
+#include "description/reader.h"
+
+namespace qvgen::application {
+namespace {
+
+/// A row of a table after Khalil and Kleinfinger (modified Denavit-Hartenberg).
+struct Row {
+  char kind;  ///< R or P
+  std::string alpha, a, d;
+};
+using Table = std::vector<Row>;
+
+model::Robot robot_of(const Table& table) {
+  std::string text = "name = \"x\"\ntitle = \"x\"\nconvention = \"modified\"\ninertia = \"free\"\n";
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    const Row& row = table[i];
+    const std::string q = "\"q" + std::to_string(i + 1) + "\"";
+    const bool turns = row.kind == 'R';
+    text += "[[dh]]\ntype = \"" + std::string(turns ? "revolute" : "prismatic") + "\"\nvariable = " + q +
+            (turns ? "\ntheta = " : "\nd = ") + q + "\nalpha = \"" + row.alpha + "\"\na = \"" + row.a +
+            "\"\n" + (turns ? "d = \"" + row.d + "\"\n" : "");
+  }
+  return description::read_text(text, "table.toml").robot.value();
+}
+
+const Table puma = {{'R', "0", "0", "0"},         {'R', "-90 deg", "0", "0"}, {'R', "0", "a2", "d3"},
+                    {'R', "-90 deg", "a3", "d4"}, {'R', "90 deg", "0", "0"},  {'R', "-90 deg", "0", "0"}};
+const Table stanford = {{'R', "0", "0", "0"}, {'R', "-90 deg", "0", "d2"}, {'P', "90 deg", "0", "0"},
+                        {'R', "0", "0", "0"}, {'R', "-90 deg", "0", "0"},  {'R', "90 deg", "0", "0"}};
+const Table stanford_a3 = {{'R', "0", "0", "0"},  {'R', "-90 deg", "0", "d2"}, {'P', "90 deg", "0", "0"},
+                           {'R', "0", "a3", "0"}, {'R', "-90 deg", "0", "0"},  {'R', "90 deg", "0", "0"}};
+const Table elbowless = {{'R', "0", "0", "0"},         {'R', "90 deg", "0", "0"}, {'R', "0", "0", "0"},
+                         {'R', "-90 deg", "D3", "R4"}, {'R', "90 deg", "0", "0"}, {'R', "-90 deg", "0", "0"}};
+
+struct Case {
+  std::string name, function;
+  Table table;
+  int multiplications, additions;
+};
+void PrintTo(const Case& c, std::ostream* out) { *out << c.name << ", " << c.function; }
+
+class FreeInertias : public testing::TestWithParam<Case> {};
+
+/// All inertias symbols, in base parameters. The fewest published: PUMA 560 301/240 and 247/163, Stanford arm
+/// 262/211 and 147/105, multiplications/additions of inverse dynamics and mass matrix.
+TEST_P(FreeInertias, TakesThatManyOperations) {
+  const Case& c = GetParam();
+  for (const DynamicsQuantity& quantity : dynamics_quantities()) {
+    if (quantity.name != c.function) continue;
+    const dag::OperationCounts counts = generate_dynamics(robot_of(c.table), quantity).counts;
+    EXPECT_EQ(counts.multiplications, c.multiplications);
+    EXPECT_EQ(counts.additions, c.additions);
+    EXPECT_EQ(counts.divisions, 0);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Tables, FreeInertias,
+    testing::Values(Case{"PUMA 560", "inverse_dynamics", puma, 223, 205},
+                    Case{"PUMA 560", "mass_matrix", puma, 116, 121},
+                    Case{"Stanford", "inverse_dynamics", stanford, 207, 186},
+                    Case{"Stanford", "mass_matrix", stanford, 84, 92},
+                    Case{"Stanford, a3", "inverse_dynamics", stanford_a3, 207, 192},
+                    Case{"Stanford, a3", "mass_matrix", stanford_a3, 93, 99},
+                    Case{"6R of RX-90's twists, without forearm", "inverse_dynamics", elbowless, 193, 180},
+                    Case{"6R of RX-90's twists, without forearm", "mass_matrix", elbowless, 86, 96}));
+
+struct Generated {
+  std::string robot, function;
+  int multiplications, additions;
+};
+void PrintTo(const Generated& g, std::ostream* out) { *out << g.robot << ", " << g.function; }
+
+class GeneratedCounts : public testing::TestWithParam<Generated> {};
+
+TEST_P(GeneratedCounts, AreThese) {
+  std::ifstream file(QVGEN_SOURCE_DIR "/generated/operation_counts.json");
+  const auto emitted = nlohmann::json::parse(file)[GetParam().robot][GetParam().function]["emitted"];
+  EXPECT_EQ(emitted["mul"], GetParam().multiplications);
+  EXPECT_EQ(emitted["add"], GetParam().additions);
+}
+
+/// The fewest published or generated elsewhere, base parameters: RX-90 253/238 and 195/133, general 6R
+/// 425/369. With numbers folded in: PUMA 560 347/260 and 192/152, Stanford arm 339/250.
+INSTANTIATE_TEST_SUITE_P(Robots, GeneratedCounts,
+                         testing::Values(Generated{"general_6r", "inverse_dynamics", 363, 306},
+                                         Generated{"general_6r", "mass_matrix", 308, 257},
+                                         Generated{"rx90", "inverse_dynamics", 212, 195},
+                                         Generated{"rx90", "mass_matrix", 100, 106},
+                                         Generated{"puma560", "inverse_dynamics", 147, 123},
+                                         Generated{"puma560", "mass_matrix", 68, 67},
+                                         Generated{"stanford", "inverse_dynamics", 121, 103},
+                                         Generated{"stanford", "mass_matrix", 57, 53},
+                                         Generated{"iiwa14", "inverse_dynamics", 188, 167},
+                                         Generated{"iiwa14", "mass_matrix", 99, 92}));
+
+}  // namespace
+}  // namespace qvgen::application
