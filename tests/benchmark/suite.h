@@ -21,6 +21,10 @@ void add_setup(std::function<void()> setup);
 /// variant.
 void add_benchmark(const std::string& name, std::function<void(benchmark::State&)> body);
 
+/// Calls of the same variant, `counted_calls` of them, whose instructions can be counted (instructions.sh).
+inline constexpr int counted_calls = 256;
+void add_counted(const std::string& name, std::function<void()> calls);
+
 /// Ends the program if two implementations differ by more than 1e-12: their times could not be compared.
 void require_agreement(const std::string& robot, double difference);
 
