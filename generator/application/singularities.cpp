@@ -30,20 +30,6 @@ bool is_negative(const ex& value) {
   return dag::import(program_of("", value)).outputs.front().value.negative;
 }
 
-int rank(SingularFactor::Kind kind) {
-  switch (kind) {
-    case SingularFactor::Kind::shoulder:
-      return 0;
-    case SingularFactor::Kind::elbow:
-      return 1;
-    case SingularFactor::Kind::boundary:
-      return 2;
-    case SingularFactor::Kind::wrist:
-      return 3;
-  }
-  return 4;
-}
-
 void put_in_order(derive::Singularities& all) {
   for (SingularFactor& factor : all.factors) {
     if (!is_negative(factor.value)) continue;
@@ -51,8 +37,8 @@ void put_in_order(derive::Singularities& all) {
     if (factor.multiplicity % 2 != 0) all.constant = -all.constant;
   }
   std::sort(all.factors.begin(), all.factors.end(), [](const SingularFactor& a, const SingularFactor& b) {
-    return std::pair(rank(a.kind), text_of(a.value, emit::Notation::text)) <
-           std::pair(rank(b.kind), text_of(b.value, emit::Notation::text));
+    return std::pair(a.cause.kind, text_of(a.value, emit::Notation::text)) <
+           std::pair(b.cause.kind, text_of(b.value, emit::Notation::text));
   });
 }
 
@@ -85,21 +71,6 @@ std::string rows_text(const std::vector<int>& rows) {
   return text;
 }
 
-/// What happens where a factor vanishes.
-std::string meaning(const SingularFactor& factor) {
-  switch (factor.kind) {
-    case SingularFactor::Kind::shoulder:
-      return "the arm's end lies on the first axis, or in a plane that the first axis spans with an arm axis";
-    case SingularFactor::Kind::elbow:
-      return "arm stretched: workspace boundary; arm folded: inner boundary";
-    case SingularFactor::Kind::boundary:
-      return "the slide is at its zero: inner boundary";
-    case SingularFactor::Kind::wrist:
-      return "two wrist axes in line";
-  }
-  return {};
-}
-
 }  // namespace
 
 SingularityMeasures singularity_measures(const model::Robot& robot) {
@@ -115,7 +86,7 @@ SingularityMeasures singularity_measures(const model::Robot& robot) {
   symbolic::Program program;
   for (const SingularFactor& factor : all.factors) {
     program.output("m" + std::to_string(result.names.size() + 1), factor.value);
-    result.names.push_back(derive::to_string(factor.kind));
+    result.names.push_back(derive::to_string(factor.cause.kind));
     result.multiplicities.push_back(factor.multiplicity);
   }
   result.quantity.forms.push_back({"factors", program});
@@ -143,8 +114,8 @@ std::vector<std::string> singularity_lines(const model::Robot& robot, emit::Nota
                   (all.decoupled ? " (spherical wrist: arm and wrist decoupled)" : "") + " = " + product);
   for (std::size_t i = 0; i < all.factors.size(); ++i) {
     const SingularFactor& factor = all.factors[i];
-    lines.push_back(derive::to_string(factor.kind) + ": f" + std::to_string(i + 1) + " = " +
-                    text_of(factor.value, notation) + " = 0 (" + meaning(factor) + ")");
+    lines.push_back(derive::to_string(factor.cause.kind) + ": f" + std::to_string(i + 1) + " = " +
+                    text_of(factor.value, notation) + " = 0 (" + factor.cause.meaning + ")");
   }
   return lines;
 }

@@ -13,7 +13,8 @@ namespace qvgen::application {
 /// What vanishes at an arm's singular configurations, in a fixed order, with signs that no run of GiNaC
 /// changes.
 struct SingularityMeasures {
-  std::vector<std::string> names;   ///< shoulder, elbow, wrist, inner boundary, determinant
+  std::vector<std::string>
+      names;  ///< shoulder, elbow, workspace boundary, inner boundary, wrist; determinant
   std::vector<int> multiplicities;  ///< in the determinant
   std::vector<int> rows;            ///< of the Jacobian, whose determinant it is
   bool decoupled = false;

@@ -80,6 +80,8 @@ TEST(SingularFactors, DivisionTells) {
   CirclePolynomials circles;
   EXPECT_TRUE(circles.divides(l - sin(b), GiNaC::pow(l - sin(b), 2) * cos(a)));
   EXPECT_FALSE(circles.divides(l - sin(b), cos(a)));
+  EXPECT_TRUE(circles.divides(sin(a), sin(2 * a)));
+  EXPECT_FALSE(circles.divides(sin(a), 1 - cos(a))) << "it has only one of the sine's two zeros";
 }
 
 }  // namespace

@@ -185,7 +185,8 @@ CirclePolynomials::Half CirclePolynomials::join(const Half& a, const Half& b) co
   return result;
 }
 
-/// A number that tells factors apart up to sign and is the same in every run, whatever order GiNaC's terms have.
+/// A number that tells factors apart up to sign and is the same in every run, whatever order GiNaC's terms
+/// have.
 ex CirclePolynomials::key(const Half& half) const {
   GiNaC::exmap values;
   const auto number = [](const ex& symbol) {
@@ -221,7 +222,8 @@ std::vector<CirclePolynomials::Half> CirclePolynomials::joined(std::vector<Half>
       shortest = length;
     }
     if (partner == factors.end())
-      partner = std::find_if(factors.begin(), factors.end(), [&](const Half& other) { return !even(other.degrees); });
+      partner = std::find_if(factors.begin(), factors.end(),
+                             [&](const Half& other) { return !even(other.degrees); });
     if (partner == factors.end()) throw std::logic_error("a trigonometric polynomial of odd degree");
     const Half both = join(first, *partner);
     factors.erase(partner);
@@ -309,11 +311,24 @@ ex CirclePolynomials::written(const ex& polynomial) const {
   return length(sums) <= length(products) ? sums : products;
 }
 
+ex CirclePolynomials::written_out(const ex& expression) { return written(polynomial(expression)); }
+
+/// In half-angle tangents; what their degrees lack are factors cos(x/2), which must divide too.
 bool CirclePolynomials::divides(const ex& factor, const ex& multiple) {
-  std::vector<int> unused;
+  const ex divisor = polynomial(factor);
+  const ex dividend = polynomial(multiple);
+  if (dividend.is_zero()) return true;
+  std::vector<int> divisor_degrees;
+  std::vector<int> degrees;
+  const ex divisor_in_tangents = in_tangents(divisor, divisor_degrees);
+  const ex in_all_tangents = in_tangents(dividend, degrees);
+  for (std::size_t k = 0; k < degrees.size(); ++k) {
+    const ex t = circles_[k].tangent;
+    if (degrees[k] - in_all_tangents.degree(t) < divisor_degrees[k] - divisor_in_tangents.degree(t))
+      return false;
+  }
   ex quotient;
-  const ex divisor = in_tangents(polynomial(factor), unused);
-  return GiNaC::divide(in_tangents(polynomial(multiple), unused), divisor, quotient);
+  return GiNaC::divide(in_all_tangents, divisor_in_tangents, quotient);
 }
 
 namespace {

@@ -33,8 +33,10 @@ class CirclePolynomials {
   /// Factors of a reduced polynomial other than 0. `variables`: the prismatic joints' variables, which are no
   /// parameters.
   Product factored(const GiNaC::ex& polynomial, const std::vector<GiNaC::ex>& variables) const;
-  /// Whether the second expression vanishes wherever the first does, as far as division in half-angle
-  /// tangents tells.
+  /// An expression in sines and cosines of linear forms as the shorter of sums of products and sums of
+  /// angles.
+  GiNaC::ex written_out(const GiNaC::ex& expression);
+  /// Whether the second expression is a multiple of the first, and so vanishes wherever the first does.
   bool divides(const GiNaC::ex& factor, const GiNaC::ex& multiple);
 
  private:

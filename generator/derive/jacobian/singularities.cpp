@@ -106,60 +106,38 @@ bool has_symbolic_twist(const Linkage& linkage) {
                      [](const auto& pivot) { return pivot.joint < 0; });
 }
 
-std::vector<std::size_t> joints_in(const ex& value, const Linkage& linkage) {
-  std::vector<std::size_t> joints;
-  for (std::size_t i = 0; i < linkage.variables.size(); ++i)
-    if (value.has(linkage.variables[i])) joints.push_back(i);
-  return joints;
+bool of_last_three_joints(const ex& value, const Linkage& linkage) {
+  return !value.has(linkage.variables[0]) && !value.has(linkage.variables[1]) &&
+         !value.has(linkage.variables[2]);
 }
 
-bool all_axes_parallel(const Linkage& linkage) {
-  Program unused;
-  return Frames(unused, linkage).last() <= 1;
-}
-
-bool slides(std::size_t joint, const Linkage& linkage) {
-  return std::none_of(linkage.pivots.begin(), linkage.pivots.end(),
-                      [&](const auto& pivot) { return pivot.joint == static_cast<int>(joint); });
-}
-
-/// What turns the last three joints of six is the wrist; what the second joint changes is the arm as a whole
-/// against the first axis, the shoulder; what is left is how far the arm is stretched: the elbow, or, where a
-/// single sliding joint has come to its zero, the inner boundary.
-SingularFactor::Kind kind_of(const std::vector<std::size_t>& joints, const Linkage& linkage) {
-  using Kind = SingularFactor::Kind;
-  const std::size_t dof = linkage.variables.size();
-  const auto all_from = [&](std::size_t first) {
-    return std::all_of(joints.begin(), joints.end(), [&](std::size_t j) { return j >= first; });
-  };
-  if (joints.size() == 1 && slides(joints.front(), linkage)) return Kind::boundary;
-  if (dof == 6 && all_from(3)) return Kind::wrist;
-  if (dof < 3 || all_axes_parallel(linkage) || all_from(2)) return Kind::elbow;
-  return Kind::shoulder;
-}
-
-/// Of the tool point; zero where the first joint slides.
-ex squared_distance_from_first_axis(const Linkage& linkage) {
-  if (slides(0, linkage)) return 0;
-  const Vector v = columns_in(linkage, 0).front().linear;
-  return dot(v, v);
+/// What the linkage's tool point is called.
+enum class Point { tool, wrist_centre, last_axis };
+std::string name_of(Point point) {
+  switch (point) {
+    case Point::tool:
+      return "the tool point";
+    case Point::wrist_centre:
+      return "the wrist centre";
+    case Point::last_axis:
+      return "the origin of the last axis";
+  }
+  return {};
 }
 
 /// Adds the factors of a square part's determinant; false if it vanishes everywhere.
-bool add_factors(Singularities& result, const Linkage& linkage, const Square& square) {
+bool add_factors(Singularities& result, const Linkage& linkage, const Square& square, Point point) {
   CirclePolynomials circles;
   const ex polynomial = polynomial_determinant(circles, linkage, square);
   if (polynomial.is_zero()) return false;
   const auto product = circles.factored(polynomial, linkage.variables);
   result.constant *= product.constant;
-  const ex distance = squared_distance_from_first_axis(linkage);
+  SingularCauses causes(circles, linkage, name_of(point));
   for (const auto& factor : product.factors) {
-    const auto joints = joints_in(factor.value, linkage);
-    auto kind = kind_of(joints, linkage);
-    const bool on_axis = kind != SingularFactor::Kind::wrist && linkage.variables.size() > 2 &&
-                         !distance.is_zero() && circles.divides(factor.value, distance);
-    if (on_axis) kind = SingularFactor::Kind::shoulder;
-    result.factors.push_back({kind, factor.value, factor.multiplicity, joints});
+    const bool wrist = linkage.variables.size() == 6 && of_last_three_joints(factor.value, linkage);
+    const SingularCause cause = wrist ? causes.of_wrist(factor.value, point == Point::wrist_centre)
+                                      : causes.of(factor.value, square.columns);
+    result.factors.push_back({cause, factor.value, factor.multiplicity});
   }
   return true;
 }
@@ -189,20 +167,6 @@ ex named_determinant(Program& program, const Columns& columns, const std::vector
 
 }  // namespace
 
-std::string to_string(SingularFactor::Kind kind) {
-  switch (kind) {
-    case SingularFactor::Kind::boundary:
-      return "inner boundary";
-    case SingularFactor::Kind::shoulder:
-      return "shoulder";
-    case SingularFactor::Kind::elbow:
-      return "elbow";
-    case SingularFactor::Kind::wrist:
-      return "wrist";
-  }
-  return {};
-}
-
 Singularities singularities(const model::Robot& robot) {
   Singularities result;
   const Linkage arm = linkage(robot);
@@ -212,15 +176,16 @@ Singularities singularities(const model::Robot& robot) {
   if (centred) {
     result.rows = {0, 1, 2, 3, 4, 5};
     result.decoupled = true;
-    if (!add_factors(result, *centred, {{0, 1, 2}, range(0, 3)}) ||
-        !add_factors(result, *centred, {{3, 4, 5}, range(3, 6)}))
+    if (!add_factors(result, *centred, {{0, 1, 2}, range(0, 3)}, Point::wrist_centre) ||
+        !add_factors(result, *centred, {{3, 4, 5}, range(3, 6)}, Point::wrist_centre))
       return {};
     return result;
   }
   const Linkage simplest = dof == 6 ? at_last_pivot(arm) : arm;
   for (const std::vector<int>& rows : row_choices(static_cast<int>(dof))) {
     result.rows = rows;
-    if (add_factors(result, simplest, {rows, range(0, dof)})) return result;
+    if (add_factors(result, simplest, {rows, range(0, dof)}, dof == 6 ? Point::last_axis : Point::tool))
+      return result;
   }
   return {};
 }

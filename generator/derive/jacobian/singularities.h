@@ -1,23 +1,20 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "derive/form.h"
+#include "derive/jacobian/singular_causes.h"
 #include "model/robot.h"
 
 namespace qvgen::derive {
 
 /// A factor of the Jacobian's determinant: the arm is singular where it vanishes.
 struct SingularFactor {
-  enum class Kind { boundary, shoulder, elbow, wrist };
-  Kind kind = Kind::boundary;
+  SingularCause cause;
   GiNaC::ex value;
   int multiplicity = 1;
-  std::vector<std::size_t> joints;  ///< on which it depends
 };
-std::string to_string(SingularFactor::Kind kind);
 
 /// determinant of the chosen rows of the Jacobian = constant * product of the factors' powers.
 struct Singularities {

@@ -413,8 +413,8 @@ inline SingularityMeasures<Scalar> singularity_measures([[maybe_unused]] const J
   [[maybe_unused]] const auto& [s, c] = angles;
 
   SingularityMeasures<Scalar> result;
-  result(0, 0) = c[0];
-  result(1, 0) = s[0];
+  result(0, 0) = s[0];
+  result(1, 0) = c[0];
   result(2, 0) = s[1];
 
   return result;

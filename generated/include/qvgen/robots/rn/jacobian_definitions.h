@@ -446,8 +446,8 @@ inline SingularityMeasures<Scalar> singularity_measures([[maybe_unused]] const J
 
   SingularityMeasures<Scalar> result;
   result(0, 0) = s[0];
-  result(1, 0) = g.l2 - g.l3 * s[1];
-  result(2, 0) = s[1];
+  result(1, 0) = s[1];
+  result(2, 0) = g.l2 - g.l3 * s[1];
   result(3, 0) = s[2];
 
   return result;

@@ -23,7 +23,7 @@ using Twist = Eigen::Matrix<Scalar, 6, 1>;
 
 /// Factors of the Jacobian's determinant; what they mean for this arm: ./qvgen show rr --singularities
 inline constexpr int singularity_count = 3;
-inline constexpr std::array<const char*, singularity_count> singularity_names{ "shoulder", "elbow", "wrist" };
+inline constexpr std::array<const char*, singularity_count> singularity_names{ "shoulder", "workspace boundary", "wrist" };
 template <class Scalar>
 using SingularityMeasures = Eigen::Matrix<Scalar, singularity_count, 1>;
 

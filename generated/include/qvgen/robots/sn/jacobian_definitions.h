@@ -416,8 +416,8 @@ inline SingularityMeasures<Scalar> singularity_measures([[maybe_unused]] const J
   [[maybe_unused]] const auto& [s, c] = angles;
 
   SingularityMeasures<Scalar> result;
-  result(0, 0) = g.l2 * c[0] - g.d4 * s[0] * s[1];
-  result(1, 0) = s[1];
+  result(0, 0) = s[1];
+  result(1, 0) = g.l2 * c[0] - g.d4 * s[0] * s[1];
   result(2, 0) = s[2];
 
   return result;
