@@ -90,8 +90,8 @@ inline void solve_theta1([[maybe_unused]] const Target& t, const Scalar& sign,
     const Scalar x = -Scalar(t.pose_p_y);
     const Scalar y = Scalar(t.pose_p_x);
     const Scalar rhs = w.height_theta1;
-    const Scalar low = Scalar(t.geometry.l2) + t0;
-    const Scalar high = Scalar(t.geometry.l2) - t0;
+    const Scalar low = Scalar(t.geometry.l2) - t0;
+    const Scalar high = Scalar(t.geometry.l2) + t0;
     result = inverse::factored_line_angle<Scalar>(inverse::Rotor<Scalar>{x, y}, rhs, low, high, Scalar(t.tiny1), inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)}, sign, Scalar(t.tolerance), w.branch);
   }
 

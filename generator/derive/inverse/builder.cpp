@@ -96,7 +96,7 @@ std::optional<Flat> Builder::without_root(const Flat& k, const ex& rhs) const {
     if (gap.has(root) || !gap.info(GiNaC::info_flags::rational_polynomial)) continue;
     const ex factors = GiNaC::factor(gap);
     if (!GiNaC::is_a<GiNaC::mul>(factors)) continue;
-    // Two factors, and a number perhaps; which of the two GiNaC puts first changes nothing but names.
+    // Two factors, and a number perhaps, in an order and with signs that no run of GiNaC changes.
     std::vector<ex> parts;
     ex number = 1;
     for (const ex& factor : factors) {
@@ -104,10 +104,13 @@ std::optional<Flat> Builder::without_root(const Flat& k, const ex& rhs) const {
       else parts.push_back(factor);
     }
     if (parts.size() != 2 || GiNaC::is_a<GiNaC::power>(parts[0]) || GiNaC::is_a<GiNaC::power>(parts[1])) continue;
-    Flat factored{number * parts[0], parts[1]};
-    if (scope_.sample(parts[0] - parts[1]) > 0) factored = {number * parts[1], parts[0]};
-    if (scope_.sample(factored.x) < 0 && scope_.sample(factored.y) < 0) factored = {-factored.x, -factored.y};
-    return factored;
+    for (ex& part : parts) {
+      if (scope_.sample(part) >= 0) continue;
+      part = -part;
+      number = -number;
+    }
+    if (scope_.sample(parts[0] - parts[1]) > 0) std::swap(parts[0], parts[1]);
+    return Flat{number * parts[0], parts[1]};
   }
   return std::nullopt;
 }
