@@ -3,7 +3,9 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <map>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -172,6 +174,44 @@ TEST_F(CommandLine, ShowsTheFactorsOfTheDeterminant) {
   for (const char* name : {"spherical wrist", "shoulder: f1", "elbow: f2", "wrist: f3 = sin(theta5)"})
     EXPECT_TRUE(has(puma, name)) << puma.output;
   EXPECT_TRUE(has(run("show stanford --singularities"), "inner boundary: f2 = d3 = 0"));
+}
+
+TEST_F(CommandLine, PrintsWhatTheReadmeShows) {
+  std::ifstream file(std::string(QVGEN_SOURCE_DIR) + "/README.md");
+  const std::string readme{std::istreambuf_iterator<char>(file), {}};
+  const ToolRun shown = run("show puma560 --singularities");
+  EXPECT_NE(readme.find("```\n" + shown.output + "```"), std::string::npos) << shown.output;
+}
+
+/// Words of a line, one space between them.
+std::string words(const std::string& line) {
+  std::istringstream stream(line);
+  std::string all;
+  for (std::string word; stream >> word;) all += word + " ";
+  return all;
+}
+
+TEST_F(CommandLine, CountsAreThoseOfTheReadme) {
+  const ToolRun counts = run("counts");
+  std::map<std::string, std::string> lines;  // "robot function" -> line
+  std::istringstream output(counts.output);
+  for (std::string line; std::getline(output, line);) {
+    std::istringstream stream(line);
+    std::string robot, function;
+    if (line.find("  ") != std::string::npos && stream >> robot >> function) lines[robot + " " + function] = words(line);
+  }
+  std::ifstream readme(std::string(QVGEN_SOURCE_DIR) + "/README.md");
+  int found = 0;
+  for (std::string line; std::getline(readme, line);) {
+    std::istringstream stream(line);
+    std::string robot, function;
+    stream >> robot >> function;
+    const auto known = lines.find(robot + " " + function);
+    if (known == lines.end()) continue;
+    ++found;
+    EXPECT_EQ(words(line), known->second);
+  }
+  EXPECT_GT(found, 20);
 }
 
 TEST_F(CommandLine, SaysWhatHappensWhereAFactorVanishes) {
