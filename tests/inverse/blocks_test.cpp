@@ -87,6 +87,19 @@ TEST(SignedRoot, KeepsSmallExactValuesAndMergesNoise) {
   EXPECT_FALSE(outside.exists);
 }
 
+TEST(RequireDivisor, RefusesRoundingAndNaN) {
+  const auto exists = [](double divisor) {
+    Branch<double> branch;
+    require_divisor(divisor, branch);
+    return branch.exists;
+  };
+  EXPECT_TRUE(exists(1e-12));
+  EXPECT_TRUE(exists(-1e-12));
+  EXPECT_FALSE(exists(eps));
+  EXPECT_FALSE(exists(0.0));
+  EXPECT_FALSE(exists(std::numeric_limits<double>::quiet_NaN()));
+}
+
 TEST(QuadraticRoot, BothRootsToRounding) {
   Random random;
   for (int i = 0; i < 10000; ++i) {

@@ -145,7 +145,9 @@ class Execution {
       case Kind::quadratic:
         known["result"] = quadratic_root(in.at("a"), in.at("b"), in.at("c"), sign, tolerance(), branch);
         return;
-      case Kind::require: return require_zero(in.at("residual"), in.at("scale"), tolerance(), branch);
+      case Kind::require:
+        if (step.divisor) return require_divisor(in.at("divisor"), branch);
+        return require_zero(in.at("residual"), in.at("scale"), tolerance(), branch);
       default: return;
     }
   }

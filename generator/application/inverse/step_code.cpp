@@ -96,7 +96,9 @@ std::pair<std::string, std::string> block(const LoweredPlan& plan, const Step& s
     case Kind::half: return {turn, std::string(plan.plan.wrist.right ? "inverse::half_direction" : "inverse::half") + "<Scalar>(" + rotor("cosine", "sine") + ")"};
     case Kind::root: return {"Scalar", "inverse::signed_root<Scalar>(square, scale, Scalar(t.tiny1), sign, " + tolerance + ", w.branch)"};
     case Kind::quadratic: return {"Scalar", "inverse::quadratic_root<Scalar>(a, b, c, sign, " + tolerance + ", w.branch)"};
-    case Kind::require: return {"", "inverse::require_zero<Scalar>(residual, scale, " + tolerance + ", w.branch)"};
+    case Kind::require:
+      if (step.divisor) return {"", "inverse::require_divisor<Scalar>(divisor, w.branch)"};
+      return {"", "inverse::require_zero<Scalar>(residual, scale, " + tolerance + ", w.branch)"};
     case Kind::conic:
       return {"inverse::CircleRoots<Scalar>", "inverse::conic_circle<Scalar>({xx, xy, yy, x, y, one}, inverse::pi<Scalar>())"};
     case Kind::right_wrist: {

@@ -254,6 +254,13 @@ void Builder::require_zero(const ex& residual, const ex& scale, const std::strin
   step.before.output("scale", scale);
 }
 
+void Builder::require_divisor(const ex& divisor, const std::string& equation) {
+  if (Scope::is_number(divisor)) return;
+  Step& step = add(Kind::require, nullptr, 1, equation);
+  step.divisor = true;
+  step.before.output("divisor", divisor);
+}
+
 void Builder::polish(const std::array<Screw, 3>& arm, const symbolic::Vector& start, const symbolic::Vector& goal) {
   Step& step = add(Kind::polish, nullptr, 1, "Newton steps: the quartic's roots carry fewer digits than the arm deserves");
   step.unknown = "position";

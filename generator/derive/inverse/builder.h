@@ -50,6 +50,9 @@ class Builder {
   /// The direction of a free angle for which |point + turned offset|² lies in [inner, outer]: names cos_NAME, sin_NAME.
   Scope::Turn reachable(const std::string& name, const std::vector<Step::Seed>& seeds, const Flat& point, const Flat& offset,
                         const GiNaC::ex& inner, const GiNaC::ex& outer);
+  /// No solution where a divisor, a product of directions, vanishes: there the pose leaves a joint free, and the plan,
+  /// which divides, has no answer.
+  void require_divisor(const GiNaC::ex& divisor, const std::string& equation);
   void require_zero(const GiNaC::ex& residual, const GiNaC::ex& scale, const std::string& equation);
   /// Newton steps on e_a e_b e_c start = goal once all three are known.
   void polish(const std::array<Screw, 3>& arm, const symbolic::Vector& start, const symbolic::Vector& goal);

@@ -20,7 +20,7 @@ enum class Kind {
   quadratic,    ///< a t² + 2 b t + c = 0
   linear,       ///< one value
   conic,        ///< a conic on the unit circle: a quartic in the half-angle tangent
-  require,      ///< no unknown: an equation that the pose must satisfy
+  require,      ///< no unknown: an equation that the pose must satisfy, or (Step::divisor) a divisor that must not vanish
   half,         ///< cosine and sine of half an angle already known
   reach,        ///< no unknown: the value that a free angle takes so that the joints after it are in reach
   polish,       ///< Newton steps on the position, after a quartic
@@ -47,6 +47,7 @@ struct Step {
   };
   std::vector<Seed> seeds;           ///< reach: the joints whose angles, with their senses, add up to the free one
   std::vector<std::string> kept;     ///< those of `after` that a later step or the result reads
+  bool divisor = false;   ///< require: what must not vanish, in place of an equation
   bool exact_low = false;            ///< circle: low is a sum of squares, so that only an exact zero is a double root
   bool exact_high = false;
   std::string equation;              ///< in words and symbols, for people

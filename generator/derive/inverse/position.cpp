@@ -87,12 +87,18 @@ class Position {
     return scope_.clean(block.base + block.x0.x * block.screw.first + block.x0.y * block.screw.second);
   }
 
+  /// A slide's direction may depend on the pose, and at some poses lie where its equation does not see it.
+  void divide_by(const Block& u, const ex& divisor) {
+    builder_.require_divisor(divisor, "the equation of " + name(u) + " does not lose it");
+  }
+
   /// n·point(u) = rhs for the joint of u; the rhs may hold the other joint's solved value.
   void turn_or_slide(const Block& u, const Vector& n, const ex& rhs, const std::string& equation) {
     const Block::Form form = u.form(n, scope_);
     const ex right = scope_.clean(rhs - form.constant);
-    if (u.screw.revolute) builder_.turn_by_line(u.screw, form.coefficients, right, equation);
-    else builder_.slide_by_value(u.screw, right / form.coefficients.x, equation);
+    if (u.screw.revolute) return builder_.turn_by_line(u.screw, form.coefficients, right, equation);
+    divide_by(u, form.coefficients.x);
+    builder_.slide_by_value(u.screw, right / form.coefficients.x, equation);
   }
 
   /// |point(u) - r|² = square, in space or in the plane of axis b.
@@ -261,6 +267,7 @@ class Position {
     const Block::Form a = a_.form(b_.axis, scope_);
     const Block::Form c = c_.form(b_.axis, scope_);
     // t_a = u + v t_c from the height; then |g|² = |f|² is quadratic in t_c.
+    divide_by(a_, a.coefficients.x);
     const ex v = scope_.clean(c.coefficients.x / a.coefficients.x);
     const ex u = builder_.keep("offset_" + name(a_), (c.constant - a.constant) / a.coefficients.x);
     const Vector g = scope_.clean(a_.base - b_.point);
@@ -276,6 +283,7 @@ class Position {
   std::string slide_and_turn(const Block& slide, const Block& turn) {
     const Block::Form s = slide.form(b_.axis, scope_);
     const Block::Form t = turn.form(b_.axis, scope_);
+    divide_by(slide, s.coefficients.x);
     const ex u = builder_.keep("offset_" + name(slide), (t.constant - s.constant) / s.coefficients.x);
     const ex k1 = builder_.keep("cosine_" + name(slide), t.coefficients.x / s.coefficients.x);
     const ex k2 = builder_.keep("sine_" + name(slide), t.coefficients.y / s.coefficients.x);

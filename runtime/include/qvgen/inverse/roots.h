@@ -142,4 +142,11 @@ void require_zero(const Scalar& residual, const Scalar& scale, const Scalar& tol
   branch.exists = branch.exists & (residual <= tolerance * scale) & (residual >= -tolerance * scale);
 }
 
+/// Requires that a divisor is more than rounding: where it vanishes the pose leaves a joint free, and its quotient is noise.
+template <typename Scalar>
+void require_divisor(const Scalar& divisor, Branch<Scalar>& branch) {
+  const Scalar noise = Scalar(64) * epsilon<Scalar>();
+  branch.exists = branch.exists & ((divisor > noise) | (divisor < -noise));
+}
+
 }  // namespace qvgen::inverse
