@@ -24,6 +24,8 @@ struct DynamicsQuantity {
       residuals;
   /// Whether choosing the last link's frame makes a difference.
   bool has_wrenches = false;
+  /// An earlier quantity whose best choices serve this one as well, so that none are tried; or nothing.
+  std::string choices_of = {};
 };
 
 /// All quantities, in the order of the generated header.

@@ -120,9 +120,9 @@ const std::vector<DynamicsQuantity>& dynamics_quantities() {
       torque("gravity_torque", Effects::gravity),
       torque("coriolis_torque", Effects::velocity),
       {"mass_matrix", derive::dynamics::mass_matrix, mass_matrix_residuals, false},
-      {"coriolis_matrix", derive::dynamics::coriolis_matrix, coriolis_matrix_residuals, false},
+      {"coriolis_matrix", derive::dynamics::coriolis_matrix, coriolis_matrix_residuals, false, "mass_matrix"},
       {"forward_dynamics", derive::dynamics::forward_dynamics, forward_residuals, true},
-      {"kinetic_energy", derive::dynamics::kinetic_energy, kinetic_residuals, false},
+      {"kinetic_energy", derive::dynamics::kinetic_energy, kinetic_residuals, false, "mass_matrix"},
       {"potential_energy", derive::dynamics::potential_energy, potential_residuals, false},
   };
   return quantities;

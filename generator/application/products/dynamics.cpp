@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "application/products/dynamics.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -38,10 +37,18 @@ void measure(const model::Robot& robot, DynamicsFunction& function) {
     function.largest_error = largest_error_in_ulps(*with_numbers, {all}, accuracy_points);
 }
 
+/// Not to be tried again: the choices of the function of that name.
+DynamicsEffort with_choices_of(const std::vector<DynamicsFunction>& functions, const std::string& name) {
+  DynamicsEffort effort;
+  for (const DynamicsFunction& function : functions)
+    if (function.name == name) effort.choices = function.chosen;
+  return effort;
+}
+
 std::vector<DynamicsFunction> all_functions(const model::Robot& robot) {
   std::vector<DynamicsFunction> functions;
   for (const DynamicsQuantity& quantity : dynamics_quantities()) {
-    functions.push_back(generate_dynamics(robot, quantity));
+    functions.push_back(generate_dynamics(robot, quantity, with_choices_of(functions, quantity.choices_of)));
     measure(robot, functions.back());
   }
   return functions;
@@ -128,10 +135,7 @@ std::vector<DynamicsFunction> loaded_functions(const model::Robot& robot,
                                                const std::vector<DynamicsFunction>& functions) {
   std::vector<DynamicsFunction> result;
   for (const auto& [base, quantity] : loaded_quantities()) {
-    const auto is_base = [&, name = base](const DynamicsFunction& f) { return f.name == name; };
-    DynamicsEffort effort;
-    effort.choices = std::find_if(functions.begin(), functions.end(), is_base)->chosen;
-    result.push_back(generate_dynamics(robot, quantity, effort));
+    result.push_back(generate_dynamics(robot, quantity, with_choices_of(functions, base)));
     measure(robot, result.back());
   }
   return result;

@@ -160,14 +160,14 @@ Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q, const 
 
 /// C(q, qd) of Christoffel's symbols: C qd is coriolis_torque, dM/dt - 2 C is skew-symmetric.
 ///
-/// 986 multiplications, 758 additions, 5 sine/cosine pairs. Set-up: 154 multiplications, 143 additions, 8 divisions, 5 sine/cosine pairs.
+/// 987 multiplications, 757 additions, 5 sine/cosine pairs. Set-up: 158 multiplications, 143 additions, 8 divisions, 5 sine/cosine pairs.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
-/// The unit of length is a3, which must not be zero.
+/// The unit of length is d2, which must not be zero.
 template <class Scalar>
 Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
 template <class Scalar>
-using CoriolisMatrixConstants = std::array<Scalar, 88>;
+using CoriolisMatrixConstants = std::array<Scalar, 92>;
 template <class Scalar>
 CoriolisMatrixConstants<Scalar> coriolis_matrix_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});

@@ -1432,37 +1432,37 @@ CoriolisMatrixConstants<Scalar> coriolis_matrix_constants([[maybe_unused]] const
   using std::sin;
   const Scalar t0 = inertia.c6x * inertia.m6;
   const Scalar t1 = inertia.c6y * inertia.m6;
-  const Scalar t2 = g.a6 * inertia.m6;
-  const Scalar t3 = inertia.c5x * inertia.m5;
-  const Scalar t4 = inertia.c5y * inertia.m5;
-  const Scalar t5 = inertia.c6z * inertia.m6;
-  const Scalar t6 = g.d6 * inertia.m6 + t5;
-  const Scalar t7 = sin(g.alpha6) * t6;
-  const Scalar t8 = g.d5 * inertia.m5;
-  const Scalar t9 = inertia.c5z * inertia.m5;
-  const Scalar t10 = t9 + t8;
-  const Scalar t11 = t8 - t10;
-  const Scalar t12 = cos(g.alpha6) * t6;
-  const Scalar t13 = t11 - t12;
-  const Scalar t14 = inertia.m5 + inertia.m6;
-  const Scalar t15 = t13 - g.d5 * t14;
-  const Scalar t16 = sin(g.alpha5) * t15;
-  const Scalar t17 = inertia.c4y * inertia.m4;
-  const Scalar t18 = g.a5 * t14;
-  const Scalar t19 = inertia.c4x * inertia.m4;
-  const Scalar t20 = inertia.m4 + t14;
-  const Scalar t21 = inertia.c4z * inertia.m4;
-  const Scalar t22 = g.d4 * inertia.m4;
-  const Scalar t23 = t21 + t22;
-  const Scalar t24 = t23 - t22;
-  const Scalar t25 = cos(g.alpha5) * t15;
-  const Scalar t26 = t24 - t25;
-  const Scalar t27 = g.d4 * t20 + t26;
-  const Scalar t28 = sin(g.alpha4) * t27;
-  const Scalar t29 = inertia.c3y * inertia.m3;
-  const Scalar t30 = g.a4 * t20;
-  const Scalar t31 = inertia.c3x * inertia.m3;
-  const Scalar t32 = cos(g.alpha4) * t27;
+  const Scalar t2 = inertia.c5y * inertia.m5;
+  const Scalar t3 = inertia.c6z * inertia.m6;
+  const Scalar t4 = g.d6 * inertia.m6 + t3;
+  const Scalar t5 = sin(g.alpha6) * t4;
+  const Scalar t6 = g.a6 * inertia.m6;
+  const Scalar t7 = inertia.c5x * inertia.m5;
+  const Scalar t8 = inertia.m5 + inertia.m6;
+  const Scalar t9 = g.a5 * t8;
+  const Scalar t10 = inertia.c4x * inertia.m4;
+  const Scalar t11 = g.d5 * inertia.m5;
+  const Scalar t12 = inertia.c5z * inertia.m5;
+  const Scalar t13 = t12 + t11;
+  const Scalar t14 = t11 - t13;
+  const Scalar t15 = cos(g.alpha6) * t4;
+  const Scalar t16 = t14 - t15;
+  const Scalar t17 = t16 - g.d5 * t8;
+  const Scalar t18 = sin(g.alpha5) * t17;
+  const Scalar t19 = inertia.c4y * inertia.m4;
+  const Scalar t20 = inertia.m4 + t8;
+  const Scalar t21 = g.a4 * t20;
+  const Scalar t22 = inertia.c3x * inertia.m3;
+  const Scalar t23 = inertia.c4z * inertia.m4;
+  const Scalar t24 = g.d4 * inertia.m4;
+  const Scalar t25 = t23 + t24;
+  const Scalar t26 = t25 - t24;
+  const Scalar t27 = cos(g.alpha5) * t17;
+  const Scalar t28 = t26 - t27;
+  const Scalar t29 = g.d4 * t20 + t28;
+  const Scalar t30 = sin(g.alpha4) * t29;
+  const Scalar t31 = inertia.c3y * inertia.m3;
+  const Scalar t32 = cos(g.alpha4) * t29;
   const Scalar t33 = g.d3 * inertia.m3;
   const Scalar t34 = inertia.c3z * inertia.m3;
   const Scalar t35 = t34 + t33;
@@ -1474,148 +1474,152 @@ CoriolisMatrixConstants<Scalar> coriolis_matrix_constants([[maybe_unused]] const
   const Scalar t41 = inertia.c2y * inertia.m2;
   const Scalar t42 = g.a3 * t38;
   const Scalar t43 = inertia.c2x * inertia.m2;
-  const Scalar t44 = g.a2 / g.a3;
-  const Scalar t45 = inertia.I6xy - inertia.c6y * t0;
-  const Scalar t46 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t47 = (inertia.I6xx - t46) - inertia.c6x * t0;
-  const Scalar t48 = (inertia.I6yy - t46) - inertia.c6y * t1;
-  const Scalar t49 = g.a6 / g.a3;
-  const Scalar t50 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t51 = (inertia.c5x * t3 - (inertia.I5xx - t50)) + g.a6 * t2;
-  const Scalar t52 = t47 + t48;
-  const Scalar t53 = (inertia.c6z * t5 - (inertia.I6zz - t46)) + g.d6 * (t6 + t5);
-  const Scalar t54 = sin(g.alpha6) * t53;
-  const Scalar t55 = sin(g.alpha6) * t54;
-  const Scalar t56 = g.a5 / g.a3;
-  const Scalar t57 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t58 = g.a5 * t18 - ((inertia.I4xx - t57) - inertia.c4x * t19);
-  const Scalar t59 = g.d5 / g.a3;
-  const Scalar t60 = g.d5 * t4;
-  const Scalar t61 = (t60 + ((inertia.I5yz - inertia.c5z * t4) - t60)) + cos(g.alpha6) * t54;
-  const Scalar t62 = g.d5 * t3;
-  const Scalar t63 = (t62 - (t62 - (inertia.I5xz - inertia.c5z * t3))) - g.a6 * t12;
-  const Scalar t64 = (inertia.c5z * t9 - (inertia.I5zz - t50)) + g.d5 * (t9 + t10);
-  const Scalar t65 = (g.d5 * (t11 - t10) + t64) + (t53 - t55);
-  const Scalar t66 = g.d5 * (t13 + t15) - t65;
+  const Scalar t44 = g.a2 / g.d2;
+  const Scalar t45 = g.d3 / g.d2;
+  const Scalar t46 = g.a4 / g.d2;
+  const Scalar t47 = inertia.I6xy - inertia.c6y * t0;
+  const Scalar t48 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t49 = (inertia.I6xx - t48) - inertia.c6x * t0;
+  const Scalar t50 = (inertia.I6yy - t48) - inertia.c6y * t1;
+  const Scalar t51 = g.a6 / g.d2;
+  const Scalar t52 = g.d5 * t7;
+  const Scalar t53 = (t52 - (t52 - (inertia.I5xz - inertia.c5z * t7))) - g.a6 * t15;
+  const Scalar t54 = g.d5 * t2;
+  const Scalar t55 = (inertia.c6z * t3 - (inertia.I6zz - t48)) + g.d6 * (t4 + t3);
+  const Scalar t56 = sin(g.alpha6) * t55;
+  const Scalar t57 = (t54 + ((inertia.I5yz - inertia.c5z * t2) - t54)) + cos(g.alpha6) * t56;
+  const Scalar t58 = g.d5 / g.d2;
+  const Scalar t59 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t60 = sin(g.alpha6) * t56;
+  const Scalar t61 = t49 + t50;
+  const Scalar t62 = (inertia.c5x * t7 - (inertia.I5xx - t59)) + g.a6 * t6;
+  const Scalar t63 = (inertia.c5z * t12 - (inertia.I5zz - t59)) + g.d5 * (t12 + t13);
+  const Scalar t64 = (g.d5 * (t14 - t13) + t63) + (t55 - t60);
+  const Scalar t65 = g.d5 * (t16 + t17) - t64;
+  const Scalar t66 = sin(g.alpha5) * t65;
   const Scalar t67 = sin(g.alpha5) * t66;
-  const Scalar t68 = sin(g.alpha5) * t67;
-  const Scalar t69 = g.d4 * t19;
-  const Scalar t70 = g.a5 * t25 + (((inertia.I4xz - inertia.c4z * t19) - t69) + t69);
-  const Scalar t71 = g.d4 / g.a3;
-  const Scalar t72 = g.d4 * t17;
-  const Scalar t73 = cos(g.alpha5) * t67 - (t72 - (t72 - (inertia.I4yz - inertia.c4z * t17)));
-  const Scalar t74 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t75 = ((inertia.I4zz - t57) - inertia.c4z * t21) - g.d4 * (t23 + t21);
-  const Scalar t76 = (g.d4 * (t24 + t23) + t75) - (t68 - t66);
-  const Scalar t77 = t76 - g.d4 * (t26 + t27);
-  const Scalar t78 = sin(g.alpha4) * t77;
-  const Scalar t79 = sin(g.alpha4) * t78;
-  const Scalar t80 = g.a4 / g.a3;
-  const Scalar t81 = g.a4 * t30 + (inertia.c3x * t31 - (inertia.I3xx - t74));
-  const Scalar t82 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t83 = g.a3 * t42 + (inertia.c2x * t43 - (inertia.I2xx - t82));
-  const Scalar t84 = g.d3 / g.a3;
-  const Scalar t85 = g.d3 * t29;
-  const Scalar t86 = cos(g.alpha4) * t78 - (t85 - (t85 - (inertia.I3yz - inertia.c3z * t29)));
-  const Scalar t87 = g.d3 * t31;
-  const Scalar t88 = g.a4 * t32 - (t87 - (t87 - (inertia.I3xz - inertia.c3z * t31)));
-  const Scalar t89 = g.d3 * (t34 + t35) - ((inertia.I3zz - t74) - inertia.c3z * t34);
-  const Scalar t90 = (t79 - t77) + (t89 - g.d3 * (t35 - t36));
-  const Scalar t91 = sin(g.alpha3) * (t90 + g.d3 * (t37 + t39));
-  const Scalar t92 = ((inertia.I2yy - t82) - inertia.c2y * t41) - sin(g.alpha3) * t91;
-  const Scalar t93 = g.d2 / g.a3;
+  const Scalar t68 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t69 = g.a5 / g.d2;
+  const Scalar t70 = g.a5 * t9 - ((inertia.I4xx - t68) - inertia.c4x * t10);
+  const Scalar t71 = g.d4 * t10;
+  const Scalar t72 = g.a5 * t27 + (((inertia.I4xz - inertia.c4z * t10) - t71) + t71);
+  const Scalar t73 = g.d4 / g.d2;
+  const Scalar t74 = g.d4 * t19;
+  const Scalar t75 = cos(g.alpha5) * t66 - (t74 - (t74 - (inertia.I4yz - inertia.c4z * t19)));
+  const Scalar t76 = g.d3 * t22;
+  const Scalar t77 = g.a4 * t32 - (t76 - (t76 - (inertia.I3xz - inertia.c3z * t22)));
+  const Scalar t78 = ((inertia.I4zz - t68) - inertia.c4z * t23) - g.d4 * (t25 + t23);
+  const Scalar t79 = (g.d4 * (t26 + t25) + t78) - (t67 - t65);
+  const Scalar t80 = t79 - g.d4 * (t28 + t29);
+  const Scalar t81 = sin(g.alpha4) * t80;
+  const Scalar t82 = g.d3 * t31;
+  const Scalar t83 = cos(g.alpha4) * t81 - (t82 - (t82 - (inertia.I3yz - inertia.c3z * t31)));
+  const Scalar t84 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t85 = sin(g.alpha4) * t81;
+  const Scalar t86 = g.a4 * t21 + (inertia.c3x * t22 - (inertia.I3xx - t84));
+  const Scalar t87 = g.a3 / g.d2;
+  const Scalar t88 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t89 = g.a3 * t42 + (inertia.c2x * t43 - (inertia.I2xx - t88));
+  const Scalar t90 = g.d3 * (t34 + t35) - ((inertia.I3zz - t84) - inertia.c3z * t34);
+  const Scalar t91 = (t85 - t80) + (t90 - g.d3 * (t35 - t36));
+  const Scalar t92 = sin(g.alpha3) * (t91 + g.d3 * (t37 + t39));
+  const Scalar t93 = ((inertia.I2yy - t88) - inertia.c2y * t41) - sin(g.alpha3) * t92;
   const Scalar t94 = g.d2 * t43;
   const Scalar t95 = g.a3 * cos(g.alpha3) * t39 - (((inertia.I2xz - inertia.c2z * t43) - t94) + t94);
   const Scalar t96 = g.d2 * t41;
-  const Scalar t97 = ((t96 - (inertia.I2yz - inertia.c2z * t41)) - t96) - cos(g.alpha3) * t91;
-  return { g.a3 * t0,
-           g.a3 * t1,
-           cos(g.alpha5) * sin(g.alpha6),
-           g.a3 * (t2 + t3),
+  const Scalar t97 = ((t96 - (inertia.I2yz - inertia.c2z * t41)) - t96) - cos(g.alpha3) * t92;
+  return { g.d2 * t0,
+           g.d2 * t1,
            cos(g.alpha6),
-           g.a3 * (t4 - t7),
-           sin(g.alpha5),
-           cos(g.alpha4),
-           cos(g.alpha5),
-           sin(g.alpha6),
-           g.a3 * (t16 + t17),
-           g.a3 * (t18 + t19),
-           sin(g.alpha4),
-           sin(g.alpha3),
-           g.a3 * (t28 - t29),
-           g.a3 * (t30 + t31),
-           cos(g.alpha3),
-           g.a3 * (t40 - t41),
+           g.d2 * (t2 - t5),
+           g.d2 * (t6 + t7),
+           g.d2 * (t9 + t10),
            sin(g.alpha5) * sin(g.alpha6),
-           g.a3 * (t42 + t43),
+           cos(g.alpha5),
+           g.d2 * (t18 + t19),
+           g.d2 * (t21 + t22),
+           cos(g.alpha5) * sin(g.alpha6),
+           sin(g.alpha5),
+           sin(g.alpha4),
+           cos(g.alpha4),
+           g.d2 * (t30 - t31),
+           cos(g.alpha3),
+           sin(g.alpha3),
+           g.d2 * (t40 - t41),
+           g.d2 * (t42 + t43),
            t44,
-           Scalar(2) * t45,
-           t47 - t48,
-           t47,
-           Scalar(2) * t49,
-           t51,
-           t52,
+           t45,
+           t46,
            g.d6 * t1 - (inertia.I6yz - inertia.c6z * t1),
            (inertia.I6xz - inertia.c6z * t0) - g.d6 * t0,
+           Scalar(2) * t47,
+           t49 - t50,
+           t47,
+           sin(g.alpha6),
+           t51,
+           t53,
            Scalar(2) * cos(g.alpha6),
-           (inertia.c5y * t4 - (inertia.I5yy - t50)) + t55,
-           t45,
-           cos(g.alpha6) * t49,
-           (inertia.I5xy - inertia.c5y * t3) + g.a6 * t7,
-           Scalar(2) * t56,
+           t50,
+           t57,
            t58,
-           Scalar(2) * t59,
-           t59,
-           t61,
-           t49,
-           t63,
            Scalar(2) * cos(g.alpha5),
-           t68 + ((inertia.I4yy - t57) - inertia.c4y * t17),
-           t56,
-           g.a5 * t16 - (inertia.I4xy - inertia.c4y * t19),
+           Scalar(2) * t58,
+           (inertia.c5y * t2 - (inertia.I5yy - t59)) + t60,
+           Scalar(2) * t51,
+           t61,
+           t62,
+           (inertia.I5xy - inertia.c5y * t7) + g.a6 * t5,
+           t67 + ((inertia.I4yy - t68) - inertia.c4y * t19),
+           Scalar(2) * t69,
            t70,
-           t71,
+           t69,
+           g.a5 * t18 - (inertia.I4xy - inertia.c4y * t10),
+           t72,
            t73,
-           Scalar(2) * t71,
-           ((inertia.I3yy - t74) - inertia.c3y * t29) + t79,
-           Scalar(2) * t80,
-           t81,
-           t80,
-           (inertia.I3xy - inertia.c3y * t31) + g.a4 * t28,
+           t75,
+           t77,
+           sin(g.alpha6) * t58,
+           sin(g.alpha6) * t51,
+           Scalar(2) * t73,
+           Scalar(2) * cos(g.alpha4),
            t83,
-           sin(g.alpha6) * t49,
-           sin(g.alpha6) * t59,
-           t84,
+           (inertia.I3xy - inertia.c3y * t22) + g.a4 * t30,
+           ((inertia.I3yy - t84) - inertia.c3y * t31) + t85,
+           Scalar(2) * t46,
            t86,
-           t88,
+           t87,
            g.a3 * t40 + (inertia.I2xy - inertia.c2y * t43),
-           Scalar(2) * t84,
-           t92,
+           Scalar(2) * t87,
+           t89,
+           Scalar(2) * t45,
            t93,
+           sin(g.alpha2) * sin(g.alpha2),
+           sin(g.alpha3) * t87,
+           cos(g.alpha3) * t87,
            t95,
            t97,
            cos(g.alpha2) * sin(g.alpha2),
-           sin(g.alpha2) * sin(g.alpha2),
            cos(g.alpha2) * cos(g.alpha2),
+           cos(g.alpha2),
            sin(g.alpha2),
            sin(g.alpha2) * t44,
-           cos(g.alpha2),
            cos(g.alpha2) * t44,
-           sin(g.alpha2) * t93,
-           t48,
+           t49,
+           sin(g.alpha2) * sin(g.alpha3),
            Scalar(2) * sin(g.alpha3),
-           sin(g.alpha4) * t80,
-           cos(g.alpha3) * sin(g.alpha4),
-           cos(g.alpha4) * t80,
+           Scalar(2) * sin(g.alpha4),
+           sin(g.alpha4) * t46,
            sin(g.alpha3) * sin(g.alpha4),
+           cos(g.alpha3) * sin(g.alpha4),
+           cos(g.alpha4) * t46,
            sin(g.alpha4) * sin(g.alpha5),
            cos(g.alpha4) * sin(g.alpha5),
-           sin(g.alpha5) * t56,
-           cos(g.alpha5) * t56,
-           cos(g.alpha5) * t71,
-           cos(g.alpha3) * t84,
-           sin(g.alpha6) * t52,
-           cos(g.alpha6) * t52 };
+           sin(g.alpha5) * t69,
+           Scalar(2) * sin(g.alpha5),
+           cos(g.alpha5) * t69,
+           sin(g.alpha6) * t61,
+           cos(g.alpha6) * t51,
+           cos(g.alpha6) * t61 };
 }
 
 namespace detail {
@@ -1624,583 +1628,583 @@ template <class Scalar, class Angles>
 inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix([[maybe_unused]] const JointVector<Scalar>& q, [[maybe_unused]] const JointVector<Scalar>& qd, [[maybe_unused]] const Angles& angles,
     [[maybe_unused]] const CoriolisMatrixConstants<Scalar>& k) {
   [[maybe_unused]] const auto& [s, c] = angles;
-  const Scalar t0 = k[0] * c[4] - k[1] * s[4];
-  const Scalar t1 = k[3] + t0;
-  const Scalar t2 = k[0] * s[4] + k[1] * c[4];
-  const Scalar t3 = k[4] * t2;
-  const Scalar t4 = k[5] + t3;
-  const Scalar t5 = c[3] * t1 - s[3] * t4;
-  const Scalar t6 = k[11] + t5;
-  const Scalar t7 = k[9] * t2;
-  const Scalar t8 = s[3] * t1 + c[3] * t4;
-  const Scalar t9 = k[6] * t7 - k[8] * t8;
-  const Scalar t10 = k[10] - t9;
-  const Scalar t11 = s[2] * t6 + c[2] * t10;
-  const Scalar t12 = k[2] * t2 + k[6] * t8;
-  const Scalar t13 = k[7] * t11 - k[12] * t12;
-  const Scalar t14 = k[14] - t13;
-  const Scalar t15 = qd[5] * t0;
-  const Scalar t16 = qd[5] * t2;
-  const Scalar t17 = qd[4] * t4 + t16;
-  const Scalar t18 = k[4] * t15;
-  const Scalar t19 = t18 + qd[4] * t1;
-  const Scalar t20 = s[3] * t17 - c[3] * t19;
-  const Scalar t21 = k[18] * t15 + k[8] * t20;
-  const Scalar t22 = t21 - qd[3] * t6;
-  const Scalar t23 = c[3] * t17 + s[3] * t19;
-  const Scalar t24 = t23 + qd[3] * t10;
-  const Scalar t25 = s[2] * t22 - c[2] * t24;
-  const Scalar t26 = qd[2] * t14 + t25;
-  const Scalar t27 = s[2] * t10 - c[2] * t6;
-  const Scalar t28 = k[15] - t27;
-  const Scalar t29 = c[2] * t22 + s[2] * t24;
-  const Scalar t30 = k[2] * t0;
-  const Scalar t31 = qd[5] * t30 - k[6] * t20;
-  const Scalar t32 = k[7] * t29 + k[12] * t31;
-  const Scalar t33 = qd[2] * t28 - t32;
-  const Scalar t34 = s[1] * t26 + c[1] * t33;
-  const Scalar t35 = k[12] * t29 - k[7] * t31;
-  const Scalar t36 = k[16] * t34 + k[13] * t35;
-  const Scalar t37 = s[1] * t14 + c[1] * t28;
-  const Scalar t38 = k[19] + t37;
+  const Scalar t0 = k[0] * s[4] + k[1] * c[4];
+  const Scalar t1 = k[2] * t0;
+  const Scalar t2 = k[3] + t1;
+  const Scalar t3 = k[0] * c[4] - k[1] * s[4];
+  const Scalar t4 = k[4] + t3;
+  const Scalar t5 = s[3] * t2 - c[3] * t4;
+  const Scalar t6 = k[5] - t5;
+  const Scalar t7 = c[3] * t2 + s[3] * t4;
+  const Scalar t8 = k[6] * t0 - k[7] * t7;
+  const Scalar t9 = k[8] - t8;
+  const Scalar t10 = c[2] * t6 - s[2] * t9;
+  const Scalar t11 = k[9] + t10;
+  const Scalar t12 = k[6] * t3;
+  const Scalar t13 = k[2] * t3;
+  const Scalar t14 = qd[5] * t13;
+  const Scalar t15 = t14 + qd[4] * t4;
+  const Scalar t16 = qd[5] * t0;
+  const Scalar t17 = t16 + qd[4] * t2;
+  const Scalar t18 = c[3] * t15 - s[3] * t17;
+  const Scalar t19 = qd[5] * t12 - k[7] * t18;
+  const Scalar t20 = qd[3] * t6 - t19;
+  const Scalar t21 = s[3] * t15 + c[3] * t17;
+  const Scalar t22 = qd[3] * t9 + t21;
+  const Scalar t23 = c[2] * t20 - s[2] * t22;
+  const Scalar t24 = qd[5] * t3;
+  const Scalar t25 = k[10] * t24 + k[11] * t18;
+  const Scalar t26 = k[13] * t23 - k[12] * t25;
+  const Scalar t27 = qd[2] * t11 + t26;
+  const Scalar t28 = s[2] * t6 + c[2] * t9;
+  const Scalar t29 = k[10] * t0 + k[11] * t7;
+  const Scalar t30 = k[13] * t28 - k[12] * t29;
+  const Scalar t31 = k[14] - t30;
+  const Scalar t32 = c[2] * t22 + s[2] * t20;
+  const Scalar t33 = qd[2] * t31 - t32;
+  const Scalar t34 = c[1] * t27 + s[1] * t33;
+  const Scalar t35 = k[13] * t25 + k[12] * t23;
+  const Scalar t36 = k[15] * t34 - k[16] * t35;
+  const Scalar t37 = s[1] * t31 + c[1] * t11;
+  const Scalar t38 = k[18] + t37;
   const Scalar t39 = t36 + qd[1] * t38;
-  const Scalar t40 = c[1] * t26 - s[1] * t33;
-  const Scalar t41 = c[1] * t14 - s[1] * t28;
-  const Scalar t42 = k[12] * t11 + k[7] * t12;
-  const Scalar t43 = k[16] * t41 + k[13] * t42;
-  const Scalar t44 = k[17] + t43;
-  const Scalar t45 = t40 + qd[1] * t44;
+  const Scalar t40 = s[1] * t11 - c[1] * t31;
+  const Scalar t41 = k[13] * t29 + k[12] * t28;
+  const Scalar t42 = k[15] * t40 - k[16] * t41;
+  const Scalar t43 = k[17] - t42;
+  const Scalar t44 = c[1] * t33 - s[1] * t27;
+  const Scalar t45 = qd[1] * t43 + t44;
   const Scalar t46 = s[0] * t39 - c[0] * t45;
-  const Scalar t47 = k[21] * c[4] + k[22] * s[4];
-  const Scalar t48 = k[23] - s[4] * t47;
-  const Scalar t49 = qd[5] * t48;
-  const Scalar t50 = k[25] + (k[24] * t0 - t48);
-  const Scalar t51 = (k[4] * t49 - k[32] * t15) - qd[4] * t50;
-  const Scalar t52 = k[28] * c[4] + k[27] * s[4];
-  const Scalar t53 = k[9] * t52;
-  const Scalar t54 = k[31] - c[4] * t47;
-  const Scalar t55 = t53 + k[4] * t54;
-  const Scalar t56 = k[33] - (t55 + k[32] * t2);
-  const Scalar t57 = qd[5] * t55;
-  const Scalar t58 = qd[4] * t56 - k[4] * t57;
-  const Scalar t59 = k[39] * t16;
-  const Scalar t60 = k[4] * t52;
-  const Scalar t61 = t60 - k[9] * t54;
-  const Scalar t62 = qd[5] * t61;
-  const Scalar t63 = k[9] * t62;
-  const Scalar t64 = t59 - t63;
-  const Scalar t65 = c[3] * t51 - s[3] * (t58 - t64);
-  const Scalar t66 = k[27] * c[4] - k[28] * s[4];
-  const Scalar t67 = k[26] - t48;
-  const Scalar t68 = k[9] * t67;
-  const Scalar t69 = k[29] * t66 - t68;
-  const Scalar t70 = k[9] * t69;
-  const Scalar t71 = k[30] - (t70 + t67);
-  const Scalar t72 = k[9] * t66;
-  const Scalar t73 = qd[4] * t71 - (qd[5] * t72 + k[4] * qd[5] * t67);
-  const Scalar t74 = c[3] * t73 - s[3] * t58;
-  const Scalar t75 = s[3] * t65 + (t58 + s[3] * t74);
-  const Scalar t76 = k[9] * t57;
-  const Scalar t77 = k[9] * t49 - k[55] * t15;
-  const Scalar t78 = c[3] * t76 - s[3] * t77;
-  const Scalar t79 = k[6] * t78;
-  const Scalar t80 = k[8] * t75 + t79;
-  const Scalar t81 = k[8] * t80;
-  const Scalar t82 = k[56] * t15 - t63;
-  const Scalar t83 = qd[5] * t66;
-  const Scalar t84 = k[4] * t83 - qd[5] * t68;
-  const Scalar t85 = k[38] + (t66 - k[4] * t69);
-  const Scalar t86 = k[37] * t17 + (t84 - qd[4] * t85);
-  const Scalar t87 = k[4] * t62;
-  const Scalar t88 = k[40] + (t61 - k[39] * t7);
-  const Scalar t89 = (t87 + qd[4] * t88) - k[37] * t19;
-  const Scalar t90 = s[3] * t86 + c[3] * t89;
-  const Scalar t91 = t90 - t78;
-  const Scalar t92 = k[6] * t91;
-  const Scalar t93 = k[8] * t82 - (t92 + t79);
-  const Scalar t94 = k[8] * t93;
-  const Scalar t95 = k[43] * t23;
-  const Scalar t96 = t95 - (t75 - t64);
-  const Scalar t97 = (t81 + (t94 - t82)) + t96;
-  const Scalar t98 = c[3] * t74;
-  const Scalar t99 = c[3] * t65;
-  const Scalar t100 = (t98 - t73) + t99;
-  const Scalar t101 = c[3] * t77 + s[3] * t76;
-  const Scalar t102 = k[43] * t21 + (k[8] * t100 - k[6] * t101);
-  const Scalar t103 = c[3] * t56;
-  const Scalar t104 = s[3] * (t71 - t50) + (t103 + t103);
-  const Scalar t105 = s[3] * t104;
-  const Scalar t106 = t105 + t50;
-  const Scalar t107 = k[35] + (k[34] * t5 + t106);
-  const Scalar t108 = t102 - qd[3] * t107;
-  const Scalar t109 = t88 - k[37] * t1;
-  const Scalar t110 = k[37] * t4 - t85;
-  const Scalar t111 = c[3] * t109 + s[3] * t110;
-  const Scalar t112 = c[3] * t104 - t56;
-  const Scalar t113 = k[43] * t9 - (k[6] * t111 - k[8] * t112);
-  const Scalar t114 = k[44] - t113;
-  const Scalar t115 = t96 + qd[3] * t114;
-  const Scalar t116 = c[2] * t108 + s[2] * t115;
-  const Scalar t117 = s[3] * t89 - c[3] * t86;
-  const Scalar t118 = (t99 - t51) + t98;
-  const Scalar t119 = s[3] * t109 - c[3] * t110;
-  const Scalar t120 = k[36] * t7 + t70;
-  const Scalar t121 = t105 - t71;
-  const Scalar t122 = k[41] * t119 + k[6] * (t120 + t121);
-  const Scalar t123 = k[6] * t122;
-  const Scalar t124 = k[42] - (t123 - t121);
-  const Scalar t125 = (k[6] * t117 + k[8] * t118) - qd[3] * t124;
-  const Scalar t126 = c[2] * (t97 - t115) + s[2] * t125;
-  const Scalar t127 = s[2] * t116 + c[2] * t126;
-  const Scalar t128 = k[52] * t25 - (t97 - t127);
-  const Scalar t129 = k[47] + (t119 - k[8] * t122);
-  const Scalar t130 = t129 + k[46] * t10;
-  const Scalar t131 = k[43] * t12 - (k[8] * t111 + k[6] * t112);
-  const Scalar t132 = k[45] - t131;
-  const Scalar t133 = k[46] * t6 - t132;
-  const Scalar t134 = s[2] * t130 - c[2] * t133;
-  const Scalar t135 = Scalar(2) * c[2] * t114 + s[2] * (t124 + t107);
-  const Scalar t136 = t114 - c[2] * t135;
-  const Scalar t137 = k[52] * t13 + (k[12] * t134 - k[7] * t136);
-  const Scalar t138 = k[53] - t137;
-  const Scalar t139 = qd[2] * t138;
-  const Scalar t140 = c[2] * t116;
-  const Scalar t141 = s[2] * t126;
-  const Scalar t142 = t140 - t141;
-  const Scalar t143 = (k[8] * t101 + k[6] * t100) - k[43] * t31;
-  const Scalar t144 = k[6] * t80;
-  const Scalar t145 = k[6] * t93;
-  const Scalar t146 = (t144 - t78) + t145;
-  const Scalar t147 = c[2] * t143 - s[2] * t146;
-  const Scalar t148 = k[52] * t32 + (k[7] * t142 - k[12] * t147);
-  const Scalar t149 = t124 - t107;
-  const Scalar t150 = t124 - s[2] * t135;
-  const Scalar t151 = k[51] - (k[50] * t27 + (t149 - t150));
-  const Scalar t152 = t148 - qd[2] * t151;
-  const Scalar t153 = s[1] * (t128 + t139) - c[1] * t152;
-  const Scalar t154 = c[1] * t153;
-  const Scalar t155 = k[6] * t118 - k[8] * t117;
-  const Scalar t156 = k[46] * t24 + (qd[3] * t129 + t155);
-  const Scalar t157 = t144 + (t145 + t90);
-  const Scalar t158 = (qd[3] * t132 + t157) + k[46] * t22;
-  const Scalar t159 = s[2] * t156 + c[2] * t158;
-  const Scalar t160 = (t94 - (t75 - t81)) + k[46] * t31;
-  const Scalar t161 = k[7] * t159 + k[12] * t160;
-  const Scalar t162 = k[12] * t161;
-  const Scalar t163 = s[2] * t143 + c[2] * t146;
-  const Scalar t164 = k[12] * t163 - k[7] * t127;
-  const Scalar t165 = k[7] * t164;
-  const Scalar t166 = t162 + t165;
-  const Scalar t167 = s[2] * t133 + c[2] * t130;
-  const Scalar t168 = k[7] * t167;
-  const Scalar t169 = k[48] * t12 - (t123 - t120);
-  const Scalar t170 = Scalar(2) * t168 - k[12] * (t169 + t150);
-  const Scalar t171 = k[12] * t170;
-  const Scalar t172 = k[49] + (t150 + t171);
-  const Scalar t173 = (t140 - t108) - (t141 - t125);
-  const Scalar t174 = c[2] * t156 - s[2] * t158;
-  const Scalar t175 = qd[2] * t172 - (k[7] * t173 - k[12] * t174);
-  const Scalar t176 = c[1] * (t166 - t139) + s[1] * t175;
-  const Scalar t177 = s[1] * t176;
-  const Scalar t178 = t154 - t177;
-  const Scalar t179 = k[12] * t164;
-  const Scalar t180 = k[7] * t161;
-  const Scalar t181 = (t163 - t179) + (t180 - t159);
-  const Scalar t182 = (k[12] * t142 + k[7] * t147) + k[52] * t35;
-  const Scalar t183 = s[1] * t181 - c[1] * t182;
-  const Scalar t184 = c[1] * t138;
-  const Scalar t185 = (t184 + t184) - s[1] * (t172 + t151);
-  const Scalar t186 = t172 + s[1] * t185;
-  const Scalar t187 = t172 - t151;
-  const Scalar t188 = k[54] + (Scalar(2) * t37 + (t186 - t187));
-  const Scalar t189 = (t36 + (k[16] * t178 - k[13] * t183)) + qd[1] * t188;
-  const Scalar t190 = k[58] + (k[7] * t170 - t167);
-  const Scalar t191 = (k[12] * t136 + k[7] * t134) - k[52] * t42;
-  const Scalar t192 = k[59] - t191;
-  const Scalar t193 = (s[1] * t190 - c[1] * t192) - k[57] * t37;
-  const Scalar t194 = c[1] * t185 - t138;
-  const Scalar t195 = k[60] + (t43 - (k[13] * t193 - k[16] * t194));
-  const Scalar t196 = c[1] * t176 + s[1] * t153;
-  const Scalar t197 = t128 + t166;
-  const Scalar t198 = (t196 - t197) - t40;
-  const Scalar t199 = qd[1] * t195 - t198;
-  const Scalar t200 = k[7] * t174 + k[12] * t173;
-  const Scalar t201 = (qd[2] * t190 + t200) - k[57] * t26;
-  const Scalar t202 = t180 - t179;
-  const Scalar t203 = (t202 - qd[2] * t192) - k[57] * t33;
-  const Scalar t204 = c[1] * t201 - s[1] * t203;
-  const Scalar t205 = (t175 - t177) + (t154 + t152);
-  const Scalar t206 = k[57] * t41 - (c[1] * t190 + s[1] * t192);
-  const Scalar t207 = k[16] * t206;
-  const Scalar t208 = k[13] * (t186 + (k[61] * t42 + (t169 + t171)));
-  const Scalar t209 = (t207 + t207) + t208;
-  const Scalar t210 = k[62] - (k[13] * t209 - t186);
-  const Scalar t211 = (k[13] * t204 + k[16] * t205) + qd[1] * t210;
-  const Scalar t212 = s[1] * t182 + c[1] * t181;
-  const Scalar t213 = k[16] * t212 - k[13] * t196;
-  const Scalar t214 = k[13] * t213;
-  const Scalar t215 = c[1] * t203 + s[1] * t201;
-  const Scalar t216 = ((t127 + t165) + (t162 - t160)) + k[57] * t35;
-  const Scalar t217 = k[16] * t215 - k[13] * t216;
-  const Scalar t218 = k[13] * t217;
-  const Scalar t219 = ((t214 + t196) + t218) - t198;
-  const Scalar t220 = s[0] * (c[0] * t211 - s[0] * (t219 - t199));
-  const Scalar t221 = c[0] * (s[0] * t189 - c[0] * t199) + t220;
-  const Scalar t222 = k[13] * t34 - k[16] * t35;
-  const Scalar t223 = s[0] * (t222 + (k[16] * t183 + k[13] * t178));
-  const Scalar t224 = k[16] * t213;
-  const Scalar t225 = k[16] * t217;
-  const Scalar t226 = t223 - c[0] * (t224 + (t225 - t215));
-  const Scalar t227 = k[67] * (k[63] * t222 - (t214 + (t216 + t218)));
-  const Scalar t228 = t225 - (t212 - t224);
-  const Scalar t229 = (k[13] * t194 + k[16] * t193) + (k[13] * t41 - k[16] * t42);
-  const Scalar t230 = k[64] - t229;
-  const Scalar t231 = c[0] * (k[63] * t39 - (t228 - qd[1] * t230));
-  const Scalar t232 = k[13] * t205 - k[16] * t204;
-  const Scalar t233 = k[65] - (k[16] * t209 - t206);
-  const Scalar t234 = s[0] * (k[63] * t45 + (t232 - qd[1] * t233));
-  const Scalar t235 = t231 + t234;
-  const Scalar t236 = (k[68] * (t219 + t221) - k[66] * t226) + (t227 - k[66] * t235);
-  const Scalar t237 = k[71] * t219;
-  const Scalar t238 = qd[1] + k[71] * qd[0];
-  const Scalar t239 = k[69] * qd[0];
-  const Scalar t240 = c[0] * t239;
-  const Scalar t241 = s[0] * t239;
-  const Scalar t242 = (t238 * t230 - t228) - (t195 * t240 - t241 * t188);
-  const Scalar t243 = t36 + t238 * t38;
-  const Scalar t244 = (t232 - t238 * t233) + (t210 * t240 + t241 * t195);
-  const Scalar t245 = t238 * t44 + t40;
-  const Scalar t246 = c[0] * (t242 + k[63] * t243) + s[0] * (t244 + k[63] * t245);
-  const Scalar t247 = k[72] * (c[0] * t245 - s[0] * t243) + k[70] * (t240 * t44 - t241 * t38);
-  const Scalar t248 = (t237 - k[69] * t246) + t247;
-  const Scalar t249 = qd[2] + (k[16] * t238 - k[13] * t240);
-  const Scalar t250 = t28 * t249 - t32;
-  const Scalar t251 = t14 * t249 + t25;
-  const Scalar t252 = c[1] * t250 + s[1] * t251;
-  const Scalar t253 = k[13] * t238 + k[16] * t240;
-  const Scalar t254 = c[1] * t241 + s[1] * t253;
-  const Scalar t255 = c[1] * t253 - s[1] * t241;
-  const Scalar t256 = t28 * t254 - t255 * t14;
-  const Scalar t257 = s[1] * t250 - c[1] * t251;
-  const Scalar t258 = k[13] * t256 + k[16] * t257;
-  const Scalar t259 = (t254 * t138 + t255 * t172) - (t249 * t190 + t200);
-  const Scalar t260 = k[57] * t251 + t259;
-  const Scalar t261 = (t254 * t151 - t255 * t138) - (t202 - t192 * t249);
-  const Scalar t262 = t261 + k[57] * t250;
-  const Scalar t263 = k[13] * t257 - k[16] * t256;
-  const Scalar t264 = c[1] * t262 + s[1] * t260;
-  const Scalar t265 = c[0] * (t263 - (k[13] * t197 + k[16] * t264));
-  const Scalar t266 = s[0] * (c[1] * t260 - s[1] * t262) - t265;
-  const Scalar t267 = k[73] * (c[0] * t252 - s[0] * t258) + k[69] * t266;
-  const Scalar t268 = k[16] * t197;
-  const Scalar t269 = t258 + (k[13] * t264 - t268);
-  const Scalar t270 = k[70] * t263 - k[72] * (s[0] * t252 + c[0] * t258);
-  const Scalar t271 = (t267 + k[71] * t269) - t270;
-  const Scalar t272 = qd[3] + (k[7] * t249 - k[12] * t255);
-  const Scalar t273 = t21 - t272 * t6;
-  const Scalar t274 = t23 + t272 * t10;
-  const Scalar t275 = c[2] * t273 + s[2] * t274;
-  const Scalar t276 = k[12] * t249 + k[7] * t255;
-  const Scalar t277 = c[2] * t254 + s[2] * t276;
-  const Scalar t278 = s[2] * t254 - c[2] * t276;
-  const Scalar t279 = t6 * t277 - t10 * t278;
-  const Scalar t280 = c[2] * t274 - s[2] * t273;
-  const Scalar t281 = k[12] * t279 + k[7] * t280;
-  const Scalar t282 = s[1] * t275 - c[1] * t281;
-  const Scalar t283 = k[12] * t280 - k[7] * t279;
-  const Scalar t284 = k[16] * t282 + k[13] * t283;
-  const Scalar t285 = (t107 * t277 - t114 * t278) - (t272 * t132 + t157);
-  const Scalar t286 = (t272 * t129 + t155) + (t124 * t278 + t114 * t277);
-  const Scalar t287 = (s[2] * t285 + c[2] * t286) + k[46] * t280;
-  const Scalar t288 = k[46] * t275 + (s[2] * t286 - c[2] * t285);
-  const Scalar t289 = k[12] * t97;
-  const Scalar t290 = k[52] * t283 + (k[7] * t288 + t289);
-  const Scalar t291 = s[1] * t281 + c[1] * t275;
-  const Scalar t292 = (s[1] * t287 + c[1] * t290) + k[57] * t291;
-  const Scalar t293 = k[7] * t97;
-  const Scalar t294 = k[52] * t281 - (k[12] * t288 - t293);
-  const Scalar t295 = t284 + (k[13] * t292 - k[16] * t294);
-  const Scalar t296 = k[16] * t283 - k[13] * t282;
-  const Scalar t297 = (t296 + (k[13] * t294 + k[16] * t292)) + k[63] * t291;
-  const Scalar t298 = (c[1] * t287 - s[1] * t290) - k[57] * t282;
-  const Scalar t299 = c[0] * t297 + s[0] * (t298 - k[63] * t284);
-  const Scalar t300 = k[72] * (c[0] * t284 + s[0] * t291) + k[70] * t296;
-  const Scalar t301 = (k[71] * t295 + k[69] * t299) + t300;
-  const Scalar t302 = k[8] * t278 - k[6] * t272;
-  const Scalar t303 = c[3] * t277 - s[3] * t302;
-  const Scalar t304 = c[3] * t302 + s[3] * t277;
-  const Scalar t305 = qd[4] + (k[6] * t278 + k[8] * t272);
-  const Scalar t306 = (t303 * t50 + t304 * t56) - (t87 + t305 * t88);
-  const Scalar t307 = (t303 * t56 + t71 * t304) + (t305 * t85 - t84);
-  const Scalar t308 = t305 * t4 + t16;
-  const Scalar t309 = t18 + t305 * t1;
-  const Scalar t310 = s[3] * t308 - c[3] * t309;
-  const Scalar t311 = (c[3] * t306 + s[3] * t307) - k[37] * t310;
-  const Scalar t312 = k[8] * t64;
-  const Scalar t313 = c[3] * t308 + s[3] * t309;
-  const Scalar t314 = t303 * t1 - t4 * t304;
-  const Scalar t315 = k[8] * t313 + k[6] * t314;
-  const Scalar t316 = (k[6] * t311 + t312) + k[43] * t315;
-  const Scalar t317 = k[8] * t314 - k[6] * t313;
-  const Scalar t318 = k[6] * t64;
-  const Scalar t319 = k[46] * t310 - (k[43] * t317 - (t318 - k[8] * t311));
-  const Scalar t320 = (s[3] * t306 - c[3] * t307) + k[37] * t313;
-  const Scalar t321 = k[46] * t315 + t320;
-  const Scalar t322 = c[2] * t319 + s[2] * t321;
-  const Scalar t323 = s[2] * t310 - c[2] * t315;
-  const Scalar t324 = k[7] * t317 + k[12] * t323;
-  const Scalar t325 = (k[12] * t316 + k[7] * t322) - k[52] * t324;
-  const Scalar t326 = c[2] * t310 + s[2] * t315;
-  const Scalar t327 = t325 + k[57] * t326;
-  const Scalar t328 = k[12] * t317 - k[7] * t323;
-  const Scalar t329 = (s[2] * t319 - c[2] * t321) - k[57] * t328;
-  const Scalar t330 = c[1] * t327 - s[1] * t329;
-  const Scalar t331 = (k[7] * t316 - k[12] * t322) + k[52] * t328;
-  const Scalar t332 = s[1] * t326 - c[1] * t328;
-  const Scalar t333 = k[16] * t332 - k[13] * t324;
-  const Scalar t334 = (k[13] * t330 - k[16] * t331) + t333;
-  const Scalar t335 = k[63] * t333 + (s[1] * t327 + c[1] * t329);
-  const Scalar t336 = c[1] * t326 + s[1] * t328;
-  const Scalar t337 = k[13] * t332 + k[16] * t324;
-  const Scalar t338 = k[63] * t336 - (t337 - (k[13] * t331 + k[16] * t330));
-  const Scalar t339 = k[71] * t334 - k[69] * (s[0] * t335 - c[0] * t338);
-  const Scalar t340 = k[72] * (c[0] * t333 + s[0] * t336) - k[70] * t337;
-  const Scalar t341 = t339 + t340;
-  const Scalar t342 = qd[5] + (k[9] * t304 + k[4] * t305);
-  const Scalar t343 = t342 * t0;
-  const Scalar t344 = k[9] * t305 - k[4] * t304;
-  const Scalar t345 = s[4] * t344 + c[4] * t303;
-  const Scalar t346 = s[4] * t303 - c[4] * t344;
-  const Scalar t347 = k[0] * t345 - k[1] * t346;
-  const Scalar t348 = k[9] * t347 + t3 * t342;
-  const Scalar t349 = s[3] * t343 + c[3] * t348;
-  const Scalar t350 = k[4] * t347 - t342 * t7;
-  const Scalar t351 = k[8] * t349 + k[6] * t350;
-  const Scalar t352 = c[3] * t343 - s[3] * t348;
-  const Scalar t353 = s[2] * t351 - c[2] * t352;
-  const Scalar t354 = s[2] * t352 + c[2] * t351;
-  const Scalar t355 = k[6] * t349 - k[8] * t350;
-  const Scalar t356 = k[7] * t354 - k[12] * t355;
-  const Scalar t357 = s[1] * t353 - c[1] * t356;
-  const Scalar t358 = k[12] * t354 + k[7] * t355;
-  const Scalar t359 = k[13] * t357 - k[16] * t358;
-  const Scalar t360 = k[16] * t357 + k[13] * t358;
-  const Scalar t361 = s[1] * t356 + c[1] * t353;
-  const Scalar t362 = k[70] * t359 - k[72] * (c[0] * t360 + s[0] * t361);
-  const Scalar t363 = (k[23] * t345 - k[31] * t346) + k[28] * t342;
-  const Scalar t364 = (k[74] * t346 - k[31] * t345) + k[27] * t342;
-  const Scalar t365 = s[4] * t363 - c[4] * t364;
-  const Scalar t366 = s[4] * t364 + c[4] * t363;
-  const Scalar t367 = k[4] * t366 - k[39] * t350;
-  const Scalar t368 = k[37] * t352 + (s[3] * t365 - c[3] * t367);
-  const Scalar t369 = k[9] * t366 - k[39] * t348;
-  const Scalar t370 = k[43] * t355 - (k[8] * t368 + k[6] * t369);
-  const Scalar t371 = (c[3] * t365 + s[3] * t367) - k[37] * t349;
-  const Scalar t372 = (c[2] * t370 - s[2] * t371) + k[46] * t353;
-  const Scalar t373 = k[43] * t351 + (k[6] * t368 - k[8] * t369);
-  const Scalar t374 = (k[7] * t372 + k[12] * t373) + k[52] * t358;
-  const Scalar t375 = k[57] * t353 + t374;
-  const Scalar t376 = (s[2] * t370 + c[2] * t371) - k[46] * t354;
-  const Scalar t377 = k[57] * t356 - t376;
-  const Scalar t378 = (s[1] * t375 - c[1] * t377) + k[63] * t360;
-  const Scalar t379 = k[52] * t356 + (k[7] * t373 - k[12] * t372);
-  const Scalar t380 = s[1] * t377 + c[1] * t375;
-  const Scalar t381 = ((k[13] * t379 + k[16] * t380) - t359) + k[63] * t361;
-  const Scalar t382 = t360 + (k[13] * t380 - k[16] * t379);
-  const Scalar t383 = k[69] * (s[0] * t378 - c[0] * t381) - k[71] * t382;
-  const Scalar t384 = t362 + t383;
-  const Scalar t385 = k[72] * t46 + (k[69] * (t235 + t226) - (t237 + t237));
-  const Scalar t386 = k[13] * t40;
-  const Scalar t387 = k[16] * t40;
-  const Scalar t388 = t387 + qd[1] * t41;
-  const Scalar t389 = t34 + k[16] * qd[1] * t37;
-  const Scalar t390 = k[70] * t386 - k[72] * (c[0] * t388 - s[0] * t389);
-  const Scalar t391 = qd[1] * ((k[13] * t187 + t207) - k[13] * t37);
-  const Scalar t392 = s[0] * (k[63] * t388 + ((t183 - t204) + t391));
-  const Scalar t393 = t212 + t215;
-  const Scalar t394 = qd[1] * t193 - (t386 + (k[75] * t197 - k[16] * t393));
-  const Scalar t395 = k[69] * (t392 + c[0] * (k[63] * t389 - t394));
-  const Scalar t396 = (k[13] * t393 + (t268 + t268)) + t387;
-  const Scalar t397 = t163 + t159;
-  const Scalar t398 = (Scalar(2) * t289 + k[7] * t397) - k[76] * t25;
-  const Scalar t399 = k[7] * t27;
-  const Scalar t400 = t29 + qd[2] * t399;
-  const Scalar t401 = (t398 + qd[2] * t134) + k[57] * t400;
-  const Scalar t402 = k[7] * t25 - qd[2] * t11;
-  const Scalar t403 = k[76] * t27 - (t168 - k[12] * t149);
-  const Scalar t404 = k[57] * t402 - ((t174 + t147) - qd[2] * t403);
-  const Scalar t405 = c[1] * t401 - s[1] * t404;
-  const Scalar t406 = k[78] * t25 - (Scalar(2) * t293 - k[12] * t397);
-  const Scalar t407 = c[1] * t402 + s[1] * t400;
-  const Scalar t408 = k[16] * t407 - k[79] * t25;
-  const Scalar t409 = (k[13] * t405 + k[16] * t406) + t408;
-  const Scalar t410 = c[1] * t399 + s[1] * t11;
-  const Scalar t411 = (c[1] * t400 - s[1] * t402) + qd[1] * (k[16] * t410 - k[79] * t27);
-  const Scalar t412 = k[13] * t407 + k[77] * t25;
-  const Scalar t413 = (c[1] * t134 - s[1] * t403) + k[57] * t410;
-  const Scalar t414 = ((k[16] * t405 - k[13] * t406) - t412) + qd[1] * t413;
-  const Scalar t415 = s[1] * t399 - c[1] * t11;
-  const Scalar t416 = (s[1] * t134 + c[1] * t403) + k[57] * t415;
-  const Scalar t417 = (k[7] * t149 + k[12] * t167) + k[78] * t27;
-  const Scalar t418 = (k[13] * t410 + k[77] * t27) + (k[16] * t416 + k[13] * t417);
-  const Scalar t419 = qd[1] * t418 + (s[1] * t401 + c[1] * t404);
-  const Scalar t420 = t408 + qd[1] * t415;
-  const Scalar t421 = c[0] * (k[63] * t411 + t414) - s[0] * (t419 + k[63] * t420);
-  const Scalar t422 = k[70] * t412 - k[72] * (s[0] * t411 + c[0] * t420);
-  const Scalar t423 = t301 - ((k[71] * t409 + k[69] * t421) - t422);
-  const Scalar t424 = k[8] * t5;
-  const Scalar t425 = c[2] * t424 - s[2] * t8;
-  const Scalar t426 = k[81] * t5 + k[12] * t425;
-  const Scalar t427 = t106 - t121;
-  const Scalar t428 = k[82] * t5 + (k[6] * t427 - k[8] * t119);
-  const Scalar t429 = t428 + k[46] * t8;
-  const Scalar t430 = k[84] * t5 - t111;
-  const Scalar t431 = c[2] * t429 + s[2] * t430;
-  const Scalar t432 = (k[6] * t119 + k[8] * t427) + k[43] * t424;
-  const Scalar t433 = k[52] * t426 + (k[7] * t431 + k[12] * t432);
-  const Scalar t434 = c[2] * t430 - s[2] * t429;
-  const Scalar t435 = s[2] * t424 + c[2] * t8;
-  const Scalar t436 = k[80] * t5 - k[7] * t425;
-  const Scalar t437 = s[1] * t435 + c[1] * t436;
-  const Scalar t438 = (s[1] * t433 - c[1] * t434) + k[57] * t437;
-  const Scalar t439 = qd[3] * t8 + k[8] * t23;
-  const Scalar t440 = k[46] * t439 - ((t117 - t101) - qd[3] * t428);
-  const Scalar t441 = qd[3] * t424 - t20;
-  const Scalar t442 = k[6] * t95 + (k[8] * t91 + (t318 + t318));
-  const Scalar t443 = k[46] * t441 - (qd[3] * t111 + t442);
-  const Scalar t444 = qd[2] * t433 + (c[2] * t440 + s[2] * t443);
-  const Scalar t445 = s[2] * t440 - c[2] * t443;
-  const Scalar t446 = k[83] * t23 + (Scalar(2) * t312 - t92);
-  const Scalar t447 = c[2] * t439 + s[2] * t441;
-  const Scalar t448 = k[81] * t23 + k[12] * t447;
-  const Scalar t449 = (k[7] * t445 + k[12] * t446) + k[52] * t448;
-  const Scalar t450 = qd[2] * t434 - t449;
-  const Scalar t451 = qd[2] * t436 + (s[2] * t439 - c[2] * t441);
-  const Scalar t452 = k[80] * t23 - k[7] * t447;
-  const Scalar t453 = t452 - qd[2] * t435;
-  const Scalar t454 = c[1] * t451 - s[1] * t453;
-  const Scalar t455 = (s[1] * t444 - c[1] * t450) + k[57] * t454;
-  const Scalar t456 = (k[12] * t445 - k[7] * t446) + k[52] * t452;
-  const Scalar t457 = s[1] * t451 + c[1] * t453;
-  const Scalar t458 = k[16] * t448 - k[13] * t457;
-  const Scalar t459 = qd[1] * t438 + ((k[16] * t455 - k[13] * t456) + t458);
-  const Scalar t460 = qd[1] * (k[13] * t426 + k[16] * t437) + t454;
-  const Scalar t461 = c[1] * t435 - s[1] * t436;
-  const Scalar t462 = k[85] * t461 + k[16] * (c[1] * t433 + s[1] * t434);
-  const Scalar t463 = (k[7] * t432 - k[12] * t431) - k[52] * t436;
-  const Scalar t464 = (t462 + k[13] * t463) + (k[16] * t426 - k[13] * t437);
-  const Scalar t465 = k[57] * t457 - (s[1] * t450 + c[1] * t444);
-  const Scalar t466 = k[16] * t457 + k[13] * t448;
-  const Scalar t467 = t466 - qd[1] * t461;
-  const Scalar t468 = s[0] * ((qd[1] * t464 - t465) - k[63] * t467);
-  const Scalar t469 = k[69] * (c[0] * (t459 + k[63] * t460) + t468);
-  const Scalar t470 = t466 + (k[16] * t456 + k[13] * t455);
-  const Scalar t471 = k[70] * t458 + k[72] * (s[0] * t460 + c[0] * t467);
-  const Scalar t472 = k[4] * t0;
-  const Scalar t473 = s[3] * t472 + c[3] * t2;
-  const Scalar t474 = c[3] * t472 - s[3] * t2;
-  const Scalar t475 = k[8] * t474 - k[18] * t0;
-  const Scalar t476 = s[2] * t473 - c[2] * t475;
-  const Scalar t477 = k[6] * t474 + t30;
-  const Scalar t478 = k[7] * t476 + k[12] * t477;
-  const Scalar t479 = qd[4] * t472 + t15;
-  const Scalar t480 = qd[5] * t3;
-  const Scalar t481 = t480 + qd[4] * t2;
-  const Scalar t482 = s[3] * t479 + c[3] * t481;
-  const Scalar t483 = k[8] * t482 - k[18] * t16;
-  const Scalar t484 = qd[3] * t473 + t483;
-  const Scalar t485 = (s[3] * t481 - c[3] * t479) - qd[3] * t475;
-  const Scalar t486 = qd[2] * t478 + (s[2] * t484 + c[2] * t485);
-  const Scalar t487 = c[2] * t473 + s[2] * t475;
-  const Scalar t488 = k[2] * t16 + k[6] * t482;
-  const Scalar t489 = c[2] * t484 - s[2] * t485;
-  const Scalar t490 = k[12] * t488 - k[7] * t489;
-  const Scalar t491 = qd[2] * t487 - t490;
-  const Scalar t492 = k[12] * t476 - k[7] * t477;
-  const Scalar t493 = s[1] * t487 + c[1] * t478;
-  const Scalar t494 = (c[1] * t486 + s[1] * t491) - qd[1] * (k[13] * t492 - k[16] * t493);
-  const Scalar t495 = k[12] * t489 + k[7] * t488;
-  const Scalar t496 = s[1] * t486 - c[1] * t491;
-  const Scalar t497 = k[16] * t495 - k[13] * t496;
-  const Scalar t498 = k[39] * t472 - (k[87] + t72);
-  const Scalar t499 = (k[86] - k[4] * t66) - k[55] * t0;
-  const Scalar t500 = k[37] * t2 - t499;
-  const Scalar t501 = k[37] * t472 - t52;
-  const Scalar t502 = c[3] * t500 + s[3] * t501;
-  const Scalar t503 = k[43] * t475 + (k[8] * t498 - k[6] * t502);
-  const Scalar t504 = s[3] * t500 - c[3] * t501;
-  const Scalar t505 = t504 - k[46] * t475;
-  const Scalar t506 = (k[6] * t498 + k[8] * t502) + k[43] * t477;
-  const Scalar t507 = t506 + k[46] * t473;
-  const Scalar t508 = s[2] * t505 - c[2] * t507;
-  const Scalar t509 = k[52] * t492 - (k[12] * t503 - k[7] * t508);
-  const Scalar t510 = (qd[5] * t60 + k[9] * t59) + qd[4] * t52;
-  const Scalar t511 = k[37] * t479 - t510;
-  const Scalar t512 = (qd[4] * t499 - t83) - k[37] * t481;
-  const Scalar t513 = c[3] * t511 + s[3] * t512;
-  const Scalar t514 = k[39] * t480 - qd[5] * t53;
-  const Scalar t515 = (k[8] * t513 - k[6] * t514) - k[43] * t488;
-  const Scalar t516 = (t515 - qd[3] * t504) - k[46] * t485;
-  const Scalar t517 = (s[3] * t511 - c[3] * t512) + qd[3] * t506;
-  const Scalar t518 = t517 + k[46] * t484;
-  const Scalar t519 = qd[2] * t509 - (s[2] * t516 + c[2] * t518);
-  const Scalar t520 = k[57] * t491 - t519;
-  const Scalar t521 = c[2] * t505 + s[2] * t507;
-  const Scalar t522 = c[2] * t516 - s[2] * t518;
-  const Scalar t523 = (k[8] * t514 + k[6] * t513) + k[43] * t483;
-  const Scalar t524 = (k[7] * t522 - k[12] * t523) - k[52] * t495;
-  const Scalar t525 = k[57] * t486 + (qd[2] * t521 - t524);
-  const Scalar t526 = s[1] * t520 + c[1] * t525;
-  const Scalar t527 = (k[12] * t522 + k[7] * t523) - k[52] * t490;
-  const Scalar t528 = (s[1] * t509 - c[1] * t521) - k[57] * t493;
-  const Scalar t529 = (t497 + (k[16] * t526 + k[13] * t527)) - qd[1] * t528;
-  const Scalar t530 = k[16] * t496 + k[13] * t495;
-  const Scalar t531 = s[1] * t478 - c[1] * t487;
-  const Scalar t532 = t530 + qd[1] * t531;
-  const Scalar t533 = k[52] * t478 - (k[12] * t508 + k[7] * t503);
-  const Scalar t534 = (s[1] * t521 + c[1] * t509) + k[57] * t531;
-  const Scalar t535 = (k[13] * t533 + k[16] * t534) + (k[16] * t492 + k[13] * t493);
-  const Scalar t536 = qd[1] * t535 - (c[1] * t520 - s[1] * t525);
-  const Scalar t537 = c[0] * (k[63] * t494 + t529) - s[0] * (k[63] * t532 + t536);
-  const Scalar t538 = t530 + (k[13] * t526 - k[16] * t527);
-  const Scalar t539 = k[70] * t497 + k[72] * (c[0] * t532 + s[0] * t494);
-  const Scalar t540 = t384 + ((k[69] * t537 + k[71] * t538) + t539);
+  const Scalar t47 = k[25] * s[4] + k[24] * c[4];
+  const Scalar t48 = k[31] + s[4] * t47;
+  const Scalar t49 = k[38] - t48;
+  const Scalar t50 = qd[5] * t49;
+  const Scalar t51 = k[27] * t50 - k[51] * t24;
+  const Scalar t52 = k[23] * c[4] + k[22] * s[4];
+  const Scalar t53 = k[27] * t52;
+  const Scalar t54 = k[26] - c[4] * t47;
+  const Scalar t55 = t53 + k[2] * t54;
+  const Scalar t56 = qd[5] * t55;
+  const Scalar t57 = k[27] * t56;
+  const Scalar t58 = c[3] * t51 + s[3] * t57;
+  const Scalar t59 = k[22] * c[4] - k[23] * s[4];
+  const Scalar t60 = k[30] * t59 - k[27] * t48;
+  const Scalar t61 = k[27] * t60;
+  const Scalar t62 = k[36] - (t61 + t48);
+  const Scalar t63 = qd[5] * t59;
+  const Scalar t64 = qd[5] * t48;
+  const Scalar t65 = qd[4] * t62 - (k[27] * t63 + k[2] * t64);
+  const Scalar t66 = k[28] * t1;
+  const Scalar t67 = k[40] - (t55 + t66);
+  const Scalar t68 = qd[4] * t67 - k[2] * t56;
+  const Scalar t69 = s[3] * t65 + c[3] * t68;
+  const Scalar t70 = s[3] * t69;
+  const Scalar t71 = k[2] * t52;
+  const Scalar t72 = t71 - k[27] * t54;
+  const Scalar t73 = qd[5] * t72;
+  const Scalar t74 = k[27] * t73;
+  const Scalar t75 = k[28] * t16;
+  const Scalar t76 = t74 - t75;
+  const Scalar t77 = k[39] + (k[37] * t3 - t49);
+  const Scalar t78 = (k[2] * t50 - k[28] * t14) - qd[4] * t77;
+  const Scalar t79 = s[3] * (t68 + t76) - c[3] * t78;
+  const Scalar t80 = c[3] * t79;
+  const Scalar t81 = t70 + t80;
+  const Scalar t82 = (k[7] * t58 - k[11] * t81) - k[44] * t25;
+  const Scalar t83 = s[3] * t79 - c[3] * t69;
+  const Scalar t84 = s[3] * t51 - c[3] * t57;
+  const Scalar t85 = k[27] * t64 - k[2] * t63;
+  const Scalar t86 = k[32] - (k[2] * t60 - t59);
+  const Scalar t87 = k[33] * t17 - (t85 + qd[4] * t86);
+  const Scalar t88 = k[27] * t0;
+  const Scalar t89 = k[29] + (t72 - k[28] * t88);
+  const Scalar t90 = k[2] * t73;
+  const Scalar t91 = (qd[4] * t89 + t90) - k[33] * t15;
+  const Scalar t92 = s[3] * t87 + c[3] * t91;
+  const Scalar t93 = t84 + t92;
+  const Scalar t94 = k[7] * t93;
+  const Scalar t95 = k[7] * t92;
+  const Scalar t96 = k[11] * t83 - (t94 - t95);
+  const Scalar t97 = k[7] * t96;
+  const Scalar t98 = t74 - k[50] * t24;
+  const Scalar t99 = t95 - k[11] * t98;
+  const Scalar t100 = k[7] * t99;
+  const Scalar t101 = t97 - (t100 - t92);
+  const Scalar t102 = c[2] * t82 + s[2] * t101;
+  const Scalar t103 = s[3] * t91 - c[3] * t87;
+  const Scalar t104 = (t65 - t70) - (t78 + t80);
+  const Scalar t105 = (c[3] * t86 + s[3] * t89) - k[33] * t7;
+  const Scalar t106 = t77 + t62;
+  const Scalar t107 = c[3] * t67;
+  const Scalar t108 = s[3] * (t77 - t62) - (t107 + t107);
+  const Scalar t109 = s[3] * t108 - t77;
+  const Scalar t110 = t106 + t109;
+  const Scalar t111 = k[35] * t88 + t61;
+  const Scalar t112 = k[34] * t105 - k[11] * (t110 - t111);
+  const Scalar t113 = k[11] * t112;
+  const Scalar t114 = k[41] - (t113 + t110);
+  const Scalar t115 = (k[11] * t103 + k[7] * t104) - qd[3] * t114;
+  const Scalar t116 = k[11] * t99;
+  const Scalar t117 = k[11] * t96;
+  const Scalar t118 = k[44] * t21;
+  const Scalar t119 = t118 + (t83 - t76);
+  const Scalar t120 = (t116 + (t83 - t117)) - t119;
+  const Scalar t121 = c[3] * t108 + t67;
+  const Scalar t122 = k[33] * t5 - (s[3] * t86 - c[3] * t89);
+  const Scalar t123 = (k[7] * t121 + k[11] * t122) - k[44] * t8;
+  const Scalar t124 = k[45] + t123;
+  const Scalar t125 = qd[3] * t124 + t119;
+  const Scalar t126 = c[2] * t115 + s[2] * (t120 + t125);
+  const Scalar t127 = c[2] * t126;
+  const Scalar t128 = (k[7] * t81 + k[11] * t58) - k[44] * t19;
+  const Scalar t129 = k[43] - (k[42] * t5 + t109);
+  const Scalar t130 = t128 + qd[3] * t129;
+  const Scalar t131 = c[2] * t125 + s[2] * t130;
+  const Scalar t132 = s[2] * t131;
+  const Scalar t133 = (t127 - t115) - (t130 - t132);
+  const Scalar t134 = (k[12] * t102 - k[13] * t133) + k[21] * t26;
+  const Scalar t135 = c[2] * t124;
+  const Scalar t136 = s[2] * (t129 + t114) + (t135 + t135);
+  const Scalar t137 = s[2] * t136;
+  const Scalar t138 = k[58] + (k[57] * t10 - (t137 - t129));
+  const Scalar t139 = t134 + qd[2] * t138;
+  const Scalar t140 = c[2] * t131 - s[2] * t126;
+  const Scalar t141 = t124 - c[2] * t136;
+  const Scalar t142 = k[44] * t29 + (k[11] * t121 - k[7] * t122);
+  const Scalar t143 = k[46] - t142;
+  const Scalar t144 = t143 - k[47] * t6;
+  const Scalar t145 = k[48] + (t105 - k[7] * t112);
+  const Scalar t146 = k[47] * t9 + t145;
+  const Scalar t147 = c[2] * t144 + s[2] * t146;
+  const Scalar t148 = k[21] * t30 - (k[13] * t141 - k[12] * t147);
+  const Scalar t149 = k[55] - t148;
+  const Scalar t150 = qd[2] * t149;
+  const Scalar t151 = (t140 + k[21] * t32) - t150;
+  const Scalar t152 = s[1] * t139 + c[1] * t151;
+  const Scalar t153 = (t84 + t97) - t100;
+  const Scalar t154 = k[47] * t20 + (t153 - qd[3] * t143);
+  const Scalar t155 = k[7] * t103 - k[11] * t104;
+  const Scalar t156 = k[47] * t22 - (t155 - qd[3] * t145);
+  const Scalar t157 = s[2] * t154 + c[2] * t156;
+  const Scalar t158 = t127 + t132;
+  const Scalar t159 = t137 - t114;
+  const Scalar t160 = (t113 - t111) - k[52] * t29;
+  const Scalar t161 = c[2] * t146 - s[2] * t144;
+  const Scalar t162 = k[12] * (t159 + t160) + k[53] * t161;
+  const Scalar t163 = k[12] * t162;
+  const Scalar t164 = k[56] - (t159 - t163);
+  const Scalar t165 = (k[12] * t157 - k[13] * t158) + qd[2] * t164;
+  const Scalar t166 = t140 + t120;
+  const Scalar t167 = c[2] * t101 - s[2] * t82;
+  const Scalar t168 = k[12] * t166 + k[13] * t167;
+  const Scalar t169 = k[12] * t168;
+  const Scalar t170 = ((t116 + t98) - t117) - k[47] * t25;
+  const Scalar t171 = s[2] * t156 - c[2] * t154;
+  const Scalar t172 = k[13] * t170 + k[12] * t171;
+  const Scalar t173 = k[13] * t172;
+  const Scalar t174 = ((t166 - t169) - (t170 - t173)) - t150;
+  const Scalar t175 = c[1] * t165 - s[1] * t174;
+  const Scalar t176 = c[1] * t152 + s[1] * t175;
+  const Scalar t177 = t176 - k[59] * t44;
+  const Scalar t178 = k[20] * t35 + (t169 - t173);
+  const Scalar t179 = k[13] * t168;
+  const Scalar t180 = k[12] * t172;
+  const Scalar t181 = (t179 - t167) - (t171 - t180);
+  const Scalar t182 = (k[13] * t147 + k[12] * t141) - k[21] * t41;
+  const Scalar t183 = k[49] - t182;
+  const Scalar t184 = (t181 + qd[2] * t183) + k[20] * t27;
+  const Scalar t185 = k[12] * t158 + k[13] * t157;
+  const Scalar t186 = k[54] + (k[13] * t162 - t161);
+  const Scalar t187 = (t185 + qd[2] * t186) - k[20] * t33;
+  const Scalar t188 = c[1] * t184 - s[1] * t187;
+  const Scalar t189 = k[16] * t178 - k[15] * t188;
+  const Scalar t190 = k[16] * t189;
+  const Scalar t191 = t151 - t174;
+  const Scalar t192 = t191 - t176;
+  const Scalar t193 = t179 + t180;
+  const Scalar t194 = t193 + t184;
+  const Scalar t195 = (k[13] * t102 + k[12] * t133) - k[21] * t35;
+  const Scalar t196 = t187 + t195;
+  const Scalar t197 = c[1] * t194 - s[1] * t196;
+  const Scalar t198 = t188 - t197;
+  const Scalar t199 = k[15] * t192 - k[16] * t198;
+  const Scalar t200 = k[15] * t199;
+  const Scalar t201 = t177 - (t190 - t200);
+  const Scalar t202 = c[1] * t149;
+  const Scalar t203 = (t202 + t202) - s[1] * (t164 + t138);
+  const Scalar t204 = c[1] * t203 - t149;
+  const Scalar t205 = t183 + k[20] * t11;
+  const Scalar t206 = t186 - k[20] * t31;
+  const Scalar t207 = c[1] * t205 - s[1] * t206;
+  const Scalar t208 = (k[15] * t204 + k[16] * t207) - k[59] * t42;
+  const Scalar t209 = k[60] + t208;
+  const Scalar t210 = t177 - qd[1] * t209;
+  const Scalar t211 = c[1] * t195 + s[1] * t193;
+  const Scalar t212 = s[1] * t194 + c[1] * t196;
+  const Scalar t213 = t211 - t212;
+  const Scalar t214 = s[1] * t152;
+  const Scalar t215 = c[1] * t175;
+  const Scalar t216 = t214 - t215;
+  const Scalar t217 = t164 + s[1] * t203;
+  const Scalar t218 = k[16] * (t217 + (k[63] * t41 - (t160 - t163)));
+  const Scalar t219 = s[1] * t205 + c[1] * t206;
+  const Scalar t220 = k[15] * t219;
+  const Scalar t221 = t218 - Scalar(2) * t220;
+  const Scalar t222 = k[64] - (k[16] * t221 - t217);
+  const Scalar t223 = (k[16] * t213 + k[15] * t216) - qd[1] * t222;
+  const Scalar t224 = c[0] * (c[0] * (t201 - t210) + s[0] * t223);
+  const Scalar t225 = t164 - t138;
+  const Scalar t226 = k[62] + (k[61] * t37 + (t217 - t225));
+  const Scalar t227 = (t214 - t139) + (t165 - t215);
+  const Scalar t228 = k[59] * t36 + (k[16] * t211 - k[15] * t227);
+  const Scalar t229 = s[0] * t210 - c[0] * (qd[1] * t226 + t228);
+  const Scalar t230 = t224 + s[0] * t229;
+  const Scalar t231 = (k[15] * t207 - k[16] * t204) + (k[66] * t40 + k[67] * t41);
+  const Scalar t232 = k[68] + t231;
+  const Scalar t233 = k[15] * t189;
+  const Scalar t234 = k[16] * t199;
+  const Scalar t235 = t233 + t234;
+  const Scalar t236 = k[69] - (k[15] * t221 + t219);
+  const Scalar t237 = k[15] * t213 - k[16] * t216;
+  const Scalar t238 = c[0] * ((qd[1] * t232 - t235) + t39) + s[0] * (t45 - (qd[1] * t236 - t237));
+  const Scalar t239 = k[15] * t35 + k[16] * t34;
+  const Scalar t240 = k[65] * (((t192 - t200) + (t190 - t178)) - t239);
+  const Scalar t241 = k[59] * t239 - (k[16] * t227 + k[15] * t211);
+  const Scalar t242 = s[0] * t241 - c[0] * ((t188 + t233) + (t198 + t234));
+  const Scalar t243 = (k[70] * t238 + t240) + (k[70] * t242 + k[71] * t230);
+  const Scalar t244 = k[73] * qd[0];
+  const Scalar t245 = c[0] * t244;
+  const Scalar t246 = s[0] * t244;
+  const Scalar t247 = qd[1] + k[72] * qd[0];
+  const Scalar t248 = t36 + t247 * t38;
+  const Scalar t249 = t247 * t43 + t44;
+  const Scalar t250 = k[74] * (t245 * t43 - t38 * t246) - k[75] * (s[0] * t248 - c[0] * t249);
+  const Scalar t251 = (t209 * t246 + t245 * t222) - (t247 * t236 - t237);
+  const Scalar t252 = (t209 * t245 - t246 * t226) + (t235 - t247 * t232);
+  const Scalar t253 = s[0] * (t249 + t251) - c[0] * (t252 - t248);
+  const Scalar t254 = k[72] * t201;
+  const Scalar t255 = t250 - (k[73] * t253 + t254);
+  const Scalar t256 = qd[2] + (k[15] * t247 - k[16] * t245);
+  const Scalar t257 = t32 - t256 * t31;
+  const Scalar t258 = t256 * t11 + t26;
+  const Scalar t259 = s[1] * t257 - c[1] * t258;
+  const Scalar t260 = k[15] * t245 + k[16] * t247;
+  const Scalar t261 = s[1] * t260 + c[1] * t246;
+  const Scalar t262 = s[1] * t246 - c[1] * t260;
+  const Scalar t263 = t11 * t261 + t262 * t31;
+  const Scalar t264 = s[1] * t258 + c[1] * t257;
+  const Scalar t265 = k[16] * t263 + k[15] * t264;
+  const Scalar t266 = k[15] * t263 - k[16] * t264;
+  const Scalar t267 = k[75] * (s[0] * t259 - c[0] * t265) - k[74] * t266;
+  const Scalar t268 = (t262 * t149 + t261 * t138) + (t181 + t256 * t183);
+  const Scalar t269 = k[20] * t258 + t268;
+  const Scalar t270 = (t185 + t256 * t186) - (t149 * t261 - t262 * t164);
+  const Scalar t271 = k[20] * t257 + t270;
+  const Scalar t272 = c[1] * t269 - s[1] * t271;
+  const Scalar t273 = k[15] * t191;
+  const Scalar t274 = (k[16] * t272 + t273) + k[59] * t265;
+  const Scalar t275 = (k[16] * t191 - k[15] * t272) - k[59] * t266;
+  const Scalar t276 = s[0] * ((s[1] * t269 + c[1] * t271) + t265);
+  const Scalar t277 = k[72] * t274 - k[73] * (c[0] * (t259 + t275) + t276);
+  const Scalar t278 = t267 - t277;
+  const Scalar t279 = k[12] * t256 - k[13] * t262;
+  const Scalar t280 = s[2] * t261 - c[2] * t279;
+  const Scalar t281 = c[2] * t261 + s[2] * t279;
+  const Scalar t282 = t9 * t280 - t281 * t6;
+  const Scalar t283 = qd[3] + (k[12] * t262 + k[13] * t256);
+  const Scalar t284 = t19 - t283 * t6;
+  const Scalar t285 = t9 * t283 + t21;
+  const Scalar t286 = s[2] * t284 - c[2] * t285;
+  const Scalar t287 = k[12] * t282 + k[13] * t286;
+  const Scalar t288 = s[2] * t285 + c[2] * t284;
+  const Scalar t289 = c[1] * t287 + s[1] * t288;
+  const Scalar t290 = k[13] * t282 - k[12] * t286;
+  const Scalar t291 = k[16] * t289 - k[15] * t290;
+  const Scalar t292 = k[16] * t290 + k[15] * t289;
+  const Scalar t293 = s[1] * t287 - c[1] * t288;
+  const Scalar t294 = k[74] * t291 - k[75] * (c[0] * t292 - s[0] * t293);
+  const Scalar t295 = (t155 - t283 * t145) - (t114 * t280 + t124 * t281);
+  const Scalar t296 = k[47] * t285 - t295;
+  const Scalar t297 = (t281 * t129 - t124 * t280) + (t153 - t143 * t283);
+  const Scalar t298 = k[47] * t284 - t297;
+  const Scalar t299 = s[2] * t296 + c[2] * t298;
+  const Scalar t300 = k[21] * t290 + (k[13] * t299 - k[12] * t120);
+  const Scalar t301 = c[2] * t296 - s[2] * t298;
+  const Scalar t302 = (c[1] * t300 + s[1] * t301) - k[20] * t293;
+  const Scalar t303 = (k[13] * t120 + k[12] * t299) + k[21] * t287;
+  const Scalar t304 = (k[16] * t302 + k[15] * t303) + k[59] * t292;
+  const Scalar t305 = k[20] * t289 + (s[1] * t300 - c[1] * t301);
+  const Scalar t306 = k[59] * t291 + (k[16] * t303 - k[15] * t302);
+  const Scalar t307 = s[0] * (t292 + t305) + c[0] * (t306 + t293);
+  const Scalar t308 = t294 - (k[72] * t304 - k[73] * t307);
+  const Scalar t309 = qd[4] + (k[7] * t283 + k[11] * t280);
+  const Scalar t310 = t14 + t309 * t4;
+  const Scalar t311 = t309 * t2 + t16;
+  const Scalar t312 = c[3] * t310 - s[3] * t311;
+  const Scalar t313 = k[11] * t283 - k[7] * t280;
+  const Scalar t314 = s[3] * t313 + c[3] * t281;
+  const Scalar t315 = c[3] * t313 - s[3] * t281;
+  const Scalar t316 = t314 * t4 + t315 * t2;
+  const Scalar t317 = c[3] * t311 + s[3] * t310;
+  const Scalar t318 = k[11] * t316 + k[7] * t317;
+  const Scalar t319 = c[2] * t312 - s[2] * t318;
+  const Scalar t320 = k[11] * t317 - k[7] * t316;
+  const Scalar t321 = s[2] * t312 + c[2] * t318;
+  const Scalar t322 = k[12] * t320 - k[13] * t321;
+  const Scalar t323 = c[1] * t319 + s[1] * t322;
+  const Scalar t324 = k[13] * t320 + k[12] * t321;
+  const Scalar t325 = s[1] * t319 - c[1] * t322;
+  const Scalar t326 = k[16] * t324 - k[15] * t325;
+  const Scalar t327 = k[15] * t324 + k[16] * t325;
+  const Scalar t328 = k[75] * (s[0] * t323 - c[0] * t326) - k[74] * t327;
+  const Scalar t329 = (t309 * t86 + t85) + (t314 * t67 - t315 * t62);
+  const Scalar t330 = (t309 * t89 + t90) + (t315 * t67 - t314 * t77);
+  const Scalar t331 = (s[3] * t329 - c[3] * t330) + k[33] * t312;
+  const Scalar t332 = k[7] * t76;
+  const Scalar t333 = k[44] * t318 + (k[11] * t331 - t332);
+  const Scalar t334 = k[44] * t320 - (k[7] * t331 + k[11] * t76);
+  const Scalar t335 = k[33] * t317 - (c[3] * t329 + s[3] * t330);
+  const Scalar t336 = (c[2] * t334 + s[2] * t335) - k[47] * t319;
+  const Scalar t337 = (k[12] * t333 + k[13] * t336) + k[21] * t324;
+  const Scalar t338 = t337 - k[20] * t319;
+  const Scalar t339 = k[47] * t321 - (s[2] * t334 - c[2] * t335);
+  const Scalar t340 = k[20] * t322 - t339;
+  const Scalar t341 = s[0] * (t326 + (s[1] * t338 + c[1] * t340));
+  const Scalar t342 = k[21] * t322 - (k[13] * t333 - k[12] * t336);
+  const Scalar t343 = c[1] * t338 - s[1] * t340;
+  const Scalar t344 = k[59] * t327 - (k[16] * t342 - k[15] * t343);
+  const Scalar t345 = k[59] * t326 + (k[15] * t342 + k[16] * t343);
+  const Scalar t346 = k[73] * (t341 - c[0] * (t344 - t323)) - k[72] * t345;
+  const Scalar t347 = t328 + t346;
+  const Scalar t348 = k[27] * t309 + k[2] * t315;
+  const Scalar t349 = s[4] * t348 + c[4] * t314;
+  const Scalar t350 = c[4] * t348 - s[4] * t314;
+  const Scalar t351 = k[0] * t349 + k[1] * t350;
+  const Scalar t352 = qd[5] + (k[2] * t309 - k[27] * t315);
+  const Scalar t353 = k[2] * t351 - t352 * t88;
+  const Scalar t354 = t1 * t352 + k[27] * t351;
+  const Scalar t355 = t352 * t3;
+  const Scalar t356 = c[3] * t354 + s[3] * t355;
+  const Scalar t357 = k[7] * t353 - k[11] * t356;
+  const Scalar t358 = k[11] * t353 + k[7] * t356;
+  const Scalar t359 = c[3] * t355 - s[3] * t354;
+  const Scalar t360 = c[2] * t358 + s[2] * t359;
+  const Scalar t361 = k[13] * t357 - k[12] * t360;
+  const Scalar t362 = c[2] * t359 - s[2] * t358;
+  const Scalar t363 = k[13] * t360 + k[12] * t357;
+  const Scalar t364 = s[1] * t362 + c[1] * t363;
+  const Scalar t365 = k[15] * t361 - k[16] * t364;
+  const Scalar t366 = k[16] * t361 + k[15] * t364;
+  const Scalar t367 = c[1] * t362 - s[1] * t363;
+  const Scalar t368 = k[74] * t365 + k[75] * (c[0] * t366 + s[0] * t367);
+  const Scalar t369 = k[23] * t352 + (k[76] * t349 + k[26] * t350);
+  const Scalar t370 = (k[31] * t350 + k[26] * t349) - k[22] * t352;
+  const Scalar t371 = c[4] * t369 - s[4] * t370;
+  const Scalar t372 = k[28] * t354 - k[27] * t371;
+  const Scalar t373 = c[4] * t370 + s[4] * t369;
+  const Scalar t374 = k[2] * t371 - k[28] * t353;
+  const Scalar t375 = k[33] * t359 + (s[3] * t373 - c[3] * t374);
+  const Scalar t376 = (k[11] * t372 - k[7] * t375) - k[44] * t357;
+  const Scalar t377 = t376 - k[47] * t359;
+  const Scalar t378 = k[33] * t356 - (c[3] * t373 + s[3] * t374);
+  const Scalar t379 = t378 + k[47] * t358;
+  const Scalar t380 = (s[2] * t377 - c[2] * t379) - k[20] * t363;
+  const Scalar t381 = k[44] * t358 + (k[7] * t372 + k[11] * t375);
+  const Scalar t382 = s[2] * t379 + c[2] * t377;
+  const Scalar t383 = k[21] * t361 - (k[12] * t381 + k[13] * t382);
+  const Scalar t384 = t383 + k[20] * t362;
+  const Scalar t385 = s[1] * t380 + c[1] * t384;
+  const Scalar t386 = (k[13] * t381 - k[12] * t382) + k[21] * t363;
+  const Scalar t387 = (k[16] * t385 + k[15] * t386) + k[59] * t366;
+  const Scalar t388 = s[0] * (t366 + (s[1] * t384 - c[1] * t380));
+  const Scalar t389 = (k[15] * t385 - k[16] * t386) + k[59] * t365;
+  const Scalar t390 = k[72] * t387 - k[73] * (t388 - c[0] * (t389 + t367));
+  const Scalar t391 = t368 + t390;
+  const Scalar t392 = k[75] * t46 + (k[73] * (t238 + t242) + Scalar(2) * t254);
+  const Scalar t393 = t37 * k[15] * qd[1] + t34;
+  const Scalar t394 = k[15] * t44;
+  const Scalar t395 = qd[1] * t40 - t394;
+  const Scalar t396 = k[72] * (s[0] * t393 + c[0] * t395) + k[77] * t44;
+  const Scalar t397 = qd[1] * (k[66] * t37 + (t220 - k[16] * t225));
+  const Scalar t398 = k[66] * t44 + (k[15] * t197 - k[78] * t191);
+  const Scalar t399 = s[0] * ((t212 + t397) + t395) - c[0] * ((qd[1] * t207 + t398) + t393);
+  const Scalar t400 = (k[16] * t197 + Scalar(2) * t273) - k[59] * t394;
+  const Scalar t401 = k[19] * t396 - (k[73] * t399 - k[72] * t400);
+  const Scalar t402 = t171 - t167;
+  const Scalar t403 = k[13] * t32;
+  const Scalar t404 = (k[12] * t402 + k[53] * t120) - k[21] * t403;
+  const Scalar t405 = t129 - t114;
+  const Scalar t406 = k[80] * t10 + (k[13] * t161 + k[12] * t405);
+  const Scalar t407 = qd[2] * t28 + t403;
+  const Scalar t408 = (qd[2] * t406 + (t102 + t157)) + k[20] * t407;
+  const Scalar t409 = (k[79] * t120 - k[13] * t402) - k[80] * t32;
+  const Scalar t410 = k[13] * t10;
+  const Scalar t411 = t23 + qd[2] * t410;
+  const Scalar t412 = (qd[2] * t147 - t409) - k[20] * t411;
+  const Scalar t413 = s[1] * t408 + c[1] * t412;
+  const Scalar t414 = c[1] * t407 + s[1] * t411;
+  const Scalar t415 = k[15] * t414 - k[81] * t32;
+  const Scalar t416 = (k[15] * t404 + k[16] * t413) - k[59] * t415;
+  const Scalar t417 = s[1] * t410 + c[1] * t28;
+  const Scalar t418 = qd[1] * t417 + t415;
+  const Scalar t419 = s[1] * t28 - c[1] * t410;
+  const Scalar t420 = k[20] * t417 - (s[1] * t147 - c[1] * t406);
+  const Scalar t421 = (k[13] * t405 - k[12] * t161) + k[83] * t10;
+  const Scalar t422 = k[59] * (k[82] * t10 - k[16] * t419) + (k[15] * t420 + k[16] * t421);
+  const Scalar t423 = qd[1] * t422 - (s[1] * t412 - c[1] * t408);
+  const Scalar t424 = qd[1] * (k[15] * t419 + k[81] * t10) - (c[1] * t411 - s[1] * t407);
+  const Scalar t425 = (c[1] * t147 + s[1] * t406) + k[20] * t419;
+  const Scalar t426 = k[16] * t414 + k[82] * t32;
+  const Scalar t427 = (k[16] * t404 - k[15] * t413) - k[59] * t426;
+  const Scalar t428 = s[0] * (t418 + t423) + c[0] * (t424 + (qd[1] * t425 - t427));
+  const Scalar t429 = k[74] * t426 + k[75] * (s[0] * t424 - c[0] * t418);
+  const Scalar t430 = ((k[72] * t416 + k[73] * t428) + t429) + t308;
+  const Scalar t431 = qd[3] * t7 + k[7] * t21;
+  const Scalar t432 = k[7] * t5;
+  const Scalar t433 = qd[3] * t432 - t18;
+  const Scalar t434 = s[2] * t431 + c[2] * t433;
+  const Scalar t435 = s[2] * t7 + c[2] * t432;
+  const Scalar t436 = k[84] * t5 - k[13] * t435;
+  const Scalar t437 = t434 - qd[2] * t436;
+  const Scalar t438 = s[2] * t433 - c[2] * t431;
+  const Scalar t439 = k[84] * t21 + k[13] * t438;
+  const Scalar t440 = c[2] * t7 - s[2] * t432;
+  const Scalar t441 = t439 - qd[2] * t440;
+  const Scalar t442 = s[1] * t437 + c[1] * t441;
+  const Scalar t443 = k[85] * t21 - k[12] * t438;
+  const Scalar t444 = k[15] * t442 + k[16] * t443;
+  const Scalar t445 = k[7] * t118 - ((t332 + t332) + k[11] * t93);
+  const Scalar t446 = (k[11] * t106 - k[7] * t105) - k[86] * t5;
+  const Scalar t447 = (t103 - t58) - qd[3] * t446;
+  const Scalar t448 = (k[11] * t118 + (t94 - k[87] * t76)) + qd[3] * t122;
+  const Scalar t449 = k[47] * t434 - (s[2] * t447 - c[2] * t448);
+  const Scalar t450 = (k[13] * t445 - k[12] * t449) - k[21] * t439;
+  const Scalar t451 = k[47] * t435 + (c[2] * t122 + s[2] * t446);
+  const Scalar t452 = (k[12] * t445 + k[13] * t449) + k[21] * t443;
+  const Scalar t453 = k[20] * t437 + (qd[2] * t451 + t452);
+  const Scalar t454 = k[12] * t435 + k[85] * t5;
+  const Scalar t455 = (k[7] * t106 + k[11] * t105) - k[88] * t5;
+  const Scalar t456 = (s[2] * t122 - c[2] * t446) - k[47] * t440;
+  const Scalar t457 = k[21] * t454 - (k[12] * t455 - k[13] * t456);
+  const Scalar t458 = (c[2] * t447 + s[2] * t448) + k[47] * t438;
+  const Scalar t459 = k[20] * t441 + (qd[2] * t457 + t458);
+  const Scalar t460 = c[1] * t453 - s[1] * t459;
+  const Scalar t461 = k[59] * t444 - (k[15] * t450 - k[16] * t460);
+  const Scalar t462 = k[16] * t442 - k[15] * t443;
+  const Scalar t463 = (k[15] * t460 + k[16] * t450) - k[59] * t462;
+  const Scalar t464 = k[20] * t436 - t451;
+  const Scalar t465 = k[20] * t440 - t457;
+  const Scalar t466 = t463 - qd[1] * (c[1] * t464 - s[1] * t465);
+  const Scalar t467 = c[1] * t436 - s[1] * t440;
+  const Scalar t468 = (c[1] * t437 - s[1] * t441) - qd[1] * (k[16] * t454 + k[15] * t467);
+  const Scalar t469 = qd[1] * (s[1] * t436 + c[1] * t440) - t444;
+  const Scalar t470 = k[21] * t436 + (k[12] * t456 + k[13] * t455);
+  const Scalar t471 = k[16] * t470 + k[15] * (s[1] * t464 + c[1] * t465);
+  const Scalar t472 = qd[1] * ((k[66] * t467 - k[67] * t454) + t471);
+  const Scalar t473 = t469 + (t472 - (c[1] * t459 + s[1] * t453));
+  const Scalar t474 = k[73] * (c[0] * (t466 + t468) + s[0] * t473);
+  const Scalar t475 = k[75] * (c[0] * t469 - s[0] * t468) + k[74] * t462;
+  const Scalar t476 = qd[5] * t1 + qd[4] * t0;
+  const Scalar t477 = t24 + qd[4] * t13;
+  const Scalar t478 = c[3] * t476 + s[3] * t477;
+  const Scalar t479 = k[10] * t16 + k[11] * t478;
+  const Scalar t480 = k[7] * t478 - k[6] * t16;
+  const Scalar t481 = s[3] * t13 + c[3] * t0;
+  const Scalar t482 = t480 + qd[3] * t481;
+  const Scalar t483 = c[3] * t477 - s[3] * t476;
+  const Scalar t484 = s[3] * t0 - c[3] * t13;
+  const Scalar t485 = t12 + k[7] * t484;
+  const Scalar t486 = t483 - qd[3] * t485;
+  const Scalar t487 = c[2] * t482 + s[2] * t486;
+  const Scalar t488 = k[12] * t479 - k[13] * t487;
+  const Scalar t489 = c[2] * t481 - s[2] * t485;
+  const Scalar t490 = t488 - qd[2] * t489;
+  const Scalar t491 = k[11] * t484 - k[10] * t3;
+  const Scalar t492 = c[2] * t485 + s[2] * t481;
+  const Scalar t493 = k[12] * t491 - k[13] * t492;
+  const Scalar t494 = (c[2] * t486 - s[2] * t482) + qd[2] * t493;
+  const Scalar t495 = c[1] * t493 - s[1] * t489;
+  const Scalar t496 = k[13] * t491 + k[12] * t492;
+  const Scalar t497 = (s[1] * t490 + c[1] * t494) + qd[1] * (k[15] * t495 + k[16] * t496);
+  const Scalar t498 = k[51] * t3 - (k[89] - k[2] * t59);
+  const Scalar t499 = (c[3] * t498 - s[3] * t52) + k[33] * t481;
+  const Scalar t500 = k[90] * t3 - (k[91] + k[27] * t59);
+  const Scalar t501 = (k[7] * t499 + k[11] * t500) - k[44] * t491;
+  const Scalar t502 = t501 + k[47] * t481;
+  const Scalar t503 = k[33] * t484 + (c[3] * t52 + s[3] * t498);
+  const Scalar t504 = t503 + k[47] * t485;
+  const Scalar t505 = s[2] * t502 + c[2] * t504;
+  const Scalar t506 = (k[11] * t499 - k[7] * t500) + k[44] * t485;
+  const Scalar t507 = s[2] * t504 - c[2] * t502;
+  const Scalar t508 = (k[12] * t506 + k[13] * t507) + k[21] * t496;
+  const Scalar t509 = k[20] * t495 - (c[1] * t505 - s[1] * t508);
+  const Scalar t510 = k[12] * t487 + k[13] * t479;
+  const Scalar t511 = c[1] * t490 - s[1] * t494;
+  const Scalar t512 = k[15] * t510 - k[16] * t511;
+  const Scalar t513 = t63 + qd[4] * t498;
+  const Scalar t514 = qd[4] * t52 + (k[27] * t75 + qd[5] * t71);
+  const Scalar t515 = k[33] * t483 - (s[3] * t513 + c[3] * t514);
+  const Scalar t516 = qd[5] * t53 - qd[5] * t66;
+  const Scalar t517 = (k[11] * t515 - k[7] * t516) + k[44] * t480;
+  const Scalar t518 = k[33] * t478 + (c[3] * t513 - s[3] * t514);
+  const Scalar t519 = k[47] * t482 + (qd[3] * t501 + t518);
+  const Scalar t520 = k[44] * t479 - (k[7] * t515 + k[11] * t516);
+  const Scalar t521 = (t520 + qd[3] * t503) - k[47] * t486;
+  const Scalar t522 = s[2] * t519 + c[2] * t521;
+  const Scalar t523 = (k[13] * t517 - k[12] * t522) - k[21] * t488;
+  const Scalar t524 = k[21] * t510 + (k[13] * t522 + k[12] * t517);
+  const Scalar t525 = (qd[2] * t505 + t524) - k[20] * t494;
+  const Scalar t526 = (s[2] * t521 - c[2] * t519) + qd[2] * t508;
+  const Scalar t527 = t526 + k[20] * t490;
+  const Scalar t528 = c[1] * t525 - s[1] * t527;
+  const Scalar t529 = k[59] * t512 + (k[16] * t523 + k[15] * t528);
+  const Scalar t530 = k[16] * t510 + k[15] * t511;
+  const Scalar t531 = s[1] * t493 + c[1] * t489;
+  const Scalar t532 = t530 - qd[1] * t531;
+  const Scalar t533 = (c[1] * t508 + s[1] * t505) - k[20] * t531;
+  const Scalar t534 = k[21] * t493 + (k[12] * t507 - k[13] * t506);
+  const Scalar t535 = (k[15] * t533 - k[16] * t534) + (k[67] * t496 - k[66] * t495);
+  const Scalar t536 = (c[1] * t527 + s[1] * t525) + qd[1] * t535;
+  const Scalar t537 = c[0] * (t497 + (qd[1] * t509 - t529)) + s[0] * (t532 + t536);
+  const Scalar t538 = (k[16] * t528 - k[15] * t523) + k[59] * t530;
+  const Scalar t539 = k[75] * (s[0] * t497 - c[0] * t532) - k[74] * t512;
+  const Scalar t540 = t391 - ((k[73] * t537 - k[72] * t538) + t539);
   Eigen::Matrix<Scalar, dof, dof> result;
-  result(0, 0) = t236 - (k[20] * t46 + t221);
-  result(0, 1) = t248;
-  result(0, 2) = -t271;
-  result(0, 3) = t301;
-  result(0, 4) = t341;
-  result(0, 5) = -t384;
-  result(1, 0) = -t248 - t385;
-  result(1, 1) = t219;
-  result(1, 2) = -t269;
-  result(1, 3) = t295;
-  result(1, 4) = t334;
-  result(1, 5) = t382;
-  result(2, 0) = t271 - (t390 + (t395 - k[71] * t396));
-  result(2, 1) = t269 + t396;
-  result(2, 2) = t197;
-  result(2, 3) = -t294;
-  result(2, 4) = -t331;
-  result(2, 5) = -t379;
-  result(3, 0) = -t423;
-  result(3, 1) = t409 - t295;
-  result(3, 2) = t406 + t294;
-  result(3, 3) = -t97;
-  result(3, 4) = -t316;
-  result(3, 5) = -t373;
-  result(4, 0) = ((t469 + k[71] * t470) + t471) - t341;
-  result(4, 1) = t470 - t334;
-  result(4, 2) = t331 + t456;
-  result(4, 3) = t316 - t446;
-  result(4, 4) = -t64;
-  result(4, 5) = t369;
+  result(0, 0) = -(k[19] * t46 + (t201 - t230)) - t243;
+  result(0, 1) = t255;
+  result(0, 2) = t278;
+  result(0, 3) = -t308;
+  result(0, 4) = -t347;
+  result(0, 5) = -t391;
+  result(1, 0) = -t255 - t392;
+  result(1, 1) = -t201;
+  result(1, 2) = -t274;
+  result(1, 3) = t304;
+  result(1, 4) = t345;
+  result(1, 5) = -t387;
+  result(2, 0) = -t401 - t278;
+  result(2, 1) = t274 - t400;
+  result(2, 2) = -t191;
+  result(2, 3) = t303;
+  result(2, 4) = t342;
+  result(2, 5) = -t386;
+  result(3, 0) = t430;
+  result(3, 1) = t416 - t304;
+  result(3, 2) = t404 - t303;
+  result(3, 3) = t120;
+  result(3, 4) = -t333;
+  result(3, 5) = -t381;
+  result(4, 0) = t347 + ((k[72] * t461 + t474) - t475);
+  result(4, 1) = t461 - t345;
+  result(4, 2) = -t450 - t342;
+  result(4, 3) = t333 - t445;
+  result(4, 4) = t76;
+  result(4, 5) = -t372;
   result(5, 0) = t540;
-  result(5, 1) = t538 - t382;
-  result(5, 2) = t379 - t527;
-  result(5, 3) = t373 - t523;
-  result(5, 4) = -t369 - t514;
+  result(5, 1) = t387 + t538;
+  result(5, 2) = t386 - t523;
+  result(5, 3) = t381 - t517;
+  result(5, 4) = t516 + t372;
   result(5, 5) = Scalar(0);
   return result;
 }

@@ -802,82 +802,77 @@ CoriolisMatrixConstants<Scalar> coriolis_matrix_constants([[maybe_unused]] const
     [[maybe_unused]] const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6x * inertia.m6;
-  const Scalar t1 = inertia.c6y * inertia.m6;
-  const Scalar t2 = inertia.I6xy - inertia.c6y * t0;
-  const Scalar t3 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t4 = (inertia.I6xx - t3) - inertia.c6x * t0;
-  const Scalar t5 = (inertia.I6yy - t3) - inertia.c6y * t1;
-  const Scalar t6 = inertia.c5x * inertia.m5;
-  const Scalar t7 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t8 = inertia.c6z * inertia.m6;
-  const Scalar t9 = inertia.c5y * inertia.m5;
-  const Scalar t10 = (inertia.c6z * t8 - (inertia.I6zz - t3)) + (inertia.c5y * t9 - (inertia.I5yy - t7));
-  const Scalar t11 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t12 = inertia.c4x * inertia.m4;
-  const Scalar t13 = inertia.c4y * inertia.m4;
-  const Scalar t14 = inertia.c5z * inertia.m5;
-  const Scalar t15 = ((inertia.I4yy - t11) - inertia.c4y * t13) - (inertia.c5z * t14 - (inertia.I5zz - t7));
-  const Scalar t16 = g.RL4 / g.D3;
-  const Scalar t17 = g.RL4 * t13;
-  const Scalar t18 = g.RL4 * t12;
-  const Scalar t19 = inertia.c3x * inertia.m3;
-  const Scalar t20 = inertia.c4z * inertia.m4;
-  const Scalar t21 = g.RL4 * inertia.m4;
-  const Scalar t22 = t20 + t21;
-  const Scalar t23 = ((inertia.I4zz - t11) - inertia.c4z * t20) - g.RL4 * (t20 + t22);
-  const Scalar t24 = t21 - t22;
-  const Scalar t25 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t26 = g.RL4 * t25 - t24;
-  const Scalar t27 = (t23 - g.RL4 * (t24 - t22)) - g.RL4 * (t26 - t24);
-  const Scalar t28 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t29 = inertia.c3y * inertia.m3;
-  const Scalar t30 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t31 = inertia.c2y * inertia.m2;
-  const Scalar t32 = inertia.c2x * inertia.m2;
-  const Scalar t33 = g.D3 * (inertia.m3 + t25);
-  const Scalar t34 = g.D3 * g.D3 * (t33 + t32) / g.D3;
-  const Scalar t35 = (inertia.c2x * t32 - (inertia.I2xx - t30)) + g.D3 * t33;
-  const Scalar t36 = (inertia.I2xz - inertia.c2z * t32) - g.D3 * inertia.c3z * inertia.m3;
-  return { inertia.I6xz - inertia.c6z * t0,
-           inertia.I6yz - inertia.c6z * t1,
-           Scalar(2) * t2,
-           t4 - t5,
-           t4,
-           inertia.c5x * t6 - (inertia.I5xx - t7),
-           t10,
-           inertia.I5xy - inertia.c5y * t6,
-           (inertia.I4xx - t11) - inertia.c4x * t12,
-           t2,
-           inertia.I5xz - inertia.c5z * t6,
-           inertia.I5yz - inertia.c5z * t9,
-           inertia.I4xy - inertia.c4y * t12,
-           t4 + t5,
-           t15,
-           g.D3 * (t8 + t9),
-           g.D3 * t0,
+  const Scalar t0 = inertia.c6y * inertia.m6;
+  const Scalar t1 = inertia.c6x * inertia.m6;
+  const Scalar t2 = inertia.c5x * inertia.m5;
+  const Scalar t3 = inertia.c6z * inertia.m6;
+  const Scalar t4 = inertia.c5y * inertia.m5;
+  const Scalar t5 = inertia.c5z * inertia.m5;
+  const Scalar t6 = inertia.c4y * inertia.m4;
+  const Scalar t7 = inertia.I6xy - inertia.c6y * t1;
+  const Scalar t8 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t9 = (inertia.I6xx - t8) - inertia.c6x * t1;
+  const Scalar t10 = (inertia.I6yy - t8) - inertia.c6y * t0;
+  const Scalar t11 = g.RL4 * t6;
+  const Scalar t12 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t13 = (inertia.c6z * t3 - (inertia.I6zz - t8)) + (inertia.c5y * t4 - (inertia.I5yy - t12));
+  const Scalar t14 = inertia.c4x * inertia.m4;
+  const Scalar t15 = g.RL4 * t14;
+  const Scalar t16 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t17 = inertia.c4z * inertia.m4;
+  const Scalar t18 = g.RL4 * inertia.m4;
+  const Scalar t19 = t17 + t18;
+  const Scalar t20 = ((inertia.I4zz - t16) - inertia.c4z * t17) - g.RL4 * (t17 + t19);
+  const Scalar t21 = t18 - t19;
+  const Scalar t22 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t23 = g.RL4 * t22 - t21;
+  const Scalar t24 = (t20 - g.RL4 * (t21 - t19)) - g.RL4 * (t23 - t21);
+  const Scalar t25 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t26 = inertia.c3y * inertia.m3;
+  const Scalar t27 = ((inertia.I4yy - t16) - inertia.c4y * t6) - (inertia.c5z * t5 - (inertia.I5zz - t12));
+  const Scalar t28 = inertia.c3x * inertia.m3;
+  const Scalar t29 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t30 = inertia.c2y * inertia.m2;
+  const Scalar t31 = inertia.c2x * inertia.m2;
+  const Scalar t32 = (inertia.c2x * t31 - (inertia.I2xx - t29)) + g.D3 * g.D3 * (inertia.m3 + t22);
+  const Scalar t33 = (inertia.I2xz - inertia.c2z * t31) - g.D3 * inertia.c3z * inertia.m3;
+  return { g.D3 * t0,
            g.D3 * t1,
-           g.D3 * t6,
-           t16,
-           g.D3 * (t14 - t13),
-           ((inertia.I4yz - inertia.c4z * t13) - t17) + t17,
-           g.D3 * t12,
-           ((inertia.I4xz - inertia.c4z * t12) - t18) + t18,
-           inertia.I3xy - inertia.c3y * t19,
-           Scalar(2) * t16,
-           t27 + ((inertia.I3yy - t28) - inertia.c3y * t29),
-           inertia.c3x * t19 - (inertia.I3xx - t28),
-           (inertia.I2yy - t30) - inertia.c2y * t31,
-           g.D3 * (t26 + t29),
-           g.D3 * t19,
-           inertia.I2xy - inertia.c2y * t32,
-           t34,
-           t34 - t35,
-           inertia.I3yz - inertia.c3z * t29,
-           inertia.I3xz - inertia.c3z * t19,
-           inertia.I2yz - inertia.c2z * t31,
-           t36,
-           t5 };
+           g.D3 * t2,
+           g.D3 * (t3 + t4),
+           g.D3 * (t5 - t6),
+           g.RL4 / g.D3,
+           inertia.I6xz - inertia.c6z * t1,
+           inertia.I6yz - inertia.c6z * t0,
+           inertia.I5yz - inertia.c5z * t4,
+           Scalar(2) * t7,
+           t9 - t10,
+           t7,
+           inertia.I5xz - inertia.c5z * t2,
+           ((inertia.I4yz - inertia.c4z * t6) - t11) + t11,
+           t13,
+           inertia.I5xy - inertia.c5y * t2,
+           t9,
+           inertia.c5x * t2 - (inertia.I5xx - t12),
+           g.D3 * t14,
+           ((inertia.I4xz - inertia.c4z * t14) - t15) + t15,
+           t24 + ((inertia.I3yy - t25) - inertia.c3y * t26),
+           (inertia.I4xx - t16) - inertia.c4x * t14,
+           inertia.I4xy - inertia.c4y * t14,
+           t9 + t10,
+           t27,
+           inertia.I3xy - inertia.c3y * t28,
+           inertia.c3x * t28 - (inertia.I3xx - t25),
+           (inertia.I2yy - t29) - inertia.c2y * t30,
+           g.D3 * t28,
+           g.D3 * (t23 + t26),
+           inertia.I2xy - inertia.c2y * t31,
+           t32,
+           inertia.I3xz - inertia.c3z * t28,
+           inertia.I3yz - inertia.c3z * t26,
+           t33,
+           inertia.I2yz - inertia.c2z * t30,
+           t10 };
 }
 
 namespace detail {
@@ -886,280 +881,284 @@ template <class Scalar, class Angles>
 inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix([[maybe_unused]] const JointVector<Scalar>& q, [[maybe_unused]] const JointVector<Scalar>& qd, [[maybe_unused]] const Angles& angles,
     [[maybe_unused]] const CoriolisMatrixConstants<Scalar>& k) {
   [[maybe_unused]] const auto& [s, c] = angles;
-  const Scalar t0 = k[2] * c[4] + k[3] * s[4];
-  const Scalar t1 = k[9] - c[4] * t0;
-  const Scalar t2 = qd[5] * t1;
-  const Scalar t3 = k[4] - s[4] * t0;
-  const Scalar t4 = k[5] - t3;
-  const Scalar t5 = qd[4] * t4;
-  const Scalar t6 = k[0] * c[4] - k[1] * s[4];
-  const Scalar t7 = k[7] + t6;
-  const Scalar t8 = qd[4] * t7;
-  const Scalar t9 = s[3] * t5 + c[3] * (t2 - t8);
-  const Scalar t10 = k[0] * s[4] + k[1] * c[4];
-  const Scalar t11 = qd[5] * t10;
-  const Scalar t12 = t11 - k[6] * qd[4];
-  const Scalar t13 = s[3] * t8 + c[3] * t12;
-  const Scalar t14 = t2 - (c[3] * t9 + s[3] * t13);
-  const Scalar t15 = k[10] + t1;
-  const Scalar t16 = s[3] * t15;
-  const Scalar t17 = k[13] - t3;
-  const Scalar t18 = qd[5] * t17;
-  const Scalar t19 = k[11] - t10;
-  const Scalar t20 = t18 - qd[4] * t19;
-  const Scalar t21 = qd[4] * t16 - c[3] * t20;
-  const Scalar t22 = k[14] + t17;
-  const Scalar t23 = t21 - qd[3] * t22;
-  const Scalar t24 = c[3] * t15;
-  const Scalar t25 = s[3] * t19 - t24;
-  const Scalar t26 = k[12] + t25;
-  const Scalar t27 = t2 - qd[3] * t26;
-  const Scalar t28 = c[2] * t23 + s[2] * t27;
-  const Scalar t29 = k[6] + t4;
-  const Scalar t30 = c[3] * t7;
-  const Scalar t31 = (t30 + t30) + s[3] * (k[6] - t4);
-  const Scalar t32 = k[6] - s[3] * t31;
-  const Scalar t33 = k[8] - (t29 - t32);
-  const Scalar t34 = qd[5] * t6;
-  const Scalar t35 = qd[5] * t3;
-  const Scalar t36 = s[3] * t34 - c[3] * t35;
-  const Scalar t37 = qd[3] * t33 - t36;
-  const Scalar t38 = c[2] * (t14 - t27) + s[2] * t37;
-  const Scalar t39 = s[2] * t28 + c[2] * t38;
-  const Scalar t40 = t14 - t39;
-  const Scalar t41 = c[3] * t19 + t16;
-  const Scalar t42 = k[21] - t41;
-  const Scalar t43 = k[17] * c[4] + k[16] * s[4];
-  const Scalar t44 = k[20] - t43;
-  const Scalar t45 = t42 + k[19] * t44;
-  const Scalar t46 = k[23] + (c[3] * t31 - t7);
-  const Scalar t47 = k[17] * s[4] - k[16] * c[4];
-  const Scalar t48 = k[18] - t47;
-  const Scalar t49 = c[3] * t48;
-  const Scalar t50 = k[15] * s[3] - t49;
-  const Scalar t51 = k[22] - t50;
-  const Scalar t52 = t46 - k[19] * t51;
-  const Scalar t53 = s[2] * t45 - c[2] * t52;
-  const Scalar t54 = k[24] - t53;
-  const Scalar t55 = qd[2] * t54 + t39;
-  const Scalar t56 = Scalar(2) * c[2] * t26 + s[2] * (t33 - t22);
-  const Scalar t57 = k[27] - (t33 - s[2] * t56);
-  const Scalar t58 = s[3] * t9;
-  const Scalar t59 = c[3] * t13;
-  const Scalar t60 = (t58 - t5) + (t12 - t59);
-  const Scalar t61 = qd[4] * t24 + s[3] * t20;
-  const Scalar t62 = c[2] * t60 + s[2] * t61;
-  const Scalar t63 = qd[2] * t57 - t62;
-  const Scalar t64 = c[1] * t55 - s[1] * t63;
-  const Scalar t65 = s[1] * t64;
-  const Scalar t66 = qd[5] * t43;
-  const Scalar t67 = k[15] * qd[4] + t66;
-  const Scalar t68 = qd[4] * t49 - s[3] * t67;
-  const Scalar t69 = k[19] * t68;
-  const Scalar t70 = t69 - t40;
-  const Scalar t71 = s[3] * t48;
-  const Scalar t72 = k[15] * c[3] + t71;
-  const Scalar t73 = k[26] - (t32 + k[25] * t72);
-  const Scalar t74 = t58 - t59;
-  const Scalar t75 = c[3] * t67 + qd[4] * t71;
-  const Scalar t76 = qd[3] * t44 - t75;
-  const Scalar t77 = (t74 - qd[3] * t42) - k[19] * t76;
-  const Scalar t78 = qd[5] * t47;
-  const Scalar t79 = qd[3] * t51 - t78;
-  const Scalar t80 = c[3] * t34 + s[3] * t35;
-  const Scalar t81 = k[19] * t79 - (t80 + qd[3] * t46);
-  const Scalar t82 = c[2] * t77 + s[2] * t81;
-  const Scalar t83 = qd[2] * t73 - t82;
-  const Scalar t84 = s[1] * (t70 - t55) - c[1] * t83;
-  const Scalar t85 = c[1] * t84;
-  const Scalar t86 = c[1] * t54;
-  const Scalar t87 = s[1] * (t73 + t57) - (t86 + t86);
-  const Scalar t88 = s[1] * t87;
-  const Scalar t89 = k[28] - (t88 - t73);
-  const Scalar t90 = s[2] * t44 + c[2] * t51;
+  const Scalar t0 = k[9] * c[4] + k[10] * s[4];
+  const Scalar t1 = k[16] - s[4] * t0;
+  const Scalar t2 = k[23] - t1;
+  const Scalar t3 = k[24] + t2;
+  const Scalar t4 = k[7] * c[4] + k[6] * s[4];
+  const Scalar t5 = k[8] - t4;
+  const Scalar t6 = qd[5] * t2;
+  const Scalar t7 = qd[4] * t5 - t6;
+  const Scalar t8 = k[11] - c[4] * t0;
+  const Scalar t9 = k[12] + t8;
+  const Scalar t10 = s[3] * t9;
+  const Scalar t11 = c[3] * t7 + qd[4] * t10;
+  const Scalar t12 = qd[3] * t3 - t11;
+  const Scalar t13 = qd[5] * t8;
+  const Scalar t14 = c[3] * t9;
+  const Scalar t15 = t14 - s[3] * t5;
+  const Scalar t16 = k[22] - t15;
+  const Scalar t17 = t13 - qd[3] * t16;
+  const Scalar t18 = s[2] * t12 + c[2] * t17;
+  const Scalar t19 = k[17] - t1;
+  const Scalar t20 = qd[4] * t19;
+  const Scalar t21 = k[6] * c[4] - k[7] * s[4];
+  const Scalar t22 = k[15] + t21;
+  const Scalar t23 = c[3] * t20 - s[3] * (t13 - qd[4] * t22);
+  const Scalar t24 = qd[5] * t4;
+  const Scalar t25 = t24 - k[14] * qd[4];
+  const Scalar t26 = c[3] * t22;
+  const Scalar t27 = s[3] * t25 - qd[4] * t26;
+  const Scalar t28 = s[3] * t23 + c[3] * t27;
+  const Scalar t29 = qd[5] * t21;
+  const Scalar t30 = qd[5] * t1;
+  const Scalar t31 = s[3] * t29 - c[3] * t30;
+  const Scalar t32 = s[3] * (k[14] - t19) + Scalar(2) * t26;
+  const Scalar t33 = s[3] * t32;
+  const Scalar t34 = t33 + t19;
+  const Scalar t35 = k[21] - t34;
+  const Scalar t36 = t31 - qd[3] * t35;
+  const Scalar t37 = s[2] * (t28 + t17) - c[2] * t36;
+  const Scalar t38 = c[2] * t18 - s[2] * t37;
+  const Scalar t39 = k[0] * s[4] - k[1] * c[4];
+  const Scalar t40 = k[2] - t39;
+  const Scalar t41 = s[3] * t40;
+  const Scalar t42 = k[3] * c[3] + t41;
+  const Scalar t43 = k[5] * t42;
+  const Scalar t44 = k[14] - t33;
+  const Scalar t45 = k[20] - ((t43 + t43) + t44);
+  const Scalar t46 = k[19] - (t22 - c[3] * t32);
+  const Scalar t47 = c[3] * t29 + s[3] * t30;
+  const Scalar t48 = c[3] * t40;
+  const Scalar t49 = k[3] * s[3] - t48;
+  const Scalar t50 = k[18] - t49;
+  const Scalar t51 = qd[5] * t39;
+  const Scalar t52 = qd[3] * t50 - t51;
+  const Scalar t53 = (qd[3] * t46 + t47) - k[5] * t52;
+  const Scalar t54 = k[0] * c[4] + k[1] * s[4];
+  const Scalar t55 = qd[5] * t54;
+  const Scalar t56 = t55 + k[3] * qd[4];
+  const Scalar t57 = c[3] * t56 + qd[4] * t41;
+  const Scalar t58 = k[4] - t54;
+  const Scalar t59 = t57 - qd[3] * t58;
+  const Scalar t60 = t10 + c[3] * t5;
+  const Scalar t61 = k[13] - t60;
+  const Scalar t62 = s[3] * t27;
+  const Scalar t63 = c[3] * t23;
+  const Scalar t64 = (t25 - t62) - (t20 - t63);
+  const Scalar t65 = k[5] * t59 - (qd[3] * t61 + t64);
+  const Scalar t66 = s[2] * t53 - c[2] * t65;
+  const Scalar t67 = qd[2] * t45 + t66;
+  const Scalar t68 = qd[4] * t48 - s[3] * t56;
+  const Scalar t69 = k[5] * t68;
+  const Scalar t70 = t38 - t69;
+  const Scalar t71 = t46 - k[5] * t50;
+  const Scalar t72 = t61 + k[5] * t58;
+  const Scalar t73 = c[2] * t71 - s[2] * t72;
+  const Scalar t74 = k[25] + t73;
+  const Scalar t75 = (t38 + t28) - qd[2] * t74;
+  const Scalar t76 = s[1] * t67 - c[1] * (t70 - t75);
+  const Scalar t77 = qd[4] * t14 - s[3] * t7;
+  const Scalar t78 = t62 - t63;
+  const Scalar t79 = s[2] * t77 + c[2] * t78;
+  const Scalar t80 = c[2] * t16;
+  const Scalar t81 = (t80 + t80) + s[2] * (t35 - t3);
+  const Scalar t82 = k[26] - (t35 - s[2] * t81);
+  const Scalar t83 = t79 - qd[2] * t82;
+  const Scalar t84 = c[1] * t75 - s[1] * t83;
+  const Scalar t85 = c[1] * t74;
+  const Scalar t86 = (t85 + t85) - s[1] * (t45 + t82);
+  const Scalar t87 = s[2] * t58 + c[2] * t50;
+  const Scalar t88 = k[28] + t87;
+  const Scalar t89 = k[29] + t42;
+  const Scalar t90 = (c[1] * t86 - t74) - (s[1] * t88 + c[1] * t89);
   const Scalar t91 = k[30] + t90;
-  const Scalar t92 = k[29] + t72;
-  const Scalar t93 = (c[1] * t87 + t54) + (s[1] * t91 + c[1] * t92);
-  const Scalar t94 = k[31] - t93;
-  const Scalar t95 = ((c[1] * t64 + s[1] * t84) - t70) + qd[1] * t94;
-  const Scalar t96 = c[0] * ((t65 - t85) + qd[1] * t89) + s[0] * t95;
-  const Scalar t97 = s[1] * t92 - c[1] * t91;
-  const Scalar t98 = k[33] - (((k[32] - t97) - t97) - (t88 - t57));
-  const Scalar t99 = s[2] * t79 - c[2] * t76;
-  const Scalar t100 = qd[2] * t92 + t99;
-  const Scalar t101 = qd[2] * t91 + t68;
-  const Scalar t102 = (s[1] * t100 - c[1] * t101) + ((t83 + t85) - (t63 + t65));
-  const Scalar t103 = (s[1] * t101 + c[1] * t100) - t70;
-  const Scalar t104 = s[0] * (qd[1] * t98 + t102) - c[0] * (t103 - t95);
-  const Scalar t105 = qd[0] * c[0];
-  const Scalar t106 = qd[0] * s[0];
-  const Scalar t107 = k[34] - (s[2] * t52 + c[2] * t45);
-  const Scalar t108 = k[35] - (c[2] * t56 - t26);
-  const Scalar t109 = c[1] * t107 + s[1] * t108;
-  const Scalar t110 = qd[1] * (k[36] + t109);
-  const Scalar t111 = qd[2] * t108;
-  const Scalar t112 = s[2] * t60 - c[2] * t61;
-  const Scalar t113 = t111 - t112;
-  const Scalar t114 = s[2] * t38;
-  const Scalar t115 = c[2] * t28;
-  const Scalar t116 = t114 - t115;
-  const Scalar t117 = t116 - qd[2] * t107;
-  const Scalar t118 = (t105 * t89 + t94 * t106) + (t110 + (s[1] * t113 - c[1] * t117));
-  const Scalar t119 = s[1] * t107 - c[1] * t108;
-  const Scalar t120 = s[2] * t51 - c[2] * t44;
-  const Scalar t121 = qd[1] * (k[37] - (t119 - t120));
-  const Scalar t122 = (t98 * t106 + t94 * t105) + (t121 + (s[1] * t117 + c[1] * t113));
-  const Scalar t123 = s[0] * t118 - c[0] * t122;
-  const Scalar t124 = c[1] * s[0] + c[0] * s[1];
-  const Scalar t125 = s[0] * s[1] - c[0] * c[1];
-  const Scalar t126 = qd[0] * t124;
-  const Scalar t127 = qd[0] * t125;
+  const Scalar t92 = (c[1] * t76 + (c[1] * t84 - t75)) - qd[1] * t91;
+  const Scalar t93 = s[1] * t86;
+  const Scalar t94 = k[27] + (t93 + t45);
+  const Scalar t95 = s[1] * t84;
+  const Scalar t96 = s[1] * t76;
+  const Scalar t97 = c[0] * (qd[1] * t94 - (t95 - (t67 - t96)));
+  const Scalar t98 = t68 + qd[2] * t88;
+  const Scalar t99 = s[2] * t52 + c[2] * t59;
+  const Scalar t100 = t99 + qd[2] * t89;
+  const Scalar t101 = ((t95 + t83) + t96) - (c[1] * t98 - s[1] * t100);
+  const Scalar t102 = s[1] * t89 - c[1] * t88;
+  const Scalar t103 = k[31] - ((t102 + t102) - (t93 + t82));
+  const Scalar t104 = t70 + (s[1] * t98 + c[1] * t100);
+  const Scalar t105 = s[0] * (t101 - qd[1] * t103) - c[0] * (t92 + t104);
+  const Scalar t106 = s[0] * (s[0] * t92 - t97) + c[0] * t105;
+  const Scalar t107 = k[32] - (c[2] * t81 - t16);
+  const Scalar t108 = k[33] - (c[2] * t72 + s[2] * t71);
+  const Scalar t109 = c[1] * t107 - s[1] * t108;
+  const Scalar t110 = c[2] * t58 - s[2] * t50;
+  const Scalar t111 = qd[1] * (k[34] + (t109 - t110));
+  const Scalar t112 = s[2] * t18;
+  const Scalar t113 = c[2] * t37;
+  const Scalar t114 = (t112 - t12) + (t36 + t113);
+  const Scalar t115 = t114 + qd[2] * t108;
+  const Scalar t116 = s[2] * t78 - c[2] * t77;
+  const Scalar t117 = c[2] * t53 + s[2] * t65;
+  const Scalar t118 = t116 + t117;
+  const Scalar t119 = t118 - qd[2] * t107;
+  const Scalar t120 = t119 - t117;
+  const Scalar t121 = qd[0] * c[0];
+  const Scalar t122 = qd[0] * s[0];
+  const Scalar t123 = (t111 - (s[1] * t115 + c[1] * t120)) + (t91 * t121 - t122 * t103);
+  const Scalar t124 = c[1] * t108 + s[1] * t107;
+  const Scalar t125 = qd[1] * (k[35] + t124);
+  const Scalar t126 = ((s[1] * t120 - c[1] * t115) - t125) - (t91 * t122 + t121 * t94);
+  const Scalar t127 = c[0] * t123 + s[0] * t126;
   const Scalar t128 = qd[1] + qd[2];
-  const Scalar t129 = (t126 * t57 + t54 * t127) + (t112 - t128 * t108);
-  const Scalar t130 = (t116 - t128 * t107) + (t73 * t127 - t126 * t54);
-  const Scalar t131 = t105 * (t91 * t124 - t125 * t92) - (t125 * t129 + t130 * t124);
-  const Scalar t132 = qd[3] - t127;
-  const Scalar t133 = t78 - t51 * t132;
-  const Scalar t134 = t75 - t44 * t132;
-  const Scalar t135 = s[2] * t133 - c[2] * t134;
-  const Scalar t136 = s[2] * t128 - c[2] * t126;
-  const Scalar t137 = c[2] * t128 + s[2] * t126;
-  const Scalar t138 = (t74 - t42 * t132) + (t136 * t26 + t22 * t137);
-  const Scalar t139 = (t80 + t46 * t132) - (t137 * t26 + t33 * t136);
-  const Scalar t140 = k[19] * t135 - (c[2] * t138 - s[2] * t139);
-  const Scalar t141 = c[0] * t135 - (t124 * t140 + t125 * t14);
-  const Scalar t142 = qd[4] + t137;
-  const Scalar t143 = t66 + k[15] * t142;
-  const Scalar t144 = s[3] * t143 - t142 * t49;
-  const Scalar t145 = s[3] * t132 - c[3] * t136;
-  const Scalar t146 = c[3] * t132 + s[3] * t136;
-  const Scalar t147 = t145 * t48 + k[15] * t146;
-  const Scalar t148 = (t145 * t7 - k[6] * t146) - (t18 - t19 * t142);
-  const Scalar t149 = t142 * t15 + (t7 * t146 - t145 * t4);
-  const Scalar t150 = k[19] * t147 - (c[3] * t148 + s[3] * t149);
-  const Scalar t151 = t2 + k[19] * t144;
-  const Scalar t152 = c[3] * t149 - s[3] * t148;
-  const Scalar t153 = (c[2] * t150 - s[2] * t151) * t124 - t152 * t125;
-  const Scalar t154 = c[0] * (s[2] * t144 - c[2] * t147) + t153;
-  const Scalar t155 = c[4] * t142 + s[4] * t145;
-  const Scalar t156 = c[4] * t145 - s[4] * t142;
-  const Scalar t157 = k[17] * t155 - k[16] * t156;
-  const Scalar t158 = qd[5] + t146;
-  const Scalar t159 = t158 * t47;
-  const Scalar t160 = s[3] * t157 + c[3] * t159;
-  const Scalar t161 = t158 * t43;
-  const Scalar t162 = (k[9] * t155 - k[4] * t156) - k[0] * t158;
-  const Scalar t163 = k[1] * t158 + (k[9] * t156 - k[38] * t155);
-  const Scalar t164 = s[4] * t162 - c[4] * t163;
-  const Scalar t165 = s[3] * t164;
-  const Scalar t166 = k[19] * t161 + c[3] * t164;
-  const Scalar t167 = c[4] * t162 + s[4] * t163;
-  const Scalar t168 = k[19] * t160 - t167;
-  const Scalar t169 = t125 * t165 - (c[2] * t166 - s[2] * t168) * t124;
-  const Scalar t170 = c[0] * (s[2] * t160 - c[2] * t161) - t169;
-  const Scalar t171 = (s[2] * t77 - c[2] * t81) + t112;
-  const Scalar t172 = t111 - t171;
-  const Scalar t173 = t117 - ((t115 - t23) - (t114 - t37));
-  const Scalar t174 = s[1] * t172 - c[1] * t173;
-  const Scalar t175 = c[2] * t79 + s[2] * t76;
-  const Scalar t176 = s[1] * t173 + c[1] * t172;
-  const Scalar t177 = s[0] * ((t174 - t175) + t110) - c[0] * (t121 + t176);
-  const Scalar t178 = s[1] * (t128 * t91 + t68) + c[1] * (t128 * t92 + t99);
-  const Scalar t179 = s[2] * t134 + c[2] * t133;
-  const Scalar t180 = (c[2] * t139 + s[2] * t138) + k[19] * t179;
-  const Scalar t181 = c[1] * (t51 * t136 - t44 * t137) - s[1] * t179;
-  const Scalar t182 = t180 + t181;
-  const Scalar t183 = c[2] * t151 + s[2] * t150;
-  const Scalar t184 = c[1] * (t71 * t142 + c[3] * t143) - s[1] * (c[2] * t144 + s[2] * t147);
-  const Scalar t185 = t183 + t184;
-  const Scalar t186 = s[2] * t166 + c[2] * t168;
-  const Scalar t187 = s[1] * (s[2] * t161 + c[2] * t160) + c[1] * (s[3] * t159 - c[3] * t157);
+  const Scalar t129 = s[0] * s[1] - c[0] * c[1];
+  const Scalar t130 = qd[0] * t129;
+  const Scalar t131 = c[1] * s[0] + c[0] * s[1];
+  const Scalar t132 = qd[0] * t131;
+  const Scalar t133 = (t116 - t107 * t128) + (t130 * t74 + t132 * t82);
+  const Scalar t134 = (t114 + t128 * t108) - (t130 * t45 - t132 * t74);
+  const Scalar t135 = (t133 * t129 - t134 * t131) - (t88 * t131 - t89 * t129) * t121;
+  const Scalar t136 = qd[3] - t130;
+  const Scalar t137 = t57 - t58 * t136;
+  const Scalar t138 = t50 * t136 - t51;
+  const Scalar t139 = s[2] * t128 - c[2] * t132;
+  const Scalar t140 = c[2] * t128 + s[2] * t132;
+  const Scalar t141 = (t16 * t139 + t3 * t140) - (t61 * t136 + t64);
+  const Scalar t142 = t141 + k[5] * t137;
+  const Scalar t143 = (t35 * t139 + t16 * t140) - (t47 + t46 * t136);
+  const Scalar t144 = k[5] * t138 + t143;
+  const Scalar t145 = t129 * t28 + (c[2] * t142 + s[2] * t144) * t131;
+  const Scalar t146 = c[0] * (c[2] * t137 + s[2] * t138) - t145;
+  const Scalar t147 = qd[4] + t140;
+  const Scalar t148 = c[3] * t136 + s[3] * t139;
+  const Scalar t149 = s[3] * t136 - c[3] * t139;
+  const Scalar t150 = (t147 * t5 - t6) - (k[14] * t148 - t149 * t22);
+  const Scalar t151 = (t149 * t19 - t22 * t148) - t9 * t147;
+  const Scalar t152 = s[3] * t150 + c[3] * t151;
+  const Scalar t153 = s[3] * t151 - c[3] * t150;
+  const Scalar t154 = k[3] * t147 + t55;
+  const Scalar t155 = t147 * t48 - s[3] * t154;
+  const Scalar t156 = k[3] * t148 + t149 * t40;
+  const Scalar t157 = s[2] * t155 + c[2] * t156;
+  const Scalar t158 = (c[2] * t153 - s[2] * t13) + k[5] * t157;
+  const Scalar t159 = (t129 * t152 + t158 * t131) - c[0] * t157;
+  const Scalar t160 = qd[5] + t148;
+  const Scalar t161 = t39 * t160;
+  const Scalar t162 = c[4] * t147 + s[4] * t149;
+  const Scalar t163 = c[4] * t149 - s[4] * t147;
+  const Scalar t164 = k[0] * t162 - k[1] * t163;
+  const Scalar t165 = c[3] * t161 + s[3] * t164;
+  const Scalar t166 = t54 * t160;
+  const Scalar t167 = s[2] * t165 - c[2] * t166;
+  const Scalar t168 = k[6] * t160 + (k[16] * t163 - k[11] * t162);
+  const Scalar t169 = (k[11] * t163 - k[36] * t162) + k[7] * t160;
+  const Scalar t170 = s[4] * t168 + c[4] * t169;
+  const Scalar t171 = c[3] * t170;
+  const Scalar t172 = s[4] * t169 - c[4] * t168;
+  const Scalar t173 = (c[2] * t171 - s[2] * t172) + k[5] * t167;
+  const Scalar t174 = s[3] * t170;
+  const Scalar t175 = c[0] * t167 - (t173 * t131 - t129 * t174);
+  const Scalar t176 = s[2] * t59 - c[2] * t52;
+  const Scalar t177 = t115 + (t112 + t113);
+  const Scalar t178 = s[1] * t119 - c[1] * t177;
+  const Scalar t179 = s[1] * t177 + c[1] * t119;
+  const Scalar t180 = s[0] * ((t176 - t178) + t125) - c[0] * (t111 - t179);
+  const Scalar t181 = c[1] * (t99 + t89 * t128) + s[1] * (t68 + t128 * t88);
+  const Scalar t182 = c[1] * (t50 * t139 - t58 * t140) - s[1] * (s[2] * t137 - c[2] * t138);
+  const Scalar t183 = c[2] * t144 - s[2] * t142;
+  const Scalar t184 = t182 - t183;
+  const Scalar t185 = c[2] * t155 - s[2] * t156;
+  const Scalar t186 = c[1] * (t41 * t147 + c[3] * t154) + s[1] * t185;
+  const Scalar t187 = k[5] * t185 - (c[2] * t13 + s[2] * t153);
   const Scalar t188 = t186 - t187;
-  const Scalar t189 = s[0] * (qd[1] * t109 + t174) + c[0] * (qd[1] * t119 - t176);
-  const Scalar t190 = t33 + t22;
-  const Scalar t191 = qd[2] * t190 + (t82 + t62);
-  const Scalar t192 = qd[2] * t53 - (t14 + t14);
-  const Scalar t193 = qd[1] * ((s[1] * t53 + c[1] * t190) - t90);
-  const Scalar t194 = s[0] * ((c[1] * t191 + s[1] * t192) + t193);
-  const Scalar t195 = ((s[1] * t191 - c[1] * t192) - t99) - qd[1] * (c[1] * t53 - s[1] * t190);
-  const Scalar t196 = t171 + (c[1] * qd[2] * t120 + s[1] * t175);
-  const Scalar t197 = c[2] * t72;
-  const Scalar t198 = k[19] * t72;
-  const Scalar t199 = qd[3] * t198 - ((t21 - t36) - qd[3] * t29);
-  const Scalar t200 = t69 - (Scalar(2) * t2 - qd[3] * t25);
-  const Scalar t201 = (c[2] * t199 + s[2] * t200) - qd[2] * t41;
-  const Scalar t202 = t80 - t61;
-  const Scalar t203 = s[2] * (t29 + t198) - c[2] * t25;
-  const Scalar t204 = t202 - qd[2] * t203;
-  const Scalar t205 = (s[2] * t68 + qd[3] * t197) - (s[1] * t201 - c[1] * t204);
-  const Scalar t206 = t205 - qd[1] * (c[1] * t203 - s[1] * t41);
-  const Scalar t207 = s[2] * t72;
-  const Scalar t208 = qd[1] * (t207 - (s[1] * t203 + c[1] * t41));
-  const Scalar t209 = s[0] * ((s[1] * t204 + c[1] * t201) + t208);
-  const Scalar t210 = (qd[3] * t207 - c[2] * t68) + qd[2] * t50;
-  const Scalar t211 = s[1] * t210 - c[1] * (t75 + qd[2] * t197);
-  const Scalar t212 = s[2] * t199 - c[2] * t200;
-  const Scalar t213 = s[3] * t6;
-  const Scalar t214 = k[13] * c[3] - t213;
-  const Scalar t215 = c[3] * t43;
-  const Scalar t216 = c[2] * t47 + s[2] * t215;
-  const Scalar t217 = c[3] * t6;
-  const Scalar t218 = t217 + k[13] * s[3];
-  const Scalar t219 = k[19] * t216 + (c[2] * t218 - s[2] * t10);
-  const Scalar t220 = t11 - k[13] * qd[4];
-  const Scalar t221 = qd[4] * t217 - s[3] * t220;
-  const Scalar t222 = t221 + qd[2] * t219;
-  const Scalar t223 = s[3] * t43;
-  const Scalar t224 = qd[3] * t47 + (c[3] * t78 + qd[4] * t223);
-  const Scalar t225 = k[19] * t224 + (t34 + qd[3] * t218);
-  const Scalar t226 = qd[3] * t10 + (c[3] * t220 + qd[4] * t213);
-  const Scalar t227 = qd[3] * t215 + t66;
-  const Scalar t228 = t226 - k[19] * t227;
-  const Scalar t229 = (s[2] * t225 + c[2] * t228) - qd[2] * t214;
-  const Scalar t230 = (c[1] * t222 - s[1] * t229) + (s[2] * t224 - c[2] * t227);
-  const Scalar t231 = qd[1] * (s[1] * t214 + c[1] * t219) + t230;
-  const Scalar t232 = qd[1] * (t216 - (s[1] * t219 - c[1] * t214));
-  const Scalar t233 = s[0] * ((s[1] * t222 + c[1] * t229) - t232);
-  const Scalar t234 = qd[2] * (c[2] * t215 - s[2] * t47) + (qd[4] * t215 - s[3] * t78);
-  const Scalar t235 = qd[2] * t223 + (s[2] * t227 + c[2] * t224);
-  const Scalar t236 = s[2] * t228 - c[2] * t225;
-  const Scalar t237 = t188 - ((c[1] * t234 - s[1] * t235) - t236);
+  const Scalar t189 = s[2] * t166 + c[2] * t165;
+  const Scalar t190 = s[1] * t189 - c[1] * (c[3] * t164 - s[3] * t161);
+  const Scalar t191 = k[5] * t189 - (c[2] * t172 + s[2] * t171);
+  const Scalar t192 = t190 - t191;
+  const Scalar t193 = c[0] * (qd[1] * t109 - t179) - s[0] * (qd[1] * t124 - t178);
+  const Scalar t194 = t35 + t3;
+  const Scalar t195 = qd[1] * (t87 - (c[1] * t194 - s[1] * t73));
+  const Scalar t196 = qd[2] * t73 - Scalar(2) * t28;
+  const Scalar t197 = qd[2] * t194 + (t79 - t66);
+  const Scalar t198 = s[0] * (t195 + (s[1] * t196 - c[1] * t197));
+  const Scalar t199 = qd[1] * (s[1] * t194 + c[1] * t73) - (t99 - (s[1] * t197 + c[1] * t196));
+  const Scalar t200 = t118 - (c[1] * qd[2] * t110 + s[1] * t176);
+  const Scalar t201 = t44 + t34;
+  const Scalar t202 = s[2] * (t201 + t43) + c[2] * t15;
+  const Scalar t203 = c[2] * t42;
+  const Scalar t204 = (Scalar(2) * t13 + qd[3] * t15) - t69;
+  const Scalar t205 = qd[3] * t43 + (qd[3] * t201 - (t11 - t31));
+  const Scalar t206 = (s[2] * t204 - c[2] * t205) + qd[2] * t60;
+  const Scalar t207 = t77 - t47;
+  const Scalar t208 = qd[2] * t202 + t207;
+  const Scalar t209 = (qd[3] * t203 + s[2] * t68) + (s[1] * t206 - c[1] * t208);
+  const Scalar t210 = qd[1] * (s[1] * t60 - c[1] * t202) + t209;
+  const Scalar t211 = s[2] * t42;
+  const Scalar t212 = qd[1] * (t211 - (c[1] * t60 + s[1] * t202));
+  const Scalar t213 = s[0] * (t212 - (s[1] * t208 + c[1] * t206));
+  const Scalar t214 = s[2] * t205 + c[2] * t204;
+  const Scalar t215 = (c[2] * t68 - qd[3] * t211) - qd[2] * t49;
+  const Scalar t216 = c[1] * (t57 + qd[2] * t203) + s[1] * t215;
+  const Scalar t217 = c[3] * t54;
+  const Scalar t218 = s[2] * t217 + c[2] * t39;
+  const Scalar t219 = c[3] * t21;
+  const Scalar t220 = t219 + k[23] * s[3];
+  const Scalar t221 = k[5] * t218 - (s[2] * t4 - c[2] * t220);
+  const Scalar t222 = k[23] * qd[4] - t24;
+  const Scalar t223 = s[3] * t222 + qd[4] * t219;
+  const Scalar t224 = qd[2] * t221 + t223;
+  const Scalar t225 = s[3] * t21;
+  const Scalar t226 = t225 - k[23] * c[3];
+  const Scalar t227 = qd[3] * t217 + t55;
+  const Scalar t228 = s[3] * t54;
+  const Scalar t229 = (qd[4] * t228 + c[3] * t51) + qd[3] * t39;
+  const Scalar t230 = c[2] * t227 - s[2] * t229;
+  const Scalar t231 = t29 + qd[3] * t220;
+  const Scalar t232 = qd[3] * t4 - (c[3] * t222 - qd[4] * t225);
+  const Scalar t233 = k[5] * t230 - (s[2] * t231 + c[2] * t232);
+  const Scalar t234 = qd[2] * t226 - t233;
+  const Scalar t235 = qd[1] * ((s[1] * t221 + c[1] * t226) - t218);
+  const Scalar t236 = s[0] * ((s[1] * t224 + c[1] * t234) + t235);
+  const Scalar t237 = qd[1] * (s[1] * t226 - c[1] * t221) - ((c[1] * t224 - s[1] * t234) - t230);
+  const Scalar t238 = c[2] * t229 + s[2] * t227;
+  const Scalar t239 = (s[2] * t232 - c[2] * t231) - k[5] * t238;
+  const Scalar t240 = (s[3] * t51 - qd[4] * t217) + qd[2] * (s[2] * t39 - c[2] * t217);
+  const Scalar t241 = c[1] * t240 + s[1] * (qd[2] * t228 + t238);
   Eigen::Matrix<Scalar, dof, dof> result;
-  result(0, 0) = t40 - (s[0] * t96 - c[0] * t104);
-  result(0, 1) = -t123;
-  result(0, 2) = -t131;
-  result(0, 3) = t141;
-  result(0, 4) = t154;
-  result(0, 5) = t170;
-  result(1, 0) = t123 - t177;
-  result(1, 1) = -t103;
-  result(1, 2) = t70 - t178;
-  result(1, 3) = -t182;
-  result(1, 4) = -t185;
-  result(1, 5) = -t188;
-  result(2, 0) = t131 - t189;
-  result(2, 1) = t178 - t103;
-  result(2, 2) = t70;
-  result(2, 3) = -t180;
-  result(2, 4) = -t183;
-  result(2, 5) = -t186;
-  result(3, 0) = (t194 + c[0] * t195) - t141;
-  result(3, 1) = t182 - t196;
-  result(3, 2) = t180 - t171;
-  result(3, 3) = t14;
-  result(3, 4) = t152;
-  result(3, 5) = t165;
-  result(4, 0) = -(c[0] * t206 - t209) - t154;
-  result(4, 1) = t185 + (t211 - t212);
-  result(4, 2) = t183 - t212;
-  result(4, 3) = -t202 - t152;
-  result(4, 4) = -t2;
-  result(4, 5) = t167;
-  result(5, 0) = (c[0] * t231 - t233) - t170;
-  result(5, 1) = t237;
-  result(5, 2) = t236 + t186;
-  result(5, 3) = t221 - t165;
-  result(5, 4) = -t34 - t167;
+  result(0, 0) = t38 + t106;
+  result(0, 1) = t127;
+  result(0, 2) = t135;
+  result(0, 3) = -t146;
+  result(0, 4) = t159;
+  result(0, 5) = t175;
+  result(1, 0) = -t127 - t180;
+  result(1, 1) = -t104;
+  result(1, 2) = -t181 - t70;
+  result(1, 3) = -t184;
+  result(1, 4) = -t188;
+  result(1, 5) = t192;
+  result(2, 0) = t193 - t135;
+  result(2, 1) = t181 - t104;
+  result(2, 2) = -t70;
+  result(2, 3) = t183;
+  result(2, 4) = t187;
+  result(2, 5) = -t191;
+  result(3, 0) = t146 - (t198 - c[0] * t199);
+  result(3, 1) = t184 - t200;
+  result(3, 2) = -t118 - t183;
+  result(3, 3) = -t28;
+  result(3, 4) = -t152;
+  result(3, 5) = -t174;
+  result(4, 0) = -t159 - (c[0] * t210 - t213);
+  result(4, 1) = t188 - (t214 + t216);
+  result(4, 2) = -t214 - t187;
+  result(4, 3) = t152 + t207;
+  result(4, 4) = -t13;
+  result(4, 5) = t172;
+  result(5, 0) = -t175 - (t236 + c[0] * t237);
+  result(5, 1) = (t239 + t241) - t192;
+  result(5, 2) = t239 + t191;
+  result(5, 3) = t174 + t223;
+  result(5, 4) = -t172 - t29;
   result(5, 5) = Scalar(0);
   return result;
 }
