@@ -117,9 +117,10 @@ std::vector<Twist> AxesInMotion::column_rates() {
     if (k == 0) break;
     const Linkage::Pivot& pivot = linkage_.pivots[k - 1];
     const Moving& axis = axes_[k - 1];
-    if (pivot.joint >= 0)
+    if (pivot.joint >= 0) {
       columns[static_cast<std::size_t>(pivot.joint)] =
           to_base({program_.let(cross(axis.rate, reach.value) + cross(axis.value, reach.rate)), axis.rate});
+    }
     reach = let(reach + steps_[k].along);
   }
   return columns;

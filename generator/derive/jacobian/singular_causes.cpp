@@ -109,7 +109,7 @@ Vector SingularCauses::between(std::size_t i, std::size_t j) const {
 /// `reach`: as long as the arm between the first axis and the point reaches. Where the factor is the sine or
 /// cosine of one joint's angle, its two zeros are told apart: the arm is stretched where it reaches farther.
 std::string SingularCauses::stretched_or_folded(const ex& factor, const Vector& reach) const {
-  const std::string both = std::string(stretched) + "; " + folded;
+  std::string both = std::string(stretched) + "; " + folded;
   const ex circular = GiNaC::is_a<GiNaC::function>(factor) ? factor : -factor;
   const bool sine = GiNaC::is_the_function<GiNaC::sin_SERIAL>(circular);
   if (!sine && !GiNaC::is_the_function<GiNaC::cos_SERIAL>(circular)) return both;
@@ -133,9 +133,10 @@ std::string SingularCauses::stretched_or_folded(const ex& factor, const Vector& 
 SingularCauses::Found SingularCauses::point_on_axis(const ex& factor,
                                                     const std::vector<std::size_t>& joints) {
   std::vector<std::size_t> on;
-  for (const std::size_t j : joints)
+  for (const std::size_t j : joints) {
     if (!joints_[j].slides && !is_zero(joints_[j].linear) && vanishes(factor, joints_[j].linear))
       on.push_back(j);
+  }
   if (on.empty()) return std::nullopt;
   const bool turns = std::any_of(joints.begin(), joints.end(), [&](std::size_t j) {
     return !joints_[j].slides && factor.has(variables_[j]);
@@ -158,7 +159,7 @@ SingularCause SingularCauses::along_a_slide(std::size_t i, std::size_t j) const 
 /// Two joints move the point along the same line: if both turn, the axes and the point lie in one plane, and
 /// the point's distance from the first axis does not change with the second joint: it is greatest or least.
 SingularCauses::Found SingularCauses::two_in_line(const ex& factor, const std::vector<std::size_t>& joints) {
-  for (std::size_t b = 1; b < joints.size(); ++b)
+  for (std::size_t b = 1; b < joints.size(); ++b) {
     for (std::size_t a = 0; a < b; ++a) {
       const std::size_t i = joints[a];
       const std::size_t j = joints[b];
@@ -175,6 +176,7 @@ SingularCauses::Found SingularCauses::two_in_line(const ex& factor, const std::v
                                "at its greatest distance from the first: workspace boundary; at its "
                                "least: inner boundary"};
     }
+  }
   return std::nullopt;
 }
 
@@ -196,18 +198,20 @@ SingularCauses::Found SingularCauses::parallel_axes_in_plane(const ex& factor,
 /// component along these axes.
 SingularCauses::Found SingularCauses::point_in_plane_of_axes(const ex& factor,
                                                              const std::vector<std::size_t>& joints) {
-  for (const std::size_t i : joints)
+  for (const std::size_t i : joints) {
     for (std::size_t a = 0; a + 1 < joints.size(); ++a) {
       const std::size_t j = joints[a], k = joints[a + 1];
       if (joints_[i].slides || joints_[j].slides || joints_[k].slides || i == j || i == k) continue;
       if (!always_parallel(j, k) || always_parallel(i, j)) continue;
       if (!circles_.divides(factor, dot(joints_[j].angular, joints_[i].linear))) continue;
-      if (i > k)
+      if (i > k) {
         return SingularCause{Kind::workspace_boundary,
                              point_ + " as far along " + axes({j, k}) + " as can be"};
+      }
       const std::string plane = point_ + " in the plane of " + axes({i});
       return SingularCause{Kind::shoulder, plane + " that is parallel to " + axes({j, k})};
     }
+  }
   return std::nullopt;
 }
 
@@ -224,12 +228,13 @@ SingularCause SingularCauses::of(const ex& factor, const std::vector<std::size_t
 }
 
 SingularCause SingularCauses::of_wrist(const ex& factor, bool axes_meet) {
-  for (std::size_t i = joints_.size(); i-- > (axes_meet ? 3U : 0U);)
+  for (std::size_t i = joints_.size(); i-- > (axes_meet ? 3U : 0U);) {
     for (std::size_t j = i + 1; j < joints_.size(); ++j) {
       if (joints_[i].slides || joints_[j].slides || always_parallel(i, j)) continue;
       if (!vanishes(factor, cross(joints_[i].angular, joints_[j].angular))) continue;
       return {Kind::wrist, axes({i, j}) + (axes_meet ? " in line" : " parallel")};
     }
+  }
   return {Kind::wrist, "the axes of the last three joints in one plane"};
 }
 
