@@ -30,10 +30,13 @@ Row row_of(const std::string& robot, const std::string& function, const ordered_
   return row;
 }
 
+/// Competing forms of a function; the steps of one that has several.
 void append_forms(const std::string& robot, const ordered_json& entry, std::vector<Row>& rows) {
-  if (!entry.contains("forms")) return;
-  for (const auto& [name, form] : entry.at("forms").items())
-    rows.push_back(row_of(robot, "  " + name, ordered_json{{"emitted", form}}));
+  for (const char* parts : {"forms", "steps"}) {
+    if (!entry.contains(parts)) continue;
+    for (const auto& [name, part] : entry.at(parts).items())
+      rows.push_back(row_of(robot, "  " + name, ordered_json{{"emitted", part}}));
+  }
 }
 
 std::vector<Row> rows_of(const ordered_json& counts, bool forms) {

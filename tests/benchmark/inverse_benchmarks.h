@@ -109,7 +109,8 @@ double share_reached(const reference::Chain& chain, const std::vector<Goal<Arm>>
   return reached / static_cast<double>(all.size());
 }
 
-/// All solutions of random reachable poses, against one solution by KDL's iterations.
+/// All solutions of random reachable poses, the branches one after the other and in lanes, and poses just out
+/// of reach, against one solution by KDL's iterations.
 template <class Arm>
 bool add_arm_inverse() {
   add_setup([] {
@@ -135,10 +136,14 @@ bool add_arm_inverse() {
     const std::string name = "inverse kinematics/" + robot + "/";
     measure(name + "KDL LMA", [=](std::size_t i) { return lma((*all)[i]); });
     measure(name + "KDL NR", [=](std::size_t i) { return newton((*all)[i]); });
-    measure(name + "qvgen", [=](std::size_t i) { return Arm::inverse_kinematics((*all)[i].pose); });
+    measure(name + "scalar", [=](std::size_t i) {
+      return Arm::inverse_kinematics((*all)[i].pose, qvgen::inverse::Form::scalar);
+    });
+    if (Arm::has_lanes) {
+      measure(name + "lanes", [=](std::size_t i) { return Arm::inverse_kinematics((*all)[i].pose); });
+    }
     if (!outside->empty()) {
-      measure(name + "qvgen unreachable",
-              [=](std::size_t i) { return Arm::inverse_kinematics((*outside)[i]); });
+      measure(name + "out of reach", [=](std::size_t i) { return Arm::inverse_kinematics((*outside)[i]); });
     }
   });
   return true;

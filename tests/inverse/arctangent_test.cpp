@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The own arctangent against libm's in extended precision.
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <limits>
 #include <random>
 
+#include <gtest/gtest.h>
 #include <qvgen/inverse/arctangent.h>
 
 namespace qvgen::inverse {

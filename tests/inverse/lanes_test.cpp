@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Branches side by side against branches one after the other, on every set of poses: the same rows, bit by bit.
+// Branches side by side against branches one after the other, on every set of poses: the same rows, bit by
+// bit.
 #include "check.h"
 
 namespace qvgen::test {
@@ -30,7 +31,8 @@ TEST_P(InverseLanes, SameAsOneAfterTheOther) {
         const double given = test.given(sample->q);
         const Found lanes = GetParam().solve(sample->pose, given, tolerance);
         const Found scalar = GetParam().solve_scalar(sample->pose, given, tolerance);
-        ASSERT_EQ(difference(lanes, scalar), "") << GetParam().name << ", " << set.name << ": " << sample->q.transpose();
+        ASSERT_EQ(difference(lanes, scalar), "")
+            << GetParam().name << ", " << set.name << ": " << sample->q.transpose();
       }
     }
   }

@@ -68,7 +68,7 @@ Target target_of(const Pose<double>& pose, [[maybe_unused]] const Geometry& g, d
   }
 }
 
-void solve(const Target& t, inverse::Form, Solutions& found) {
+[[gnu::always_inline]] inline void solve(const Target& t, inverse::Form, Solutions& found) {
   solve_one_by_one(t, found);
 
   found.conclude();
@@ -80,6 +80,7 @@ void solve(const Target& t, inverse::Form, Solutions& found) {
 Solutions inverse_kinematics(const Pose<double>& pose, const Geometry& g, double tolerance,
     inverse::Form form) {
   Solutions found;
+
   if (!is_valid(pose)) {
     found.status = Status::invalid;
     return found;
@@ -94,6 +95,7 @@ Solutions inverse_kinematics(const Pose<double>& pose, const JointVector<double>
     found.status = Status::invalid;
     return found;
   }
+
   const inverse::Preference<dof> preference = inverse::preference<dof>(seed);
   detail::all::solve(detail::all::target_of(pose, g, tolerance, preference), inverse::Form::fastest, found);
   sort_by_distance(found, seed, is_revolute);

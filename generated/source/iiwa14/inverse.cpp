@@ -90,7 +90,7 @@ Target target_of(const Pose<double>& pose, [[maybe_unused]] const Geometry& g, d
 }
 
 /// Branches side by side where machine and compiler know AVX2.
-void solve(const Target& t, inverse::Form form, SolutionsGiven_theta3& found) {
+[[gnu::always_inline]] inline void solve(const Target& t, inverse::Form form, SolutionsGiven_theta3& found) {
   if (form == inverse::Form::fastest && solve_in_lanes != nullptr && inverse::machine_has_avx2()) {
     inverse::conclude(found, solve_in_lanes(t, inverse::row_places(found)));
     return;
@@ -107,10 +107,11 @@ void solve(const Target& t, inverse::Form form, SolutionsGiven_theta3& found) {
 SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Pose<double>& pose, double theta3, const Geometry& g, double tolerance,
     inverse::Form form) {
   SolutionsGiven_theta3 found;
-  if (!is_valid(pose)) {
-    found.status = Status::invalid;
+  if (!inverse::is_within(pose, 1.306000, tolerance)) {
+    found.status = is_valid(pose) ? Status::unreachable : Status::invalid;
     return found;
   }
+
   detail::given_theta3::solve(detail::given_theta3::target_of(pose, g, tolerance, inverse::zero_preference<dof>, theta3), form, found);
   return found;
 }
@@ -121,6 +122,7 @@ SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Pose<double>& pose, 
     found.status = Status::invalid;
     return found;
   }
+  if (!inverse::is_within(pose, 1.306000, tolerance)) return found;
   const inverse::Preference<dof> preference = inverse::preference<dof>(seed);
   detail::given_theta3::solve(detail::given_theta3::target_of(pose, g, tolerance, preference, theta3), inverse::Form::fastest, found);
   sort_by_distance(found, seed, is_revolute);

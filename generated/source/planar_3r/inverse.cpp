@@ -73,7 +73,7 @@ Target target_of(const Pose<double>& pose, [[maybe_unused]] const Geometry& g, d
   }
 }
 
-void solve(const Target& t, inverse::Form, Solutions& found) {
+[[gnu::always_inline]] inline void solve(const Target& t, inverse::Form, Solutions& found) {
   solve_one_by_one(t, found);
 
   found.conclude();
@@ -134,7 +134,7 @@ Target target_of(const Pose<double>& pose, [[maybe_unused]] const Geometry& g, d
   }
 }
 
-void solve(const Target& t, inverse::Form, SolutionsGiven_theta3& found) {
+[[gnu::always_inline]] inline void solve(const Target& t, inverse::Form, SolutionsGiven_theta3& found) {
   solve_one_by_one(t, found);
 
   found.conclude();
@@ -146,6 +146,7 @@ void solve(const Target& t, inverse::Form, SolutionsGiven_theta3& found) {
 Solutions inverse_kinematics(const Pose<double>& pose, const Geometry& g, double tolerance,
     inverse::Form form) {
   Solutions found;
+
   if (!is_valid(pose)) {
     found.status = Status::invalid;
     return found;
@@ -160,6 +161,7 @@ Solutions inverse_kinematics(const Pose<double>& pose, const JointVector<double>
     found.status = Status::invalid;
     return found;
   }
+
   const inverse::Preference<dof> preference = inverse::preference<dof>(seed);
   detail::all::solve(detail::all::target_of(pose, g, tolerance, preference), inverse::Form::fastest, found);
   sort_by_distance(found, seed, is_revolute);
@@ -182,6 +184,7 @@ LimitedSolutions<dof, 2> inverse_kinematics(const Pose<double>& pose, const Join
 SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Pose<double>& pose, double theta3, const Geometry& g, double tolerance,
     inverse::Form form) {
   SolutionsGiven_theta3 found;
+
   if (!is_valid(pose)) {
     found.status = Status::invalid;
     return found;
@@ -196,6 +199,7 @@ SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Pose<double>& pose, 
     found.status = Status::invalid;
     return found;
   }
+
   const inverse::Preference<dof> preference = inverse::preference<dof>(seed);
   detail::given_theta3::solve(detail::given_theta3::target_of(pose, g, tolerance, preference, theta3), inverse::Form::fastest, found);
   sort_by_distance(found, seed, is_revolute);

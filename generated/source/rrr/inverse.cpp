@@ -66,7 +66,7 @@ Target target_of(const Pose<double>& pose, [[maybe_unused]] const Geometry& g, d
 }
 
 /// Branches side by side where machine and compiler know AVX2.
-void solve(const Target& t, inverse::Form form, Solutions& found) {
+[[gnu::always_inline]] inline void solve(const Target& t, inverse::Form form, Solutions& found) {
   if (form == inverse::Form::fastest && solve_in_lanes != nullptr && inverse::machine_has_avx2()) {
     inverse::conclude(found, solve_in_lanes(t, inverse::row_places(found)));
     return;
@@ -83,6 +83,7 @@ void solve(const Target& t, inverse::Form form, Solutions& found) {
 Solutions inverse_kinematics(const Pose<double>& pose, const Geometry& g, double tolerance,
     inverse::Form form) {
   Solutions found;
+
   if (!is_valid(pose)) {
     found.status = Status::invalid;
     return found;
@@ -97,6 +98,7 @@ Solutions inverse_kinematics(const Pose<double>& pose, const JointVector<double>
     found.status = Status::invalid;
     return found;
   }
+
   const inverse::Preference<dof> preference = inverse::preference<dof>(seed);
   detail::all::solve(detail::all::target_of(pose, g, tolerance, preference), inverse::Form::fastest, found);
   sort_by_distance(found, seed, is_revolute);

@@ -2,14 +2,18 @@
 #include "application/products/inverse.h"
 
 #include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
 
 #include "application/inverse/certify.h"
+#include "application/inverse/count.h"
 #include "application/inverse/describe.h"
 #include "application/inverse/lane_code.h"
 #include "application/inverse/nest_code.h"
 #include "application/inverse/step_code.h"
 #include "derive/inverse/inverse.h"
 #include "emit/render.h"
+#include "model/evaluate.h"
 
 namespace qvgen::application {
 namespace {
@@ -56,7 +60,36 @@ std::vector<std::string> summary(const LoweredPlan& plan) {
   return lines;
 }
 
-json variant(const model::Robot& robot, const derive::inverse::Plan& derived) {
+bool is_number(const model::Vector3& v) {
+  return std::all_of(v.begin(), v.end(), [](const model::Expression& x) { return model::symbols(x).empty(); });
+}
+
+double length(const model::Vector3& v) {
+  double square = 0;
+  for (const model::Expression& x : v) {
+    const double value = model::to_double(model::evaluate(x));
+    square += value * value;
+  }
+  return std::sqrt(square);
+}
+
+/// What the tool's distance from the origin cannot exceed, as text: the sum of all lengths, if they are numbers and no
+/// joint slides; else empty.
+std::string reach(const model::Robot& robot) {
+  std::vector<const model::Vector3*> offsets{&robot.base.translation, &robot.tool.translation};
+  for (const model::Joint& joint : robot.joints) {
+    if (joint.type == model::JointType::prismatic) return "";
+    offsets.insert(offsets.end(), {&joint.before.translation, &joint.after.translation});
+  }
+  double sum = 0;
+  for (const model::Vector3* offset : offsets) {
+    if (!is_number(*offset)) return "";
+    sum += length(*offset);
+  }
+  return fmt::format("{:.6f}", sum);
+}
+
+json variant(const model::Robot& robot, const derive::inverse::Plan& derived, nlohmann::ordered_json& all_counts) {
   const LoweredPlan plan = lower(derived);
   const InverseCertificate certificate = certify_inverse(robot, plan, certificate_poses);
   const bool locked = derived.locked >= 0;
@@ -64,8 +97,10 @@ json variant(const model::Robot& robot, const derive::inverse::Plan& derived) {
   std::vector<std::string> constants;
   for (const auto& parameter : robot.geometry) constants.push_back(parameter.name);
   const std::string given = locked ? robot.joints[static_cast<std::size_t>(derived.locked)].variable : "";
+  const std::string function = locked ? "inverse_kinematics_given_" + given : "inverse_kinematics";
+  if (const auto counts = inverse_counts(plan); !counts.empty()) all_counts[function] = counts;
   return {{"space", locked ? "given_" + given : "all"},
-          {"function", locked ? "inverse_kinematics_given_" + given : "inverse_kinematics"},
+          {"function", function},
           {"solutions", locked ? "SolutionsGiven_" + given : "Solutions"},
           {"info", locked ? "inverse_info_given_" + given : "inverse_info"},
           {"uses_orientation", derived.position_only ? "false" : "true"},
@@ -74,6 +109,8 @@ json variant(const model::Robot& robot, const derive::inverse::Plan& derived) {
           {"locked_parameter", locked ? "double " + given + ", " : ""},
           {"locked_argument", locked ? ", " + given : ""},
           {"quartic", derived.quartic()},
+          {"reach", reach(robot)},
+          {"has_reach", !reach(robot).empty()},
           {"capacity", derived.capacity},
           {"meaning", std::string(derived.position_only ? "its position; the orientation is not used" : "position and orientation") +
                           (locked ? "; " + given + ", rad, is given" : "")},
@@ -98,7 +135,7 @@ void generate_inverse(const model::Robot& robot, RobotOutput& output) {
   json values{{"name", robot.name}, {"variants", json::array()}, {"reasons", json::array()}};
   std::vector<std::string> reasons;
   for (const auto& derivation : {derive::inverse::derive(robot), derive::inverse::derive_locked(robot)}) {
-    if (derivation.found) values["variants"].push_back(variant(robot, derivation.plan));
+    if (derivation.found) values["variants"].push_back(variant(robot, derivation.plan, output.counts));
     reasons.insert(reasons.end(), derivation.reasons.begin(), derivation.reasons.end());
   }
   const bool found = !values["variants"].empty();

@@ -25,6 +25,14 @@ inline double unit_scale(double square) {
   return 1 + excess * (-0.5 + 0.375 * excess);
 }
 
+/// Whether a pose is valid and no farther out than the sum of all lengths of the arm, rounding and tolerance (up to 1)
+/// allowed for: else nothing has to be solved.
+inline bool is_within(const Pose<double>& pose, double reach, double tolerance) {
+  const double square = reach * reach;
+  return std::abs(pose.orientation.squaredNorm() - 1) <= unit_tolerance<double>() &&
+         pose.position.squaredNorm() <= square * (1 + 1e-6) + 80 * square * tolerance;
+}
+
 /// A rotation matrix by its entries: orthogonal with determinant 1 to within the tolerance of a pose's quaternion.
 inline bool is_rotation(const Matrix3<double>& r) {
   const double tolerance = unit_tolerance<double>();

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "application/inverse/count.h"
+
+#include <qvgen/inverse/roots.h>
+#include <qvgen/inverse/wrist.h>
+
+#include "application/inverse/counted.h"
+#include "application/inverse/step_code.h"
+#include "application/products/counts_json.h"
+#include "dag/counts.h"
+
+namespace qvgen::application {
+namespace {
+
+using dag::OperationCounts;
+using derive::inverse::Kind;
+using derive::inverse::Step;
+using Rotor = qvgen::inverse::Rotor<Counted>;
+
+OperationCounts operator+(const OperationCounts& a, const OperationCounts& b) {
+  return {a.multiplications + b.multiplications, a.additions + b.additions,       a.divisions + b.divisions,
+          a.roots + b.roots,                     a.sine_cosines + b.sine_cosines, a.arctangents + b.arctangents};
+}
+
+OperationCounts operator*(int times, const OperationCounts& a) {
+  OperationCounts sum;
+  for (int i = 0; i < times; ++i) sum = sum + a;
+  return sum;
+}
+
+/// The pose's quaternion brought to length one and the sizes of noise (request.h, target.h).
+OperationCounts preparation() {
+  const OperationCounts squared_length{4, 3, 0, 0, 0, 0};
+  const OperationCounts scale{2, 3, 0, 0, 0, 0};
+  const OperationCounts scaling{4, 0, 0, 0, 0, 0};
+  const OperationCounts noise{3, 0, 0, 0, 0, 0};
+  return squared_length + scale + scaling + noise;
+}
+
+/// A wrist that ends the plan leaves angles; its second branch is the first one turned over.
+void wrist(const LoweredPlan& plan, const Step& step) {
+  using namespace qvgen::inverse;
+  const Rotor u{0.6, 0.2};
+  const Rotor v{0.3, 0.7};
+  const Counted pi(3.14);
+  Branch<Counted> branch;
+  if (step.kind == Kind::oblique_wrist) {
+    const auto angles = oblique_wrist<Counted>(u, v, {0.1, 0.9, 0.9, 0.1, 0.5}, 1, 0, 1e-12, pi, branch);
+    wrapped(Counted(angles.middle - arctangent(Counted(0.1), Counted(0.9))), pi);
+  } else if (plan.plan.wrist.ends_the_plan) {
+    const auto angles = right_wrist<Counted>(u, v, plan.plan.wrist.middle_swapped, 0, pi, branch);
+    opposite(angles.first, pi);
+    negative(angles.middle, pi);
+    opposite(angles.last, pi);
+  } else {
+    right_wrist_turns<Counted>(u, v, plan.plan.wrist.middle_swapped, {1, 0}, 1, branch);
+  }
+}
+
+/// Runs a step's block once, at values at which every branch exists.
+void block(const LoweredPlan& plan, const Step& step) {
+  using namespace qvgen::inverse;
+  const Counted sign(1), tolerance(1e-12), tiny(1e-30);
+  const Rotor turn{0.6, 0.8};
+  Branch<Counted> branch;
+  switch (step.kind) {
+    case Kind::circle: circle_angle<Counted>(1, 2, sign, tolerance, 0, 0, branch); return;
+    case Kind::free_circle: free_circle_angle<Counted>(1, 2, turn, tiny, {1, 0}, sign, tolerance, branch); return;
+    case Kind::factored: factored_line_angle<Counted>(turn, 1, 1, 2, tiny, {1, 0}, sign, tolerance, branch); return;
+    case Kind::opposite: sign * direction<Counted>(turn, tiny, {1, 0}, branch); return;
+    case Kind::pair: direction<Counted>(turn, tiny, {1, 0}, branch); return;
+    case Kind::reach: reachable_direction<Counted>(turn, turn, 0, 4, {1, 0}); return;
+    case Kind::half: plan.plan.wrist.right ? half_direction(turn) : half(turn); return;
+    case Kind::root: signed_root<Counted>(1, 1, tiny, sign, tolerance, branch); return;
+    case Kind::quadratic: quadratic_root<Counted>(1, 2, -1, sign, tolerance, branch); return;
+    case Kind::require: require_zero<Counted>(0, 1, tolerance, branch); return;
+    case Kind::right_wrist:
+    case Kind::oblique_wrist: wrist(plan, step); return;
+    case Kind::linear:
+    case Kind::conic:
+    case Kind::polish: return;
+  }
+}
+
+/// Joints whose angle a step lets be taken; the last wrist takes its angles itself.
+int angles(const LoweredPlan& plan, const Step& step) {
+  const bool is_wrist = step.kind == Kind::right_wrist || step.kind == Kind::oblique_wrist;
+  if (is_wrist) return plan.plan.wrist.ends_the_plan ? 0 : static_cast<int>(step.turns.size());
+  if (step.joint < 0) return static_cast<int>(step.turns.size());
+  return plan.plan.joints[static_cast<std::size_t>(step.joint)].revolute ? 1 : 0;
+}
+
+OperationCounts count_of(const LoweredPlan& plan, std::size_t index) {
+  const Step& step = plan.plan.steps[index];
+  Counted::tally() = {};
+  block(plan, step);
+  OperationCounts result = dag::count(plan.steps[index].before) + Counted::tally() + dag::count(plan.steps[index].after);
+  result.arctangents += angles(plan, step);
+  return result;
+}
+
+}  // namespace
+
+nlohmann::ordered_json inverse_counts(const LoweredPlan& plan) {
+  if (plan.plan.quartic()) return {};
+  OperationCounts target = dag::count(plan.target) + preparation();
+  if (plan.plan.locked >= 0) ++target.sine_cosines;
+  nlohmann::ordered_json steps{{"pose", to_json(target)}};
+  OperationCounts all = target;
+  int times = 1;
+  for (std::size_t i = 0; i < plan.steps.size(); ++i) {
+    const Step& step = plan.plan.steps[i];
+    const bool turned_over = step.kind == Kind::right_wrist && plan.plan.wrist.ends_the_plan;
+    if (step.branches == 2 && !turned_over) times *= 2;
+    const OperationCounts counts = count_of(plan, i);
+    steps[step_name(plan, i)] = to_json(counts);
+    all = all + times * counts;
+  }
+  return {{"emitted", to_json(all)}, {"steps", steps}};
+}
+
+}  // namespace qvgen::application
