@@ -73,7 +73,9 @@ void block(const LoweredPlan& plan, const Step& step) {
     case Kind::half: plan.plan.wrist.right ? half_direction(turn) : half(turn); return;
     case Kind::root: signed_root<Counted>(1, 1, tiny, sign, tolerance, branch); return;
     case Kind::quadratic: quadratic_root<Counted>(1, 2, -1, sign, tolerance, branch); return;
-    case Kind::require: require_zero<Counted>(0, 1, tolerance, branch); return;
+    case Kind::require:
+      step.divisor ? require_divisor<Counted>(1, branch) : require_zero<Counted>(0, 1, tolerance, branch);
+      return;
     case Kind::right_wrist:
     case Kind::oblique_wrist: wrist(plan, step); return;
     case Kind::linear:
