@@ -144,11 +144,13 @@ int show_dynamics(const model::Robot& robot) {
 
 int show_inverse(const model::Robot& robot, emit::Notation notation) {
   bool found = false;
+  std::vector<std::string> variables;
+  for (const model::Joint& joint : robot.joints) variables.push_back(joint.variable);
   for (const auto& derivation : {derive::inverse::derive(robot), derive::inverse::derive_locked(robot)}) {
     for (const std::string& reason : derivation.reasons) fmt::print(stderr, "{}: no inverse kinematics: {}\n", robot.name, reason);
     if (!derivation.found) continue;
     found = true;
-    for (const std::string& line : describe(lower(derivation.plan), notation)) fmt::print("{}\n", line);
+    for (const std::string& line : describe(lower(derivation.plan), variables, notation)) fmt::print("{}\n", line);
   }
   return found ? success : failure;
 }

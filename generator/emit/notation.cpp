@@ -61,7 +61,8 @@ std::string latex_number(const exact::Number& number) {
 
 class Formula {
  public:
-  Formula(const dag::Graph& graph, Notation notation) : graph_(graph), latex_(notation == Notation::latex), notation_(notation) {}
+  Formula(const dag::Graph& graph, Notation notation, const std::function<std::string(const std::string&)>& name)
+      : graph_(graph), latex_(notation == Notation::latex), notation_(notation), name_(name) {}
 
   std::string signed_text(Edge edge) const {
     if (!edge.negative) return text(edge.node);
@@ -73,7 +74,7 @@ class Formula {
     const dag::Node& node = graph_.node(id);
     switch (node.op) {
       case Op::constant: return latex_ ? latex_number(graph_.constant_of(node)) : exact::to_string(graph_.constant_of(node));
-      case Op::symbol: return formula(graph_.symbol_of(node), notation_);
+      case Op::symbol: return name_(graph_.symbol_of(node));
       case Op::sine: return call("sin", graph_.angle_of(node));
       case Op::cosine: return call("cos", graph_.angle_of(node));
       case Op::sum: return sum(node);
@@ -91,7 +92,16 @@ class Formula {
   }
 
   std::string factor(std::uint32_t id) const {
-    return graph_.node(id).op == Op::sum ? "(" + text(id) + ")" : text(id);
+    const dag::Node& node = graph_.node(id);
+    const bool has_terms = node.op == Op::constant && graph_.constant_of(node).terms().size() > 1;
+    return node.op == Op::sum || has_terms ? "(" + text(id) + ")" : text(id);
+  }
+
+  std::string raised(std::uint32_t id, bool square) const {
+    if (!square) return factor(id);
+    // sin(x) in LaTeX stands without parentheses of its own.
+    const bool plain = graph_.node(id).op == Op::sum || !latex_;
+    return (plain ? factor(id) : "{" + factor(id) + "}") + "^2";
   }
 
   /// The sum or its negative, written term by term with a positive one first.
@@ -107,9 +117,12 @@ class Formula {
 
   std::string product(const dag::Node& node) const {
     std::string result;
-    for (const Edge& operand : node.operands) {
+    for (std::size_t i = 0; i < node.operands.size(); ++i) {
+      const Edge& operand = node.operands[i];
+      const bool square = i + 1 < node.operands.size() && node.operands[i + 1] == operand;
       if (!result.empty()) result += latex_ ? " " : "*";
-      result += (operand.negative ? "-" : "") + factor(operand.node);
+      result += (operand.negative ? "-" : "") + raised(operand.node, square);
+      if (square) ++i;
     }
     return result;
   }
@@ -122,6 +135,7 @@ class Formula {
   const dag::Graph& graph_;
   bool latex_;
   Notation notation_;
+  const std::function<std::string(const std::string&)>& name_;
 };
 
 }  // namespace
@@ -145,7 +159,12 @@ std::string formula(const dag::Angle& angle, Notation notation) {
 }
 
 std::string formula(const dag::Graph& graph, Edge value, Notation notation) {
-  return Formula(graph, notation).signed_text(value);
+  return formula(graph, value, notation, [notation](const std::string& name) { return formula(name, notation); });
+}
+
+std::string formula(const dag::Graph& graph, Edge value, Notation notation,
+                    const std::function<std::string(const std::string&)>& name) {
+  return Formula(graph, notation, name).signed_text(value);
 }
 
 }  // namespace qvgen::emit

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "dag/graph.h"
@@ -12,6 +13,9 @@ enum class Notation { text, latex };
 /// A value in mathematical notation, sums of products as they stand in the graph: "cos((theta4 + theta6)/2)*..." or
 /// LaTeX with \bar\theta_4 for the half angle of theta4, the thesis's notation.
 std::string formula(const dag::Graph& graph, dag::Edge value, Notation notation);
+/// The same with names of the caller's for the symbols.
+std::string formula(const dag::Graph& graph, dag::Edge value, Notation notation,
+                    const std::function<std::string(const std::string&)>& name);
 
 /// An angle in that notation.
 std::string formula(const dag::Angle& angle, Notation notation);

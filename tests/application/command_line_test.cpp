@@ -165,6 +165,21 @@ TEST_F(CommandLine, SaysWhyItCannotWrite) {
   EXPECT_TRUE(has(result, "cannot write")) << result.output;
 }
 
+TEST_F(CommandLine, ShowsTheDerivationOfTheInverseKinematics) {
+  const ToolRun text = run("show ns --inverse");
+  EXPECT_EQ(text.code, 0);
+  EXPECT_TRUE(has(text, "at most 8 solutions"));
+  EXPECT_TRUE(has(text, "low = sqrt(p_y^2 + p_x^2) - d2"));
+  EXPECT_TRUE(has(text, "N_31 = N_21*cos(theta2/2) - N_23*sin(theta2/2)"));
+  EXPECT_TRUE(has(text, "theta4 = arg u + arg v"));
+  const ToolRun latex = run("show ns --inverse --latex");
+  EXPECT_TRUE(has(latex, "M_i &= Q_i Q_{i+1} \\dots Q_{6} = N_i"));
+  EXPECT_TRUE(has(latex, "\\paragraph{$d_{3}$: foot of the perpendicular and square root, 2 values.}"));
+  const ToolRun none = run("show general_6r --inverse");
+  EXPECT_EQ(none.code, 1);
+  EXPECT_TRUE(has(none, "their axes do not meet in one point"));
+}
+
 TEST_F(CommandLine, ShowsTheFactorsOfTheDeterminant) {
   const ToolRun two_links = run("show " + write("my_arm.toml", good_arm) + " --singularities");
   EXPECT_EQ(two_links.code, 0);

@@ -35,6 +35,12 @@ TEST(Notation, SumsAndProducts) {
   EXPECT_EQ(emit::formula(g, -g.sum({a, b}), Notation::text), "-a1 - b");
   EXPECT_EQ(emit::formula(g, g.product({a, g.sum({b, g.constant(1)})}), Notation::latex), "a_{1} (1 + b)");
   EXPECT_EQ(emit::formula(g, g.quotient(a, b), Notation::latex), "\\frac{a_{1}}{b}");
+  EXPECT_EQ(emit::formula(g, g.product({a, a, b}), Notation::text), "a1^2*b");
+  EXPECT_EQ(emit::formula(g, g.product({s, s}), Notation::latex), "{\\sin(\\bar{\\theta_{4}}-\\bar{\\theta_{6}})}^2");
+  const dag::Edge two_terms = g.constant(exact::Number(1) + exact::Number::root(2));
+  EXPECT_EQ(emit::formula(g, g.sum({a, -two_terms}), Notation::text), "a1 - (1+sqrt(2))");
+  const auto capital = [](const std::string& name) { return "<" + name + ">"; };
+  EXPECT_EQ(emit::formula(g, g.sum({a, b}), Notation::text, capital), "<a1> + <b>");
 }
 
 }  // namespace

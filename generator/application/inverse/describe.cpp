@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "application/inverse/describe.h"
 
-#include "application/inverse/step_code.h"
+#include "application/inverse/vocabulary.h"
+#include "derive/inverse/inverse.h"
 
 namespace qvgen::application {
 
@@ -35,18 +36,6 @@ std::string branches(const Step& step) {
   return step.branches == 1 ? "one value" : std::to_string(step.branches) + (step.kind == Kind::conic ? " values at most" : " values");
 }
 
-/// Longer formulas say nothing to a reader.
-constexpr std::size_t readable = 400;
-
-std::vector<std::string> formulas(const dag::Function& function, emit::Notation notation) {
-  std::vector<std::string> lines;
-  for (const dag::Output& output : function.outputs) {
-    const std::string text = emit::formula(function.graph, output.value, notation);
-    if (text.size() <= readable) lines.push_back(emit::formula(output.name, notation) + " = " + text);
-  }
-  return lines;
-}
-
 std::string headline(const Step& step) {
   return step.unknown + ": " + kind_name(step.kind) + ", " + branches(step);
 }
@@ -60,20 +49,145 @@ std::vector<std::string> step_comment(const LoweredPlan& plan, std::size_t index
   return lines;
 }
 
-std::vector<std::string> describe(const LoweredPlan& plan, emit::Notation notation) {
-  std::vector<std::string> lines = {plan.plan.structure, "at most " + std::to_string(plan.plan.capacity) + " solutions", "target:"};
-  for (const std::string& line : formulas(plan.target, notation)) lines.push_back("  " + line);
-  std::string indent;
-  for (std::size_t i = 0; i < plan.steps.size(); ++i) {
-    const Step& step = plan.plan.steps[i];
-    lines.push_back(indent + headline(step));
-    lines.push_back(indent + "  from: " + step.equation);
-    for (const std::string& line : formulas(plan.steps[i].before, notation)) lines.push_back(indent + "    " + line);
-    for (const std::string& line : formulas(plan.steps[i].after, notation)) lines.push_back(indent + "    -> " + line);
-    if (!step.degenerate.empty()) lines.push_back(indent + "  degenerate: " + step.degenerate);
-    if (step.branches > 1) indent += "  ";
+namespace {
+
+/// How the block's result follows from its inputs.
+std::string solution(const Step& step, bool latex) {
+  const auto both = [&](const char* text, const char* typeset) { return std::string(latex ? typeset : text); };
+  switch (step.kind) {
+    case Kind::circle:
+    case Kind::free_circle:
+      return both("phi = +-2*atan2(sqrt(low), sqrt(high))",
+                  "\\varphi = \\pm 2\\,\\mathrm{atan2}(\\sqrt{\\mathrm{low}}, \\sqrt{\\mathrm{high}})") +
+             (step.kind == Kind::circle ? "" : both(", from the direction (x, y)", "\\text{ from the direction } (x, y)"));
+    case Kind::factored:
+      return both("phi = +-atan2(sqrt(low*high), rhs), from the direction (x, y)",
+                  "\\varphi = \\pm\\mathrm{atan2}(\\sqrt{\\mathrm{low}\\,\\mathrm{high}}, \\mathrm{rhs})\\text{ from the direction } (x, y)");
+    case Kind::opposite: return both("phi = atan2(y, x) or atan2(-y, -x)", "\\varphi = \\mathrm{atan2}(\\pm y, \\pm x)");
+    case Kind::pair: return both("phi = atan2(y, x)", "\\varphi = \\mathrm{atan2}(y, x)");
+    case Kind::root: return both("r = +-sqrt(square)", "r = \\pm\\sqrt{\\mathrm{square}}");
+    case Kind::quadratic: return both("r = (-b +- sqrt(b^2 - a*c))/a", "r = \\frac{-b \\pm \\sqrt{b^2 - a c}}{a}");
+    case Kind::conic:
+      return both("xx*cos(phi)^2 + xy*cos(phi)*sin(phi) + yy*sin(phi)^2 + x*cos(phi) + y*sin(phi) + one = 0",
+                  "0 = \\mathrm{xx} \\cos^2\\varphi + \\mathrm{xy} \\cos\\varphi \\sin\\varphi + \\mathrm{yy} \\sin^2\\varphi + x \\cos\\varphi + y \\sin\\varphi + \\mathrm{one}");
+    case Kind::require: return both("|residual| <= tolerance*scale", "|\\mathrm{residual}| \\le \\mathrm{tolerance} \\cdot \\mathrm{scale}");
+    case Kind::reach:
+      return both("phi: inner <= |point + offset turned by phi|^2 <= outer",
+                  "\\varphi:\\ \\mathrm{inner} \\le |\\mathrm{point} + e^{i\\varphi}\\,\\mathrm{offset}|^2 \\le \\mathrm{outer}");
+    case Kind::linear:
+    case Kind::half:
+    case Kind::polish:
+    case Kind::right_wrist:
+    case Kind::oblique_wrist: return {};
   }
-  return lines;
+  return {};
+}
+
+/// The wrist's angles; the second solution is the first one with the middle joint turned the other way.
+std::vector<std::string> wrist_solution(const LoweredPlan& plan, const Step& step, const Vocabulary& words, bool latex) {
+  std::vector<std::string> angles;
+  for (const std::string& turn : step.turns) angles.push_back(words(turn));
+  const std::string plus = latex ? "\\arg u + \\arg v" : "arg u + arg v";
+  const std::string minus = latex ? "\\arg u - \\arg v" : "arg u - arg v";
+  const std::string ratio = plan.plan.wrist.middle_swapped ? "(|u|, |v|)" : "(|v|, |u|)";
+  if (step.kind == Kind::oblique_wrist)
+    return {latex ? "|u|^2 = \\cos^2\\tfrac{\\alpha+\\alpha'}{2} + \\sin\\alpha\\sin\\alpha' \\sin^2\\tfrac{\\varphi}{2},\\ " + angles[1] + " = \\pm\\varphi - \\delta"
+                  : "|u|^2 = cosine_sum^2 + product*sin(phi/2)^2, " + angles[1] + " = +-phi - delta"};
+  return {angles[0] + " = " + plus, angles[1] + " = " + (latex ? "2\\,\\mathrm{atan2}" : "2*atan2") + ratio, angles[2] + " = " + minus,
+          latex ? "\\text{or } " + angles[0] + " + \\pi,\\ -" + angles[1] + ",\\ " + angles[2] + " + \\pi"
+                : "or " + angles[0] + " + pi, -" + angles[1] + ", " + angles[2] + " + pi"};
+}
+
+/// Longer formulas say nothing to a reader.
+constexpr std::size_t readable = 400;
+
+class Description {
+ public:
+  Description(const LoweredPlan& plan, const std::vector<std::string>& variables, emit::Notation notation)
+      : plan_(plan), words_(plan.plan, variables, notation), notation_(notation), latex_(notation == emit::Notation::latex),
+        count_(std::to_string(variables.size())) {}
+
+  std::vector<std::string> write() {
+    heading(plan_.plan.structure + "; at most " + std::to_string(plan_.plan.capacity) + " solutions", "");
+    std::vector<std::string> given = scheme();
+    for (const std::string& line : formulas(plan_.target, {})) given.push_back(line);
+    block(given);
+    for (std::size_t i = 0; i < plan_.steps.size(); ++i) step(i);
+    return std::move(lines_);
+  }
+
+ private:
+  /// What is compared: the thesis's (1.22) and (1.23).
+  [[nodiscard]] std::vector<std::string> scheme() const {
+    if (latex_)
+      return {"N_1 = ([w, \\langle a, b, c \\rangle], \\langle p_x, p_y, p_z \\rangle)",
+              "M_i = Q_i Q_{i+1} \\dots Q_{" + count_ + "} = N_i = Q_{i-1}^{-1} \\dots Q_1^{-1} N_1"};
+    return {"N_1 = ([w, <a, b, c>], <p_x, p_y, p_z>)", "M_i = Q_i Q_i+1 ... Q_" + count_ + " = N_i = Q_i-1^-1 ... Q_1^-1 N_1"};
+  }
+
+  [[nodiscard]] std::vector<std::string> formulas(const dag::Function& function, const Step& step) const {
+    const auto name = [&](const std::string& symbol) { return words_(symbol, step); };
+    std::vector<std::string> lines;
+    for (const dag::Output& output : function.outputs) {
+      // What tells noise from values is no part of the mathematics.
+      if (output.name == derive::inverse::size_square || output.name == "scale") continue;
+      const std::string left = name(output.name);
+      const std::string right = emit::formula(function.graph, output.value, notation_, name);
+      if (left != right && right.size() <= readable) lines.push_back(left + " = " + right);
+    }
+    return lines;
+  }
+
+  void step(std::size_t i) {
+    const Step& step = plan_.plan.steps[i];
+    if (step.kind == Kind::half) return block(formulas(plan_.steps[i].after, step));
+    heading(headline(step), step.equation);
+    std::vector<std::string> lines = formulas(plan_.steps[i].before, step);
+    if (step.kind == Kind::right_wrist || step.kind == Kind::oblique_wrist) {
+      for (const std::string& line : wrist_solution(plan_, step, words_, latex_)) lines.push_back(line);
+    } else if (const std::string solved = solution(step, latex_); !solved.empty()) {
+      lines.push_back(solved);
+    }
+    for (const std::string& line : formulas(plan_.steps[i].after, step)) lines.push_back(line);
+    block(lines);
+    if (!step.degenerate.empty())
+      lines_.push_back(latex_ ? "Degenerate: " + words_.sentence(step.degenerate) + "." : indent_ + "  degenerate: " + step.degenerate);
+    if (step.branches > 1) indent_ += "  ";
+  }
+
+  void heading(const std::string& title, const std::string& equation) {
+    if (latex_) {
+      lines_.push_back("\\paragraph{" + words_.sentence(title) + ".} " + words_.sentence(equation));
+      return;
+    }
+    lines_.push_back(indent_ + title);
+    if (!equation.empty()) lines_.push_back(indent_ + "  from: " + equation);
+  }
+
+  void block(const std::vector<std::string>& formulas) {
+    if (formulas.empty()) return;
+    if (latex_) lines_.push_back("\\begin{align*}");
+    for (std::string line : formulas) {
+      const std::size_t equals = line.find(" = ");
+      if (latex_) line = (equals == std::string::npos ? "& " + line : line.replace(equals, 3, " &= ")) + " \\\\";
+      lines_.push_back(indent_ + (latex_ ? "" : "    ") + line);
+    }
+    if (latex_) lines_.push_back("\\end{align*}");
+  }
+
+  const LoweredPlan& plan_;
+  Vocabulary words_;
+  emit::Notation notation_;
+  bool latex_;
+  std::string count_;
+  std::string indent_;
+  std::vector<std::string> lines_;
+};
+
+}  // namespace
+
+std::vector<std::string> describe(const LoweredPlan& plan, const std::vector<std::string>& variables, emit::Notation notation) {
+  return Description(plan, variables, notation).write();
 }
 
 }  // namespace qvgen::application
