@@ -116,7 +116,8 @@ int run_generate(const GenerateArguments& arguments) {
   const int changed = write_files(arguments.output, files);
   fmt::print("{}", report(only(read_counts(arguments.output / "operation_counts.json"), *robots), ReportFormat::table));
   std::fflush(stdout);
-  fmt::print(stderr, "{} robots, {} files in {}, {} changed\n", robots->size(), files.size(), arguments.output.string(), changed);
+  fmt::print(stderr, "{} {}, {} files in {}, {} changed\n", robots->size(), robots->size() == 1 ? "robot" : "robots", files.size(),
+             arguments.output.string(), changed);
   return success;
 }
 

@@ -36,6 +36,9 @@ std::string in_plane(Attempt& attempt, bool locked);
 /// Six revolute joints, k, k+1, k+2 parallel (k = 1 or 2), the axes of the two joints beyond meeting in a point.
 std::string by_parallel_axes(Attempt& attempt, std::size_t k);
 
+/// The coordinates of a vector across a screw's axis.
+Flat in_frame(const Screw& screw, const symbolic::Vector& v, const Scope& scope);
+
 /// e_a e_b start = goal in the plane of two parallel axes.
 void two_link(Attempt& attempt, const Screw& a, const Screw& b, const symbolic::Vector& start, const symbolic::Vector& goal);
 

@@ -53,14 +53,10 @@ void last_parallel_joint(Attempt& attempt, const std::vector<Screw>& s) {
                                "what the sum of the three leaves for " + s[3].variable);
 }
 
-Flat in_plane(const Screw& screw, const Vector& v, const Scope& scope) {
-  return {scope.clean(dot(screw.first, v)), scope.clean(dot(screw.second, v))};
-}
-
 /// Where axis 5 is parallel to axis 6 turned onto the three, the sum is free: one that the two links can reach.
 Scope::Turn free_sum(Attempt& attempt, const std::vector<Screw>& s, const Flat& point, const Flat& offset) {
   const auto length = [&](std::size_t from) {
-    const Flat link = in_plane(s[1], s[from + 1].point - s[from].point, attempt.scope);
+    const Flat link = in_frame(s[1], s[from + 1].point - s[from].point, attempt.scope);
     return ex(GiNaC::sqrt(attempt.scope.clean(link.x * link.x + link.y * link.y)));
   };
   const ex first = length(1);
@@ -95,9 +91,9 @@ std::string by_parallel_axes(Attempt& attempt, std::size_t k) {
   // e1^-1 R is a turn about the three axes, then q5, q6: a wrist.
   // The centre seen from joint 1 is e2 e3 e4 centre, and the fourth axis stands off from it by a constant of the arm.
   const Scope::Turn at = builder.value(s[0]);
-  const Flat centre_seen = in_plane(s[1], apply(s[0], at.cosine, -at.sine, seen) - s[1].point, scope);
+  const Flat centre_seen = in_frame(s[1], apply(s[0], at.cosine, -at.sine, seen) - s[1].point, scope);
   const Flat point{builder.keep("centre_x", centre_seen.x), builder.keep("centre_y", centre_seen.y)};
-  const Flat offset = in_plane(s[1], s[3].point - *centre, scope);
+  const Flat offset = in_frame(s[1], s[3].point - *centre, scope);
   const symbolic::Quaternion whole = back ? symbolic::inverse(target.orientation()) : target.orientation();
   const symbolic::Quaternion rotation = without_first(builder, {s[0]}, whole);
   const Scope::Turn free = free_sum(attempt, s, point, offset);

@@ -14,10 +14,6 @@ namespace {
 
 ex square_of(const ex& value) { return GiNaC::pow(value, 2); }
 
-Flat in_frame(const Screw& screw, const Vector& v, const Scope& scope) {
-  return {scope.clean(dot(screw.first, v)), scope.clean(dot(screw.second, v))};
-}
-
 /// The pose has to keep the height along the axes, up to noise.
 void require_height(Attempt& attempt, const Vector& axis, const Vector& start, const Vector& goal) {
   attempt.builder.require_zero(attempt.scope.clean(dot(axis, goal - start)), GiNaC::sqrt(symbolic::symbol(size_square)),
@@ -25,6 +21,10 @@ void require_height(Attempt& attempt, const Vector& axis, const Vector& start, c
 }
 
 }  // namespace
+
+Flat in_frame(const Screw& screw, const Vector& v, const Scope& scope) {
+  return {scope.clean(dot(screw.first, v)), scope.clean(dot(screw.second, v))};
+}
 
 void two_link(Attempt& attempt, const Screw& a, const Screw& b, const Vector& start, const Vector& goal) {
   const Scope& scope = attempt.scope;
