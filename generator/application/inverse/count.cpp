@@ -86,7 +86,7 @@ void block(const LoweredPlan& plan, const Step& step) {
 
 /// Joints whose angle a step lets be taken; the last wrist takes its angles itself.
 int angles(const LoweredPlan& plan, const Step& step) {
-  const bool is_wrist = step.kind == Kind::right_wrist || step.kind == Kind::oblique_wrist;
+  const bool is_wrist = step.is_wrist();
   if (is_wrist) return plan.plan.wrist.ends_the_plan ? 0 : static_cast<int>(step.turns.size());
   if (step.joint < 0) return static_cast<int>(step.turns.size());
   return plan.plan.joints[static_cast<std::size_t>(step.joint)].revolute ? 1 : 0;

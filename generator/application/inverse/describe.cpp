@@ -143,7 +143,7 @@ class Description {
     if (step.kind == Kind::half) return block(formulas(plan_.steps[i].after, step));
     heading(headline(step), step.equation);
     std::vector<std::string> lines = formulas(plan_.steps[i].before, step);
-    if (step.kind == Kind::right_wrist || step.kind == Kind::oblique_wrist) {
+    if (step.is_wrist()) {
       for (const std::string& line : wrist_solution(plan_, step, words_, latex_)) lines.push_back(line);
     } else if (const std::string solved = solution(step, latex_); !solved.empty()) {
       lines.push_back(solved);

@@ -86,7 +86,7 @@ class Execution {
     for (int k = 0; k < step.branches; ++k) {
       Branch next = branch;
       Values known = values;
-      if (step.kind == Kind::right_wrist || step.kind == Kind::oblique_wrist) {
+      if (step.is_wrist()) {
         wrist(step, in, known, k, next);
         for (const auto& [name, value] : outputs(plan_.steps[index].after, known)) known[name] = value;
       } else {

@@ -12,9 +12,7 @@ namespace {
 using derive::inverse::Kind;
 using derive::inverse::Step;
 
-bool is_wrist(const Step& step) { return step.kind == Kind::right_wrist || step.kind == Kind::oblique_wrist; }
-
-bool is_last_wrist(const LoweredPlan& plan, const Step& step) { return is_wrist(step) && plan.plan.wrist.ends_the_plan; }
+bool is_last_wrist(const LoweredPlan& plan, const Step& step) { return step.is_wrist() && plan.plan.wrist.ends_the_plan; }
 
 /// Branching steps before a wrist that ends the plan.
 int branchings(const LoweredPlan& plan) {
@@ -61,7 +59,7 @@ class Lanes {
     const Step& step = plan_.plan.steps[i];
     if (is_last_wrist(plan_, step)) return wrist(i);
     if (step.kind == Kind::half) return deferred_.push_back(call(i) + ";");
-    if (is_wrist(step)) flush();
+    if (step.is_wrist()) flush();
     if (step.branches == 2 && loops_left_ > 0) {
       loop(i);
     } else if (step.branches == 2) {

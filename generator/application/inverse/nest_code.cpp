@@ -51,7 +51,7 @@ class Nest {
 
   void step(std::size_t i) {
     const Step& step = plan_.plan.steps[i];
-    if ((step.kind == Kind::right_wrist || step.kind == Kind::oblique_wrist) && plan_.plan.wrist.ends_the_plan) return wrist(i);
+    if (step.is_wrist() && plan_.plan.wrist.ends_the_plan) return wrist(i);
     if (step.kind == Kind::half) return deferred_.push_back(call(i) + ";");
     if (step.kind == Kind::conic) return conic(i);
     if (step.branches == 1) {
@@ -60,7 +60,7 @@ class Nest {
       angles(step);
       return;
     }
-    if (step.kind == Kind::right_wrist || step.kind == Kind::oblique_wrist) flush();
+    if (step.is_wrist()) flush();
     const std::string k = open(step, "2");
     line(call(i, k + " == 0 ? 1.0 : -1.0") + ";");
     line("if (!w.branch.exists) break;");

@@ -18,10 +18,8 @@ using nlohmann::json;
 
 namespace {
 
-bool is_wrist(const Step& step) { return step.kind == Kind::right_wrist || step.kind == Kind::oblique_wrist; }
-
 /// Whether the step is the wrist that ends the plan: it gives angles, not cosines and sines.
-bool ends(const LoweredPlan& plan, const Step& step) { return is_wrist(step) && plan.plan.wrist.ends_the_plan; }
+bool ends(const LoweredPlan& plan, const Step& step) { return step.is_wrist() && plan.plan.wrist.ends_the_plan; }
 
 /// Symbols of a step: geometry and the target's values from t, what earlier steps left from w, the block's results.
 emit::Names names_of(const model::Robot& robot, const LoweredPlan& plan) {
@@ -158,17 +156,17 @@ std::vector<std::string> wrist_turn_lines(const Step& step) {
   return lines;
 }
 
+}  // namespace
+
 json lines_of(const std::vector<std::string>& lines) {
   json list = json::array();
   for (const std::string& line : lines) list.push_back({{"line", line}});
   return list;
 }
 
-}  // namespace
-
 std::string step_name(const LoweredPlan& plan, std::size_t index) {
   const Step& step = plan.plan.steps[index];
-  if (is_wrist(step)) return "wrist";
+  if (step.is_wrist()) return "wrist";
   if (step.kind == Kind::half) return "half_" + step.unknown;
   if (step.kind == Kind::require) return "condition_" + std::to_string(index + 1);
   return step.unknown;
@@ -203,7 +201,7 @@ json step_values(const model::Robot& robot, const LoweredPlan& plan) {
     const auto [type, call] = block(plan, step);
     std::vector<std::string> extra;
     if (step.kind == Kind::polish) extra = polish_lines(plan, step);
-    if (is_wrist(step) && !ends(plan, step)) extra = wrist_turn_lines(step);
+    if (step.is_wrist() && !ends(plan, step)) extra = wrist_turn_lines(step);
     const bool split = step.kind == Kind::conic;
     const bool returns = split || ends(plan, step);
     const bool oblique = step.kind == Kind::oblique_wrist;

@@ -8,6 +8,9 @@
 
 namespace qvgen::application {
 
+/// Text for a template, a line an entry.
+nlohmann::json lines_of(const std::vector<std::string>& lines);
+
 /// Identifier of a step's function: "theta3", "half_theta1", "wrist".
 std::string step_name(const LoweredPlan& plan, std::size_t index);
 

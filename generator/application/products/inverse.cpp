@@ -22,12 +22,6 @@ using nlohmann::json;
 
 constexpr int certificate_poses = 3;
 
-json lines_of(const std::vector<std::string>& lines) {
-  json list = json::array();
-  for (const std::string& line : lines) list.push_back({{"line", line}});
-  return list;
-}
-
 json fields_of(const std::vector<std::string>& names) {
   json list = json::array();
   for (const std::string& name : names) list.push_back({{"field", name}});
@@ -94,6 +88,7 @@ json variant(const model::Robot& robot, const derive::inverse::Plan& derived, nl
   const InverseCertificate certificate = certify_inverse(robot, plan, certificate_poses);
   const bool locked = derived.locked >= 0;
   const bool lanes = has_lanes(plan);
+  const std::string farthest = reach(robot);
   std::vector<std::string> constants;
   for (const auto& parameter : robot.geometry) constants.push_back(parameter.name);
   const std::string given = locked ? robot.joints[static_cast<std::size_t>(derived.locked)].variable : "";
@@ -109,8 +104,8 @@ json variant(const model::Robot& robot, const derive::inverse::Plan& derived, nl
           {"locked_parameter", locked ? "double " + given + ", " : ""},
           {"locked_argument", locked ? ", " + given : ""},
           {"quartic", derived.quartic()},
-          {"reach", reach(robot)},
-          {"has_reach", !reach(robot).empty()},
+          {"reach", farthest},
+          {"has_reach", !farthest.empty()},
           {"capacity", derived.capacity},
           {"meaning", std::string(derived.position_only ? "its position; the orientation is not used" : "position and orientation") +
                           (locked ? "; " + given + ", rad, is given" : "")},

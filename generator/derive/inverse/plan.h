@@ -51,8 +51,9 @@ struct Step {
   bool exact_low = false;            ///< circle: low is a sum of squares, so that only an exact zero is a double root
   bool exact_high = false;
   std::string equation;              ///< in words and symbols, for people
-  std::string latex;
   std::string degenerate;            ///< where it loses a branch or an angle becomes free
+
+  [[nodiscard]] bool is_wrist() const { return kind == Kind::right_wrist || kind == Kind::oblique_wrist; }
 };
 
 /// Value of a joint, as a step leaves it behind.
@@ -72,7 +73,6 @@ struct WristPlan {
 
 struct Plan {
   std::string structure;            ///< "joints 4, 5, 6 meet in a point", ...
-  std::vector<std::string> latex;   ///< the thesis's M_i = N_i split
   symbolic::Program target;         ///< from the pose (and a locked joint) to what the steps need
   std::vector<std::string> target_kept;  ///< names of `target` that a step reads
   std::vector<Step> steps;
