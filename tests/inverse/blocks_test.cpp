@@ -172,6 +172,51 @@ TEST(ConicCircle, AsManyRootsAsThereAreChangesOfSign) {
   }
 }
 
+TEST(PolishedPair, GivesBackTheLastDigits) {
+  Random random;
+  for (int i = 0; i < 1000; ++i) {
+    const Rotor<double> x{std::cos(random(-3, 3)), 0};
+    const Rotor<double> y{std::cos(random(-3, 3)), 0};
+    const std::array<Rotor<double>, 2> exact{Rotor<double>{x.cosine, std::sqrt(1 - x.cosine * x.cosine)}, {y.cosine, -std::sqrt(1 - y.cosine * y.cosine)}};
+    std::array<PairRow<double>, 2> rows;
+    for (auto& row : rows) {
+      // Rows of different units.
+      const double unit = random(0.01, 100);
+      row = {{unit * random(), unit * random()}, {unit * random(), unit * random()}, 0};
+      row.one = -row.value(exact[0], exact[1]);
+    }
+    const double determinant = PairRow<double>::slope(scaled(rows[0]).k, exact[0]) * PairRow<double>::slope(scaled(rows[1]).m, exact[1]) -
+                               PairRow<double>::slope(scaled(rows[0]).m, exact[1]) * PairRow<double>::slope(scaled(rows[1]).k, exact[0]);
+    if (std::abs(determinant) < 0.01) continue;
+    const auto found = polished_pair(rows, {nudged(exact[0], 1e-7), nudged(exact[1], -1e-7)});
+    for (std::size_t k = 0; k < 2; ++k)
+      EXPECT_NEAR((found[k] * inverse(exact[k])).sine, 0, 8 * eps / std::abs(determinant));
+  }
+}
+
+TEST(ObliqueWrist, ItsTurnsAreItsAngles) {
+  Random random;
+  for (int i = 0; i < 1000; ++i) {
+    const double a = random(0.1, 3) / 2, b = random(0.1, 3) / 2, delta = random(-3, 3), s = random(0, 1), c = std::sqrt(1 - s * s);
+    const WristShape<double> shape{std::cos(a + b), std::sin(a + b), std::cos(a - b), std::sin(b - a), std::sin(2 * a) * std::sin(2 * b)};
+    const double u = std::hypot(shape.cosine_sum * c, shape.cosine_difference * s);
+    const double v = std::hypot(shape.sine_difference * s, shape.sine_sum * c);
+    const Rotor<double> along_u{std::cos(random(-3, 3)), 0.6}, along_v{0.3, random()};
+    const Rotor<double> u11 = u / std::hypot(along_u.cosine, along_u.sine) * along_u;
+    const Rotor<double> u12 = v / std::hypot(along_v.cosine, along_v.sine) * along_v;
+    for (const double sign : {1.0, -1.0}) {
+      Branch<double> branch, other;
+      const auto angles = oblique_wrist(u11, u12, shape, sign, 0.0, 1e-12, 3.14159265358979323846, branch);
+      const auto turns = oblique_wrist_turns(u11, u12, shape, {std::cos(delta), std::sin(delta)}, {1, 0}, sign, 1e-12, other);
+      ASSERT_EQ(branch.exists, other.exists);
+      ASSERT_EQ(branch.continuum, other.continuum);
+      EXPECT_NEAR(std::remainder(angle(turns.first) - angles.first, 6.283185307179586), 0, 1e-14);
+      EXPECT_NEAR(std::remainder(angle(turns.middle) - (angles.middle - delta), 6.283185307179586), 0, 1e-14);
+      EXPECT_NEAR(std::remainder(angle(turns.last) - angles.last, 6.283185307179586), 0, 1e-14);
+    }
+  }
+}
+
 TEST(PolishPosition, GivesBackTheLastDigits) {
   Random random;
   const std::array<Screw<double>, 3> arm = {Screw<double>{true, {0, 0, 1}, {0, 0, 0}}, Screw<double>{true, {0, 1, 0}, {0.3, 0, 0.5}},

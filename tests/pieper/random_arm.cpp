@@ -31,19 +31,32 @@ bool parallel(const Axis& a, const Axis& b) {
 
 class Writer {
  public:
-  explicit Writer(std::uint32_t seed) : random_(seed), place_(static_cast<int>(seed % 4)) {}
+  Writer(std::string name, std::uint32_t seed)
+      : name_(std::move(name)), random_(seed), place_(static_cast<int>(seed % 4)) {}
 
-  std::string description(const std::string& name) {
+  std::string pieper() {
     std::string joints;
     for (int i = 0; i < 6; ++i) joints += i >= place_ && i < place_ + 3 ? wrist_joint(i) : arm_joint(i);
-    std::string text = "name = \"" + name + "\"\ntitle = \"random Pieper arm\"\n";
+    return description("random Pieper arm", joints);
+  }
+
+  std::string parallel_axes() {
+    const Axis common = axis();
+    std::string joints;
+    for (int i = 0; i < 6; ++i)
+      joints += i >= place_ && i < place_ + 3 ? parallel_joint(i, common) : turning_joint(i, common);
+    return description("random arm with three parallel axes", joints);
+  }
+
+ private:
+  std::string description(const std::string& title, const std::string& joints) const {
+    std::string text = "name = \"" + name_ + "\"\ntitle = \"" + title + "\"\n";
     if (symbols_ > 0) text += "[defaults]\n";
     for (int i = 0; i < symbols_; ++i)
       text += "l" + std::to_string(i) + " = \"" + std::to_string(2 + 3 * i % 7) + "/11\"\n";
     return text + joints;
   }
 
- private:
   int below(int n) { return static_cast<int>(random_() % static_cast<std::uint32_t>(n)); }
 
   Axis axis() {
@@ -79,7 +92,8 @@ class Writer {
     return vector({x, y, length()});
   }
 
-  std::string joint(int i, bool revolute, const Axis& along, const std::string& origin, const std::string& link) {
+  std::string joint(int i, bool revolute, const Axis& along, const std::string& origin,
+                    const std::string& link) {
     std::string result = "[[joint]]\ntype = \"" + std::string(revolute ? "revolute" : "prismatic") +
                          "\"\naxis = " + text(along) + "\nvariable = \"q" + std::to_string(i + 1) +
                          "\"\norigin = " + origin + "\n";
@@ -104,6 +118,36 @@ class Writer {
     return joint(i, true, along, origin, i == place_ + 2 ? offset() : none);
   }
 
+  /// Offsets across the axes: none of the three coincides with another one but by chance.
+  std::string parallel_joint(int i, const Axis& common) {
+    Axis along = common;
+    if (below(4) == 0)
+      for (int k = 0; k < 3; ++k) along[static_cast<std::size_t>(k)] *= -1;
+    const std::string origin = i == place_ ? offset() : "[0, 0, 0]";
+    return joint(i, true, along, origin, i == place_ + 2 ? offset() : link());
+  }
+
+  std::string link() {
+    const auto quotient = [&] { return "\"" + std::to_string(1 + below(8)) + "/11\""; };
+    const std::string x = quotient();
+    const std::string y = quotient();
+    return vector({x, y, quotient()});
+  }
+
+  /// One of the other joints, not parallel to the three beside it; without an offset it meets the joint
+  /// before.
+  std::string turning_joint(int i, const Axis& common) {
+    Axis along = axis();
+    const bool same = below(6) == 0 && i > 0 && i != place_ + 3;
+    if (same) along = before_;
+    const bool beside = i == place_ - 1 || i == place_ + 3;
+    while (beside && parallel(along, common)) along = axis();
+    before_ = along;
+    const std::string origin = i == 0 || !(same || below(3) > 0) ? "[0, 0, 0]" : link();
+    return joint(i, true, along, origin, i == 5 ? offset() : "[0, 0, 0]");
+  }
+
+  std::string name_;
   std::mt19937 random_;
   int place_;
   int symbols_ = 0;
@@ -112,11 +156,18 @@ class Writer {
 
 }  // namespace
 
-std::string pieper_name(std::uint32_t seed) {
+std::string arm_name(const std::string& family, std::uint32_t seed) {
   const std::string number = std::to_string(seed);
-  return "pieper_" + std::string(number.size() < 3 ? 3 - number.size() : 0, '0') + number;
+  return family + "_" + std::string(number.size() < 3 ? 3 - number.size() : 0, '0') + number;
 }
 
-std::string pieper_description(std::uint32_t seed) { return Writer(seed).description(pieper_name(seed)); }
+std::string pieper_description(std::uint32_t seed) { return Writer(arm_name("pieper", seed), seed).pieper(); }
+std::string parallel_description(std::uint32_t seed) {
+  return Writer(arm_name("parallel", seed), seed).parallel_axes();
+}
+
+std::string arm_description(const std::string& family, std::uint32_t seed) {
+  return family == "pieper" ? pieper_description(seed) : parallel_description(seed);
+}
 
 }  // namespace qvgen::test

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// write_pieper_arms TOOL FOLDER COUNT ARMS_IN_A_FILE: descriptions of random arms, what the tool generates from them,
+// write_random_arms TOOL FAMILY FOLDER COUNT ARMS_IN_A_FILE: descriptions of random arms, what the tool generates from them,
 // and C++ files that register all of it with the test.
 #include <cstdlib>
 #include <filesystem>
@@ -13,7 +13,7 @@
 namespace {
 
 namespace fs = std::filesystem;
-using qvgen::test::pieper_name;
+using qvgen::test::arm_name;
 
 struct Folder {
   fs::path root;
@@ -78,16 +78,18 @@ std::string registration(const Folder& folder, const std::string& name) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 5) return 2;
-  const Folder folder{argv[2]};
-  const auto count = static_cast<std::uint32_t>(std::atoi(argv[3]));
-  const auto in_a_file = static_cast<std::uint32_t>(std::atoi(argv[4]));
+  if (argc != 6) return 2;
+  const std::string family = argv[2];
+  const Folder folder{argv[3]};
+  const auto count = static_cast<std::uint32_t>(std::atoi(argv[4]));
+  const auto in_a_file = static_cast<std::uint32_t>(std::atoi(argv[5]));
   fs::remove_all(folder.root);
   fs::create_directories(folder.root);
   std::string command = std::string(argv[1]) + " generate";
   for (std::uint32_t i = 0; i < count; ++i) {
-    std::ofstream(folder.description(pieper_name(i))) << qvgen::test::pieper_description(i);
-    command += " " + folder.description(pieper_name(i)).string();
+    const fs::path description = folder.description(arm_name(family, i));
+    std::ofstream(description) << qvgen::test::arm_description(family, i);
+    command += " " + description.string();
   }
   command += " --only inverse --output " + (folder.root / "generated").string() + " > " +
              (folder.root / "log.txt").string() + " 2>&1";
@@ -99,7 +101,7 @@ int main(int argc, char** argv) {
     std::ofstream file(folder.root / ("arms_" + std::to_string(first / in_a_file) + ".cpp"));
     file << "#include \"robot_under_test.h\"\n#include \"unsolved.h\"\n";
     for (std::uint32_t i = first; i < std::min(count, first + in_a_file); ++i)
-      file << registration(folder, pieper_name(i));
+      file << registration(folder, arm_name(family, i));
   }
   return 0;
 }

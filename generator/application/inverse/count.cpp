@@ -44,8 +44,11 @@ void wrist(const LoweredPlan& plan, const Step& step) {
   const Rotor v{0.3, 0.7};
   const Counted pi(3.14);
   Branch<Counted> branch;
-  if (step.kind == Kind::oblique_wrist) {
-    const auto angles = oblique_wrist<Counted>(u, v, {0.1, 0.9, 0.9, 0.1, 0.5}, 1, 0, 1e-12, pi, branch);
+  const qvgen::inverse::WristShape<Counted> shape{0.1, 0.9, 0.9, 0.1, 0.5};
+  if (step.kind == Kind::oblique_wrist && !plan.plan.wrist.ends_the_plan) {
+    oblique_wrist_turns<Counted>(u, v, shape, {0.8, 0.6}, {1, 0}, 1, 1e-12, branch);
+  } else if (step.kind == Kind::oblique_wrist) {
+    const auto angles = oblique_wrist<Counted>(u, v, shape, 1, 0, 1e-12, pi, branch);
     wrapped(Counted(angles.middle - arctangent(Counted(0.1), Counted(0.9))), pi);
   } else if (plan.plan.wrist.ends_the_plan) {
     const auto angles = right_wrist<Counted>(u, v, plan.plan.wrist.middle_swapped, 0, pi, branch);
@@ -80,7 +83,8 @@ void block(const LoweredPlan& plan, const Step& step) {
     case Kind::oblique_wrist: wrist(plan, step); return;
     case Kind::linear:
     case Kind::conic:
-    case Kind::polish: return;
+    case Kind::polish:
+    case Kind::polish_pair: return;
   }
 }
 

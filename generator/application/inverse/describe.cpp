@@ -25,6 +25,7 @@ std::string kind_name(Kind kind) {
     case Kind::require: return "condition";
     case Kind::reach: return "a choice within reach";
     case Kind::half: return "half angle";
+    case Kind::polish_pair:
     case Kind::polish: return "Newton steps";
     case Kind::right_wrist: return "wrist with right angles, half-angle form";
     case Kind::oblique_wrist: return "wrist with oblique axes, half-angle form";
@@ -77,6 +78,7 @@ std::string solution(const Step& step, bool latex) {
     case Kind::linear:
     case Kind::half:
     case Kind::polish:
+    case Kind::polish_pair:
     case Kind::right_wrist:
     case Kind::oblique_wrist: return {};
   }

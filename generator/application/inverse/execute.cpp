@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include <qvgen/inverse/conic_circle.h>
+#include <qvgen/inverse/pair_system.h>
 #include <qvgen/inverse/polish.h>
 #include <qvgen/inverse/roots.h>
 #include <qvgen/inverse/wrist.h>
@@ -70,6 +71,7 @@ class Execution {
   Real tiny(int degree) const {
     const Real noise = Real(16) * qvgen::inverse::epsilon<Real>();
     const Real square = noise * noise;
+    if (degree == 0) return square;
     if (degree == 1) return square * size_square_;
     return (degree == 2 ? square : square * square) * size_square_ * size_square_;
   }
@@ -79,8 +81,9 @@ class Execution {
     const Step& step = plan_.plan.steps[index];
     const Values in = outputs(plan_.steps[index].before, values);
     if (step.kind == Kind::conic) return follow_conic(index, values, in, branch, label);
-    if (step.kind == Kind::polish) {
-      polish(step, in, values);
+    if (step.is_polish()) {
+      step.kind == Kind::polish ? polish(step, in, values) : polish_pair(step, in, values);
+      for (const auto& [name, value] : outputs(plan_.steps[index].after, values)) values[name] = value;
       return follow(index + 1, std::move(values), branch, label);
     }
     for (int k = 0; k < step.branches; ++k) {
@@ -115,7 +118,7 @@ class Execution {
 
   void block(const Step& step, const Values& in, Values& known, const Real& sign, Branch& branch) const {
     using namespace qvgen::inverse;
-    const Rotor choice{Real(1), Real(0)};
+    const Rotor choice = step.joint < 0 && step.kind == Kind::pair ? Rotor{in.at("choice_x"), in.at("choice_y")} : Rotor{Real(1), Real(0)};
     const Real merge_both = merge_share<Real>();
     switch (step.kind) {
       case Kind::circle:
@@ -175,8 +178,44 @@ class Execution {
     }
   }
 
+  static void polish_pair(const Step& step, const Values& in, Values& known) {
+    using namespace qvgen::inverse;
+    const auto row = [&](const std::string& n) {
+      return PairRow<Real>{{in.at(n + "_kx"), in.at(n + "_ky")}, {in.at(n + "_mx"), in.at(n + "_my")}, in.at(n + "_one")};
+    };
+    std::array<Rotor, 2> values;
+    for (std::size_t i = 0; i < 2; ++i) values[i] = {known.at("cos_" + step.turns[i]), known.at("sin_" + step.turns[i])};
+    values = polished_pair<Real>({row("row1"), row("row2")}, values);
+    for (std::size_t i = 0; i < 2; ++i) {
+      known["cos_" + step.turns[i]] = values[i].cosine;
+      known["sin_" + step.turns[i]] = values[i].sine;
+    }
+  }
+
+  /// A wrist in the middle of a plan: the blocks that leave cosines and sines.
+  void wrist_turns(const Step& step, const Values& in, Values& known, int k, Branch& branch) const {
+    using namespace qvgen::inverse;
+    const Rotor u{in.at("u_x"), in.at("u_y")};
+    const Rotor v{in.at("v_x"), in.at("v_y")};
+    const Rotor choice{in.at("choice_x"), in.at("choice_y")};
+    const Real sign(k == 0 ? 1 : -1);
+    WristTurns<Real> turns;
+    if (step.kind == Kind::right_wrist) turns = right_wrist_turns(u, v, plan_.plan.wrist.middle_swapped, choice, sign, branch);
+    else turns = oblique_wrist_turns(u, v, shape(in), Rotor{in.at("cosine_delta"), in.at("sine_delta")}, choice, sign, tolerance(), branch);
+    const std::array<Rotor, 3> values = {turns.first, turns.middle, turns.last};
+    for (std::size_t i = 0; i < 3; ++i) {
+      known["cos_" + step.turns[i]] = values[i].cosine;
+      known["sin_" + step.turns[i]] = values[i].sine;
+    }
+  }
+
+  static qvgen::inverse::WristShape<Real> shape(const Values& in) {
+    return {in.at("cosine_sum"), in.at("sine_sum"), in.at("cosine_difference"), in.at("sine_difference"), in.at("product")};
+  }
+
   void wrist(const Step& step, const Values& in, Values& known, int k, Branch& branch) const {
     using namespace qvgen::inverse;
+    if (!plan_.plan.wrist.ends_the_plan) return wrist_turns(step, in, known, k, branch);
     const Rotor u{in.at("u_x"), in.at("u_y")};
     const Rotor v{in.at("v_x"), in.at("v_y")};
     const Real pi = Real::pi();
@@ -185,9 +224,7 @@ class Execution {
       angles = right_wrist(u, v, plan_.plan.wrist.middle_swapped, Real(0), pi, branch);
       if (k == 1) angles = {opposite(angles.first, pi), -angles.middle, opposite(angles.last, pi)};
     } else {
-      const WristShape<Real> shape{in.at("cosine_sum"), in.at("sine_sum"), in.at("cosine_difference"), in.at("sine_difference"),
-                                   in.at("product")};
-      angles = oblique_wrist(u, v, shape, Real(k == 0 ? 1 : -1), Real(0), tolerance(), pi, branch);
+      angles = oblique_wrist(u, v, shape(in), Real(k == 0 ? 1 : -1), Real(0), tolerance(), pi, branch);
       angles.middle = wrapped(Real(angles.middle - atan2(in.at("sine_delta"), in.at("cosine_delta"))), pi);
     }
     const std::array<Real, 3> values = {angles.first, angles.middle, angles.last};

@@ -79,11 +79,11 @@ class Nest {
 
   /// The joints whose values a step leaves: their angles are taken when they are sure to be needed.
   void angles(const Step& step) {
-    if (plan_.plan.quartic() && step.kind != Kind::polish) {
+    if (plan_.plan.quartic() && !step.is_polish()) {
       if (!step.turns.empty() || step.joint < 0) return;
       bool polished = false;
       for (const Step& other : plan_.plan.steps)
-        if (other.kind == Kind::polish)
+        if (other.is_polish())
           for (const std::string& turn : other.turns) polished = polished || turn == step.unknown;
       if (polished) return;
     }

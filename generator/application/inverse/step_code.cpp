@@ -54,7 +54,8 @@ std::string choice(int joint) {
   const std::string turn = "t.preference->turn[" + std::to_string(joint) + "]";
   return rotor("Scalar(" + turn + ".cosine)", "Scalar(" + turn + ".sine)");
 }
-std::string choice(const Step& step) { return choice(step.joint); }
+/// A joint's seed; what a sum of angles shall be is worked out before.
+std::string choice(const Step& step) { return step.joint < 0 ? rotor("choice_x", "choice_y") : choice(step.joint); }
 
 /// The turn that the seed's angles add up to.
 std::string seeds(const Step& step) {
@@ -107,11 +108,21 @@ std::pair<std::string, std::string> block(const LoweredPlan& plan, const Step& s
                                                     ", inverse::pi<Scalar>(), w.branch)"};
       return {"inverse::WristTurns<Scalar>", "inverse::right_wrist_turns<Scalar>(" + uv + rotor("choice_x", "choice_y") + ", sign, w.branch)"};
     }
-    case Kind::oblique_wrist:
+    case Kind::oblique_wrist: {
+      const std::string uv = rotor("u_x", "u_y") + ", " + rotor("v_x", "v_y") + ", {cosine_sum, sine_sum, cosine_difference, sine_difference, product}, ";
+      if (!ends(plan, step))
+        return {"inverse::WristTurns<Scalar>", "inverse::oblique_wrist_turns<Scalar>(" + uv + rotor("cosine_delta", "sine_delta") + ", " +
+                                                   rotor("choice_x", "choice_y") + ", sign, " + tolerance + ", w.branch)"};
       return {"inverse::WristAngles<Scalar>",
-              "inverse::oblique_wrist<Scalar>(" + rotor("u_x", "u_y") + ", " + rotor("v_x", "v_y") +
-                  ", {cosine_sum, sine_sum, cosine_difference, sine_difference, product}, sign, " +
-                  preferred_angle(plan.plan.wrist.joints[0]) + ", " + tolerance + ", inverse::pi<Scalar>(), w.branch)"};
+              "inverse::oblique_wrist<Scalar>(" + uv + "sign, " + preferred_angle(plan.plan.wrist.joints[0]) + ", " + tolerance +
+                  ", inverse::pi<Scalar>(), w.branch)"};
+    }
+    case Kind::polish_pair: {
+      const auto row = [](const std::string& n) { return "inverse::PairRow<Scalar>{{" + n + "_kx, " + n + "_ky}, {" + n + "_mx, " + n + "_my}, " + n + "_one}"; };
+      const auto value = [&](std::size_t i) { return rotor("w.cos_" + step.turns[i], "w.sin_" + step.turns[i]); };
+      return {"std::array<" + turn + ", 2>",
+              "inverse::polished_pair<Scalar>({" + row("row1") + ", " + row("row2") + "}, {" + value(0) + ", " + value(1) + "})"};
+    }
     case Kind::polish:
     case Kind::linear: return {"", ""};
   }
@@ -146,6 +157,16 @@ std::vector<std::string> polish_lines(const LoweredPlan& plan, const Step& step)
   return lines;
 }
 
+std::vector<std::string> polish_pair_lines(const Step& step) {
+  std::vector<std::string> lines;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::string result = "result[" + std::to_string(i) + "].";
+    lines.push_back("w.cos_" + step.turns[i] + " = " + result + "cosine;");
+    lines.push_back("w.sin_" + step.turns[i] + " = " + result + "sine;");
+  }
+  return lines;
+}
+
 std::vector<std::string> wrist_turn_lines(const Step& step) {
   std::vector<std::string> lines;
   const std::array<const char*, 3> parts = {"first", "middle", "last"};
@@ -175,9 +196,10 @@ std::string step_name(const LoweredPlan& plan, std::size_t index) {
 std::vector<std::string> work_fields(const LoweredPlan& plan) {
   std::vector<std::string> fields;
   for (const Step& step : plan.plan.steps) {
-    if (ends(plan, step) || step.kind == Kind::polish) continue;
+    if (ends(plan, step)) continue;
     for (const std::string& turn : step.turns)
-      for (const char* part : {"cos_", "sin_"}) fields.push_back(part + turn);
+      for (const char* part : {"cos_", "sin_"})
+        if (!step.is_polish()) fields.push_back(part + turn);
     fields.insert(fields.end(), step.kept.begin(), step.kept.end());
   }
   return fields;
@@ -201,6 +223,7 @@ json step_values(const model::Robot& robot, const LoweredPlan& plan) {
     const auto [type, call] = block(plan, step);
     std::vector<std::string> extra;
     if (step.kind == Kind::polish) extra = polish_lines(plan, step);
+    if (step.kind == Kind::polish_pair) extra = polish_pair_lines(step);
     if (step.is_wrist() && !ends(plan, step)) extra = wrist_turn_lines(step);
     const bool split = step.kind == Kind::conic;
     const bool returns = split || ends(plan, step);
@@ -214,7 +237,7 @@ json step_values(const model::Robot& robot, const LoweredPlan& plan) {
                      {"call", call},
                      {"has_result", !type.empty() && !returns},
                      {"has_call", !call.empty() && type.empty()},
-                     {"delta", oblique},
+                     {"delta", oblique && ends(plan, step)},
                      {"before", {{"temporaries", values(before.temporaries)}, {"outputs", values(before.outputs)}}},
                      {"after", {{"temporaries", values(after.temporaries)}, {"outputs", values(after.outputs)}}},
                      {"lines", lines_of(extra)}});

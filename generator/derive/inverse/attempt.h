@@ -33,7 +33,7 @@ std::string by_position(Attempt& attempt);
 /// Parallel revolute joints in a plane: two of them with a position, three with an orientation too; with `locked`
 /// the last of three is given and the position alone is asked for.
 std::string in_plane(Attempt& attempt, bool locked);
-/// Six revolute joints, k, k+1, k+2 parallel (k = 1 or 2), the axes of the two joints beyond meeting in a point.
+/// Six revolute joints, k, k+1, k+2 parallel: directions and heights along their axes hold the angles of two others.
 std::string by_parallel_axes(Attempt& attempt, std::size_t k);
 
 /// The coordinates of a vector across a screw's axis.

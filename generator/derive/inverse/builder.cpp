@@ -115,10 +115,10 @@ std::optional<Flat> Builder::without_root(const Flat& k, const ex& rhs) const {
   return std::nullopt;
 }
 
-void Builder::turn_by_line(const Screw& screw, const Flat& k, const ex& rhs, const std::string& equation) {
-  // The coefficients are lengths where a height is compared: see Step::degree.
+void Builder::turn_by_line(const Screw& screw, const Flat& k, const ex& rhs, const std::string& equation, int degree) {
   if (scope_.is_zero(rhs)) {
     Step& step = add(Kind::opposite, &screw, 2, equation);
+    step.degree = degree;
     step.before.output("x", -k.y);
     step.before.output("y", k.x);
     step.degenerate = "the point lies on the axis: " + screw.variable + " is free";
@@ -136,6 +136,7 @@ void Builder::turn_by_line(const Screw& screw, const Flat& k, const ex& rhs, con
   }
   if (const auto factors = without_root(k, rhs)) {
     Step& step = add(Kind::factored, &screw, 2, equation);
+    step.degree = degree;
     step.before.output("x", k.x);
     step.before.output("y", k.y);
     step.before.output("rhs", rhs);
@@ -146,6 +147,7 @@ void Builder::turn_by_line(const Screw& screw, const Flat& k, const ex& rhs, con
     return;
   }
   Step& step = add(Kind::free_circle, &screw, 2, equation);
+  step.degree = degree;
   const ex amplitude = GiNaC::sqrt(k.x * k.x + k.y * k.y);
   step.before.output("x", k.x);
   step.before.output("y", k.y);
@@ -198,6 +200,20 @@ void Builder::turn_by_pair(const Screw& screw, const Flat& direction, const std:
   step.before.output("y", direction.y);
   step.degenerate = "the point lies on the axis: " + screw.variable + " is free";
   set_turn(step, screw, result_turn());
+}
+
+Scope::Turn Builder::turn_by_pair(const std::string& name, const Flat& direction, const Scope::Turn& choice, const std::string& equation) {
+  Step& step = add(Kind::pair, nullptr, 1, equation);
+  step.unknown = name;
+  step.degree = 0;
+  step.before.output("x", direction.x);
+  step.before.output("y", direction.y);
+  step.before.output("choice_x", choice.cosine);
+  step.before.output("choice_y", choice.sine);
+  step.degenerate = "the directions lie along the axis: " + name + " is free";
+  step.after.output(symbolic::symbol("cos_" + name), result_turn().x);
+  step.after.output(symbolic::symbol("sin_" + name), result_turn().y);
+  return scope_.turn(name);
 }
 
 void Builder::slide_by_root(const Screw& screw, const ex& foot, const ex& square, const ex& height_square,
@@ -277,6 +293,20 @@ void Builder::polish(const std::array<Screw, 3>& arm, const symbolic::Vector& st
   }
   input("start", start);
   input("goal", goal);
+}
+
+void Builder::polish(const Screw& a, const Screw& c, const std::array<PairRow, 2>& rows) {
+  Step& step = add(Kind::polish_pair, nullptr, 1, "Newton steps on the two equations: the quartic's roots carry fewer digits");
+  step.unknown = "pair";
+  step.turns = {a.variable, c.variable};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::string name = "row" + std::to_string(i + 1);
+    step.before.output(name + "_kx", rows[i].k.x);
+    step.before.output(name + "_ky", rows[i].k.y);
+    step.before.output(name + "_mx", rows[i].m.x);
+    step.before.output(name + "_my", rows[i].m.y);
+    step.before.output(name + "_one", rows[i].constant);
+  }
 }
 
 Scope::Turn Builder::half(const std::string& name, const ex& cosine, const ex& sine) {

@@ -16,6 +16,13 @@ struct Flat {
 Flat operator*(const Flat& a, const Flat& b);  ///< complex product
 Flat conjugate(const Flat& a);
 
+/// k·x + constant + m·(cos q_c, sin q_c) = 0, x a vector that another joint turns.
+struct PairRow {
+  Flat k;
+  GiNaC::ex constant;
+  Flat m;
+};
+
 /// Length of a constant plane vector, which may come with either sign, and the unit vector that goes with it.
 struct Polar {
   GiNaC::ex length;
@@ -33,13 +40,15 @@ class Builder {
   /// Whether an expression is a constant of the arm: geometry and numbers only.
   [[nodiscard]] bool is_constant(const GiNaC::ex& value) const;
 
-  /// alpha cos q + beta sin q = rhs.
-  void turn_by_line(const Screw& screw, const Flat& coefficients, const GiNaC::ex& rhs, const std::string& equation);
+  /// alpha cos q + beta sin q = rhs; `degree` as in Step.
+  void turn_by_line(const Screw& screw, const Flat& coefficients, const GiNaC::ex& rhs, const std::string& equation, int degree = 1);
   /// The angle φ between direction and q: |v + x| = δ, given squares; (cos q, sign sin q) = φ * direction.
   void turn_by_distance(const Screw& screw, int sign, const Flat& v, const Flat& x0, const GiNaC::ex& square,
                         const std::string& equation);
   /// (cos q, sin q) along the direction.
   void turn_by_pair(const Screw& screw, const Flat& direction, const std::string& equation);
+  /// The same for a sum of angles, which is `choice` where it is free: names cos_NAME, sin_NAME. The direction is a number.
+  Scope::Turn turn_by_pair(const std::string& name, const Flat& direction, const Scope::Turn& choice, const std::string& equation);
   void slide_by_root(const Screw& screw, const GiNaC::ex& foot, const GiNaC::ex& square, const GiNaC::ex& height_square,
                      const std::string& equation);
   void slide_by_value(const Screw& screw, const GiNaC::ex& value, const std::string& equation);
@@ -56,6 +65,8 @@ class Builder {
   void require_zero(const GiNaC::ex& residual, const GiNaC::ex& scale, const std::string& equation);
   /// Newton steps on e_a e_b e_c start = goal once all three are known.
   void polish(const std::array<Screw, 3>& arm, const symbolic::Vector& start, const symbolic::Vector& goal);
+  /// The same on two equations in the angles of two joints, each k·(cos q_a, sin q_a) + constant + m·(cos q_c, sin q_c) = 0.
+  void polish(const Screw& a, const Screw& c, const std::array<PairRow, 2>& rows);
   /// Half of an angle given by cosine and sine: names cos_half_NAME, sin_half_NAME.
   Scope::Turn half(const std::string& name, const GiNaC::ex& cosine, const GiNaC::ex& sine);
 

@@ -24,6 +24,7 @@ enum class Kind {
   half,         ///< cosine and sine of half an angle already known
   reach,        ///< no unknown: the value that a free angle takes so that the joints after it are in reach
   polish,       ///< Newton steps on the position, after a quartic
+  polish_pair,  ///< Newton steps on two equations in two angles, after a quartic
   right_wrist,  ///< three axes at right angles through a point
   oblique_wrist
 };
@@ -37,7 +38,7 @@ struct Step {
   int joint = -1;                    ///< index of the joint that it determines, -1 if none
   std::string unknown;               ///< that joint's variable, or a name for what else it computes
   int branches = 1;
-  int degree = 1;                    ///< a direction's units: 1 a length, 2 a length squared, 4 the square of a short length
+  int degree = 1;                    ///< a direction's units: 0 none, 1 a length, 2 a length squared, 4 the square of a short length
   symbolic::Program before;          ///< the block's inputs, by the block's names
   symbolic::Program after;           ///< names that stay
   std::vector<std::string> turns;    ///< wrist, polish: the joints whose values it leaves, in order
@@ -53,6 +54,7 @@ struct Step {
   std::string equation;              ///< in words and symbols, for people
   std::string degenerate;            ///< where it loses a branch or an angle becomes free
 
+  [[nodiscard]] bool is_polish() const { return kind == Kind::polish || kind == Kind::polish_pair; }
   [[nodiscard]] bool is_wrist() const { return kind == Kind::right_wrist || kind == Kind::oblique_wrist; }
 };
 

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "derive/inverse/block.h"
+#include "derive/inverse/pair_system.h"
 #include "symbolic/model.h"
 
 namespace qvgen::derive::inverse {
@@ -52,7 +53,7 @@ class Position {
     if (!a_.screw.revolute && !c_.screw.revolute) return two_slides();
     if (!a_.screw.revolute) return slide_and_turn(a_, c_);
     if (!c_.screw.revolute) return slide_and_turn(c_, a_);
-    return two_turns(around_axis_rows());
+    return eliminate(builder_, a_, c_.screw, around_axis_rows());
   }
 
   /// The height along axis b holds `u` alone; then the distance from axis b, in its plane, gives `w`.
@@ -181,9 +182,7 @@ class Position {
     if (!a_.screw.revolute || !c_.screw.revolute) return "two parallel prismatic joints";
     if (scope_.is_zero(cross(a_.screw.axis, c_.screw.axis)) && scope_.is_zero(cross(a_.screw.axis, b_.axis)))
       return two_link_column();
-    Row first = row(b_.first);
-    Row second = row(b_.second);
-    return two_turns({first, second});
+    return eliminate(builder_, a_, c_.screw, {row(b_.first), row(b_.second)});
   }
 
   std::string by_two_planes(const Block& u, const Block& w, const Vector& without_w, const std::optional<Vector>& without_u) {
@@ -214,53 +213,21 @@ class Position {
   }
 
   // --- elimination: a conic on the unit circle
-  struct Row {  ///< k·(x1, x2) + constant + m·(cos q_c, sin q_c) = 0, x the in-plane coordinates of joint a
-    Flat k;
-    ex constant;
-    Flat m;
-  };
-
-  Row row(const Vector& n) const {
+  PairRow row(const Vector& n) const {
     const Block::Form c = c_.form(n, scope_);
     return {{scope_.clean(dot(n, a_.screw.first)), scope_.clean(dot(n, a_.screw.second))},
             scope_.clean(dot(n, a_.base) - c.constant), {-c.coefficients.x, -c.coefficients.y}};
   }
 
-  std::array<Row, 2> around_axis_rows() const {
+  std::array<PairRow, 2> around_axis_rows() const {
     const Vector arm_a = scope_.clean(a_.base - b_.point);
     const Vector arm_c = scope_.clean(c_.base - b_.point);
     const Block::Form c = c_.form(ex(2) * arm_c, scope_);
     const ex own = square_of(arm_a) + square_of(a_.x0.x) + square_of(a_.x0.y);
     const ex other = square_of(arm_c) + square_of(c_.x0.x) + square_of(c_.x0.y);
-    const Row distance{{scope_.clean(2 * dot(arm_a, a_.screw.first)), scope_.clean(2 * dot(arm_a, a_.screw.second))},
+    const PairRow distance{{scope_.clean(2 * dot(arm_a, a_.screw.first)), scope_.clean(2 * dot(arm_a, a_.screw.second))},
                        own - other, {-c.coefficients.x, -c.coefficients.y}};
     return {row(b_.axis), distance};
-  }
-
-  std::string two_turns(const std::array<Row, 2>& rows) {
-    const Row& r = rows[0];
-    const Row& s = rows[1];
-    const ex determinant = scope_.clean(r.k.x * s.k.y - r.k.y * s.k.x);
-    if (scope_.is_zero(determinant)) return name(a_) + " cannot be eliminated";
-    // x = -K^-1 (constant + m·u)
-    const auto solve = [&](const ex& e, const ex& f) {
-      return Flat{(r.k.y * f - s.k.y * e) / determinant, (s.k.x * e - r.k.x * f) / determinant};
-    };
-    const auto named = [&](const std::string& what, const Flat& v) {
-      return Flat{builder_.keep(what + "_x", v.x), builder_.keep(what + "_y", v.y)};
-    };
-    const Flat w0 = named("centre_" + name(a_), solve(r.constant, s.constant));
-    const Flat w1 = named("cosine_" + name(a_), solve(r.m.x, s.m.x));
-    const Flat w2 = named("sine_" + name(a_), solve(r.m.y, s.m.y));
-    const auto product = [](const Flat& p, const Flat& q) { return ex(p.x * q.x + p.y * q.y); };
-    const ex radius2 = square_of(a_.x0.x) + square_of(a_.x0.y);
-    builder_.turn_by_conic(c_.screw, {product(w1, w1), 2 * product(w1, w2), product(w2, w2), 2 * product(w0, w1),
-                                      2 * product(w0, w2), product(w0, w0) - radius2},
-                           name(a_) + " eliminated from two equations, its point on the circle about its axis");
-    const Scope::Turn u = builder_.value(c_.screw);
-    const Flat x{w0.x + w1.x * u.cosine + w2.x * u.sine, w0.y + w1.y * u.cosine + w2.y * u.sine};
-    builder_.turn_by_pair(a_.screw, conjugate(x * conjugate(a_.x0)), "the point that the elimination gave");
-    return "";
   }
 
   std::string two_slides() {

@@ -26,6 +26,8 @@ Vector Target::image(const Vector& x) const {
 
 Vector Target::source(const Vector& x) const { return home_ * (symbolic::transpose(matrix_) * (x - pose_.p)); }
 
+Vector Target::direction_image(const Vector& v) const { return matrix_ * symbolic::rotate(symbolic::inverse(home_.q), v); }
+
 Vector Target::direction_source(const Vector& v) { return symbolic::rotate(home_.q, symbolic::transpose(matrix_) * v); }
 
 const symbolic::Quaternion& Target::orientation() {

@@ -16,7 +16,8 @@ class Target {
   [[nodiscard]] symbolic::Vector source(const symbolic::Vector& x) const;
   /// T's quaternion, named on first use.
   const symbolic::Quaternion& orientation();
-  /// T^-1, with its rotation as named matrix entries.
+  /// The rotation of T, of T^-1, in the matrix's named entries.
+  [[nodiscard]] symbolic::Vector direction_image(const symbolic::Vector& v) const;
   symbolic::Vector direction_source(const symbolic::Vector& v);
 
   [[nodiscard]] const symbolic::Pair& pose() const { return pose_; }

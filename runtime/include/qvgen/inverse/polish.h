@@ -4,6 +4,7 @@
 #include <array>
 
 #include <qvgen/inverse/angles.h>
+#include <qvgen/inverse/pair_system.h>
 
 namespace qvgen::inverse {
 

@@ -23,13 +23,14 @@ inline constexpr Preference<dof> zero_preference{};
 /// compiled for other machines than the rest read it.
 template <int dof>
 struct TargetBase {
+  static constexpr double noise = 16 * std::numeric_limits<double>::epsilon();
+  static constexpr double tiny0 = noise * noise;  ///< the same of directions of unit length
   double tolerance;            ///< see `default_tolerance`
   double tiny1, tiny2, tiny4;  ///< squares of directions that are noise: of lengths, squared lengths, short lengths squared
   double locked, cos_locked, sin_locked;
   const Preference<dof>* preference;
 
   void set_size(double square) {
-    constexpr double noise = 16 * std::numeric_limits<double>::epsilon();
     tiny1 = noise * noise * square;
     tiny2 = tiny1 * square;
     tiny4 = tiny1 * tiny1;

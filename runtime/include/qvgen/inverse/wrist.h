@@ -90,12 +90,20 @@ struct WristShape {
   Scalar cosine_sum, sine_sum, cosine_difference, sine_difference, product;
 };
 
+/// What both forms of an oblique wrist start from: cosine and sine of half the middle angle θ >= 0, and two complex numbers
+/// with first = arg z1 + arg z2, last = arg z1 - arg z2.
+template <typename Scalar>
+struct ObliqueHalf {
+  Scalar cosine, sine;
+  Rotor<Scalar> z1, z2;
+  Scalar u11_square, u12_square;
+};
+
 /// Wrist with oblique axes, U = F4ᵀ R F6: |U11|² = cos²((α+α')/2) + sin α sin α' sin²(θ/2) and so on, θ the middle
 /// angle from the normals' coincidence.
 template <typename Scalar>
-WristAngles<Scalar> oblique_wrist(const Rotor<Scalar>& u11, const Rotor<Scalar>& u12, const WristShape<Scalar>& shape,
-                                  const Scalar& sign, const Scalar& seed, const Scalar& tolerance, const Scalar& pi,
-                                  Branch<Scalar>& branch) {
+ObliqueHalf<Scalar> oblique_half(const Rotor<Scalar>& u11, const Rotor<Scalar>& u12, const WristShape<Scalar>& shape,
+                                 const Scalar& sign, const Scalar& tolerance, Branch<Scalar>& branch) {
   using std::sqrt;
   const Scalar zero(0);
   const Scalar u11_square = u11.cosine * u11.cosine + u11.sine * u11.sine;
@@ -115,13 +123,47 @@ WristAngles<Scalar> oblique_wrist(const Rotor<Scalar>& u11, const Rotor<Scalar>&
   const Scalar m11_imaginary = -sign * select(right_sum, Scalar(1), Scalar(shape.cosine_difference * s));
   const Scalar m12_real = -sign * (shape.sine_difference * s);
   const Scalar m12_imaginary = -select(right_difference, Scalar(1), Scalar(shape.sine_sum * c));
-  const Rotor<Scalar> z1 = Rotor<Scalar>{m11_real, m11_imaginary} * inverse(u11);
-  const Rotor<Scalar> z2 = Rotor<Scalar>{m12_real, m12_imaginary} * inverse(u12);
+  return {c, s, Rotor<Scalar>{m11_real, m11_imaginary} * inverse(u11), Rotor<Scalar>{m12_real, m12_imaginary} * inverse(u12), u11_square, u12_square};
+}
+
+template <typename Scalar>
+WristAngles<Scalar> oblique_wrist(const Rotor<Scalar>& u11, const Rotor<Scalar>& u12, const WristShape<Scalar>& shape,
+                                  const Scalar& sign, const Scalar& seed, const Scalar& tolerance, const Scalar& pi,
+                                  Branch<Scalar>& branch) {
+  const ObliqueHalf<Scalar> half = oblique_half(u11, u12, shape, sign, tolerance, branch);
   Scalar first_argument;
   Scalar second_argument;
-  arguments(z1, z2, u11_square, u12_square, seed, first_argument, second_argument, branch);
-  return {wrapped(Scalar(first_argument + second_argument), pi), Scalar(2) * sign * acute_arctangent(s, c),
+  arguments(half.z1, half.z2, half.u11_square, half.u12_square, seed, first_argument, second_argument, branch);
+  return {wrapped(Scalar(first_argument + second_argument), pi), Scalar(2) * sign * acute_arctangent(half.sine, half.cosine),
           wrapped(Scalar(first_argument - second_argument), pi)};
+}
+
+/// The same as cosines and sines, `delta` the angle between the normals.
+template <typename Scalar>
+WristTurns<Scalar> oblique_wrist_turns(const Rotor<Scalar>& u11, const Rotor<Scalar>& u12, const WristShape<Scalar>& shape,
+                                       const Rotor<Scalar>& delta, const Rotor<Scalar>& choice, const Scalar& sign,
+                                       const Scalar& tolerance, Branch<Scalar>& branch) {
+  using std::sqrt;
+  const ObliqueHalf<Scalar> half = oblique_half(u11, u12, shape, sign, tolerance, branch);
+  const Scalar noise = wrist_noise<Scalar>() * wrist_noise<Scalar>() * (half.u11_square + half.u12_square);
+  const Mask<Scalar> u_free = half.u11_square <= noise;
+  const Mask<Scalar> v_free = half.u12_square <= noise;
+  branch.continuum = branch.continuum | (branch.exists & (u_free | v_free));
+  const auto unit = [](const Rotor<Scalar>& z, const Mask<Scalar>& is_free) {
+    const Scalar square = z.cosine * z.cosine + z.sine * z.sine;
+    return Scalar(Scalar(1) / sqrt(select(is_free, Scalar(1), square))) * z;
+  };
+  // One of the two vanishes at most: what it leaves free makes the first angle the choice.
+  const Rotor<Scalar> along_1 = unit(half.z1, u_free);
+  const Rotor<Scalar> along_2 = unit(half.z2, v_free);
+  const Rotor<Scalar> rest_1 = choice * inverse(along_2);
+  const Rotor<Scalar> rest_2 = choice * inverse(along_1);
+  const Rotor<Scalar> z1{select(u_free, rest_1.cosine, along_1.cosine), select(u_free, rest_1.sine, along_1.sine)};
+  const Rotor<Scalar> z2{select(v_free, rest_2.cosine, along_2.cosine), select(v_free, rest_2.sine, along_2.sine)};
+  const Scalar scale = Scalar(1) / (half.cosine * half.cosine + half.sine * half.sine);
+  const Rotor<Scalar> middle{(half.cosine - half.sine) * (half.cosine + half.sine) * scale,
+                             sign * (Scalar(2) * half.cosine * half.sine * scale)};
+  return {z1 * z2, middle * inverse(delta), z1 * inverse(z2)};
 }
 
 }  // namespace qvgen::inverse

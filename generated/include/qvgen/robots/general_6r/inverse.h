@@ -10,4 +10,6 @@
 //   joints 2, 3 and 4: their axes do not meet in one point
 //   joints 2, 3 and 4: their axes are not parallel
 //   joints 3, 4 and 5: their axes are not parallel
+//   joints 1, 2 and 3: their axes are not parallel
+//   joints 4, 5 and 6: their axes are not parallel
 

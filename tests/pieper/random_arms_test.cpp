@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Random Pieper arms, generated and compiled: every solution of random poses, and nothing else.
+// Random arms, generated and compiled: every solution of random poses, and nothing else.
 #include <Eigen/SVD>
 
 #include "check.h"
@@ -10,21 +10,21 @@
 namespace qvgen::test {
 namespace {
 
-class Pieper : public Inverse {
+class RandomArm : public Inverse {
  protected:
   void SetUp() override {
-    if (is_known_gap_of_pieper_arms(testing::UnitTest::GetInstance()->current_test_info()->name()))
+    if (is_known_gap_of_random_arms(testing::UnitTest::GetInstance()->current_test_info()->name()))
       GTEST_SKIP() << "known gap";
     Inverse::SetUp();
   }
 };
 
-TEST_P(Pieper, FindsTheSampledJoints) { EXPECT_GT(run("random", pose_count() / 5).poses, 0); }
-TEST_P(Pieper, EveryJointAtZeroInTurn) { run("a joint at 0", pose_count() / 20); }
-TEST_P(Pieper, PosesRoundedToFloat) { run("float32", pose_count() / 20); }
-TEST_P(Pieper, BranchesThatMeet) { run("boundary", pose_count() / 20); }
+TEST_P(RandomArm, FindsTheSampledJoints) { EXPECT_GT(run("random", pose_count() / 5).poses, 0); }
+TEST_P(RandomArm, EveryJointAtZeroInTurn) { run("a joint at 0", pose_count() / 20); }
+TEST_P(RandomArm, PosesRoundedToFloat) { run("float32", pose_count() / 20); }
+TEST_P(RandomArm, BranchesThatMeet) { run("boundary", pose_count() / 20); }
 
-TEST_P(Pieper, TheSearchFindsNothingElse) {
+TEST_P(RandomArm, TheSearchFindsNothingElse) {
   for (int i = 0; i < 3 && !HasFailure(); ++i) {
     const Sample sample = sample_at(test(), test().joints());
     const Found found = test().robot().solve(sample.pose, 0, 1e-12);
@@ -35,12 +35,12 @@ TEST_P(Pieper, TheSearchFindsNothingElse) {
 }
 
 std::string name_of(const testing::TestParamInfo<InverseUnderTest>& info) { return info.param.name; }
-INSTANTIATE_TEST_SUITE_P(Arms, Pieper, testing::ValuesIn(inverses()), name_of);
+INSTANTIATE_TEST_SUITE_P(Arms, RandomArm, testing::ValuesIn(inverses()), name_of);
 
-TEST(PieperArms, NoneIsLeftOut) { EXPECT_EQ(inverses().size() + unsolved().size(), std::size_t{QVGEN_PIEPER_ARMS}); }
+TEST(RandomArms, NoneIsLeftOut) { EXPECT_EQ(inverses().size() + unsolved().size(), std::size_t{QVGEN_RANDOM_ARMS}); }
 
 /// What is not solved cannot be: some joints move without moving the tool, wherever the arm stands; and that is said.
-TEST(PieperArms, TheUnsolvedOnesAreSingularEverywhere) {
+TEST(RandomArms, TheUnsolvedOnesAreSingularEverywhere) {
   for (const Unsolved& arm : unsolved()) {
     EXPECT_FALSE(arm.reasons.empty()) << arm.name;
     const reference::Chain chain = reference::load(arm.description);
