@@ -41,6 +41,7 @@ class Writer {
   }
 
   std::string parallel_axes() {
+    if (below(6) == 0) return link_table();
     const Axis common = axis();
     std::string joints;
     for (int i = 0; i < 6; ++i)
@@ -49,8 +50,9 @@ class Writer {
   }
 
  private:
-  std::string description(const std::string& title, const std::string& joints) const {
-    std::string text = "name = \"" + name_ + "\"\ntitle = \"" + title + "\"\n";
+  std::string description(const std::string& title, const std::string& joints,
+                          const std::string& keys = "") const {
+    std::string text = "name = \"" + name_ + "\"\ntitle = \"" + title + "\"\n" + keys;
     if (symbols_ > 0) text += "[defaults]\n";
     for (int i = 0; i < symbols_; ++i)
       text += "l" + std::to_string(i) + " = \"" + std::to_string(2 + 3 * i % 7) + "/11\"\n";
@@ -145,6 +147,28 @@ class Writer {
     before_ = along;
     const std::string origin = i == 0 || !(same || below(3) > 0) ? "[0, 0, 0]" : link();
     return joint(i, true, along, origin, i == 5 ? offset() : "[0, 0, 0]");
+  }
+
+  /// As a table of Denavit and Hartenberg, whose twists may be symbols.
+  std::string link_table() {
+    std::string joints;
+    for (int i = 0; i < 6; ++i) {
+      const bool parallel_to_next = i == place_ || i == place_ + 1;
+      const std::string number = "\"" + std::to_string(1 + below(8)) + "/11\"";
+      joints += "[[dh]]\ntype = \"revolute\"\nvariable = \"q" + std::to_string(i + 1) +
+                "\"\nd = " + length() + "\na = " + (parallel_to_next ? number : length()) +
+                "\nalpha = " + (parallel_to_next ? "0" : twist()) + "\n";
+    }
+    return description("random arm with three parallel axes", joints, "convention = \"standard\"\n");
+  }
+
+  std::string twist() {
+    constexpr std::array<const char*, 4> twists{"90 deg", "-90 deg", "-90 deg", "60 deg"};
+    const int which = below(5);
+    return "\"" +
+           (which == 4 ? "l" + std::to_string(symbols_++)
+                       : std::string(twists[static_cast<std::size_t>(which)])) +
+           "\"";
   }
 
   std::string name_;

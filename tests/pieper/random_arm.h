@@ -18,7 +18,8 @@ std::string arm_description(const std::string& family, std::uint32_t seed);
 std::string pieper_description(std::uint32_t seed);
 
 /// The description of a random arm of six revolute joints, three consecutive of them with parallel axes that do not
-/// coincide, at any of the four places; of the others some are skew, some parallel, and some meet their neighbour.
+/// coincide, at any of the four places; of the others some are skew, some parallel, and some meet their neighbour. Some
+/// are written as link tables with twists that are symbols.
 std::string parallel_description(std::uint32_t seed);
 
 }  // namespace qvgen::test

@@ -209,7 +209,10 @@ json target_values(const model::Robot& robot, const LoweredPlan& plan) {
   std::set<std::string> parameters;
   for (const auto& parameter : robot.geometry) parameters.insert(parameter.name);
   const auto symbol = [&](const std::string& name) { return parameters.count(name) > 0 ? "g." + name : name; };
-  const emit::Code code = emit::cpp_code(plan.target, {symbol, {}, {}});
+  // Sines of twists that are symbols.
+  const emit::Names plain{symbol, {}, {}};
+  const auto function = [&](const std::string& name) { return [&, name](const dag::Angle& angle) { return name + "(" + angle_code(angle, plain) + ")"; }; };
+  const emit::Code code = emit::cpp_code(plan.target, {symbol, function("std::sin"), function("std::cos")});
   return {{"temporaries", values(code.temporaries)}, {"outputs", values(code.outputs)}};
 }
 
