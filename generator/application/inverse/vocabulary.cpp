@@ -43,7 +43,9 @@ std::string Vocabulary::symbol(const std::string& letters, const std::string& in
 std::string Vocabulary::function(const std::string& name, const std::string& of, bool half) const {
   if (of == "phi") return latex_ ? "\\" + name + " \\varphi" : name + "(phi)";
   // Parallel neighbours come as the sum of their angles.
-  const std::vector<std::string> terms = parts_of(of);
+  std::vector<std::string> terms = parts_of(of);
+  const auto is_joint = [&](const std::string& term) { return std::find(variables_.begin(), variables_.end(), term) != variables_.end(); };
+  if (!std::all_of(terms.begin(), terms.end(), is_joint)) terms = {of};
   std::string sum;
   for (const std::string& term : terms)
     sum += (sum.empty() ? "" : "+") + (latex_ && half ? "\\bar{" + variable(term) + "}" : variable(term));
@@ -108,7 +110,13 @@ std::string Vocabulary::sentence(std::string text) const {
     for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + typeset.size()))
       text.replace(at, name.size(), typeset);
   }
-  return text;
+  std::string escaped;
+  bool formula = false;
+  for (const char letter : text) {
+    formula = formula != (letter == '$');
+    escaped += (letter == '_' && !formula ? "\\" : "") + std::string(1, letter);
+  }
+  return escaped;
 }
 
 }  // namespace qvgen::application
