@@ -28,7 +28,7 @@ TEST(CircleAngle, SolvesALine) {
     for (const double sign : {1.0, -1.0}) {
       Branch<double> branch;
       const Rotor<double> found =
-          circle_angle(amplitude - d, amplitude + d, sign, 1e-12, merge_share<double>(), merge_share<double>(), branch);
+          circle_angle(amplitude - d, amplitude + d, 0.5 / amplitude, sign, 1e-12, merge_share<double>(), merge_share<double>(), branch);
       ASSERT_TRUE(branch.exists || (sign < 0 && std::sin(angle) < 1e-6));
       // cos φ carries the rounding of d; near 0 and pi the angle magnifies it by 1/sin φ.
       if (branch.exists) {
@@ -41,8 +41,8 @@ TEST(CircleAngle, SolvesALine) {
 TEST(CircleAngle, FlippedSignsMeanTheSame) {
   Branch<double> a;
   Branch<double> b;
-  const auto x = circle_angle(0.3, 1.1, 1.0, 1e-12, 0.0, 0.0, a);
-  const auto y = circle_angle(-0.3, -1.1, 1.0, 1e-12, 0.0, 0.0, b);
+  const auto x = circle_angle(0.3, 1.1, 1 / 1.4, 1.0, 1e-12, 0.0, 0.0, a);
+  const auto y = circle_angle(-0.3, -1.1, -1 / 1.4, 1.0, 1e-12, 0.0, 0.0, b);
   EXPECT_TRUE(a.exists && b.exists);
   EXPECT_EQ(x.cosine, y.cosine);
   EXPECT_EQ(x.sine, y.sine);
@@ -51,7 +51,7 @@ TEST(CircleAngle, FlippedSignsMeanTheSame) {
 TEST(CircleAngle, BoundaryOutsideAndNaN) {
   const auto exists = [](double low, double high, double sign) {
     Branch<double> branch;
-    circle_angle(low, high, sign, 1e-12, merge_share<double>(), merge_share<double>(), branch);
+    circle_angle(low, high, 1 / (low + high), sign, 1e-12, merge_share<double>(), merge_share<double>(), branch);
     return branch.exists;
   };
   EXPECT_TRUE(exists(0.0, 2.0, 1));

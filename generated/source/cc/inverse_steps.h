@@ -38,6 +38,7 @@ struct Work {
   Scalar sin_theta3;
   Scalar cos_theta1;
   Scalar sin_theta1;
+  Scalar length_theta1;
   Scalar after_theta1_theta3_w;
   Scalar after_theta1_theta3_x;
   Scalar after_theta1_theta3_y;
@@ -58,7 +59,8 @@ inline void solve_theta3([[maybe_unused]] const Target& t, const Scalar& sign,
     const Scalar t1 = Scalar(t.geometry.d4) + Scalar(t.geometry.l1);
     const Scalar low = t0 * t0 - Scalar(t.square_theta3);
     const Scalar high = Scalar(t.square_theta3) - t1 * t1;
-    result = inverse::circle_angle<Scalar>(low, high, sign, Scalar(t.tolerance), inverse::merge_share<Scalar>(), inverse::merge_share<Scalar>(), w.branch);
+    const Scalar scale = -Scalar(0.25) / (Scalar(t.geometry.d4) * Scalar(t.geometry.l1));
+    result = inverse::circle_angle<Scalar>(low, high, scale, sign, Scalar(t.tolerance), inverse::merge_share<Scalar>(), inverse::merge_share<Scalar>(), w.branch);
   }
 
   w.cos_theta3 = result.sine;
@@ -78,7 +80,7 @@ inline void solve_theta1([[maybe_unused]] const Target& t,
     const Scalar t1 = w.cos_theta3 * Scalar(t.geometry.d4);
     const Scalar x = Scalar(t.pose_p_x) * t0 - Scalar(t.pose_p_y) * t1;
     const Scalar y = Scalar(t.pose_p_y) * t0 + Scalar(t.pose_p_x) * t1;
-    result = inverse::direction<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)}, w.branch);
+    result = inverse::span<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)}, w.length_theta1, w.branch);
   }
 
   w.cos_theta1 = result.cosine;
@@ -95,7 +97,7 @@ inline void solve_half_theta1_theta3([[maybe_unused]] const Target& t,
   {
     const Scalar cosine = w.cos_theta1 * w.cos_theta3 - w.sin_theta1 * w.sin_theta3;
     const Scalar sine = w.cos_theta1 * w.sin_theta3 + w.cos_theta3 * w.sin_theta1;
-    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine});
+    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine}, w.length_theta1);
   }
 
   w.after_theta1_theta3_w = Scalar(t.pose_q_z) * result.sine + result.cosine * Scalar(t.pose_q_w);

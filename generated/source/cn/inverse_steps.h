@@ -47,6 +47,7 @@ struct Work {
   Scalar plane_theta3_x;
   Scalar cos_theta2;
   Scalar sin_theta2;
+  Scalar length_theta2;
   Scalar after_theta2_w;
   Scalar after_theta2_x;
   Scalar after_theta2_y;
@@ -90,7 +91,8 @@ inline void solve_theta3([[maybe_unused]] const Target& t, const Scalar& sign,
   {
     const Scalar low = -Scalar(t.geometry.d4) - w.height_theta3;
     const Scalar high = w.height_theta3 - Scalar(t.geometry.d4);
-    result = inverse::circle_angle<Scalar>(low, high, sign, Scalar(t.tolerance), inverse::merge_share<Scalar>(), inverse::merge_share<Scalar>(), w.branch);
+    const Scalar scale = -Scalar(0.5) / Scalar(t.geometry.d4);
+    result = inverse::circle_angle<Scalar>(low, high, scale, sign, Scalar(t.tolerance), inverse::merge_share<Scalar>(), inverse::merge_share<Scalar>(), w.branch);
   }
 
   w.cos_theta3 = result.cosine;
@@ -109,7 +111,7 @@ inline void solve_theta2([[maybe_unused]] const Target& t,
   {
     const Scalar x = w.plane_d2_x * w.plane_theta3_x + Scalar(t.geometry.l1) * Scalar(t.pose_p_y);
     const Scalar y = w.plane_theta3_x * Scalar(t.pose_p_y) - Scalar(t.geometry.l1) * w.plane_d2_x;
-    result = inverse::direction<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->turn[1].cosine), Scalar(t.preference->turn[1].sine)}, w.branch);
+    result = inverse::span<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->turn[1].cosine), Scalar(t.preference->turn[1].sine)}, w.length_theta2, w.branch);
   }
 
   w.cos_theta2 = result.cosine;
@@ -126,7 +128,7 @@ inline void solve_half_theta2([[maybe_unused]] const Target& t,
   {
     const Scalar cosine = w.cos_theta2;
     const Scalar sine = w.sin_theta2;
-    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine});
+    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine}, w.length_theta2);
   }
 
   w.after_theta2_w = Scalar(t.pose_q_z) * result.sine + result.cosine * Scalar(t.pose_q_w);
@@ -145,7 +147,7 @@ inline void solve_half_theta3([[maybe_unused]] const Target& t,
   {
     const Scalar cosine = w.cos_theta3;
     const Scalar sine = w.sin_theta3;
-    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine});
+    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine}, Scalar(1));
   }
 
   w.after_theta3_w = w.after_theta2_w * result.cosine + w.after_theta2_y * result.sine;

@@ -40,6 +40,7 @@ struct Work {
   Scalar cos_theta1;
   Scalar sin_theta1;
   Scalar height_theta3;
+  Scalar length_theta1;
   Scalar after_theta1_w;
   Scalar after_theta1_x;
   Scalar after_theta1_y;
@@ -64,12 +65,12 @@ inline void solve_theta1([[maybe_unused]] const Target& t, const Scalar& sign,
   {
     const Scalar x = Scalar(t.pose_p_x);
     const Scalar y = Scalar(t.pose_p_y);
-    result = sign * inverse::direction<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny1), inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)}, w.branch);
+    result = sign * inverse::span<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny1), inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)}, w.length_theta1, w.branch);
   }
 
   w.cos_theta1 = result.cosine;
   w.sin_theta1 = result.sine;
-  w.height_theta3 = result.cosine * Scalar(t.pose_p_x) + Scalar(t.pose_p_y) * result.sine;
+  w.height_theta3 = (sign * w.length_theta1);
 }
 
 /// theta1: half angle, one value.
@@ -82,7 +83,7 @@ inline void solve_half_theta1([[maybe_unused]] const Target& t,
   {
     const Scalar cosine = w.cos_theta1;
     const Scalar sine = w.sin_theta1;
-    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine});
+    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine}, w.length_theta1);
   }
 
   w.after_theta1_w = Scalar(t.pose_q_z) * result.sine + result.cosine * Scalar(t.pose_q_w);
@@ -103,7 +104,8 @@ inline void solve_theta3([[maybe_unused]] const Target& t, const Scalar& sign,
     const Scalar t0 = w.height_theta3 - Scalar(t.geometry.l2);
     const Scalar low = -Scalar(t.geometry.d4) - t0;
     const Scalar high = t0 - Scalar(t.geometry.d4);
-    result = inverse::circle_angle<Scalar>(low, high, sign, Scalar(t.tolerance), inverse::merge_share<Scalar>(), inverse::merge_share<Scalar>(), w.branch);
+    const Scalar scale = -Scalar(0.5) / Scalar(t.geometry.d4);
+    result = inverse::circle_angle<Scalar>(low, high, scale, sign, Scalar(t.tolerance), inverse::merge_share<Scalar>(), inverse::merge_share<Scalar>(), w.branch);
   }
 
   w.cos_theta3 = -result.sine;
@@ -120,7 +122,7 @@ inline void solve_half_theta3([[maybe_unused]] const Target& t,
   {
     const Scalar cosine = w.cos_theta3;
     const Scalar sine = w.sin_theta3;
-    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine});
+    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine}, Scalar(1));
   }
 
   w.after_theta3_w = w.after_theta1_w * result.cosine + w.after_theta1_y * result.sine;

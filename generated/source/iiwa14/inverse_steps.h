@@ -49,6 +49,7 @@ struct Work {
   Scalar after_theta1_z;
   Scalar cos_theta2;
   Scalar sin_theta2;
+  Scalar length_theta2;
   Scalar after_theta2_w;
   Scalar after_theta2_x;
   Scalar after_theta2_y;
@@ -74,7 +75,8 @@ inline void solve_theta4([[maybe_unused]] const Target& t, const Scalar& sign,
   {
     const Scalar low = Scalar(0.6724) - Scalar(t.square_theta4);
     const Scalar high = Scalar(t.square_theta4) - Scalar(0.0004);
-    result = inverse::circle_angle<Scalar>(low, high, sign, Scalar(t.tolerance), inverse::merge_share<Scalar>(), inverse::merge_share<Scalar>(), w.branch);
+    const Scalar scale = Scalar(1.4880952380952381);
+    result = inverse::circle_angle<Scalar>(low, high, scale, sign, Scalar(t.tolerance), inverse::merge_share<Scalar>(), inverse::merge_share<Scalar>(), w.branch);
   }
 
   w.cos_theta4 = result.cosine;
@@ -117,7 +119,7 @@ inline void solve_half_theta1([[maybe_unused]] const Target& t,
   {
     const Scalar cosine = w.cos_theta1;
     const Scalar sine = w.sin_theta1;
-    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine});
+    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine}, Scalar(1));
   }
 
   w.after_theta1_w = Scalar(t.pose_q_z) * result.sine + result.cosine * Scalar(t.pose_q_w);
@@ -137,7 +139,7 @@ inline void solve_theta2([[maybe_unused]] const Target& t,
   {
     const Scalar x = w.plane_theta1_x * w.plane_theta4_x + w.plane_theta1_y * w.plane_theta4_y;
     const Scalar y = w.plane_theta1_y * w.plane_theta4_x - w.plane_theta1_x * w.plane_theta4_y;
-    result = inverse::direction<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->turn[1].cosine), Scalar(t.preference->turn[1].sine)}, w.branch);
+    result = inverse::span<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->turn[1].cosine), Scalar(t.preference->turn[1].sine)}, w.length_theta2, w.branch);
   }
 
   w.cos_theta2 = result.cosine;
@@ -154,7 +156,7 @@ inline void solve_half_theta2([[maybe_unused]] const Target& t,
   {
     const Scalar cosine = w.cos_theta2;
     const Scalar sine = w.sin_theta2;
-    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine});
+    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine}, w.length_theta2);
   }
 
   w.after_theta2_w = w.after_theta1_w * result.cosine + w.after_theta1_y * result.sine;
@@ -173,7 +175,7 @@ inline void solve_half_theta3([[maybe_unused]] const Target& t,
   {
     const Scalar cosine = Scalar(t.cos_locked);
     const Scalar sine = Scalar(t.sin_locked);
-    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine});
+    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine}, Scalar(1));
   }
 
   w.after_theta3_w = w.after_theta2_z * result.sine + w.after_theta2_w * result.cosine;
@@ -192,7 +194,7 @@ inline void solve_half_theta4([[maybe_unused]] const Target& t,
   {
     const Scalar cosine = w.cos_theta4;
     const Scalar sine = w.sin_theta4;
-    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine});
+    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine}, Scalar(1));
   }
 
   w.after_theta4_w = w.after_theta3_w * result.cosine - w.after_theta3_y * result.sine;

@@ -38,6 +38,7 @@ struct Work {
   Scalar plane_theta1_x;
   Scalar plane_theta1_y;
   Scalar square_theta3;
+  Scalar length_theta1;
   Scalar after_theta1_w;
   Scalar after_theta1_x;
   Scalar after_theta1_y;
@@ -48,6 +49,7 @@ struct Work {
   Scalar plane_theta3_y;
   Scalar cos_theta2;
   Scalar sin_theta2;
+  Scalar length_theta2;
   Scalar after_theta2_theta3_w;
   Scalar after_theta2_theta3_x;
   Scalar after_theta2_theta3_y;
@@ -65,16 +67,16 @@ inline void solve_theta1([[maybe_unused]] const Target& t, const Scalar& sign,
   {
     const Scalar x = Scalar(t.goal_x);
     const Scalar y = Scalar(t.goal_y);
-    result = sign * inverse::direction<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny1), inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)}, w.branch);
+    result = sign * inverse::span<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny1), inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)}, w.length_theta1, w.branch);
   }
 
   const Scalar t0 = Scalar(0.78) - Scalar(t.goal_z);
-  const Scalar t1 = Scalar(0.32) - Scalar(t.goal_y) * result.sine - result.cosine * Scalar(t.goal_x);
+  const Scalar t1 = Scalar(0.32) - (sign * w.length_theta1);
   w.cos_theta1 = result.cosine;
   w.sin_theta1 = result.sine;
   w.plane_theta1_x = -t0;
   w.plane_theta1_y = -t1;
-  w.square_theta3 = t0 * t0 + t1 * t1;
+  w.square_theta3 = t1 * t1 + t0 * t0;
 }
 
 /// theta1: half angle, one value.
@@ -87,7 +89,7 @@ inline void solve_half_theta1([[maybe_unused]] const Target& t,
   {
     const Scalar cosine = w.cos_theta1;
     const Scalar sine = w.sin_theta1;
-    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine});
+    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine}, w.length_theta1);
   }
 
   w.after_theta1_w = Scalar(t.pose_q_z) * result.sine + result.cosine * Scalar(t.pose_q_w);
@@ -107,7 +109,8 @@ inline void solve_theta3([[maybe_unused]] const Target& t, const Scalar& sign,
   {
     const Scalar low = Scalar(4.994659009925891) - w.square_theta3;
     const Scalar high = w.square_theta3 - Scalar(0.007203490074109453);
-    result = inverse::circle_angle<Scalar>(low, high, sign, Scalar(t.tolerance), inverse::merge_share<Scalar>(), inverse::merge_share<Scalar>(), w.branch);
+    const Scalar scale = Scalar(0.20050304128420945);
+    result = inverse::circle_angle<Scalar>(low, high, scale, sign, Scalar(t.tolerance), inverse::merge_share<Scalar>(), inverse::merge_share<Scalar>(), w.branch);
   }
 
   const Scalar t0 = Scalar(0.17243261550442013) * result.cosine + Scalar(0.985021316069) * result.sine;
@@ -129,7 +132,7 @@ inline void solve_theta2([[maybe_unused]] const Target& t,
   {
     const Scalar x = w.plane_theta1_x * w.plane_theta3_x + w.plane_theta1_y * w.plane_theta3_y;
     const Scalar y = w.plane_theta1_y * w.plane_theta3_x - w.plane_theta1_x * w.plane_theta3_y;
-    result = inverse::direction<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->turn[1].cosine), Scalar(t.preference->turn[1].sine)}, w.branch);
+    result = inverse::span<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->turn[1].cosine), Scalar(t.preference->turn[1].sine)}, w.length_theta2, w.branch);
   }
 
   w.cos_theta2 = result.cosine;
@@ -146,7 +149,7 @@ inline void solve_half_theta2_theta3([[maybe_unused]] const Target& t,
   {
     const Scalar cosine = w.cos_theta2 * w.cos_theta3 - w.sin_theta2 * w.sin_theta3;
     const Scalar sine = w.cos_theta3 * w.sin_theta2 + w.cos_theta2 * w.sin_theta3;
-    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine});
+    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine}, w.length_theta2);
   }
 
   w.after_theta2_theta3_w = w.after_theta1_w * result.cosine + w.after_theta1_y * result.sine;

@@ -22,13 +22,13 @@ namespace {
   if (!any(w.branch.exists)) return rows.count();
   solve_theta1(t, Pack(1, -1, 1, -1), w);
   if (!any(w.branch.exists)) return rows.count();
-  solve_theta2(t, w);
   q[2] = inverse::output_angle(w.cos_theta3, w.sin_theta3);
-  q[0] = inverse::output_angle(w.cos_theta1, w.sin_theta1);
   solve_half_theta1(t, w);
-  q[1] = inverse::output_angle(w.cos_theta2, w.sin_theta2);
+  solve_theta2(t, w);
+  q[0] = inverse::output_angle(w.cos_theta1, w.sin_theta1);
   solve_half_theta2(t, w);
   solve_half_theta3(t, w);
+  q[1] = inverse::output_angle(w.cos_theta2, w.sin_theta2);
   const auto angles = solve_wrist(t, w);
   const Pack pi = inverse::pi<Pack>();
   q[3] = angles.first;

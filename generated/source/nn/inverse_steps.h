@@ -54,6 +54,7 @@ struct Work {
   Scalar after_theta1_z;
   Scalar cos_theta2;
   Scalar sin_theta2;
+  Scalar length_theta2;
   Scalar after_theta2_w;
   Scalar after_theta2_x;
   Scalar after_theta2_y;
@@ -78,7 +79,8 @@ inline void solve_theta3([[maybe_unused]] const Target& t, const Scalar& sign,
     const Scalar t2 = Scalar(t.geometry.d4) - Scalar(t.geometry.l1);
     const Scalar low = t1 * t1 - t0;
     const Scalar high = t0 - t2 * t2;
-    result = inverse::circle_angle<Scalar>(low, high, sign, Scalar(t.tolerance), inverse::merge_share<Scalar>(), inverse::merge_share<Scalar>(), w.branch);
+    const Scalar scale = Scalar(0.25) / (Scalar(t.geometry.d4) * Scalar(t.geometry.l1));
+    result = inverse::circle_angle<Scalar>(low, high, scale, sign, Scalar(t.tolerance), inverse::merge_share<Scalar>(), inverse::merge_share<Scalar>(), w.branch);
   }
 
   w.cos_theta3 = result.cosine;
@@ -123,7 +125,7 @@ inline void solve_half_theta1([[maybe_unused]] const Target& t,
   {
     const Scalar cosine = w.cos_theta1;
     const Scalar sine = w.sin_theta1;
-    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine});
+    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine}, Scalar(1));
   }
 
   w.after_theta1_w = Scalar(t.pose_q_z) * result.sine + result.cosine * Scalar(t.pose_q_w);
@@ -143,7 +145,7 @@ inline void solve_theta2([[maybe_unused]] const Target& t,
   {
     const Scalar x = Scalar(t.geometry.l2) * w.plane_theta1_x + w.plane_theta1_y * w.plane_theta3_y;
     const Scalar y = Scalar(t.geometry.l2) * w.plane_theta1_y - w.plane_theta1_x * w.plane_theta3_y;
-    result = inverse::direction<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->turn[1].cosine), Scalar(t.preference->turn[1].sine)}, w.branch);
+    result = inverse::span<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->turn[1].cosine), Scalar(t.preference->turn[1].sine)}, w.length_theta2, w.branch);
   }
 
   w.cos_theta2 = result.cosine;
@@ -160,7 +162,7 @@ inline void solve_half_theta2([[maybe_unused]] const Target& t,
   {
     const Scalar cosine = w.cos_theta2;
     const Scalar sine = w.sin_theta2;
-    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine});
+    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine}, w.length_theta2);
   }
 
   w.after_theta2_w = w.after_theta1_w * result.cosine - w.after_theta1_y * result.sine;
@@ -179,7 +181,7 @@ inline void solve_half_theta3([[maybe_unused]] const Target& t,
   {
     const Scalar cosine = w.cos_theta3;
     const Scalar sine = w.sin_theta3;
-    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine});
+    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine}, Scalar(1));
   }
 
   w.after_theta3_w = w.after_theta2_z * result.sine + w.after_theta2_w * result.cosine;

@@ -54,6 +54,7 @@ struct Work {
   Scalar plane_theta3_y;
   Scalar cos_theta2;
   Scalar sin_theta2;
+  Scalar length_theta2;
   Scalar after_theta2_theta3_w;
   Scalar after_theta2_theta3_x;
   Scalar after_theta2_theta3_y;
@@ -96,7 +97,7 @@ inline void solve_half_theta1([[maybe_unused]] const Target& t,
   {
     const Scalar cosine = w.cos_theta1;
     const Scalar sine = w.sin_theta1;
-    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine});
+    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine}, Scalar(1));
   }
 
   w.after_theta1_w = Scalar(t.pose_q_z) * result.sine + result.cosine * Scalar(t.pose_q_w);
@@ -118,7 +119,8 @@ inline void solve_theta3([[maybe_unused]] const Target& t, const Scalar& sign,
     const Scalar t1 = Scalar(t.geometry.d4) + Scalar(t.geometry.l2);
     const Scalar low = t0 * t0 - w.square_theta3;
     const Scalar high = w.square_theta3 - t1 * t1;
-    result = inverse::circle_angle<Scalar>(low, high, sign, Scalar(t.tolerance), inverse::merge_share<Scalar>(), inverse::merge_share<Scalar>(), w.branch);
+    const Scalar scale = -Scalar(0.25) / (Scalar(t.geometry.d4) * Scalar(t.geometry.l2));
+    result = inverse::circle_angle<Scalar>(low, high, scale, sign, Scalar(t.tolerance), inverse::merge_share<Scalar>(), inverse::merge_share<Scalar>(), w.branch);
   }
 
   w.cos_theta3 = -result.sine;
@@ -138,7 +140,7 @@ inline void solve_theta2([[maybe_unused]] const Target& t,
   {
     const Scalar x = w.plane_theta1_x * w.plane_theta3_x + w.plane_theta1_y * w.plane_theta3_y;
     const Scalar y = w.plane_theta1_y * w.plane_theta3_x - w.plane_theta1_x * w.plane_theta3_y;
-    result = inverse::direction<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->turn[1].cosine), Scalar(t.preference->turn[1].sine)}, w.branch);
+    result = inverse::span<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->turn[1].cosine), Scalar(t.preference->turn[1].sine)}, w.length_theta2, w.branch);
   }
 
   w.cos_theta2 = result.cosine;
@@ -155,7 +157,7 @@ inline void solve_half_theta2_theta3([[maybe_unused]] const Target& t,
   {
     const Scalar cosine = w.cos_theta2 * w.cos_theta3 - w.sin_theta2 * w.sin_theta3;
     const Scalar sine = w.cos_theta3 * w.sin_theta2 + w.cos_theta2 * w.sin_theta3;
-    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine});
+    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine}, w.length_theta2);
   }
 
   w.after_theta2_theta3_w = w.after_theta1_w * result.cosine + w.after_theta1_y * result.sine;

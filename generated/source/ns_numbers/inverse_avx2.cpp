@@ -22,8 +22,8 @@ namespace {
   if (!any(w.branch.exists)) return rows.count();
   solve_d3(t, Pack(1, -1, 1, -1), w);
   if (!any(w.branch.exists)) return rows.count();
-  solve_theta2(t, w);
   q[0] = inverse::output_angle(w.cos_theta1, w.sin_theta1);
+  solve_theta2(t, w);
   q[2] = w.d3;
   q[1] = inverse::output_angle(w.cos_theta2, w.sin_theta2);
   rows.append(q, w.branch, 0);

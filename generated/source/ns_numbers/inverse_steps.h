@@ -38,6 +38,7 @@ struct Work {
   Scalar plane_d3_x;
   Scalar cos_theta2;
   Scalar sin_theta2;
+  Scalar length_theta2;
 };
 
 /// theta1: line or circle meets circle, 2 values.
@@ -96,7 +97,7 @@ inline void solve_theta2([[maybe_unused]] const Target& t,
   {
     const Scalar x = w.plane_d3_x * w.plane_theta1_x;
     const Scalar y = w.plane_d3_x * w.plane_theta1_y;
-    result = inverse::direction<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->turn[1].cosine), Scalar(t.preference->turn[1].sine)}, w.branch);
+    result = inverse::span<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->turn[1].cosine), Scalar(t.preference->turn[1].sine)}, w.length_theta2, w.branch);
   }
 
   w.cos_theta2 = result.cosine;

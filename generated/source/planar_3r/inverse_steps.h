@@ -46,6 +46,7 @@ struct Work {
   Scalar sin_theta1;
   Scalar cos_theta3;
   Scalar sin_theta3;
+  Scalar length_theta3;
 };
 
 /// : condition, one value.
@@ -103,7 +104,8 @@ inline void solve_theta2([[maybe_unused]] const Target& t, const Scalar& sign,
     const Scalar t1 = Scalar(t.geometry.l1) - Scalar(t.geometry.l2);
     const Scalar low = t0 * t0 - w.square_theta2;
     const Scalar high = w.square_theta2 - t1 * t1;
-    result = inverse::circle_angle<Scalar>(low, high, sign, Scalar(t.tolerance), inverse::merge_share<Scalar>(), inverse::merge_share<Scalar>(), w.branch);
+    const Scalar scale = Scalar(0.25) / (Scalar(t.geometry.l1) * Scalar(t.geometry.l2));
+    result = inverse::circle_angle<Scalar>(low, high, scale, sign, Scalar(t.tolerance), inverse::merge_share<Scalar>(), inverse::merge_share<Scalar>(), w.branch);
   }
 
   w.cos_theta2 = result.cosine;
@@ -145,7 +147,7 @@ inline void solve_theta3([[maybe_unused]] const Target& t,
     const Scalar t3 = w.cos_theta1 * t0 + Scalar(2) * w.sin_theta1 * t1;
     const Scalar x = w.cos_theta2 * t3 - w.sin_theta2 * t2;
     const Scalar y = -w.sin_theta2 * t3 - w.cos_theta2 * t2;
-    result = inverse::direction<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->turn[2].cosine), Scalar(t.preference->turn[2].sine)}, w.branch);
+    result = inverse::span<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->turn[2].cosine), Scalar(t.preference->turn[2].sine)}, w.length_theta3, w.branch);
   }
 
   w.cos_theta3 = result.cosine;
@@ -179,6 +181,7 @@ struct Work {
   Scalar sin_theta2;
   Scalar cos_theta1;
   Scalar sin_theta1;
+  Scalar length_theta1;
 };
 
 /// : condition, one value.
@@ -232,7 +235,7 @@ inline void solve_theta1([[maybe_unused]] const Target& t,
     const Scalar t1 = w.cos_theta2 * Scalar(t.start_y) - w.sin_theta2 * (Scalar(t.geometry.l1) - Scalar(t.start_x));
     const Scalar x = Scalar(t.pose_p_y) * t1 - Scalar(t.pose_p_x) * t0;
     const Scalar y = -Scalar(t.pose_p_y) * t0 - Scalar(t.pose_p_x) * t1;
-    result = inverse::direction<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)}, w.branch);
+    result = inverse::span<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)}, w.length_theta1, w.branch);
   }
 
   w.cos_theta1 = result.cosine;

@@ -49,6 +49,7 @@ struct Work {
   Scalar plane_theta1_y;
   Scalar cos_theta2;
   Scalar sin_theta2;
+  Scalar length_theta2;
   Scalar after_theta1_theta2_w;
   Scalar after_theta1_theta2_x;
   Scalar after_theta1_theta2_y;
@@ -71,7 +72,8 @@ inline void solve_theta3([[maybe_unused]] const Target& t, const Scalar& sign,
     const Scalar t0 = Scalar(t.geometry.h1) - Scalar(t.pose_p_z);
     const Scalar low = t0 - Scalar(t.geometry.l3);
     const Scalar high = -Scalar(t.geometry.l3) - t0;
-    result = inverse::circle_angle<Scalar>(low, high, sign, Scalar(t.tolerance), inverse::merge_share<Scalar>(), inverse::merge_share<Scalar>(), w.branch);
+    const Scalar scale = -Scalar(0.5) / Scalar(t.geometry.l3);
+    result = inverse::circle_angle<Scalar>(low, high, scale, sign, Scalar(t.tolerance), inverse::merge_share<Scalar>(), inverse::merge_share<Scalar>(), w.branch);
   }
 
   const Scalar t0 = Scalar(t.geometry.l2) - Scalar(t.geometry.l3) * result.sine;
@@ -117,7 +119,7 @@ inline void solve_theta2([[maybe_unused]] const Target& t,
   {
     const Scalar x = w.plane_theta1_x * w.plane_theta3_x;
     const Scalar y = w.plane_theta1_y * w.plane_theta3_x;
-    result = inverse::direction<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->turn[1].cosine), Scalar(t.preference->turn[1].sine)}, w.branch);
+    result = inverse::span<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->turn[1].cosine), Scalar(t.preference->turn[1].sine)}, w.length_theta2, w.branch);
   }
 
   w.cos_theta2 = result.cosine;
@@ -134,7 +136,7 @@ inline void solve_half_theta1_theta2([[maybe_unused]] const Target& t,
   {
     const Scalar cosine = w.cos_theta1 * w.cos_theta2 - w.sin_theta1 * w.sin_theta2;
     const Scalar sine = w.cos_theta1 * w.sin_theta2 + w.cos_theta2 * w.sin_theta1;
-    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine});
+    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine}, w.length_theta2);
   }
 
   w.after_theta1_theta2_w = Scalar(t.pose_q_z) * result.sine + result.cosine * Scalar(t.pose_q_w);
@@ -153,7 +155,7 @@ inline void solve_half_theta3([[maybe_unused]] const Target& t,
   {
     const Scalar cosine = w.cos_theta3;
     const Scalar sine = w.sin_theta3;
-    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine});
+    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine}, Scalar(1));
   }
 
   w.after_theta3_w = w.after_theta1_theta2_y * result.sine + w.after_theta1_theta2_w * result.cosine;

@@ -21,12 +21,11 @@ namespace {
   solve_theta3(t, Pack(1, 1, -1, -1), w);
   if (!any(w.branch.exists)) return rows.count();
   solve_theta1(t, Pack(1, -1, 1, -1), w);
-  if (!any(w.branch.exists)) return rows.count();
-  solve_d2(t, w);
   q[2] = inverse::output_angle(w.cos_theta3, w.sin_theta3);
-  q[0] = inverse::output_angle(w.cos_theta1, w.sin_theta1);
   solve_half_theta1(t, w);
   solve_half_theta3(t, w);
+  solve_d2(t, w);
+  q[0] = inverse::output_angle(w.cos_theta1, w.sin_theta1);
   q[1] = w.d2;
   const auto angles = solve_wrist(t, w);
   const Pack pi = inverse::pi<Pack>();

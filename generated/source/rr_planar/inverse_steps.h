@@ -34,6 +34,7 @@ struct Work {
   Scalar sin_theta2;
   Scalar cos_theta1;
   Scalar sin_theta1;
+  Scalar length_theta1;
 };
 
 /// : condition, one value.
@@ -63,7 +64,8 @@ inline void solve_theta2([[maybe_unused]] const Target& t, const Scalar& sign,
     const Scalar t1 = Scalar(t.geometry.l1) - Scalar(t.geometry.l2);
     const Scalar low = t0 * t0 - w.square_theta2;
     const Scalar high = w.square_theta2 - t1 * t1;
-    result = inverse::circle_angle<Scalar>(low, high, sign, Scalar(t.tolerance), inverse::merge_share<Scalar>(), inverse::merge_share<Scalar>(), w.branch);
+    const Scalar scale = Scalar(0.25) / (Scalar(t.geometry.l1) * Scalar(t.geometry.l2));
+    result = inverse::circle_angle<Scalar>(low, high, scale, sign, Scalar(t.tolerance), inverse::merge_share<Scalar>(), inverse::merge_share<Scalar>(), w.branch);
   }
 
   w.cos_theta2 = result.cosine;
@@ -83,7 +85,7 @@ inline void solve_theta1([[maybe_unused]] const Target& t,
     const Scalar t1 = Scalar(t.geometry.l1) + w.cos_theta2 * Scalar(t.geometry.l2);
     const Scalar x = Scalar(t.pose_p_y) * t0 + Scalar(t.pose_p_x) * t1;
     const Scalar y = Scalar(t.pose_p_y) * t1 - Scalar(t.pose_p_x) * t0;
-    result = inverse::direction<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)}, w.branch);
+    result = inverse::span<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)}, w.length_theta1, w.branch);
   }
 
   w.cos_theta1 = result.cosine;

@@ -42,6 +42,7 @@ struct Work {
   Scalar plane_theta1_y;
   Scalar cos_theta2;
   Scalar sin_theta2;
+  Scalar length_theta2;
   Scalar after_theta1_theta2_w;
   Scalar after_theta1_theta2_x;
   Scalar after_theta1_theta2_y;
@@ -94,7 +95,7 @@ inline void solve_theta2([[maybe_unused]] const Target& t,
   {
     const Scalar x = Scalar(t.geometry.l2) * w.plane_theta1_x;
     const Scalar y = Scalar(t.geometry.l2) * w.plane_theta1_y;
-    result = inverse::direction<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->turn[1].cosine), Scalar(t.preference->turn[1].sine)}, w.branch);
+    result = inverse::span<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->turn[1].cosine), Scalar(t.preference->turn[1].sine)}, w.length_theta2, w.branch);
   }
 
   w.cos_theta2 = result.cosine;
@@ -111,7 +112,7 @@ inline void solve_half_theta1_theta2([[maybe_unused]] const Target& t,
   {
     const Scalar cosine = w.cos_theta1 * w.cos_theta2 - w.sin_theta1 * w.sin_theta2;
     const Scalar sine = w.cos_theta1 * w.sin_theta2 + w.cos_theta2 * w.sin_theta1;
-    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine});
+    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine}, w.length_theta2);
   }
 
   w.after_theta1_theta2_w = Scalar(t.pose_q_z) * result.sine + result.cosine * Scalar(t.pose_q_w);

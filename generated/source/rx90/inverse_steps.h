@@ -41,6 +41,7 @@ struct Work {
   Scalar sin_theta1;
   Scalar plane_theta1_y;
   Scalar square_theta3;
+  Scalar length_theta1;
   Scalar after_theta1_w;
   Scalar after_theta1_x;
   Scalar after_theta1_y;
@@ -51,6 +52,7 @@ struct Work {
   Scalar plane_theta3_y;
   Scalar cos_theta2;
   Scalar sin_theta2;
+  Scalar length_theta2;
   Scalar after_theta2_theta3_w;
   Scalar after_theta2_theta3_x;
   Scalar after_theta2_theta3_y;
@@ -68,14 +70,13 @@ inline void solve_theta1([[maybe_unused]] const Target& t, const Scalar& sign,
   {
     const Scalar x = -Scalar(t.pose_p_x);
     const Scalar y = -Scalar(t.pose_p_y);
-    result = sign * inverse::direction<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny1), inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)}, w.branch);
+    result = sign * inverse::span<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny1), inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)}, w.length_theta1, w.branch);
   }
 
-  const Scalar t0 = result.cosine * Scalar(t.pose_p_x) + Scalar(t.pose_p_y) * result.sine;
   w.cos_theta1 = result.cosine;
   w.sin_theta1 = result.sine;
-  w.plane_theta1_y = -t0;
-  w.square_theta3 = Scalar(t.pose_p_z) * Scalar(t.pose_p_z) + t0 * t0;
+  w.plane_theta1_y = (sign * w.length_theta1);
+  w.square_theta3 = (sign * w.length_theta1) * (sign * w.length_theta1) + Scalar(t.pose_p_z) * Scalar(t.pose_p_z);
 }
 
 /// theta1: half angle, one value.
@@ -88,7 +89,7 @@ inline void solve_half_theta1([[maybe_unused]] const Target& t,
   {
     const Scalar cosine = w.cos_theta1;
     const Scalar sine = w.sin_theta1;
-    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine});
+    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine}, w.length_theta1);
   }
 
   w.after_theta1_w = Scalar(t.pose_q_z) * result.sine + result.cosine * Scalar(t.pose_q_w);
@@ -110,7 +111,8 @@ inline void solve_theta3([[maybe_unused]] const Target& t, const Scalar& sign,
     const Scalar t1 = Scalar(t.geometry.D3) + Scalar(t.geometry.RL4);
     const Scalar low = t0 * t0 - w.square_theta3;
     const Scalar high = w.square_theta3 - t1 * t1;
-    result = inverse::circle_angle<Scalar>(low, high, sign, Scalar(t.tolerance), inverse::merge_share<Scalar>(), inverse::merge_share<Scalar>(), w.branch);
+    const Scalar scale = -Scalar(0.25) / (Scalar(t.geometry.D3) * Scalar(t.geometry.RL4));
+    result = inverse::circle_angle<Scalar>(low, high, scale, sign, Scalar(t.tolerance), inverse::merge_share<Scalar>(), inverse::merge_share<Scalar>(), w.branch);
   }
 
   w.cos_theta3 = -result.sine;
@@ -130,7 +132,7 @@ inline void solve_theta2([[maybe_unused]] const Target& t,
   {
     const Scalar x = w.plane_theta3_x * Scalar(t.pose_p_z) + w.plane_theta1_y * w.plane_theta3_y;
     const Scalar y = w.plane_theta1_y * w.plane_theta3_x - w.plane_theta3_y * Scalar(t.pose_p_z);
-    result = inverse::direction<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->turn[1].cosine), Scalar(t.preference->turn[1].sine)}, w.branch);
+    result = inverse::span<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->turn[1].cosine), Scalar(t.preference->turn[1].sine)}, w.length_theta2, w.branch);
   }
 
   w.cos_theta2 = result.cosine;
@@ -147,7 +149,7 @@ inline void solve_half_theta2_theta3([[maybe_unused]] const Target& t,
   {
     const Scalar cosine = w.cos_theta2 * w.cos_theta3 - w.sin_theta2 * w.sin_theta3;
     const Scalar sine = w.cos_theta3 * w.sin_theta2 + w.cos_theta2 * w.sin_theta3;
-    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine});
+    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine}, w.length_theta2);
   }
 
   w.after_theta2_theta3_w = w.after_theta1_w * result.cosine - w.after_theta1_y * result.sine;

@@ -55,7 +55,8 @@ inline void solve_theta3([[maybe_unused]] const Target& t, const Scalar& sign,
   {
     const Scalar low = Scalar(t.geometry.d4) + Scalar(t.pose_p_x);
     const Scalar high = Scalar(t.geometry.d4) - Scalar(t.pose_p_x);
-    result = inverse::circle_angle<Scalar>(low, high, sign, Scalar(t.tolerance), inverse::merge_share<Scalar>(), inverse::merge_share<Scalar>(), w.branch);
+    const Scalar scale = Scalar(0.5) / Scalar(t.geometry.d4);
+    result = inverse::circle_angle<Scalar>(low, high, scale, sign, Scalar(t.tolerance), inverse::merge_share<Scalar>(), inverse::merge_share<Scalar>(), w.branch);
   }
 
   w.cos_theta3 = -result.sine;
@@ -73,7 +74,7 @@ inline void solve_half_theta3([[maybe_unused]] const Target& t,
   {
     const Scalar cosine = w.cos_theta3;
     const Scalar sine = w.sin_theta3;
-    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine});
+    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine}, Scalar(1));
   }
 
   w.after_theta3_w = result.cosine * Scalar(t.pose_q_w) + Scalar(t.pose_q_y) * result.sine;

@@ -22,12 +22,12 @@ namespace {
   if (!any(w.branch.exists)) return rows.count();
   solve_d1(t, Pack(1, -1, 1, -1), w);
   if (!any(w.branch.exists)) return rows.count();
-  solve_theta2(t, w);
   q[2] = inverse::output_angle(w.cos_theta3, w.sin_theta3);
+  solve_theta2(t, w);
   q[0] = w.d1;
-  q[1] = inverse::output_angle(w.cos_theta2, w.sin_theta2);
   solve_half_theta2(t, w);
   solve_half_theta3(t, w);
+  q[1] = inverse::output_angle(w.cos_theta2, w.sin_theta2);
   const auto angles = solve_wrist(t, w);
   const Pack pi = inverse::pi<Pack>();
   q[3] = angles.first;

@@ -46,6 +46,7 @@ struct Work {
   Scalar plane_d1_x;
   Scalar cos_theta2;
   Scalar sin_theta2;
+  Scalar length_theta2;
   Scalar after_theta2_w;
   Scalar after_theta2_x;
   Scalar after_theta2_y;
@@ -68,7 +69,8 @@ inline void solve_theta3([[maybe_unused]] const Target& t, const Scalar& sign,
     const Scalar t0 = Scalar(t.geometry.d2) - Scalar(t.pose_p_y);
     const Scalar low = t0 - Scalar(t.geometry.d4);
     const Scalar high = -Scalar(t.geometry.d4) - t0;
-    result = inverse::circle_angle<Scalar>(low, high, sign, Scalar(t.tolerance), inverse::merge_share<Scalar>(), inverse::merge_share<Scalar>(), w.branch);
+    const Scalar scale = -Scalar(0.5) / Scalar(t.geometry.d4);
+    result = inverse::circle_angle<Scalar>(low, high, scale, sign, Scalar(t.tolerance), inverse::merge_share<Scalar>(), inverse::merge_share<Scalar>(), w.branch);
   }
 
   const Scalar t0 = Scalar(t.geometry.d4) * result.sine;
@@ -109,7 +111,7 @@ inline void solve_theta2([[maybe_unused]] const Target& t,
   {
     const Scalar x = Scalar(t.geometry.l2) * w.plane_d1_x + w.plane_theta3_y * Scalar(t.pose_p_x);
     const Scalar y = Scalar(t.geometry.l2) * Scalar(t.pose_p_x) - w.plane_d1_x * w.plane_theta3_y;
-    result = inverse::direction<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->turn[1].cosine), Scalar(t.preference->turn[1].sine)}, w.branch);
+    result = inverse::span<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->turn[1].cosine), Scalar(t.preference->turn[1].sine)}, w.length_theta2, w.branch);
   }
 
   w.cos_theta2 = result.cosine;
@@ -126,7 +128,7 @@ inline void solve_half_theta2([[maybe_unused]] const Target& t,
   {
     const Scalar cosine = w.cos_theta2;
     const Scalar sine = w.sin_theta2;
-    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine});
+    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine}, w.length_theta2);
   }
 
   w.after_theta2_w = result.cosine * Scalar(t.pose_q_w) + Scalar(t.pose_q_y) * result.sine;
@@ -145,7 +147,7 @@ inline void solve_half_theta3([[maybe_unused]] const Target& t,
   {
     const Scalar cosine = w.cos_theta3;
     const Scalar sine = w.sin_theta3;
-    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine});
+    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine}, Scalar(1));
   }
 
   w.after_theta3_w = w.after_theta2_z * result.sine + w.after_theta2_w * result.cosine;

@@ -58,6 +58,7 @@ struct Work {
   Scalar sin_theta2;
   Scalar cos_theta4;
   Scalar sin_theta4;
+  Scalar length_theta4;
 };
 
 /// theta1: line or circle meets circle, 2 values.
@@ -93,7 +94,7 @@ inline void solve_half_theta1([[maybe_unused]] const Target& t,
   {
     const Scalar cosine = w.cos_theta1;
     const Scalar sine = w.sin_theta1;
-    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine});
+    result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine}, Scalar(1));
   }
 
   w.after_theta1_w = result.sine * Scalar(t.target_q_z) + result.cosine * Scalar(t.target_q_w);
@@ -165,7 +166,8 @@ inline void solve_theta3([[maybe_unused]] const Target& t, const Scalar& sign,
   {
     const Scalar low = Scalar(0.6678975625) - w.square_theta3;
     const Scalar high = w.square_theta3 - Scalar(0.0010725625);
-    result = inverse::circle_angle<Scalar>(low, high, sign, Scalar(t.tolerance), inverse::merge_share<Scalar>(), inverse::merge_share<Scalar>(), w.branch);
+    const Scalar scale = Scalar(1.499643834589285);
+    result = inverse::circle_angle<Scalar>(low, high, scale, sign, Scalar(t.tolerance), inverse::merge_share<Scalar>(), inverse::merge_share<Scalar>(), w.branch);
   }
 
   w.cos_theta3 = result.cosine;
@@ -206,7 +208,7 @@ inline void solve_theta4([[maybe_unused]] const Target& t,
     const Scalar t1 = w.cos_sum * w.sin_theta2 - w.cos_theta2 * w.sin_sum;
     const Scalar x = w.cos_theta3 * t0 - w.sin_theta3 * t1;
     const Scalar y = -w.sin_theta3 * t0 - w.cos_theta3 * t1;
-    result = inverse::direction<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->turn[3].cosine), Scalar(t.preference->turn[3].sine)}, w.branch);
+    result = inverse::span<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->turn[3].cosine), Scalar(t.preference->turn[3].sine)}, w.length_theta4, w.branch);
   }
 
   w.cos_theta4 = result.cosine;

@@ -60,6 +60,17 @@ void wrist(const LoweredPlan& plan, const Step& step) {
   }
 }
 
+Rotor directed(const Step& step, const Rotor& turn, const Counted& tiny, qvgen::inverse::Branch<Counted>& branch) {
+  Counted length;
+  return step.unit ? direction<Counted>(turn, tiny, {1, 0}, branch) : span<Counted>(turn, tiny, {1, 0}, length, branch);
+}
+
+Counted length_of(const Step& step) {
+  Counted length(1);
+  for (std::size_t i = 1; i < step.lengths.size(); ++i) length = length * Counted(1);
+  return length;
+}
+
 /// Runs a step's block once, at values at which every branch exists.
 void block(const LoweredPlan& plan, const Step& step) {
   using namespace qvgen::inverse;
@@ -67,13 +78,13 @@ void block(const LoweredPlan& plan, const Step& step) {
   const Rotor turn{0.6, 0.8};
   Branch<Counted> branch;
   switch (step.kind) {
-    case Kind::circle: circle_angle<Counted>(1, 2, sign, tolerance, 0, 0, branch); return;
+    case Kind::circle: circle_angle<Counted>(1, 2, 0.3, sign, tolerance, 0, 0, branch); return;
     case Kind::free_circle: free_circle_angle<Counted>(1, 2, turn, tiny, {1, 0}, sign, tolerance, branch); return;
     case Kind::factored: factored_line_angle<Counted>(turn, 1, 1, 2, tiny, {1, 0}, sign, tolerance, branch); return;
-    case Kind::opposite: sign * direction<Counted>(turn, tiny, {1, 0}, branch); return;
-    case Kind::pair: direction<Counted>(turn, tiny, {1, 0}, branch); return;
+    case Kind::opposite: sign * directed(step, turn, tiny, branch); return;
+    case Kind::pair: directed(step, turn, tiny, branch); return;
     case Kind::reach: reachable_direction<Counted>(turn, turn, 0, 4, {1, 0}); return;
-    case Kind::half: plan.plan.wrist.right ? half_direction(turn) : half(turn); return;
+    case Kind::half: plan.plan.wrist.right ? half_direction(turn, length_of(step)) : half(turn); return;
     case Kind::root: signed_root<Counted>(1, 1, tiny, sign, tolerance, branch); return;
     case Kind::quadratic: quadratic_root<Counted>(1, 2, -1, sign, tolerance, branch); return;
     case Kind::require:

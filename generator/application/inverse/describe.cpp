@@ -64,7 +64,9 @@ std::string solution(const Step& step, bool latex) {
     case Kind::factored:
       return both("phi = +-atan2(sqrt(low*high), rhs), from the direction (x, y)",
                   "\\varphi = \\pm\\mathrm{atan2}(\\sqrt{\\mathrm{low}\\,\\mathrm{high}}, \\mathrm{rhs})\\text{ from the direction } (x, y)");
-    case Kind::opposite: return both("phi = atan2(y, x) or atan2(-y, -x)", "\\varphi = \\mathrm{atan2}(\\pm y, \\pm x)");
+    case Kind::opposite:
+      return both("phi = atan2(y, x) or atan2(-y, -x)", "\\varphi = \\mathrm{atan2}(\\pm y, \\pm x)") +
+             (step.unit ? "" : both(", r = +-sqrt(x^2 + y^2)", ",\\ r = \\pm\\sqrt{x^2 + y^2}"));
     case Kind::pair: return both("phi = atan2(y, x)", "\\varphi = \\mathrm{atan2}(y, x)");
     case Kind::root: return both("r = +-sqrt(square)", "r = \\pm\\sqrt{\\mathrm{square}}");
     case Kind::quadratic: return both("r = (-b +- sqrt(b^2 - a*c))/a", "r = \\frac{-b \\pm \\sqrt{b^2 - a c}}{a}");

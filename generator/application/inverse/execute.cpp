@@ -122,7 +122,7 @@ class Execution {
     const Real merge_both = merge_share<Real>();
     switch (step.kind) {
       case Kind::circle:
-        return set(known, circle_angle(in.at("low"), in.at("high"), sign, tolerance(), step.exact_low ? Real(0) : merge_both,
+        return set(known, circle_angle(in.at("low"), in.at("high"), in.at("scale"), sign, tolerance(), step.exact_low ? Real(0) : merge_both,
                                        step.exact_high ? Real(0) : merge_both, branch));
       case Kind::free_circle:
         return set(known, free_circle_angle(in.at("low"), in.at("high"), Rotor{in.at("x"), in.at("y")}, tiny(step.degree), choice,
@@ -133,14 +133,13 @@ class Execution {
       case Kind::reach:
         return set(known, reachable_direction(Rotor{in.at("point_x"), in.at("point_y")}, Rotor{in.at("offset_x"), in.at("offset_y")},
                                               in.at("inner"), in.at("outer"), choice));
-      case Kind::opposite: {
-        const Rotor along = direction(Rotor{in.at("x"), in.at("y")}, tiny(step.degree), choice, branch);
-        return set(known, {sign * along.cosine, sign * along.sine});
-      }
-      case Kind::pair: return set(known, direction(Rotor{in.at("x"), in.at("y")}, tiny(step.degree), choice, branch));
+      case Kind::opposite: return directed(step, in, sign, known, branch);
+      case Kind::pair: return directed(step, in, Real(1), known, branch);
       case Kind::half: {
         const Rotor turn{in.at("cosine"), in.at("sine")};
-        return set(known, plan_.plan.wrist.right ? half_direction(turn) : half(turn));
+        Real length(1);
+        for (const std::string& unknown : step.lengths) length = length * known.at("length_" + unknown);
+        return set(known, plan_.plan.wrist.right ? half_direction(turn, length) : half(turn));
       }
       case Kind::root:
         known["result"] = signed_root(in.at("square"), in.at("scale"), tiny(1), sign, tolerance(), branch);
@@ -153,6 +152,17 @@ class Execution {
         return require_zero(in.at("residual"), in.at("scale"), tolerance(), branch);
       default: return;
     }
+  }
+
+  void directed(const Step& step, const Values& in, const Real& sign, Values& known, Branch& branch) const {
+    using namespace qvgen::inverse;
+    const Rotor v{in.at("x"), in.at("y")};
+    const Rotor choice{Real(1), Real(0)};
+    if (step.unit) return set(known, sign * direction(v, tiny(step.degree), choice, branch));
+    Real length;
+    set(known, sign * span(v, tiny(step.degree), choice, length, branch));
+    known["length_" + step.unknown] = length;
+    known["result"] = sign * length;
   }
 
   static void polish(const Step& step, const Values& in, Values& known) {

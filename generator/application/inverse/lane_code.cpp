@@ -58,18 +58,29 @@ class Lanes {
   void step(std::size_t i) {
     const Step& step = plan_.plan.steps[i];
     if (is_last_wrist(plan_, step)) return wrist(i);
-    if (step.kind == Kind::half) return deferred_.push_back(call(i) + ";");
-    if (step.is_wrist()) flush();
+    if (step.kind == Kind::half) return ended_leaving_ ? line(call(i) + ";") : halves_.push_back(call(i) + ";");
+    if (step.is_wrist()) flush_halves();
     if (step.branches == 2 && loops_left_ > 0) {
       loop(i);
     } else if (step.branches == 2) {
       line(call(i, lane_branchings_++ == 0 ? "Pack(1, 1, -1, -1)" : "Pack(1, -1, 1, -1)") + ";");
-      leave_if_none();
+      if (step.kind != Kind::opposite) leave_if_none();
     } else {
       line(call(i) + ";");
       if (step.kind == Kind::require) leave_if_none();
     }
+    ended_leaving_ = !leaves_after(i);
+    if (ended_leaving_) flush();
     for (const std::string& text : joint_lines(robot_, plan_, step)) deferred_.push_back(text);
+  }
+
+  /// Whether a later step may find that no branch is left: angles that nobody will read wait until then. Beyond, a joint's
+  /// arctangent stands one step behind, where it fills the time that the next step waits for its root.
+  bool leaves_after(std::size_t i) const {
+    const auto& steps = plan_.plan.steps;
+    return std::any_of(steps.begin() + static_cast<std::ptrdiff_t>(i) + 1, steps.end(), [&](const Step& step) {
+      return (step.branches == 2 && !is_last_wrist(plan_, step)) || step.kind == Kind::require;
+    });
   }
 
   void loop(std::size_t i) {
@@ -85,7 +96,13 @@ class Lanes {
     labels_ = labels_.empty() ? k : "2 * " + (labels_.find(' ') == std::string::npos ? labels_ : "(" + labels_ + ")") + " + " + k;
   }
 
+  void flush_halves() {
+    for (const std::string& text : halves_) line(text);
+    halves_.clear();
+  }
+
   void flush() {
+    flush_halves();
     for (const std::string& text : deferred_) line(text);
     deferred_.clear();
   }
@@ -127,12 +144,14 @@ class Lanes {
   const model::Robot& robot_;
   const LoweredPlan& plan_;
   std::vector<std::string> lines_;
+  std::vector<std::string> halves_;
   std::vector<std::string> deferred_;
   std::string labels_;
   int loops_left_;
   int loops_ = 0;
   int lane_branchings_ = 0;
   int depth_ = 0;
+  bool ended_leaving_ = false;
   bool ended_ = false;
 };
 

@@ -21,16 +21,19 @@ namespace {
 /// Whether the step is the wrist that ends the plan: it gives angles, not cosines and sines.
 bool ends(const LoweredPlan& plan, const Step& step) { return step.is_wrist() && plan.plan.wrist.ends_the_plan; }
 
+std::string length_place(const std::string& unknown) { return "w.length_" + unknown; }
+
 /// Symbols of a step: geometry and the target's values from t, what earlier steps left from w, the block's results.
-emit::Names names_of(const model::Robot& robot, const LoweredPlan& plan) {
+emit::Names names_of(const model::Robot& robot, const LoweredPlan& plan, const Step& step) {
   std::set<std::string> parameters;
   for (const auto& parameter : robot.geometry) parameters.insert(parameter.name);
   const std::vector<std::string> target = plan.plan.target_kept;
-  const auto symbol = [parameters, target](const std::string& name) -> std::string {
+  const std::string result = step.unit ? "result" : "(sign * " + length_place(step.unknown) + ")";
+  const auto symbol = [parameters, target, result](const std::string& name) -> std::string {
     if (parameters.count(name) > 0) return "Scalar(t.geometry." + name + ")";
     if (name == "cos_result") return "result.cosine";
     if (name == "sin_result") return "result.sine";
-    if (name == "result") return "result";
+    if (name == "result") return result;
     if (std::find(target.begin(), target.end(), name) != target.end()) return "Scalar(t." + name + ")";
     if (name == std::string("cos_") + derive::inverse::locked_joint || name == std::string("sin_") + derive::inverse::locked_joint)
       return "Scalar(t." + name + ")";
@@ -71,13 +74,25 @@ std::string tiny(const Step& step) { return "Scalar(t.tiny" + std::to_string(ste
 
 std::string merge(bool exact) { return exact ? "Scalar(0)" : "inverse::merge_share<Scalar>()"; }
 
+std::string direction(const Step& step) {
+  return std::string("inverse::") + (step.unit ? "direction" : "span") + "<Scalar>(" + rotor("x", "y") + ", " + tiny(step) + ", " + choice(step) +
+         ", " + (step.unit ? "" : length_place(step.unknown) + ", ") + "w.branch)";
+}
+
+std::string half(const LoweredPlan& plan, const Step& step) {
+  if (!plan.plan.wrist.right) return "inverse::half<Scalar>(" + rotor("cosine", "sine") + ")";
+  std::string length;
+  for (const std::string& unknown : step.lengths) length += (length.empty() ? "" : " * ") + length_place(unknown);
+  return "inverse::half_direction<Scalar>(" + rotor("cosine", "sine") + ", " + (length.empty() ? "Scalar(1)" : length) + ")";
+}
+
 /// The declaration of `result` and the block's call.
 std::pair<std::string, std::string> block(const LoweredPlan& plan, const Step& step) {
   const std::string turn = "inverse::Rotor<Scalar>";
   const std::string tolerance = "Scalar(t.tolerance)";
   switch (step.kind) {
     case Kind::circle:
-      return {turn, "inverse::circle_angle<Scalar>(low, high, sign, " + tolerance + ", " + merge(step.exact_low) + ", " +
+      return {turn, "inverse::circle_angle<Scalar>(low, high, scale, sign, " + tolerance + ", " + merge(step.exact_low) + ", " +
                         merge(step.exact_high) + ", w.branch)"};
     case Kind::free_circle:
       return {turn, "inverse::free_circle_angle<Scalar>(low, high, " + rotor("x", "y") + ", " + tiny(step) + ", " + choice(step) +
@@ -88,11 +103,9 @@ std::pair<std::string, std::string> block(const LoweredPlan& plan, const Step& s
     case Kind::reach:
       return {turn, "inverse::reachable_direction<Scalar>(" + rotor("point_x", "point_y") + ", " + rotor("offset_x", "offset_y") +
                         ", inner, outer, " + seeds(step) + ")"};
-    case Kind::opposite:
-      return {turn, "sign * inverse::direction<Scalar>(" + rotor("x", "y") + ", " + tiny(step) + ", " + choice(step) + ", w.branch)"};
-    case Kind::pair:
-      return {turn, "inverse::direction<Scalar>(" + rotor("x", "y") + ", " + tiny(step) + ", " + choice(step) + ", w.branch)"};
-    case Kind::half: return {turn, std::string(plan.plan.wrist.right ? "inverse::half_direction" : "inverse::half") + "<Scalar>(" + rotor("cosine", "sine") + ")"};
+    case Kind::opposite: return {turn, "sign * " + direction(step)};
+    case Kind::pair: return {turn, direction(step)};
+    case Kind::half: return {turn, half(plan, step)};
     case Kind::root: return {"Scalar", "inverse::signed_root<Scalar>(square, scale, Scalar(t.tiny1), sign, " + tolerance + ", w.branch)"};
     case Kind::quadratic: return {"Scalar", "inverse::quadratic_root<Scalar>(a, b, c, sign, " + tolerance + ", w.branch)"};
     case Kind::require:
@@ -201,6 +214,7 @@ std::vector<std::string> work_fields(const LoweredPlan& plan) {
       for (const char* part : {"cos_", "sin_"})
         if (!step.is_polish()) fields.push_back(part + turn);
     fields.insert(fields.end(), step.kept.begin(), step.kept.end());
+    if (!step.unit) fields.push_back("length_" + step.unknown);
   }
   return fields;
 }
@@ -217,10 +231,10 @@ json target_values(const model::Robot& robot, const LoweredPlan& plan) {
 }
 
 json step_values(const model::Robot& robot, const LoweredPlan& plan) {
-  const emit::Names names = names_of(robot, plan);
   json steps = json::array();
   for (std::size_t i = 0; i < plan.steps.size(); ++i) {
     const Step& step = plan.plan.steps[i];
+    const emit::Names names = names_of(robot, plan, step);
     const emit::Code before = emit::cpp_code(plan.steps[i].before, names);
     const emit::Code after = emit::cpp_code(plan.steps[i].after, names);
     const auto [type, call] = block(plan, step);

@@ -130,6 +130,7 @@ void Builder::turn_by_line(const Screw& screw, const Flat& k, const ex& rhs, con
     Step& step = add(Kind::circle, &screw, 2, equation);
     step.before.output("low", amplitude.length - rhs);
     step.before.output("high", amplitude.length + rhs);
+    step.before.output("scale", 1 / (2 * amplitude.length));
     step.degenerate = "boundary of reach: the two solutions coincide";
     set_turn(step, screw, result_turn() * amplitude.direction);
     return;
@@ -174,6 +175,7 @@ void Builder::turn_by_distance(const Screw& screw, int sign, const Flat& v, cons
     Step& step = add(Kind::circle, &screw, 2, equation);
     step.before.output("low", low);
     step.before.output("high", high);
+    step.before.output("scale", 1 / (4 * base.length * arm.length));
     step.exact_high = folds && scope_.is_zero(inner);
     step.exact_low = folds && scope_.is_zero(outer);
     step.degenerate = "stretched or folded: the two solutions coincide";

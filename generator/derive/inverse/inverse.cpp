@@ -5,6 +5,7 @@
 
 #include "derive/inverse/attempt.h"
 #include "derive/inverse/freedom.h"
+#include "derive/inverse/lengths.h"
 #include "derive/inverse/schedule.h"
 
 namespace qvgen::derive::inverse {
@@ -24,6 +25,7 @@ Derivation first_of(const model::Robot& robot, const std::vector<Method>& method
       continue;
     }
     schedule(attempt.plan);
+    spare_lengths(attempt.plan, attempt.scope);
     prune(attempt.plan);
     for (const Step& step : attempt.plan.steps) attempt.plan.capacity *= step.branches;
     derivation.plan = std::move(attempt.plan);

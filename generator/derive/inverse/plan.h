@@ -32,7 +32,8 @@ enum class Kind {
 /// One step: inputs from `before`, the building block, then named values from `after`.
 ///
 /// Programs are in terms of the target's values, the geometry, and of names that earlier steps gave. The block's
-/// results enter `after` as the symbols result_cosine, result_sine (angles) or result (lengths).
+/// results enter `after` as the symbols cos_result, sin_result (angles) or result (lengths; of a direction that is left as
+/// long as it is, with the branch's sign).
 struct Step {
   Kind kind = Kind::linear;
   int joint = -1;                    ///< index of the joint that it determines, -1 if none
@@ -47,6 +48,8 @@ struct Step {
     int sense;
   };
   std::vector<Seed> seeds;           ///< reach: the joints whose angles, with their senses, add up to the free one
+  bool unit = true;                  ///< pair, opposite: the direction is brought to length one
+  std::vector<std::string> lengths;  ///< half: the unknowns among its angle's terms that are not
   std::vector<std::string> kept;     ///< those of `after` that a later step or the result reads
   bool divisor = false;   ///< require: what must not vanish, in place of an equation
   bool exact_low = false;            ///< circle: low is a sum of squares, so that only an exact zero is a double root

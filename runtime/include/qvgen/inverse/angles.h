@@ -58,6 +58,20 @@ Rotor<Scalar> direction(const Rotor<Scalar>& v, const Scalar& tiny, const Rotor<
   return {select(is_free, choice.cosine, Scalar(v.cosine * scale)), select(is_free, choice.sine, Scalar(v.sine * scale))};
 }
 
+/// A pair left as long as it is, and its length. A free one is the caller's choice, short: what is computed from its length
+/// is then as good as zero, as it should be, and its direction is still exact.
+template <typename Scalar>
+Rotor<Scalar> span(const Rotor<Scalar>& v, const Scalar& tiny, const Rotor<Scalar>& choice, Scalar& length,
+                   Branch<Scalar>& branch) {
+  using std::sqrt;
+  const Scalar square = v.cosine * v.cosine + v.sine * v.sine;
+  const Mask<Scalar> is_free = square <= tiny;
+  branch.continuum = branch.continuum | (branch.exists & is_free);
+  const Scalar brief(0x1p-100);
+  length = select(is_free, brief, sqrt(square));
+  return {select(is_free, Scalar(brief * choice.cosine), v.cosine), select(is_free, Scalar(brief * choice.sine), v.sine)};
+}
+
 /// Cosine and sine of half the angle (in (-pi/2, pi/2]) from a normalised pair, accurate near 0 and near pi.
 template <typename Scalar>
 Rotor<Scalar> half(const Rotor<Scalar>& rotor) {
@@ -69,20 +83,20 @@ Rotor<Scalar> half(const Rotor<Scalar>& rotor) {
           select(acute, other, with_sign(larger, rotor.sine))};
 }
 
-/// The direction of half the angle alone, without root and quotient: its squared length is between 2 and 4. For wrists, to
-/// which the length of their matrix does not matter.
+/// The direction of half the angle of a pair of the given length, without root and quotient: its squared length is between
+/// 2 and 4 times the pair's. For wrists, to which the length of their matrix does not matter.
 template <typename Scalar>
-Rotor<Scalar> half_direction(const Rotor<Scalar>& rotor) {
+Rotor<Scalar> half_direction(const Rotor<Scalar>& rotor, const Scalar& length) {
   const Mask<Scalar> acute = rotor.cosine >= Scalar(0);
-  const Scalar longer = Scalar(1) + magnitude(rotor.cosine);
+  const Scalar longer = length + magnitude(rotor.cosine);
   return {select(acute, longer, magnitude(rotor.sine)), select(acute, rotor.sine, with_sign(longer, rotor.sine))};
 }
 
 /// (-pi, pi] of an angle in (-3 pi, 3 pi].
 template <typename Scalar>
 Scalar wrapped(const Scalar& angle, const Scalar& pi) {
-  const Scalar down = select(angle > pi, Scalar(angle - Scalar(2) * pi), angle);
-  return select(down <= -pi, Scalar(down + Scalar(2) * pi), down);
+  const Scalar up = select(angle <= -pi, Scalar(Scalar(2) * pi), Scalar(0));
+  return angle + select(angle > pi, Scalar(Scalar(-2) * pi), up);
 }
 
 /// The opposite direction: angle + pi for an angle in (-pi, pi], again in (-pi, pi]. A positive angle may be so small

@@ -20,50 +20,70 @@ Scalar acute_arctangent(const Scalar& y, const Scalar& x) {
 
 namespace polynomial {
 
-/// (atan(t)/t - 1) / t² in z = t² <= 0.2025, error below 2^-56 of atan(t)/t (minimax); even and odd powers side by side,
-/// which halves the chain.
+/// (atan(t)/t - 1) / t² in z = t² <= 0.2025, error below 2^-56 of atan(t)/t (minimax); neighbouring powers in pairs, pairs of
+/// pairs and so on, since the time until the last product is what counts.
 template <typename Scalar>
 Scalar arctangent_series(const Scalar& z) {
   const Scalar z2 = z * z;
-  Scalar even = Scalar(-0x1.f962b3a8b22c7p-7);
-  Scalar odd = Scalar(0x1.23ffc268de3f2p-5);
-  even = even * z2 + Scalar(-0x1.947d0a96686b7p-5);
-  odd = odd * z2 + Scalar(0x1.dd1589af82d9ep-5);
-  even = even * z2 + Scalar(-0x1.10c699c0d341ap-4);
-  odd = odd * z2 + Scalar(0x1.3b0d9caeb1e12p-4);
-  even = even * z2 + Scalar(-0x1.745cc35dc5ea5p-4);
-  odd = odd * z2 + Scalar(0x1.c71c6eeb5ad85p-4);
-  even = even * z2 + Scalar(-0x1.2492491d4e0a2p-3);
-  odd = odd * z2 + Scalar(0x1.999999998721ap-3);
-  even = even * z2 + Scalar(-0x1.55555555554d3p-2);
-  return odd * z + even;
+  const Scalar z4 = z2 * z2;
+  const Scalar c01 = Scalar(-0x1.55555555554d3p-2) + z * Scalar(0x1.999999998721ap-3);
+  const Scalar c23 = Scalar(-0x1.2492491d4e0a2p-3) + z * Scalar(0x1.c71c6eeb5ad85p-4);
+  const Scalar c45 = Scalar(-0x1.745cc35dc5ea5p-4) + z * Scalar(0x1.3b0d9caeb1e12p-4);
+  const Scalar c67 = Scalar(-0x1.10c699c0d341ap-4) + z * Scalar(0x1.dd1589af82d9ep-5);
+  const Scalar c89 = Scalar(-0x1.947d0a96686b7p-5) + z * Scalar(0x1.23ffc268de3f2p-5);
+  const Scalar low = c01 + z2 * c23;
+  const Scalar middle = c45 + z2 * c67;
+  const Scalar high = c89 + z2 * Scalar(-0x1.f962b3a8b22c7p-7);
+  return low + z4 * (middle + z4 * high);
 }
 
-/// Without a jump, and by sums and products that any machine rounds alike, so that a number and a lane get the same
-/// bits. Within 2 ulp; 0 for (0, 0).
+/// The angle of (width, height), neither negative, as base plus or minus atan(rise / run), |rise / run| <= 0.45.
 template <typename Scalar>
-Scalar acute_arctangent(const Scalar& y, const Scalar& x) {
-  const Scalar zero(0);
-  const Mask<Scalar> steep = y > x;
-  const Scalar small = select(steep, x, y);
-  const Scalar large = select(steep, y, x);
+struct Octant {
+  Scalar rise, run, base;
+  Mask<Scalar> steep;  ///< minus
+};
+
+template <typename Scalar>
+Octant<Scalar> octant(const Scalar& height, const Scalar& width) {
+  const Mask<Scalar> steep = height > width;
+  const Scalar small = smaller(height, width);
+  const Scalar large = larger(height, width);
   // Above atan(0.45) from pi/4 downwards.
   const Mask<Scalar> near_diagonal = small > Scalar(0.45) * large;
   const Scalar rise = select(near_diagonal, Scalar(small - large), small);
   const Scalar run = select(near_diagonal, Scalar(large + small), large);
-  const Scalar t = rise / larger(run, Scalar(0x1p-1022));
+  const Scalar axis = select(steep, Scalar(0x1.921fb54442d18p+0), Scalar(0));
+  return {rise, larger(run, Scalar(0x1p-1022)), select(near_diagonal, Scalar(0x1.921fb54442d18p-1), axis), steep};
+}
+
+/// base + atan(t), base a multiple of pi/4 without the digits that it has beyond a double. What the sum of base and t
+/// loses is put back.
+template <typename Scalar>
+Scalar turned_by_arctangent(const Scalar& base, const Scalar& t) {
   const Scalar z = t * t;
-  const Scalar beyond = select(near_diagonal, Scalar(0x1.1a62633145c07p-55), zero);  // what pi/4 has beyond its 53 bits
-  const Scalar turn = t + (t * (z * polynomial::arctangent_series(z)) + beyond);
-  const Scalar from = select(near_diagonal, Scalar(0x1.921fb54442d18p-1), zero);
-  const Scalar base = magnitude(Scalar(select(steep, Scalar(0x1.921fb54442d18p+0), zero) - from));
-  return base + select(steep, Scalar(-turn), turn);
+  const Scalar sum = base + t;
+  const Scalar beyond = Scalar(0x1.1a62633145c07p-54 / 0x1.921fb54442d18p+0) * base;
+  const Scalar rest = ((base - sum) + t) + beyond;
+  return sum + (rest + t * z * polynomial::arctangent_series(z));
+}
+
+/// Without a jump, and by sums and products that any machine rounds alike, so that a number and a lane get the same
+/// bits. Within 1 ulp; 0 for (0, 0).
+template <typename Scalar>
+Scalar acute_arctangent(const Scalar& y, const Scalar& x) {
+  const Octant<Scalar> found = polynomial::octant(y, x);
+  return polynomial::turned_by_arctangent(found.base, Scalar(negated(found.steep, found.rise) / found.run));
 }
 
 template <typename Scalar>
 Scalar arctangent(const Scalar& y, const Scalar& x) {
-  const Scalar acute = polynomial::acute_arctangent(magnitude(y), magnitude(x));
-  return with_sign(select(x < Scalar(0), Scalar(Scalar(0x1.921fb54442d18p+1) - acute), acute), y);
+  const Octant<Scalar> found = polynomial::octant(magnitude(y), magnitude(x));
+  const Mask<Scalar> below = y < Scalar(0);
+  const Mask<Scalar> back = x < Scalar(0);
+  const Scalar base = select(back, Scalar(Scalar(0x1.921fb54442d18p+1) - found.base), found.base);
+  const Scalar rise = negated(below ^ back ^ found.steep, found.rise);
+  return polynomial::turned_by_arctangent(negated(below, base), Scalar(rise / found.run));
 }
 
 }  // namespace polynomial

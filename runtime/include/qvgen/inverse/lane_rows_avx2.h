@@ -22,43 +22,46 @@ class LaneRows {
 
   /// One row a lane, branches label, label + 1, ...
   [[gnu::always_inline]] void append(const Pack (&q)[dof], const Branch<Pack>& branch, int label) {
-    const int exist = bits(branch.exists);
-    const int marked = bits(branch.continuum);
+    const Pack end = row_end(branch, label, 1);
+    const Steps steps = steps_over(branch, 1);
     each_lane([&](auto number) {
       constexpr int lane = decltype(number)::value;
-      row<lane>(next_, q, label + lane, marked);
-      next_ += stride_ & -static_cast<std::ptrdiff_t>(exist >> lane & 1);
+      row<lane>(next_, q, end);
+      next_ += steps.lane[lane];
     });
-    add(exist, marked, 1);
+    add(branch, 1);
   }
 
   /// Two rows a lane that exist or do not exist together.
   [[gnu::always_inline]] void append(const Pack (&q)[dof], const Pack (&twin)[dof], const Branch<Pack>& branch, int label) {
-    const int exist = bits(branch.exists);
-    const int marked = bits(branch.continuum);
+    const Pack end = row_end(branch, label, 2);
+    const Pack twin_end = row_end(branch, label + 1, 2);
+    const Steps steps = steps_over(branch, 2);
     each_lane([&](auto number) {
       constexpr int lane = decltype(number)::value;
-      row<lane>(next_, q, label + 2 * lane, marked);
-      row<lane>(next_ + stride_, twin, label + 2 * lane + 1, marked);
-      next_ += (2 * stride_) & -static_cast<std::ptrdiff_t>(exist >> lane & 1);
+      row<lane>(next_, q, end);
+      row<lane>(next_ + stride_, twin, twin_end);
+      next_ += steps.lane[lane];
     });
-    add(exist, marked, 2);
+    add(branch, 2);
   }
 
   /// Two rows a lane, each with its own branch.
   [[gnu::always_inline]] void append(const Pack (&q)[dof], const Branch<Pack>& branch, const Pack (&other)[dof], const Branch<Pack>& other_branch,
                                      int label) {
-    const int exist[2] = {bits(branch.exists), bits(other_branch.exists)};
-    const int marked[2] = {bits(branch.continuum), bits(other_branch.continuum)};
+    const Pack end = row_end(branch, label, 2);
+    const Pack other_end = row_end(other_branch, label + 1, 2);
+    const Steps steps = steps_over(branch, 1);
+    const Steps other_steps = steps_over(other_branch, 1);
     each_lane([&](auto number) {
       constexpr int lane = decltype(number)::value;
-      row<lane>(next_, q, label + 2 * lane, marked[0]);
-      next_ += stride_ & -static_cast<std::ptrdiff_t>(exist[0] >> lane & 1);
-      row<lane>(next_, other, label + 2 * lane + 1, marked[1]);
-      next_ += stride_ & -static_cast<std::ptrdiff_t>(exist[1] >> lane & 1);
+      row<lane>(next_, q, end);
+      next_ += steps.lane[lane];
+      row<lane>(next_, other, other_end);
+      next_ += other_steps.lane[lane];
     });
-    add(exist[0], marked[0], 1);
-    add(exist[1], marked[1], 1);
+    add(branch, 1);
+    add(other_branch, 1);
   }
 
  private:
@@ -70,9 +73,28 @@ class LaneRows {
     function(Lane<3>{});
   }
 
-  [[gnu::always_inline]] void add(int exist, int marked, int rows) {
+  /// How far each lane's rows move the place of the next ones.
+  struct Steps {
+    std::ptrdiff_t lane[4];
+  };
+  [[gnu::always_inline]] Steps steps_over(const Branch<Pack>& branch, int rows) const {
+    const __m256i all = _mm256_and_si256(reinterpret_cast<__m256i>(branch.exists.lanes), _mm256_set1_epi64x(rows * stride_));
+    const __m128i low = _mm256_castsi256_si128(all);
+    const __m128i high = _mm256_extracti128_si256(all, 1);
+    return {{_mm_cvtsi128_si64(low), _mm_extract_epi64(low, 1), _mm_cvtsi128_si64(high), _mm_extract_epi64(high, 1)}};
+  }
+
+  /// What stands behind the joints: the label in the lower half, the mark in the upper one's first byte.
+  [[gnu::always_inline]] static Pack row_end(const Branch<Pack>& branch, int label, int apart) {
+    const __m256i labels = _mm256_setr_epi64x(label, label + apart, label + 2 * apart, label + 3 * apart);
+    const __m256i mark = _mm256_and_si256(reinterpret_cast<__m256i>(branch.continuum.lanes), _mm256_set1_epi64x(1LL << 32));
+    return Pack(reinterpret_cast<__m256d>(_mm256_or_si256(labels, mark)));
+  }
+
+  [[gnu::always_inline]] void add(const Branch<Pack>& branch, int rows) {
+    const int exist = bits(branch.exists);
     rows_ += rows * __builtin_popcount(static_cast<unsigned>(exist));
-    continuum_ = continuum_ || (exist & marked) != 0;
+    continuum_ = continuum_ || (exist & bits(branch.continuum)) != 0;
   }
 
   /// Two joints of a lane stand next to each other once two registers are interleaved.
@@ -102,11 +124,9 @@ class LaneRows {
   }
 
   template <int lane>
-  [[gnu::always_inline]] static void row(double* place, const Pack (&q)[dof], int label, int marked) {
+  [[gnu::always_inline]] static void row(double* place, const Pack (&q)[dof], const Pack& end) {
     joints<lane, 0>(place, q);
-    int* const branch = reinterpret_cast<int*>(place + dof);
-    *branch = label;
-    *reinterpret_cast<bool*>(branch + 1) = (marked >> lane & 1) != 0;
+    single<lane>(place + dof, end);
   }
 
   double* next_;

@@ -50,6 +50,7 @@ QVGEN_PACK PackMask operator!=(const Pack& a, const Pack& b) { return PackMask(a
 
 QVGEN_PACK PackMask operator&(const PackMask& a, const PackMask& b) { return PackMask(a.lanes & b.lanes); }
 QVGEN_PACK PackMask operator|(const PackMask& a, const PackMask& b) { return PackMask(a.lanes | b.lanes); }
+QVGEN_PACK PackMask operator^(const PackMask& a, const PackMask& b) { return PackMask(a.lanes ^ b.lanes); }
 QVGEN_PACK PackMask operator!(const PackMask& a) { return PackMask(~a.lanes); }
 QVGEN_PACK PackMask operator==(const PackMask& a, const PackMask& b) { return PackMask(~(a.lanes ^ b.lanes)); }
 
@@ -66,10 +67,10 @@ QVGEN_PACK Pack smaller(const Pack& a, const Pack& b) { return Pack(_mm256_min_p
 QVGEN_PACK Pack larger(const Pack& a, const Pack& b) { return Pack(_mm256_max_pd(a.lanes, b.lanes)); }
 QVGEN_PACK Pack not_negative(const Pack& a) { return larger(a, Pack(_mm256_setzero_pd())); }
 QVGEN_PACK Pack magnitude(const Pack& a) { return Pack(_mm256_andnot_pd(sign_bits(), a.lanes)); }
-QVGEN_PACK Pack with_sign(const Pack& magnitude, const Pack& sign) {
-  const PackMask negative = sign < Pack(_mm256_setzero_pd());
-  return Pack(_mm256_xor_pd(magnitude.lanes, _mm256_and_pd(reinterpret_cast<__m256d>(negative.lanes), sign_bits())));
+QVGEN_PACK Pack negated(const PackMask& condition, const Pack& a) {
+  return Pack(_mm256_xor_pd(a.lanes, _mm256_and_pd(reinterpret_cast<__m256d>(condition.lanes), sign_bits())));
 }
+QVGEN_PACK Pack with_sign(const Pack& magnitude, const Pack& sign) { return negated(sign < Pack(_mm256_setzero_pd()), magnitude); }
 
 }  // namespace avx2
 

@@ -5,7 +5,7 @@
 
 namespace qvgen::inverse {
 
-/// cos φ = (high - low) / (high + low), the two angles ±φ at which a line or circle meets a circle.
+/// cos φ = (high - low) / (high + low), the two angles ±φ at which a line or circle meets a circle; scale = 1 / (low + high).
 ///
 /// For a·x = d, |x| = r: low = r|a| - d, high = r|a| + d, φ counted from a. For |v + x| = δ:
 /// low = (|v|+r)² - δ², high = δ² - (|v|-r)², φ counted from v. Both tell sin² and cos² of φ/2 without
@@ -14,17 +14,17 @@ namespace qvgen::inverse {
 /// one branch, that of sign +1; which shares count as double is for the caller to say: `merge_share`, or 0 where
 /// low or high is a sum of squares and small values are exact.
 template <typename Scalar>
-Rotor<Scalar> circle_angle(const Scalar& low, const Scalar& high, const Scalar& sign, const Scalar& tolerance,
-                           const Scalar& merge_low, const Scalar& merge_high, Branch<Scalar>& branch) {
+Rotor<Scalar> circle_angle(const Scalar& low, const Scalar& high, const Scalar& scale, const Scalar& sign,
+                           const Scalar& tolerance, const Scalar& merge_low, const Scalar& merge_high,
+                           Branch<Scalar>& branch) {
   using std::sqrt;
-  const Scalar scale = Scalar(1) / (low + high);
   const Scalar sine2 = low * scale;
   const Scalar cosine2 = high * scale;
   const Scalar margin = smaller(sine2, cosine2);
   const Mask<Scalar> twin = (sine2 <= merge_low) | (cosine2 <= merge_high);
   branch.exists = branch.exists & (margin >= -tolerance) & !(twin & (sign < Scalar(0)));
   const Scalar cosine = cosine2 - sine2;
-  const Scalar sine = sign * (Scalar(2) * sqrt(not_negative(Scalar(sine2 * cosine2))));
+  const Scalar sine = (Scalar(2) * sign) * sqrt(not_negative(Scalar(sine2 * cosine2)));
   return {select(twin, with_sign(Scalar(1), cosine), cosine), select(twin, Scalar(0), sine)};
 }
 
@@ -41,7 +41,7 @@ Rotor<Scalar> free_circle_angle(const Scalar& low, const Scalar& high, const Rot
   const Scalar gap = high - low;
   const Mask<Scalar> holds = gap * gap <= Scalar(64) * tiny;
   Branch<Scalar> regular = branch;
-  const Rotor<Scalar> turn = circle_angle(low, high, sign, tolerance, merge_share<Scalar>(), merge_share<Scalar>(), regular);
+  const Rotor<Scalar> turn = circle_angle(low, high, Scalar(Scalar(1) / (low + high)), sign, tolerance, merge_share<Scalar>(), merge_share<Scalar>(), regular);
   branch.exists = (branch.exists & is_free & holds) | (regular.exists & !is_free);
   branch.continuum = branch.continuum | (branch.exists & is_free);
   const Scalar scale = Scalar(1) / sqrt(select(is_free, Scalar(1), square));

@@ -74,6 +74,12 @@ Scalar with_sign(const Scalar& magnitude, const Scalar& sign) {
   return select(sign < Scalar(0), Scalar(-magnitude), magnitude);
 }
 
+/// -a where the condition holds.
+template <typename Scalar>
+Scalar negated(const Mask<Scalar>& condition, const Scalar& a) {
+  return select(condition, Scalar(-a), a);
+}
+
 /// What is known of the branch that a sequence of blocks follows.
 template <typename Scalar>
 struct Branch {

@@ -18,18 +18,27 @@ Scalar wrist_noise() {
   return Scalar(32) * epsilon<Scalar>();
 }
 
+/// Which of two complex numbers, given by their squares, is noise next to the other: its argument is free.
+template <typename Scalar>
+struct Vanishing {
+  Mask<Scalar> u, v;
+};
+
+template <typename Scalar>
+Vanishing<Scalar> vanishing(const Scalar& u_square, const Scalar& v_square) {
+  const Scalar noise = wrist_noise<Scalar>() * wrist_noise<Scalar>() * (u_square + v_square);
+  return {u_square <= noise, v_square <= noise};
+}
+
 /// Arguments of the two complex numbers; one that vanishes gets what makes their sum equal to `first`.
 template <typename Scalar>
-void arguments(const Rotor<Scalar>& u, const Rotor<Scalar>& v, const Scalar& u_square, const Scalar& v_square,
-               const Scalar& first, Scalar& u_argument, Scalar& v_argument, Branch<Scalar>& branch) {
-  const Scalar noise = wrist_noise<Scalar>() * wrist_noise<Scalar>() * (u_square + v_square);
-  const Mask<Scalar> u_free = u_square <= noise;
-  const Mask<Scalar> v_free = v_square <= noise;
+void arguments(const Rotor<Scalar>& u, const Rotor<Scalar>& v, const Vanishing<Scalar>& is_free, const Scalar& first,
+               Scalar& u_argument, Scalar& v_argument, Branch<Scalar>& branch) {
   const Scalar u_angle = angle(u);
   const Scalar v_angle = angle(v);
-  u_argument = select(u_free, Scalar(first - v_angle), u_angle);
-  v_argument = select(v_free, Scalar(first - u_angle), v_angle);
-  branch.continuum = branch.continuum | (branch.exists & (u_free | v_free));
+  u_argument = select(is_free.u, Scalar(first - v_angle), u_angle);
+  v_argument = select(is_free.v, Scalar(first - u_angle), v_angle);
+  branch.continuum = branch.continuum | (branch.exists & (is_free.u | is_free.v));
 }
 
 /// Wrist with right angles between neighbouring axes: the thesis's Euler wrist in half-angle form.
@@ -43,11 +52,13 @@ WristAngles<Scalar> right_wrist(const Rotor<Scalar>& u, const Rotor<Scalar>& v, 
   using std::sqrt;
   const Scalar u_square = u.cosine * u.cosine + u.sine * u.sine;
   const Scalar v_square = v.cosine * v.cosine + v.sine * v.sine;
-  const Scalar u_length = sqrt(u_square);
-  const Scalar v_length = sqrt(v_square);
+  const Vanishing<Scalar> is_free = vanishing(u_square, v_square);
+  // What is noise is zero to the middle angle too, or the chosen first angle would turn about a slanting axis.
+  const Scalar u_length = select(is_free.u, Scalar(0), sqrt(u_square));
+  const Scalar v_length = select(is_free.v, Scalar(0), sqrt(v_square));
   Scalar u_argument;
   Scalar v_argument;
-  arguments(u, v, u_square, v_square, seed, u_argument, v_argument, branch);
+  arguments(u, v, is_free, seed, u_argument, v_argument, branch);
   return {wrapped(Scalar(u_argument + v_argument), pi), Scalar(2) * (swapped ? acute_arctangent(u_length, v_length) : acute_arctangent(v_length, u_length)),
           wrapped(Scalar(u_argument - v_argument), pi)};
 }
@@ -67,14 +78,14 @@ WristTurns<Scalar> right_wrist_turns(const Rotor<Scalar>& u, const Rotor<Scalar>
   const Scalar v_square = v.cosine * v.cosine + v.sine * v.sine;
   const Scalar sum = u_square + v_square;
   const Scalar noise = wrist_noise<Scalar>() * wrist_noise<Scalar>() * sum;
-  const Scalar product = Scalar(2) * sqrt(Scalar(u_square * v_square));
+  const Vanishing<Scalar> is_free = vanishing(u_square, v_square);
+  const Scalar product = select(is_free.u | is_free.v, Scalar(0), Scalar(Scalar(2) * sqrt(Scalar(u_square * v_square))));
   const Scalar gap = swapped ? Scalar(v_square - u_square) : Scalar(u_square - v_square);
   // One of the two vanishes at most: what it leaves free makes the first angle the choice.
   const Rotor<Scalar> v_or_choice = direction(v, noise, choice, branch);
   const Rotor<Scalar> along_u = direction(u, noise, Rotor<Scalar>(choice * inverse(v_or_choice)), branch);
   const Rotor<Scalar> rest = choice * inverse(along_u);
-  const Mask<Scalar> v_free = v_square <= noise;
-  const Rotor<Scalar> along_v{select(v_free, rest.cosine, v_or_choice.cosine), select(v_free, rest.sine, v_or_choice.sine)};
+  const Rotor<Scalar> along_v{select(is_free.v, rest.cosine, v_or_choice.cosine), select(is_free.v, rest.sine, v_or_choice.sine)};
   const Rotor<Scalar> first = along_u * along_v;
   const Rotor<Scalar> last = along_u * inverse(along_v);
   const Scalar scale = Scalar(1) / sum;
@@ -96,7 +107,7 @@ template <typename Scalar>
 struct ObliqueHalf {
   Scalar cosine, sine;
   Rotor<Scalar> z1, z2;
-  Scalar u11_square, u12_square;
+  Vanishing<Scalar> is_free;
 };
 
 /// Wrist with oblique axes, U = F4ᵀ R F6: |U11|² = cos²((α+α')/2) + sin α sin α' sin²(θ/2) and so on, θ the middle
@@ -110,12 +121,13 @@ ObliqueHalf<Scalar> oblique_half(const Rotor<Scalar>& u11, const Rotor<Scalar>& 
   const Scalar u12_square = u12.cosine * u12.cosine + u12.sine * u12.sine;
   const Scalar sine2 = (u11_square - shape.cosine_sum * shape.cosine_sum) / shape.product;
   const Scalar cosine2 = (u12_square - shape.sine_difference * shape.sine_difference) / shape.product;
+  const Vanishing<Scalar> is_free = vanishing(u11_square, u12_square);
   const Scalar margin = smaller(sine2, cosine2);
   const Mask<Scalar> sine_twin = (sine2 <= merge_share<Scalar>()) & (shape.cosine_sum != zero);
   const Mask<Scalar> cosine_twin = (cosine2 <= merge_share<Scalar>()) & (shape.sine_difference != zero);
   branch.exists = branch.exists & (margin >= -tolerance) & !((sine_twin | cosine_twin) & (sign < zero));
-  const Scalar s = select(sine_twin, zero, sqrt(not_negative(sine2)));
-  const Scalar c = select(cosine_twin, zero, sqrt(not_negative(cosine2)));
+  const Scalar s = select(sine_twin | is_free.u, zero, sqrt(not_negative(sine2)));
+  const Scalar c = select(cosine_twin | is_free.v, zero, sqrt(not_negative(cosine2)));
   // z1 = M11 conj(U11), z2 = M12 conj(U12); at a right sum or difference the limit direction is kept.
   const Mask<Scalar> right_sum = shape.cosine_sum == zero;
   const Mask<Scalar> right_difference = shape.sine_difference == zero;
@@ -123,7 +135,7 @@ ObliqueHalf<Scalar> oblique_half(const Rotor<Scalar>& u11, const Rotor<Scalar>& 
   const Scalar m11_imaginary = -sign * select(right_sum, Scalar(1), Scalar(shape.cosine_difference * s));
   const Scalar m12_real = -sign * (shape.sine_difference * s);
   const Scalar m12_imaginary = -select(right_difference, Scalar(1), Scalar(shape.sine_sum * c));
-  return {c, s, Rotor<Scalar>{m11_real, m11_imaginary} * inverse(u11), Rotor<Scalar>{m12_real, m12_imaginary} * inverse(u12), u11_square, u12_square};
+  return {c, s, Rotor<Scalar>{m11_real, m11_imaginary} * inverse(u11), Rotor<Scalar>{m12_real, m12_imaginary} * inverse(u12), is_free};
 }
 
 template <typename Scalar>
@@ -133,7 +145,7 @@ WristAngles<Scalar> oblique_wrist(const Rotor<Scalar>& u11, const Rotor<Scalar>&
   const ObliqueHalf<Scalar> half = oblique_half(u11, u12, shape, sign, tolerance, branch);
   Scalar first_argument;
   Scalar second_argument;
-  arguments(half.z1, half.z2, half.u11_square, half.u12_square, seed, first_argument, second_argument, branch);
+  arguments(half.z1, half.z2, half.is_free, seed, first_argument, second_argument, branch);
   return {wrapped(Scalar(first_argument + second_argument), pi), Scalar(2) * sign * acute_arctangent(half.sine, half.cosine),
           wrapped(Scalar(first_argument - second_argument), pi)};
 }
@@ -145,9 +157,8 @@ WristTurns<Scalar> oblique_wrist_turns(const Rotor<Scalar>& u11, const Rotor<Sca
                                        const Scalar& tolerance, Branch<Scalar>& branch) {
   using std::sqrt;
   const ObliqueHalf<Scalar> half = oblique_half(u11, u12, shape, sign, tolerance, branch);
-  const Scalar noise = wrist_noise<Scalar>() * wrist_noise<Scalar>() * (half.u11_square + half.u12_square);
-  const Mask<Scalar> u_free = half.u11_square <= noise;
-  const Mask<Scalar> v_free = half.u12_square <= noise;
+  const Mask<Scalar>& u_free = half.is_free.u;
+  const Mask<Scalar>& v_free = half.is_free.v;
   branch.continuum = branch.continuum | (branch.exists & (u_free | v_free));
   const auto unit = [](const Rotor<Scalar>& z, const Mask<Scalar>& is_free) {
     const Scalar square = z.cosine * z.cosine + z.sine * z.sine;

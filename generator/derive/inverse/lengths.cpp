@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "derive/inverse/lengths.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "derive/inverse/schedule.h"
+#include "symbolic/model.h"
+
+namespace qvgen::derive::inverse {
+
+using GiNaC::ex;
+using symbolic::Program;
+
+namespace {
+
+struct Names {
+  explicit Names(const Step& step)
+      : cosine(symbolic::symbol("cos_" + step.unknown)), sine(symbolic::symbol("sin_" + step.unknown)) {}
+  [[nodiscard]] bool in(const ex& value) const { return value.has(cosine) || value.has(sine); }
+  [[nodiscard]] bool have(const GiNaC::symbol& name) const {
+    return name.is_equal(cosine) || name.is_equal(sine);
+  }
+  [[nodiscard]] bool are_read_by(const Step& step) const {
+    const std::vector<std::string> names = reads(step);
+    return std::find(names.begin(), names.end(), cosine.get_name()) != names.end() ||
+           std::find(names.begin(), names.end(), sine.get_name()) != names.end();
+  }
+
+  GiNaC::symbol cosine, sine;
+};
+
+ex input(const Step& step, const std::string& name) {
+  for (const Program::Output& output : step.before.outputs())
+    if (output.name == name) return output.value;
+  return 0;
+}
+
+/// A value that is linear in cos φ and sin φ and reads them as r alone, if it does.
+std::optional<ex> by_length(const ex& value, const Step& step, const Names& names, const Scope& scope) {
+  const ex expanded = value.expand();
+  const ex a = expanded.coeff(names.cosine, 1);
+  const ex b = expanded.coeff(names.sine, 1);
+  const ex rest = (expanded - a * names.cosine - b * names.sine).expand();
+  if (names.in(rest) || names.in(a) || names.in(b)) return std::nullopt;
+  const ex x = input(step, "x");
+  const ex y = input(step, "y");
+  if (scope.is_zero(a * x + b * y)) return rest;
+  const ex factor = (x.is_zero() ? b / y : a / x).normal();
+  if (!Scope::is_number(factor) || !scope.is_zero(a - factor * x) || !scope.is_zero(b - factor * y))
+    return std::nullopt;
+  return rest + factor * symbolic::symbol("result");
+}
+
+/// What the step leaves, by its direction's length wherever the direction itself was read.
+std::optional<Program> by_length(const Step& step, const Names& names, const Scope& scope) {
+  Program program;
+  for (const Program::Step& value : step.after.steps()) {
+    const bool is_plain = names.have(value.name) || !names.in(value.value);
+    const std::optional<ex> written = is_plain ? value.value : by_length(value.value, step, names, scope);
+    if (!written) return std::nullopt;
+    program.output(value.name, *written);
+  }
+  return program;
+}
+
+}  // namespace
+
+void spare_lengths(Plan& plan, const Scope& scope) {
+  if (!plan.wrist.right || plan.quartic()) return;
+  for (Step& step : plan.steps) {
+    if (step.kind != Kind::pair && step.kind != Kind::opposite) continue;
+    const Names names(step);
+    const bool halves_alone = std::all_of(plan.steps.begin(), plan.steps.end(), [&](const Step& other) {
+      return &other == &step || other.kind == Kind::half || !names.are_read_by(other);
+    });
+    if (!halves_alone) continue;
+    const std::optional<Program> after = by_length(step, names, scope);
+    if (!after) continue;
+    step.unit = false;
+    step.after = *after;
+    for (Step& other : plan.steps)
+      if (other.kind == Kind::half && names.are_read_by(other)) other.lengths.push_back(step.unknown);
+  }
+}
+
+}  // namespace qvgen::derive::inverse
