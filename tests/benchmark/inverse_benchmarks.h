@@ -65,8 +65,18 @@ std::vector<qvgen::Pose<double>> just_unreachable(const std::vector<Goal<Arm>>& 
 struct Agreement {
   double solutions = 0;  ///< a pose
   double error = 0;      ///< largest difference of position (m) or of an entry of the rotation matrix
-  bool complete = true;
+  bool complete = true;  ///< and the same in both forms
 };
+
+/// The branches in lanes and one after the other give the same bits.
+template <class Arm>
+bool forms_agree(const qvgen::Pose<double>& pose) {
+  const auto fastest = Arm::inverse_kinematics(pose);
+  const auto scalar = Arm::inverse_kinematics(pose, qvgen::inverse::Form::scalar);
+  bool same = fastest.size() == scalar.size();
+  for (int i = 0; same && i < fastest.size(); ++i) same = fastest[i].q == scalar[i].q;
+  return same;
+}
 
 template <class Arm>
 Agreement agreement(const reference::Chain& chain, const std::vector<Goal<Arm>>& all) {
@@ -88,7 +98,7 @@ Agreement agreement(const reference::Chain& chain, const std::vector<Goal<Arm>>&
       }
       contains = contains || distance < 1e-6;
     }
-    result.complete = result.complete && contains;
+    result.complete = result.complete && contains && forms_agree<Arm>(goal.pose);
     result.solutions += found.size() / static_cast<double>(all.size());
   }
   return result;

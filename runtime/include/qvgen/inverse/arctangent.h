@@ -69,7 +69,7 @@ Scalar turned_by_arctangent(const Scalar& base, const Scalar& t) {
 }
 
 /// Without a jump, and by sums and products that any machine rounds alike, so that a number and a lane get the same
-/// bits. Within 1 ulp; 0 for (0, 0).
+/// bits. Within 2 ulp; 0 for (0, 0).
 template <typename Scalar>
 Scalar acute_arctangent(const Scalar& y, const Scalar& x) {
   const Octant<Scalar> found = polynomial::octant(y, x);
@@ -79,11 +79,10 @@ Scalar acute_arctangent(const Scalar& y, const Scalar& x) {
 template <typename Scalar>
 Scalar arctangent(const Scalar& y, const Scalar& x) {
   const Octant<Scalar> found = polynomial::octant(magnitude(y), magnitude(x));
-  const Mask<Scalar> below = y < Scalar(0);
   const Mask<Scalar> back = x < Scalar(0);
   const Scalar base = select(back, Scalar(Scalar(0x1.921fb54442d18p+1) - found.base), found.base);
-  const Scalar rise = negated(below ^ back ^ found.steep, found.rise);
-  return polynomial::turned_by_arctangent(negated(below, base), Scalar(rise / found.run));
+  const Scalar rise = negated(back ^ found.steep, found.rise);
+  return with_sign(polynomial::turned_by_arctangent(base, Scalar(rise / found.run)), y);
 }
 
 }  // namespace polynomial
