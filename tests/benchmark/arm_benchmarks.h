@@ -36,13 +36,13 @@ std::vector<Joints> configurations(const reference::Chain& chain, std::size_t co
 
 /// Calls `function(i)` for i going round the configurations.
 template <class Function>
-void measure(const std::string& name, Function function) {
-  add_benchmark(name, [function](benchmark::State& state) mutable {
+void measure(const std::string& name, Function function, std::size_t count = 256) {
+  add_benchmark(name, [function, count](benchmark::State& state) mutable {
     std::size_t i = 0;
     for (auto _ : state) {
       auto result = function(i);
       benchmark::DoNotOptimize(result);
-      i = (i + 1) % 256;
+      i = i + 1 == count ? 0 : i + 1;
     }
   });
   add_counted(name, [function]() mutable {

@@ -119,6 +119,9 @@ double share_reached(const reference::Chain& chain, const std::vector<Goal<Arm>>
   return reached / static_cast<double>(all.size());
 }
 
+/// More than a branch predictor learns by heart, since a robot's next pose is one that it has not seen.
+inline constexpr std::size_t poses_in_turn = 1024;
+
 /// All solutions of random reachable poses, the branches one after the other and in lanes, and poses just out
 /// of reach, against one solution by KDL's iterations.
 template <class Arm>
@@ -127,7 +130,7 @@ bool add_arm_inverse() {
     const std::string robot = Arm::name;
     const reference::Chain chain = load_robot(robot);
     KdlArm model(description_of(robot));
-    const auto all = std::make_shared<std::vector<Goal<Arm>>>(goals<Arm>(chain, model, 256));
+    const auto all = std::make_shared<std::vector<Goal<Arm>>>(goals<Arm>(chain, model, poses_in_turn));
     const auto outside = std::make_shared<std::vector<qvgen::Pose<double>>>(just_unreachable(*all));
     const auto kdl = std::make_shared<KdlInverse>(description_of(robot));
     const auto lma = [kdl](const Goal<Arm>& goal) {
@@ -144,16 +147,23 @@ bool add_arm_inverse() {
                  100 * share_reached(chain, *all, *kdl, newton));
 
     const std::string name = "inverse kinematics/" + robot + "/";
-    measure(name + "KDL LMA", [=](std::size_t i) { return lma((*all)[i]); });
-    measure(name + "KDL NR", [=](std::size_t i) { return newton((*all)[i]); });
-    measure(name + "scalar", [=](std::size_t i) {
-      return Arm::inverse_kinematics((*all)[i].pose, qvgen::inverse::Form::scalar);
-    });
+    measure(
+        name + "KDL LMA", [=](std::size_t i) { return lma((*all)[i]); }, poses_in_turn);
+    measure(
+        name + "KDL NR", [=](std::size_t i) { return newton((*all)[i]); }, poses_in_turn);
+    measure(
+        name + "scalar",
+        [=](std::size_t i) { return Arm::inverse_kinematics((*all)[i].pose, qvgen::inverse::Form::scalar); },
+        poses_in_turn);
     if (Arm::has_lanes) {
-      measure(name + "lanes", [=](std::size_t i) { return Arm::inverse_kinematics((*all)[i].pose); });
+      measure(
+          name + "lanes", [=](std::size_t i) { return Arm::inverse_kinematics((*all)[i].pose); },
+          poses_in_turn);
     }
     if (!outside->empty()) {
-      measure(name + "out of reach", [=](std::size_t i) { return Arm::inverse_kinematics((*outside)[i]); });
+      measure(
+          name + "out of reach", [=](std::size_t i) { return Arm::inverse_kinematics((*outside)[i]); },
+          poses_in_turn);
     }
   });
   return true;

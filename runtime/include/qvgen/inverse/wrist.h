@@ -11,11 +11,13 @@ struct WristAngles {
   Scalar first, middle, last;
 };
 
-/// Below this share of the whole length of U11 and U12 an argument is noise: the angle is free, and whatever is chosen changes the
-/// orientation by no more than this.
+/// Below this share of the whole length of U11 and U12 an argument is noise: the angle is free, and the middle angle taken as
+/// exactly singular turns the orientation by no more than twice this, 8e-15. Where first and last axis are in line rounding
+/// alone leaves half an epsilon in the median and stays below this on 95 to 100 % of the poses; the rest are poses whose
+/// position is ill-conditioned: there the middle angle is as regular as the rounded pose says.
 template <typename Scalar>
 Scalar wrist_noise() {
-  return Scalar(32) * epsilon<Scalar>();
+  return Scalar(18) * epsilon<Scalar>();
 }
 
 /// Which of two complex numbers, given by their squares, is noise next to the other: its argument is free.
