@@ -13,6 +13,9 @@ namespace {
 
 using namespace qvgen::inverse;
 constexpr double eps = std::numeric_limits<double>::epsilon();
+constexpr Boundary plain = Boundary::plain(default_tolerance);
+constexpr Boundary careful = Boundary::careful(default_tolerance);
+constexpr Boundary apart = Boundary::apart(default_tolerance);
 
 struct Random {
   std::mt19937_64 engine{7};
@@ -27,9 +30,8 @@ TEST(CircleAngle, SolvesALine) {
     const double d = amplitude * std::cos(angle);
     for (const double sign : {1.0, -1.0}) {
       Branch<double> branch;
-      const Rotor<double> found =
-          circle_angle(amplitude - d, amplitude + d, 0.5 / amplitude, sign, 1e-12, merge_share<double>(), merge_share<double>(), branch);
-      ASSERT_TRUE(branch.exists || (sign < 0 && std::sin(angle) < 1e-6));
+      const Rotor<double> found = circle_angle(amplitude - d, amplitude + d, 0.5 / amplitude, sign, plain, branch);
+      ASSERT_TRUE(branch.exists || branch.doubtful);
       // cos φ carries the rounding of d; near 0 and pi the angle magnifies it by 1/sin φ.
       if (branch.exists) {
         ASSERT_NEAR(std::atan2(found.sine, found.cosine), sign * angle, 8 * eps / std::max(std::sin(angle), 1e-7));
@@ -41,50 +43,79 @@ TEST(CircleAngle, SolvesALine) {
 TEST(CircleAngle, FlippedSignsMeanTheSame) {
   Branch<double> a;
   Branch<double> b;
-  const auto x = circle_angle(0.3, 1.1, 1 / 1.4, 1.0, 1e-12, 0.0, 0.0, a);
-  const auto y = circle_angle(-0.3, -1.1, -1 / 1.4, 1.0, 1e-12, 0.0, 0.0, b);
+  const auto x = circle_angle(0.3, 1.1, 1 / 1.4, 1.0, plain, a);
+  const auto y = circle_angle(-0.3, -1.1, -1 / 1.4, 1.0, plain, b);
   EXPECT_TRUE(a.exists && b.exists);
   EXPECT_EQ(x.cosine, y.cosine);
   EXPECT_EQ(x.sine, y.sine);
 }
 
+struct Fate {
+  bool exists, doubtful;
+  bool operator==(const Fate& other) const { return exists == other.exists && doubtful == other.doubtful; }
+};
+
+Fate fate(double low, double high, const Boundary& boundary) {
+  Branch<double> branch;
+  circle_angle(low, high, 1 / (low + high), 1.0, boundary, branch);
+  return {branch.exists, branch.doubtful};
+}
+
 TEST(CircleAngle, BoundaryOutsideAndNaN) {
-  const auto exists = [](double low, double high, double sign) {
-    Branch<double> branch;
-    circle_angle(low, high, 1 / (low + high), sign, 1e-12, merge_share<double>(), merge_share<double>(), branch);
-    return branch.exists;
-  };
-  EXPECT_TRUE(exists(0.0, 2.0, 1));
-  EXPECT_FALSE(exists(0.0, 2.0, -1)) << "a double root is one solution";
-  EXPECT_TRUE(exists(-1e-13, 2.0, 1));
-  EXPECT_FALSE(exists(-1e-9, 2.0, 1));
-  EXPECT_FALSE(exists(3.0, -1.0, 1));
-  EXPECT_FALSE(exists(0.0, 0.0, 1));
-  EXPECT_FALSE(exists(std::numeric_limits<double>::quiet_NaN(), 1.0, 1));
+  EXPECT_EQ(fate(0.5, 1.5, plain), (Fate{true, false}));
+  EXPECT_EQ(fate(0.0, 2.0, plain), (Fate{true, true})) << "at the boundary rounding decides";
+  EXPECT_EQ(fate(-1e-13, 2.0, plain), (Fate{false, true}));
+  EXPECT_EQ(fate(2.0, 1e-9, plain), (Fate{true, true}));
+  EXPECT_EQ(fate(-1e-3, 2.0, plain), (Fate{false, false}));
+  EXPECT_EQ(fate(3.0, -1.0, plain), (Fate{false, false}));
+  EXPECT_EQ(fate(0.0, 0.0, plain), (Fate{false, false}));
+  EXPECT_EQ(fate(std::numeric_limits<double>::quiet_NaN(), 1.0, plain), (Fate{false, false}));
+}
+
+TEST(CircleAngle, CareTakesWhatIsOutsideToTwoPlacesApart) {
+  EXPECT_TRUE(fate(-1e-4, 2.0, careful).exists);
+  EXPECT_FALSE(fate(-1e-2, 2.0, careful).exists);
+  Branch<double> branch;
+  EXPECT_EQ(circle_angle(-1e-9, 2.0, 0.5, 1.0, careful, branch).sine, 0);
+  const auto up = circle_angle(-1e-9, 2.0, 0.5, 1.0, apart, branch);
+  const auto down = circle_angle(-1e-9, 2.0, 0.5, -1.0, apart, branch);
+  EXPECT_GT(up.sine - down.sine, 1e-5);
+  EXPECT_LT(up.sine - down.sine, 1e-4);
+}
+
+TEST(Branch, DoubtsStay) {
+  const Branch<double> fork;
+  Branch<double> branch;
+  circle_angle(0.0, 1.0, 1.0, 1.0, plain, branch);
+  branch.resume(fork);
+  EXPECT_TRUE(branch.doubtful);
 }
 
 TEST(FreeCircleAngle, VanishingDirectionTakesTheChoice) {
   Branch<double> branch;
   const Rotor<double> choice{std::cos(0.7), std::sin(0.7)};
-  const auto plus = free_circle_angle(0.0, 0.0, {0.0, 0.0}, 1e-28, choice, 1.0, 1e-12, branch);
+  const auto plus = free_circle_angle(0.0, 0.0, {0.0, 0.0}, 1e-28, choice, 1.0, plain, branch);
   EXPECT_TRUE(branch.exists);
   EXPECT_TRUE(branch.continuum);
   EXPECT_EQ(plus.sine, choice.sine);
   Branch<double> impossible;
-  free_circle_angle(-0.5, 0.5, {0.0, 0.0}, 1e-28, choice, 1.0, 1e-12, impossible);
-  EXPECT_FALSE(impossible.exists);
+  free_circle_angle(-0.5, 0.5, {0.0, 0.0}, 1e-28, choice, 1.0, plain, impossible);
+  EXPECT_TRUE(impossible.doubtful);
 }
 
-TEST(SignedRoot, KeepsSmallExactValuesAndMergesNoise) {
+TEST(SignedRoot, KeepsSmallExactValuesAndDoubtsNoise) {
   Branch<double> exact;
-  EXPECT_EQ(signed_root(1e-40, 0.0, 1e-60, -1.0, 1e-12, exact), -1e-20);
-  EXPECT_TRUE(exact.exists);
+  EXPECT_EQ(signed_root(1e-40, 0.0, 1e-60, -1.0, plain, exact), -1e-20);
+  EXPECT_TRUE(exact.exists && !exact.doubtful);
   Branch<double> noise;
-  EXPECT_EQ(signed_root(-1e-16, 1.0, 1e-60, 1.0, 1e-12, noise), 0.0);
-  EXPECT_TRUE(noise.exists);
+  EXPECT_EQ(signed_root(-1e-16, 1.0, 1e-60, 1.0, plain, noise), 0.0);
+  EXPECT_TRUE(noise.doubtful);
   Branch<double> outside;
-  signed_root(-1e-9, 1.0, 1e-60, 1.0, 1e-12, outside);
-  EXPECT_FALSE(outside.exists);
+  signed_root(-1e-3, 1.0, 1e-60, 1.0, plain, outside);
+  EXPECT_FALSE(outside.exists || outside.doubtful);
+  Branch<double> second;
+  EXPECT_GT(signed_root(-1e-16, 1.0, 1e-60, 1.0, apart, second), 1e-6);
+  EXPECT_TRUE(second.exists);
 }
 
 TEST(RequireDivisor, RefusesRoundingAndNaN) {
@@ -109,7 +140,7 @@ TEST(QuadraticRoot, BothRootsToRounding) {
     if (std::abs(s - t) < 1e-3 * std::abs(s)) continue;
     for (const double sign : {1.0, -1.0}) {
       Branch<double> branch;
-      const double found = quadratic_root(a, -a * (s + t) / 2, a * s * t, sign, 1e-12, branch);
+      const double found = quadratic_root(a, -a * (s + t) / 2, a * s * t, sign, plain, branch);
       const double expected = sign > 0 ? std::max(s, t) : std::min(s, t);
       ASSERT_TRUE(branch.exists);
       ASSERT_NEAR(found, expected, 1e-11 * std::abs(expected));
@@ -142,7 +173,7 @@ TEST(ConicCircle, FindsTheRootsAndNothingElse) {
     const double s = std::sin(angle);
     Conic<double> conic{random(), random(), random(), random(), random(), 0};
     conic.one = -(conic.xx * c * c + conic.xy * c * s + conic.yy * s * s + conic.x * c + conic.y * s);
-    const auto found = conic_circle(conic, pi<double>());
+    const auto found = conic_circle(conic, careful, pi<double>());
     double nearest = 1;
     for (int k = 0; k < found.count; ++k) {
       const auto& u = found.root[static_cast<std::size_t>(k)];
@@ -168,29 +199,7 @@ TEST(ConicCircle, AsManyRootsAsThereAreChangesOfSign) {
     constexpr int steps = 20000;
     for (int k = 0; k < steps; ++k)
       changes += (value(2 * pi<double>() * k / steps) < 0) != (value(2 * pi<double>() * (k + 1) / steps) < 0) ? 1 : 0;
-    ASSERT_EQ(conic_circle(conic, pi<double>()).count, changes);
-  }
-}
-
-TEST(PolishedPair, GivesBackTheLastDigits) {
-  Random random;
-  for (int i = 0; i < 1000; ++i) {
-    const Rotor<double> x{std::cos(random(-3, 3)), 0};
-    const Rotor<double> y{std::cos(random(-3, 3)), 0};
-    const std::array<Rotor<double>, 2> exact{Rotor<double>{x.cosine, std::sqrt(1 - x.cosine * x.cosine)}, {y.cosine, -std::sqrt(1 - y.cosine * y.cosine)}};
-    std::array<PairRow<double>, 2> rows;
-    for (auto& row : rows) {
-      // Rows of different units.
-      const double unit = random(0.01, 100);
-      row = {{unit * random(), unit * random()}, {unit * random(), unit * random()}, 0};
-      row.one = -row.value(exact[0], exact[1]);
-    }
-    const double determinant = PairRow<double>::slope(scaled(rows[0]).k, exact[0]) * PairRow<double>::slope(scaled(rows[1]).m, exact[1]) -
-                               PairRow<double>::slope(scaled(rows[0]).m, exact[1]) * PairRow<double>::slope(scaled(rows[1]).k, exact[0]);
-    if (std::abs(determinant) < 0.01) continue;
-    const auto found = polished_pair(rows, {nudged(exact[0], 1e-7), nudged(exact[1], -1e-7)});
-    for (std::size_t k = 0; k < 2; ++k)
-      EXPECT_NEAR((found[k] * inverse(exact[k])).sine, 0, 8 * eps / std::abs(determinant));
+    ASSERT_EQ(conic_circle(conic, careful, pi<double>()).count, changes);
   }
 }
 
@@ -217,24 +226,57 @@ TEST(ObliqueWrist, ItsTurnsAreItsAngles) {
   }
 }
 
-TEST(PolishPosition, GivesBackTheLastDigits) {
+struct Arm {
+  std::array<Screw<double>, 3> screws = {Screw<double>{true, {0, 0, 1}, {0, 0, 0}}, Screw<double>{true, {0, 1, 0}, {0.3, 0, 0.5}},
+                                         Screw<double>{false, {1, 0, 0}, {0, 0, 0}}};
+  Triple<double> start = {0.4, 0.2, 0.9};
+
+  [[nodiscard]] Triple<double> reached(const JointValues<double, 3>& q) const {
+    return moved(screws[0], q[0], moved(screws[1], q[1], moved(screws[2], q[2], start)));
+  }
+  [[nodiscard]] Carrying<double, 3, 1> to(const Triple<double>& goal) const { return {screws, {start}, {goal}}; }
+};
+
+Rotor<double> turn(double angle) { return {std::cos(angle), std::sin(angle)}; }
+
+TEST(Polish, GivesBackTheLastDigits) {
   Random random;
-  const std::array<Screw<double>, 3> arm = {Screw<double>{true, {0, 0, 1}, {0, 0, 0}}, Screw<double>{true, {0, 1, 0}, {0.3, 0, 0.5}},
-                                            Screw<double>{false, {1, 0, 0}, {0, 0, 0}}};
-  const Triple<double> start = {0.4, 0.2, 0.9};
+  const Arm arm;
   for (int i = 0; i < 200; ++i) {
     const double q1 = random(-3, 3);
     const double q2 = random(-1, 1);
     const double q3 = random(0.5, 1);
-    const std::array<Rotor<double>, 3> exact = {Rotor<double>{std::cos(q1), std::sin(q1)}, Rotor<double>{std::cos(q2), std::sin(q2)},
-                                                Rotor<double>{q3, 0}};
-    const auto goal = moved(arm[0], exact[0], moved(arm[1], exact[1], moved(arm[2], exact[2], start)));
-    std::array<Rotor<double>, 3> values = {Rotor<double>{std::cos(q1 + 1e-6), std::sin(q1 + 1e-6)}, exact[1], Rotor<double>{q3 - 1e-6, 0}};
-    polish_position(arm, start, goal, values);
-    const auto reached = moved(arm[0], values[0], moved(arm[1], values[1], moved(arm[2], values[2], start)));
-    const auto miss = difference(goal, reached);
+    const Triple<double> goal = arm.reached({turn(q1), turn(q2), Rotor<double>{q3, 0}});
+    JointValues<double, 3> values = {turn(q1 + 1e-6), turn(q2), Rotor<double>{q3 - 1e-6, 0}};
+    ASSERT_TRUE(polish(arm.to(goal), 1.0, default_tolerance, values));
+    const auto miss = difference(goal, arm.reached(values));
     ASSERT_LT(dot(miss, miss), 1e-29);
   }
+}
+
+TEST(Polish, SaysWhatIsOutOfReachOrNoNumber) {
+  const Arm arm;
+  // The second joint's plane keeps 0.2 m beside the first axis.
+  JointValues<double, 3> values = {turn(0.3), turn(0.1), Rotor<double>{0.5, 0}};
+  EXPECT_FALSE(polish(arm.to({0, 0.1, 0.7}), 1.0, default_tolerance, values));
+  values[1].cosine = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(polish(arm.to(arm.reached({turn(0), turn(0), Rotor<double>{1, 0}})), 1.0, default_tolerance, values));
+}
+
+/// Two links of 1 m, stretched: from either side Newton's steps halve the way to the one solution.
+TEST(Polish, DoubleRootsFromBothSidesAreOne) {
+  const std::array<Screw<double>, 2> arm = {Screw<double>{true, {0, 0, 1}, {0, 0, 0}}, Screw<double>{true, {0, 0, 1}, {1, 0, 0}}};
+  const Carrying<double, 2, 1> stretched{arm, {Triple<double>{2, 0, 0}}, {Triple<double>{0, 2, 0}}};
+  Visited<double, 2, 4> visited;
+  EXPECT_FALSE(visited.take(2, false, {}));
+  EXPECT_TRUE(visited.misses_any() && !visited.settled(2));
+  for (const double sign : {1.0, -1.0}) {
+    JointValues<double, 2> values = {turn(pi<double>() / 2 - sign * 1e-5), turn(sign * 2e-5)};
+    ASSERT_TRUE(polish(stretched, 4.0, default_tolerance, values));
+    EXPECT_NEAR(values[1].sine, 0, 1e-7);
+    EXPECT_EQ(visited.take(sign > 0 ? 0 : 1, true, values), sign > 0);
+  }
+  EXPECT_TRUE(visited.settled(0) && visited.settled(1));
 }
 
 }  // namespace

@@ -57,14 +57,6 @@ TEST(Choose, TooManyTurnsAreSaid) {
   EXPECT_FALSE(found.complete);
 }
 
-TEST(Choose, CloseRowsAreMerged) {
-  Set set = set_of({{pi - 1e-9, 0.0}, {1.0, 0.0}, {-pi, 1e-9}, {1.0, 1e-6}});
-  qvgen::inverse::merge_close(set, kinds);
-  ASSERT_EQ(set.size(), 3);
-  EXPECT_EQ(set[1].branch, 1);
-  EXPECT_EQ(set[2].branch, 3);
-}
-
 TEST(Choose, SortIsStable) {
   Set set = set_of({{2.0, 0.0}, {1.0, 0.0}, {-1.0, 0.0}});
   qvgen::sort_by_distance(set, Joints(0, 0), kinds);

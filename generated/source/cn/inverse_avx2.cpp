@@ -19,9 +19,9 @@ namespace {
   Work<Pack> w;
   Pack q[6];
   solve_d2(t, Pack(1, 1, -1, -1), w);
-  if (!any(w.branch.exists)) return rows.count();
+  if (!any(w.branch.exists)) return rows.count(w.branch);
   solve_theta3(t, Pack(1, -1, 1, -1), w);
-  if (!any(w.branch.exists)) return rows.count();
+  if (!any(w.branch.exists)) return rows.count(w.branch);
   q[0] = w.d2;
   solve_theta2(t, w);
   q[2] = inverse::output_angle(w.cos_theta3, w.sin_theta3);
@@ -41,7 +41,7 @@ namespace {
   twin[4] = inverse::negative(angles.middle, pi);
   twin[5] = inverse::opposite(angles.last, pi);
   rows.append(q, twin, w.branch, 0);
-  return rows.count();
+  return rows.count(w.branch);
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ namespace {
   Pack q[6];
   solve_theta1(t, Pack(1, 1, -1, -1), w);
   solve_theta3(t, Pack(1, -1, 1, -1), w);
-  if (!any(w.branch.exists)) return rows.count();
+  if (!any(w.branch.exists)) return rows.count(w.branch);
   solve_half_theta1(t, w);
   q[0] = inverse::output_angle(w.cos_theta1, w.sin_theta1);
   solve_half_theta3(t, w);
@@ -40,7 +40,7 @@ namespace {
   twin[4] = inverse::negative(angles.middle, pi);
   twin[5] = inverse::opposite(angles.last, pi);
   rows.append(q, twin, w.branch, 0);
-  return rows.count();
+  return rows.count(w.branch);
 }
 
 }  // namespace

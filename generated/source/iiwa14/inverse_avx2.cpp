@@ -20,9 +20,9 @@ namespace {
   Pack q[7];
   q[2] = Pack(t.locked);
   solve_theta4(t, Pack(1, 1, -1, -1), w);
-  if (!any(w.branch.exists)) return rows.count();
+  if (!any(w.branch.exists)) return rows.count(w.branch);
   solve_theta1(t, Pack(1, -1, 1, -1), w);
-  if (!any(w.branch.exists)) return rows.count();
+  if (!any(w.branch.exists)) return rows.count(w.branch);
   q[3] = inverse::output_angle(w.cos_theta4, w.sin_theta4);
   solve_half_theta1(t, w);
   solve_theta2(t, w);
@@ -45,7 +45,7 @@ namespace {
   twin[5] = inverse::negative(angles.middle, pi);
   twin[6] = inverse::opposite(angles.last, pi);
   rows.append(q, twin, w.branch, 0);
-  return rows.count();
+  return rows.count(w.branch);
 }
 
 }  // namespace

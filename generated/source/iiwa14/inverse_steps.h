@@ -76,7 +76,7 @@ inline void solve_theta4([[maybe_unused]] const Target& t, const Scalar& sign,
     const Scalar low = Scalar(0.6724) - Scalar(t.square_theta4);
     const Scalar high = Scalar(t.square_theta4) - Scalar(0.0004);
     const Scalar scale = Scalar(1.4880952380952381);
-    result = inverse::circle_angle<Scalar>(low, high, scale, sign, Scalar(t.tolerance), inverse::merge_share<Scalar>(), inverse::merge_share<Scalar>(), w.branch);
+    result = inverse::circle_angle<Scalar>(low, high, scale, sign, t.boundary, w.branch);
   }
 
   w.cos_theta4 = result.cosine;
@@ -100,7 +100,7 @@ inline void solve_theta1([[maybe_unused]] const Target& t, const Scalar& sign,
     const Scalar y = -Scalar(t.goal_x);
     const Scalar low = t0 - w.height_theta1;
     const Scalar high = w.height_theta1 + t0;
-    result = inverse::free_circle_angle<Scalar>(low, high, inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny1), inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)}, sign, Scalar(t.tolerance), w.branch);
+    result = inverse::free_circle_angle<Scalar>(low, high, inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny1), inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)}, sign, t.boundary, w.branch);
   }
 
   w.cos_theta1 = result.cosine;
@@ -201,6 +201,52 @@ inline void solve_half_theta4([[maybe_unused]] const Target& t,
   w.after_theta4_x = w.after_theta3_x * result.cosine + w.after_theta3_z * result.sine;
   w.after_theta4_y = w.after_theta3_y * result.cosine + w.after_theta3_w * result.sine;
   w.after_theta4_z = w.after_theta3_z * result.cosine - w.after_theta3_x * result.sine;
+}
+
+/// arm: Newton steps, one value.
+/// From: Newton steps: near a singular place, and after a quartic, closed forms lose digits.
+template <typename Scalar>
+inline inverse::JointValues<Scalar, 3> solve_arm([[maybe_unused]] const Target& t, Work<Scalar>& w) {
+  using std::sqrt;
+
+  const Scalar axis1_x = Scalar(0);
+  const Scalar axis1_y = Scalar(0);
+  const Scalar axis1_z = Scalar(1);
+  const Scalar point1_x = Scalar(0);
+  const Scalar point1_y = Scalar(0);
+  const Scalar point1_z = Scalar(0.1575);
+  const Scalar axis2_x = Scalar(0);
+  const Scalar axis2_y = Scalar(1);
+  const Scalar axis2_z = Scalar(0);
+  const Scalar point2_x = Scalar(0);
+  const Scalar point2_y = Scalar(0);
+  const Scalar point2_z = Scalar(0.36);
+  const Scalar axis3_x = Scalar(t.sin_locked);
+  const Scalar axis3_y = -Scalar(t.cos_locked);
+  const Scalar axis3_z = Scalar(0);
+  const Scalar point3_x = Scalar(0);
+  const Scalar point3_y = Scalar(0);
+  const Scalar point3_z = Scalar(0.78);
+  const Scalar start1_x = Scalar(0);
+  const Scalar start1_y = Scalar(0);
+  const Scalar start1_z = Scalar(1.18);
+  const Scalar goal1_x = Scalar(t.goal_x);
+  const Scalar goal1_y = Scalar(t.goal_y);
+  const Scalar goal1_z = Scalar(t.goal_z);
+  inverse::JointValues<Scalar, 3> values{{inverse::Rotor<Scalar>{w.cos_theta1, w.sin_theta1}, inverse::Rotor<Scalar>{w.cos_theta2, w.sin_theta2}, inverse::Rotor<Scalar>{w.cos_theta4, w.sin_theta4}}};
+  const inverse::Carrying<Scalar, 3, 1> task{
+      {{inverse::Screw<Scalar>{true, {axis1_x, axis1_y, axis1_z}, {point1_x, point1_y, point1_z}}, inverse::Screw<Scalar>{true, {axis2_x, axis2_y, axis2_z}, {point2_x, point2_y, point2_z}}, inverse::Screw<Scalar>{true, {axis3_x, axis3_y, axis3_z}, {point3_x, point3_y, point3_z}}}},
+      {{inverse::Triple<Scalar>{start1_x, start1_y, start1_z}}},
+      {{inverse::Triple<Scalar>{goal1_x, goal1_y, goal1_z}}}};
+  w.branch.exists = w.branch.exists && inverse::polish(task, Scalar(t.size_square), Scalar(t.tolerance), values);
+  w.cos_theta1 = values[0].cosine;
+  w.sin_theta1 = values[0].sine;
+  w.cos_theta2 = values[1].cosine;
+  w.sin_theta2 = values[1].sine;
+  w.length_theta2 = Scalar(1);
+  w.cos_theta4 = values[2].cosine;
+  w.sin_theta4 = values[2].sine;
+  return values;
 }
 
 /// theta5, theta6, theta7: wrist with right angles, half-angle form, 2 values.

@@ -3,6 +3,7 @@
 // ./qvgen generate
 #include <qvgen/robots/irb6640/inverse.h>
 
+#include <qvgen/inverse/care.h>
 #include <qvgen/inverse/lanes.h>
 #include <qvgen/inverse/request.h>
 
@@ -25,6 +26,7 @@ Target target_of(const Pose<double>& pose, [[maybe_unused]] const Geometry& g, d
   [[maybe_unused]] const double pose_p_z = pose.position.z();
   Target t;
   t.tolerance = tolerance;
+  t.boundary = inverse::Boundary::plain(tolerance);
   t.preference = &preference;
 
   const Scalar t0 = Scalar(1) - Scalar(2) * pose_q_y * pose_q_y - Scalar(2) * pose_q_z * pose_q_z;
@@ -43,18 +45,18 @@ Target target_of(const Pose<double>& pose, [[maybe_unused]] const Geometry& g, d
   return t;
 }
 
-/// All branches, one after the other.
-[[gnu::flatten, gnu::noinline]] void solve_one_by_one(const Target& t, Solutions& found) {
+/// All branches, one after the other. Returns whether rounding has decided nothing.
+[[gnu::flatten, gnu::noinline]] bool solve_one_by_one(const Target& t, Solutions& found) {
   Work<double> w;
   JointVector<double> q;
   const inverse::Branch<double> above0 = w.branch;
   for (int k0 = 0; k0 < 2; ++k0) {
-    w.branch = above0;
+    w.branch.resume(above0);
     solve_theta1(t, k0 == 0 ? 1.0 : -1.0, w);
     if (!w.branch.exists) break;
     const inverse::Branch<double> above1 = w.branch;
     for (int k1 = 0; k1 < 2; ++k1) {
-      w.branch = above1;
+      w.branch.resume(above1);
       solve_theta3(t, k1 == 0 ? 1.0 : -1.0, w);
       if (!w.branch.exists) break;
       if (k1 == 0) {
@@ -76,17 +78,60 @@ Target target_of(const Pose<double>& pose, [[maybe_unused]] const Geometry& g, d
       inverse::append(found, q, 2 * (2 * k0 + k1) + 1, w.branch.continuum);
     }
   }
+  return !w.branch.doubtful;
 }
 
-/// Branches side by side where machine and compiler know AVX2.
-[[gnu::always_inline]] inline void solve(const Target& t, inverse::Form form, Solutions& found) {
-  if (form == inverse::Form::fastest && solve_in_lanes != nullptr && inverse::machine_has_avx2()) {
-    inverse::conclude(found, solve_in_lanes(t, inverse::row_places(found)));
-    return;
+using Visited = inverse::Visited<double, 3, 8>;
+
+/// One pass near singular poses: every branch that may exist, its joints polished by Newton steps. Returns whether an angle was free.
+[[gnu::noinline]] bool follow_carefully(const Target& t, Visited& visited, Solutions& found) {
+  Work<double> w;
+  JointVector<double> q;
+  const inverse::Branch<double> above0 = w.branch;
+  for (int k0 = 0; k0 < 2; ++k0) {
+    w.branch.resume(above0);
+    solve_theta1(t, k0 == 0 ? 1.0 : -1.0, w);
+    if (!w.branch.exists) break;
+    const inverse::Branch<double> above1 = w.branch;
+    for (int k1 = 0; k1 < 2; ++k1) {
+      w.branch.resume(above1);
+      solve_theta3(t, k1 == 0 ? 1.0 : -1.0, w);
+      if (!w.branch.exists) break;
+      solve_theta2(t, w);
+      if (visited.settled(2 * k0 + k1)) continue;
+      Work<double> p = w;
+      const auto place = solve_arm(t, p);
+      if (!visited.take(2 * k0 + k1, p.branch.exists, place)) continue;
+      q[0] = inverse::output_angle(p.cos_theta1, p.sin_theta1);
+      q[2] = inverse::output_angle(p.cos_theta3, p.sin_theta3);
+      q[1] = inverse::output_angle(p.cos_theta2, p.sin_theta2);
+      solve_half_theta1(t, p);
+      solve_half_theta2_theta3(t, p);
+      const auto angles = solve_wrist(t, p);
+      q[3] = angles.first;
+      q[4] = angles.middle;
+      q[5] = angles.last;
+      inverse::append(found, q, 2 * (2 * k0 + k1), p.branch.continuum);
+      q[3] = inverse::opposite(angles.first, inverse::pi<double>());
+      q[4] = inverse::negative(angles.middle, inverse::pi<double>());
+      q[5] = inverse::opposite(angles.last, inverse::pi<double>());
+      inverse::append(found, q, 2 * (2 * k0 + k1) + 1, p.branch.continuum);
+    }
   }
+  return w.branch.doubtful;
+}
 
-  solve_one_by_one(t, found);
+[[gnu::always_inline]] inline void solve(const Target& t, [[maybe_unused]] inverse::Form form, Solutions& found) {
+  // Branches side by side where machine and compiler know AVX2.
+  if (form == inverse::Form::fastest && solve_in_lanes != nullptr && inverse::machine_has_avx2()) {
+    const inverse::RowCount count = solve_in_lanes(t, inverse::row_places(found));
+    if (!count.doubtful) return inverse::conclude(found, count);
+  } else if (solve_one_by_one(t, found)) {
+    return found.conclude();
+  }
+  found.clear();
 
+  inverse::solve_carefully(t, Visited(), follow_carefully, found);
   found.conclude();
 }
 

@@ -19,9 +19,9 @@ namespace {
   Work<Pack> w;
   Pack q[6];
   solve_d3(t, Pack(1, 1, -1, -1), w);
-  if (!any(w.branch.exists)) return rows.count();
+  if (!any(w.branch.exists)) return rows.count(w.branch);
   solve_theta1(t, Pack(1, -1, 1, -1), w);
-  if (!any(w.branch.exists)) return rows.count();
+  if (!any(w.branch.exists)) return rows.count(w.branch);
   q[2] = w.d3;
   solve_half_theta1(t, w);
   solve_theta2(t, w);
@@ -41,7 +41,7 @@ namespace {
   twin[4] = inverse::negative(angles.middle, pi);
   twin[5] = inverse::opposite(angles.last, pi);
   rows.append(q, twin, w.branch, 0);
-  return rows.count();
+  return rows.count(w.branch);
 }
 
 }  // namespace

@@ -19,15 +19,15 @@ namespace {
   Work<Pack> w;
   Pack q[3];
   solve_theta1(t, Pack(1, 1, -1, -1), w);
-  if (!any(w.branch.exists)) return rows.count();
+  if (!any(w.branch.exists)) return rows.count(w.branch);
   solve_d3(t, Pack(1, -1, 1, -1), w);
-  if (!any(w.branch.exists)) return rows.count();
+  if (!any(w.branch.exists)) return rows.count(w.branch);
   q[0] = inverse::output_angle(w.cos_theta1, w.sin_theta1);
   solve_theta2(t, w);
   q[2] = w.d3;
   q[1] = inverse::output_angle(w.cos_theta2, w.sin_theta2);
   rows.append(q, w.branch, 0);
-  return rows.count();
+  return rows.count(w.branch);
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ inline void solve_theta1([[maybe_unused]] const Target& t, const Scalar& sign,
     const Scalar y = Scalar(t.pose_p_x);
     const Scalar low = t0 - Scalar(0.2);
     const Scalar high = Scalar(0.2) + t0;
-    result = inverse::free_circle_angle<Scalar>(low, high, inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny1), inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)}, sign, Scalar(t.tolerance), w.branch);
+    result = inverse::free_circle_angle<Scalar>(low, high, inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny1), inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)}, sign, t.boundary, w.branch);
   }
 
   const Scalar t0 = Scalar(0.5) - Scalar(t.pose_p_z);
@@ -78,7 +78,7 @@ inline void solve_d3([[maybe_unused]] const Target& t, const Scalar& sign,
   {
     const Scalar square = w.square_d3;
     const Scalar scale = Scalar(0);
-    result = inverse::signed_root<Scalar>(square, scale, Scalar(t.tiny1), sign, Scalar(t.tolerance), w.branch);
+    result = inverse::signed_root<Scalar>(square, scale, Scalar(t.tiny1), sign, t.boundary, w.branch);
   }
 
   const Scalar t0 = Scalar(0.4) - result;
@@ -102,6 +102,51 @@ inline void solve_theta2([[maybe_unused]] const Target& t,
 
   w.cos_theta2 = result.cosine;
   w.sin_theta2 = result.sine;
+}
+
+/// arm: Newton steps, one value.
+/// From: Newton steps: near a singular place, and after a quartic, closed forms lose digits.
+template <typename Scalar>
+inline inverse::JointValues<Scalar, 3> solve_arm([[maybe_unused]] const Target& t, Work<Scalar>& w) {
+  using std::sqrt;
+
+  const Scalar axis1_x = Scalar(0);
+  const Scalar axis1_y = Scalar(0);
+  const Scalar axis1_z = Scalar(1);
+  const Scalar point1_x = Scalar(0);
+  const Scalar point1_y = Scalar(0);
+  const Scalar point1_z = Scalar(0);
+  const Scalar axis2_x = Scalar(0);
+  const Scalar axis2_y = -Scalar(1);
+  const Scalar axis2_z = Scalar(0);
+  const Scalar point2_x = Scalar(0);
+  const Scalar point2_y = -Scalar(0.2);
+  const Scalar point2_z = Scalar(0.5);
+  const Scalar axis3_x = Scalar(0);
+  const Scalar axis3_y = Scalar(0);
+  const Scalar axis3_z = Scalar(1);
+  const Scalar point3_x = Scalar(0);
+  const Scalar point3_y = Scalar(0);
+  const Scalar point3_z = Scalar(0);
+  const Scalar start1_x = Scalar(0);
+  const Scalar start1_y = -Scalar(0.2);
+  const Scalar start1_z = Scalar(0.9);
+  const Scalar goal1_x = Scalar(t.pose_p_x);
+  const Scalar goal1_y = Scalar(t.pose_p_y);
+  const Scalar goal1_z = Scalar(t.pose_p_z);
+  inverse::JointValues<Scalar, 3> values{{inverse::Rotor<Scalar>{w.cos_theta1, w.sin_theta1}, inverse::Rotor<Scalar>{w.cos_theta2, w.sin_theta2}, inverse::Rotor<Scalar>{w.d3, Scalar(0)}}};
+  const inverse::Carrying<Scalar, 3, 1> task{
+      {{inverse::Screw<Scalar>{true, {axis1_x, axis1_y, axis1_z}, {point1_x, point1_y, point1_z}}, inverse::Screw<Scalar>{true, {axis2_x, axis2_y, axis2_z}, {point2_x, point2_y, point2_z}}, inverse::Screw<Scalar>{false, {axis3_x, axis3_y, axis3_z}, {point3_x, point3_y, point3_z}}}},
+      {{inverse::Triple<Scalar>{start1_x, start1_y, start1_z}}},
+      {{inverse::Triple<Scalar>{goal1_x, goal1_y, goal1_z}}}};
+  w.branch.exists = w.branch.exists && inverse::polish(task, Scalar(t.size_square), Scalar(t.tolerance), values);
+  w.cos_theta1 = values[0].cosine;
+  w.sin_theta1 = values[0].sine;
+  w.cos_theta2 = values[1].cosine;
+  w.sin_theta2 = values[1].sine;
+  w.length_theta2 = Scalar(1);
+  w.d3 = values[2].cosine;
+  return values;
 }
 
 }  // namespace

@@ -121,7 +121,7 @@ inline void solve_theta3([[maybe_unused]] const Target& t, const Scalar& sign,
     const Scalar low = t1 * t1 - w.square_theta3;
     const Scalar high = w.square_theta3 - t2 * t2;
     const Scalar scale = Scalar(0.25) / (Scalar(t.geometry.a2) * t0);
-    result = inverse::circle_angle<Scalar>(low, high, scale, sign, Scalar(t.tolerance), inverse::merge_share<Scalar>(), inverse::merge_share<Scalar>(), w.branch);
+    result = inverse::circle_angle<Scalar>(low, high, scale, sign, t.boundary, w.branch);
   }
 
   const Scalar t0 = sqrt(Scalar(t.geometry.a3) * Scalar(t.geometry.a3) + Scalar(t.geometry.d2) * Scalar(t.geometry.d2));
@@ -168,6 +168,53 @@ inline void solve_half_theta2_theta3([[maybe_unused]] const Target& t,
   w.after_theta2_theta3_x = w.after_theta1_x * result.cosine - w.after_theta1_z * result.sine;
   w.after_theta2_theta3_y = w.after_theta1_y * result.cosine - w.after_theta1_w * result.sine;
   w.after_theta2_theta3_z = w.after_theta1_x * result.sine + w.after_theta1_z * result.cosine;
+}
+
+/// arm: Newton steps, one value.
+/// From: Newton steps: near a singular place, and after a quartic, closed forms lose digits.
+template <typename Scalar>
+inline inverse::JointValues<Scalar, 3> solve_arm([[maybe_unused]] const Target& t, Work<Scalar>& w) {
+  using std::sqrt;
+
+  const Scalar axis1_x = Scalar(0);
+  const Scalar axis1_y = Scalar(0);
+  const Scalar axis1_z = Scalar(1);
+  const Scalar point1_x = Scalar(0);
+  const Scalar point1_y = Scalar(0);
+  const Scalar point1_z = Scalar(0);
+  const Scalar axis2_x = Scalar(0);
+  const Scalar axis2_y = Scalar(1);
+  const Scalar axis2_z = Scalar(0);
+  const Scalar point2_x = Scalar(t.geometry.d1);
+  const Scalar point2_y = Scalar(0);
+  const Scalar point2_z = Scalar(t.geometry.a1);
+  const Scalar axis3_x = Scalar(0);
+  const Scalar axis3_y = Scalar(1);
+  const Scalar axis3_z = Scalar(0);
+  const Scalar point3_x = Scalar(t.geometry.d1);
+  const Scalar point3_y = Scalar(0);
+  const Scalar point3_z = Scalar(t.geometry.a1) + Scalar(t.geometry.a2);
+  const Scalar start1_x = Scalar(t.geometry.d1) + Scalar(t.geometry.d2);
+  const Scalar start1_y = Scalar(0);
+  const Scalar start1_z = Scalar(t.geometry.a1) + Scalar(t.geometry.a2) + Scalar(t.geometry.a3);
+  const Scalar goal1_x = Scalar(t.goal_x);
+  const Scalar goal1_y = Scalar(t.goal_y);
+  const Scalar goal1_z = Scalar(t.goal_z);
+  inverse::JointValues<Scalar, 3> values{{inverse::Rotor<Scalar>{w.cos_theta1, w.sin_theta1}, inverse::Rotor<Scalar>{w.cos_theta2, w.sin_theta2}, inverse::Rotor<Scalar>{w.cos_theta3, w.sin_theta3}}};
+  const inverse::Carrying<Scalar, 3, 1> task{
+      {{inverse::Screw<Scalar>{true, {axis1_x, axis1_y, axis1_z}, {point1_x, point1_y, point1_z}}, inverse::Screw<Scalar>{true, {axis2_x, axis2_y, axis2_z}, {point2_x, point2_y, point2_z}}, inverse::Screw<Scalar>{true, {axis3_x, axis3_y, axis3_z}, {point3_x, point3_y, point3_z}}}},
+      {{inverse::Triple<Scalar>{start1_x, start1_y, start1_z}}},
+      {{inverse::Triple<Scalar>{goal1_x, goal1_y, goal1_z}}}};
+  w.branch.exists = w.branch.exists && inverse::polish(task, Scalar(t.size_square), Scalar(t.tolerance), values);
+  w.cos_theta1 = values[0].cosine;
+  w.sin_theta1 = values[0].sine;
+  w.length_theta1 = Scalar(1);
+  w.cos_theta2 = values[1].cosine;
+  w.sin_theta2 = values[1].sine;
+  w.length_theta2 = Scalar(1);
+  w.cos_theta3 = values[2].cosine;
+  w.sin_theta3 = values[2].sine;
+  return values;
 }
 
 /// theta4, theta5, theta6: wrist with right angles, half-angle form, 2 values.

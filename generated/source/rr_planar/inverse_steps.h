@@ -65,7 +65,7 @@ inline void solve_theta2([[maybe_unused]] const Target& t, const Scalar& sign,
     const Scalar low = t0 * t0 - w.square_theta2;
     const Scalar high = w.square_theta2 - t1 * t1;
     const Scalar scale = Scalar(0.25) / (Scalar(t.geometry.l1) * Scalar(t.geometry.l2));
-    result = inverse::circle_angle<Scalar>(low, high, scale, sign, Scalar(t.tolerance), inverse::merge_share<Scalar>(), inverse::merge_share<Scalar>(), w.branch);
+    result = inverse::circle_angle<Scalar>(low, high, scale, sign, t.boundary, w.branch);
   }
 
   w.cos_theta2 = result.cosine;
@@ -90,6 +90,44 @@ inline void solve_theta1([[maybe_unused]] const Target& t,
 
   w.cos_theta1 = result.cosine;
   w.sin_theta1 = result.sine;
+}
+
+/// arm: Newton steps, one value.
+/// From: Newton steps: near a singular place, and after a quartic, closed forms lose digits.
+template <typename Scalar>
+inline inverse::JointValues<Scalar, 2> solve_arm([[maybe_unused]] const Target& t, Work<Scalar>& w) {
+  using std::sqrt;
+
+  const Scalar axis1_x = Scalar(0);
+  const Scalar axis1_y = Scalar(0);
+  const Scalar axis1_z = Scalar(1);
+  const Scalar point1_x = Scalar(0);
+  const Scalar point1_y = Scalar(0);
+  const Scalar point1_z = Scalar(0);
+  const Scalar axis2_x = Scalar(0);
+  const Scalar axis2_y = Scalar(0);
+  const Scalar axis2_z = Scalar(1);
+  const Scalar point2_x = Scalar(t.geometry.l1);
+  const Scalar point2_y = Scalar(0);
+  const Scalar point2_z = Scalar(0);
+  const Scalar start1_x = Scalar(t.geometry.l1) + Scalar(t.geometry.l2);
+  const Scalar start1_y = Scalar(0);
+  const Scalar start1_z = Scalar(0);
+  const Scalar goal1_x = Scalar(t.pose_p_x);
+  const Scalar goal1_y = Scalar(t.pose_p_y);
+  const Scalar goal1_z = Scalar(t.pose_p_z);
+  inverse::JointValues<Scalar, 2> values{{inverse::Rotor<Scalar>{w.cos_theta1, w.sin_theta1}, inverse::Rotor<Scalar>{w.cos_theta2, w.sin_theta2}}};
+  const inverse::Carrying<Scalar, 2, 1> task{
+      {{inverse::Screw<Scalar>{true, {axis1_x, axis1_y, axis1_z}, {point1_x, point1_y, point1_z}}, inverse::Screw<Scalar>{true, {axis2_x, axis2_y, axis2_z}, {point2_x, point2_y, point2_z}}}},
+      {{inverse::Triple<Scalar>{start1_x, start1_y, start1_z}}},
+      {{inverse::Triple<Scalar>{goal1_x, goal1_y, goal1_z}}}};
+  w.branch.exists = w.branch.exists && inverse::polish(task, Scalar(t.size_square), Scalar(t.tolerance), values);
+  w.cos_theta1 = values[0].cosine;
+  w.sin_theta1 = values[0].sine;
+  w.length_theta1 = Scalar(1);
+  w.cos_theta2 = values[1].cosine;
+  w.sin_theta2 = values[1].sine;
+  return values;
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 // ./qvgen generate
 #include <qvgen/robots/rrp/inverse.h>
 
+#include <qvgen/inverse/care.h>
 #include <qvgen/inverse/lanes.h>
 #include <qvgen/inverse/request.h>
 
@@ -25,6 +26,7 @@ Target target_of(const Pose<double>& pose, [[maybe_unused]] const Geometry& g, d
   [[maybe_unused]] const double pose_p_z = pose.position.z();
   Target t;
   t.tolerance = tolerance;
+  t.boundary = inverse::Boundary::plain(tolerance);
   t.preference = &preference;
 
   const Scalar t0 = Scalar(2) * g.h1 * g.l2 + g.l2 * g.l2 + pose_p_y * pose_p_y + pose_p_z * pose_p_z + pose_p_x * pose_p_x + g.h1 * g.h1 + g.d2 * g.d2;
@@ -39,18 +41,18 @@ Target target_of(const Pose<double>& pose, [[maybe_unused]] const Geometry& g, d
   return t;
 }
 
-/// All branches, one after the other.
-[[gnu::flatten, gnu::noinline]] void solve_one_by_one(const Target& t, Solutions& found) {
+/// All branches, one after the other. Returns whether rounding has decided nothing.
+[[gnu::flatten, gnu::noinline]] bool solve_one_by_one(const Target& t, Solutions& found) {
   Work<double> w;
   JointVector<double> q;
   const inverse::Branch<double> above0 = w.branch;
   for (int k0 = 0; k0 < 2; ++k0) {
-    w.branch = above0;
+    w.branch.resume(above0);
     solve_theta1(t, k0 == 0 ? 1.0 : -1.0, w);
     if (!w.branch.exists) break;
     const inverse::Branch<double> above1 = w.branch;
     for (int k1 = 0; k1 < 2; ++k1) {
-      w.branch = above1;
+      w.branch.resume(above1);
       solve_d3(t, k1 == 0 ? 1.0 : -1.0, w);
       if (!w.branch.exists) break;
       if (k1 == 0) {
@@ -62,17 +64,50 @@ Target target_of(const Pose<double>& pose, [[maybe_unused]] const Geometry& g, d
       inverse::append(found, q, 2 * k0 + k1, w.branch.continuum);
     }
   }
+  return !w.branch.doubtful;
 }
 
-/// Branches side by side where machine and compiler know AVX2.
-[[gnu::always_inline]] inline void solve(const Target& t, inverse::Form form, Solutions& found) {
-  if (form == inverse::Form::fastest && solve_in_lanes != nullptr && inverse::machine_has_avx2()) {
-    inverse::conclude(found, solve_in_lanes(t, inverse::row_places(found)));
-    return;
+using Visited = inverse::Visited<double, 3, 4>;
+
+/// One pass near singular poses: every branch that may exist, its joints polished by Newton steps. Returns whether an angle was free.
+[[gnu::noinline]] bool follow_carefully(const Target& t, Visited& visited, Solutions& found) {
+  Work<double> w;
+  JointVector<double> q;
+  const inverse::Branch<double> above0 = w.branch;
+  for (int k0 = 0; k0 < 2; ++k0) {
+    w.branch.resume(above0);
+    solve_theta1(t, k0 == 0 ? 1.0 : -1.0, w);
+    if (!w.branch.exists) break;
+    const inverse::Branch<double> above1 = w.branch;
+    for (int k1 = 0; k1 < 2; ++k1) {
+      w.branch.resume(above1);
+      solve_d3(t, k1 == 0 ? 1.0 : -1.0, w);
+      if (!w.branch.exists) break;
+      solve_theta2(t, w);
+      if (visited.settled(2 * k0 + k1)) continue;
+      Work<double> p = w;
+      const auto place = solve_arm(t, p);
+      if (!visited.take(2 * k0 + k1, p.branch.exists, place)) continue;
+      q[0] = inverse::output_angle(p.cos_theta1, p.sin_theta1);
+      q[2] = p.d3;
+      q[1] = inverse::output_angle(p.cos_theta2, p.sin_theta2);
+      inverse::append(found, q, 2 * k0 + k1, p.branch.continuum);
+    }
   }
+  return w.branch.doubtful;
+}
 
-  solve_one_by_one(t, found);
+[[gnu::always_inline]] inline void solve(const Target& t, [[maybe_unused]] inverse::Form form, Solutions& found) {
+  // Branches side by side where machine and compiler know AVX2.
+  if (form == inverse::Form::fastest && solve_in_lanes != nullptr && inverse::machine_has_avx2()) {
+    const inverse::RowCount count = solve_in_lanes(t, inverse::row_places(found));
+    if (!count.doubtful) return inverse::conclude(found, count);
+  } else if (solve_one_by_one(t, found)) {
+    return found.conclude();
+  }
+  found.clear();
 
+  inverse::solve_carefully(t, Visited(), follow_carefully, found);
   found.conclude();
 }
 

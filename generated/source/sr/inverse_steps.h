@@ -77,7 +77,7 @@ inline void solve_theta3([[maybe_unused]] const Target& t, const Scalar& sign,
     const Scalar low = t0 * t0 - w.square_theta3;
     const Scalar high = w.square_theta3 - t1 * t1;
     const Scalar scale = -Scalar(0.25) / (Scalar(t.geometry.d4) * Scalar(t.geometry.l2));
-    result = inverse::circle_angle<Scalar>(low, high, scale, sign, Scalar(t.tolerance), inverse::merge_share<Scalar>(), inverse::merge_share<Scalar>(), w.branch);
+    result = inverse::circle_angle<Scalar>(low, high, scale, sign, t.boundary, w.branch);
   }
 
   w.cos_theta3 = result.sine;
@@ -121,6 +121,51 @@ inline void solve_half_theta2_theta3([[maybe_unused]] const Target& t,
   w.after_theta2_theta3_x = result.cosine * Scalar(t.pose_q_x) + Scalar(t.pose_q_y) * result.sine;
   w.after_theta2_theta3_y = result.cosine * Scalar(t.pose_q_y) - Scalar(t.pose_q_x) * result.sine;
   w.after_theta2_theta3_z = result.cosine * Scalar(t.pose_q_z) - Scalar(t.pose_q_w) * result.sine;
+}
+
+/// arm: Newton steps, one value.
+/// From: Newton steps: near a singular place, and after a quartic, closed forms lose digits.
+template <typename Scalar>
+inline inverse::JointValues<Scalar, 3> solve_arm([[maybe_unused]] const Target& t, Work<Scalar>& w) {
+  using std::sqrt;
+  const Scalar t0 = Scalar(t.geometry.l1) + Scalar(t.geometry.l2);
+  const Scalar axis1_x = Scalar(0);
+  const Scalar axis1_y = Scalar(0);
+  const Scalar axis1_z = Scalar(1);
+  const Scalar point1_x = Scalar(0);
+  const Scalar point1_y = Scalar(0);
+  const Scalar point1_z = Scalar(0);
+  const Scalar axis2_x = Scalar(0);
+  const Scalar axis2_y = Scalar(0);
+  const Scalar axis2_z = Scalar(1);
+  const Scalar point2_x = Scalar(t.geometry.l1);
+  const Scalar point2_y = Scalar(0);
+  const Scalar point2_z = Scalar(0);
+  const Scalar axis3_x = Scalar(0);
+  const Scalar axis3_y = Scalar(0);
+  const Scalar axis3_z = Scalar(1);
+  const Scalar point3_x = t0;
+  const Scalar point3_y = Scalar(0);
+  const Scalar point3_z = Scalar(0);
+  const Scalar start1_x = t0;
+  const Scalar start1_y = -Scalar(t.geometry.d4);
+  const Scalar start1_z = Scalar(0);
+  const Scalar goal1_x = Scalar(t.pose_p_x);
+  const Scalar goal1_y = Scalar(t.pose_p_y);
+  const Scalar goal1_z = Scalar(t.pose_p_z);
+  inverse::JointValues<Scalar, 3> values{{inverse::Rotor<Scalar>{w.d1, Scalar(0)}, inverse::Rotor<Scalar>{w.cos_theta2, w.sin_theta2}, inverse::Rotor<Scalar>{w.cos_theta3, w.sin_theta3}}};
+  const inverse::Carrying<Scalar, 3, 1> task{
+      {{inverse::Screw<Scalar>{false, {axis1_x, axis1_y, axis1_z}, {point1_x, point1_y, point1_z}}, inverse::Screw<Scalar>{true, {axis2_x, axis2_y, axis2_z}, {point2_x, point2_y, point2_z}}, inverse::Screw<Scalar>{true, {axis3_x, axis3_y, axis3_z}, {point3_x, point3_y, point3_z}}}},
+      {{inverse::Triple<Scalar>{start1_x, start1_y, start1_z}}},
+      {{inverse::Triple<Scalar>{goal1_x, goal1_y, goal1_z}}}};
+  w.branch.exists = w.branch.exists && inverse::polish(task, Scalar(t.size_square), Scalar(t.tolerance), values);
+  w.d1 = values[0].cosine;
+  w.cos_theta2 = values[1].cosine;
+  w.sin_theta2 = values[1].sine;
+  w.length_theta2 = Scalar(1);
+  w.cos_theta3 = values[2].cosine;
+  w.sin_theta3 = values[2].sine;
+  return values;
 }
 
 /// theta4, theta5, theta6: wrist with right angles, half-angle form, 2 values.

@@ -3,6 +3,7 @@
 // ./qvgen generate
 #include <qvgen/robots/ur5/inverse.h>
 
+#include <qvgen/inverse/care.h>
 #include <qvgen/inverse/lanes.h>
 #include <qvgen/inverse/request.h>
 
@@ -25,35 +26,49 @@ Target target_of(const Pose<double>& pose, [[maybe_unused]] const Geometry& g, d
   [[maybe_unused]] const double pose_p_z = pose.position.z();
   Target t;
   t.tolerance = tolerance;
+  t.boundary = inverse::Boundary::plain(tolerance);
   t.preference = &preference;
 
-  const Scalar t0 = Scalar(2) * pose_q_x * pose_q_z + Scalar(2) * pose_q_w * pose_q_y;
-  const Scalar t1 = Scalar(2) * pose_q_y * pose_q_z - Scalar(2) * pose_q_w * pose_q_x;
-  const Scalar t2 = Scalar(1) - Scalar(2) * pose_q_x * pose_q_x - Scalar(2) * pose_q_y * pose_q_y;
-  const Scalar t3 = Scalar(0.7071067811865476) * pose_q_w;
-  const Scalar t4 = Scalar(0.7071067811865476) * pose_q_x;
-  const Scalar t5 = Scalar(0.7071067811865476) * pose_q_z;
-  const Scalar t6 = Scalar(0.7071067811865476) * pose_q_y;
+  const Scalar t0 = Scalar(1) - Scalar(2) * pose_q_y * pose_q_y;
+  const Scalar t1 = Scalar(2) * pose_q_x * pose_q_z;
+  const Scalar t2 = Scalar(2) * pose_q_w * pose_q_y;
+  const Scalar t3 = t1 + t2;
+  const Scalar t4 = Scalar(2) * pose_q_x * pose_q_y + Scalar(2) * pose_q_w * pose_q_z;
+  const Scalar t5 = Scalar(2) * pose_q_y * pose_q_z - Scalar(2) * pose_q_w * pose_q_x;
+  const Scalar t6 = Scalar(2) * pose_q_x * pose_q_x - t0;
+  const Scalar t7 = Scalar(0.7071067811865476) * pose_q_w;
+  const Scalar t8 = Scalar(0.7071067811865476) * pose_q_x;
+  const Scalar t9 = Scalar(0.7071067811865476) * pose_q_z;
+  const Scalar t10 = Scalar(0.7071067811865476) * pose_q_y;
+  t.turn_11 = t0 - Scalar(2) * pose_q_z * pose_q_z;
+  t.turn_13 = t3;
+  t.turn_21 = t4;
+  t.turn_23 = t5;
+  t.turn_31 = t1 - t2;
+  t.turn_33 = -t6;
   t.size_square = Scalar(0.704580816081) + pose_p_y * pose_p_y + pose_p_z * pose_p_z + pose_p_x * pose_p_x;
-  t.goal_x = pose_p_x - Scalar(0.0823) * t0;
-  t.goal_y = pose_p_y - Scalar(0.0823) * t1;
-  t.goal_z = pose_p_z - Scalar(0.0823) * t2;
-  t.target_q_w = t3 + t4;
-  t.target_q_x = t4 - t3;
-  t.target_q_y = t6 - t5;
-  t.target_q_z = t5 + t6;
+  t.goal_x = pose_p_x - Scalar(0.0823) * t3;
+  t.goal_y = pose_p_y - Scalar(0.0823) * t5;
+  t.goal_z = pose_p_z + Scalar(0.0823) * t6;
+  t.target_q_w = t7 + t8;
+  t.target_q_x = t8 - t7;
+  t.target_q_y = t10 - t9;
+  t.target_q_z = t9 + t10;
+  t.pose_p_x = pose_p_x;
+  t.pose_p_y = pose_p_y;
+  t.pose_p_z = pose_p_z;
 
   t.set_size(t.size_square);
   return t;
 }
 
-/// All branches, one after the other.
-[[gnu::flatten, gnu::noinline]] void solve_one_by_one(const Target& t, Solutions& found) {
+/// All branches, one after the other. Returns whether rounding has decided nothing.
+[[gnu::flatten, gnu::noinline]] bool solve_one_by_one(const Target& t, Solutions& found) {
   Work<double> w;
   JointVector<double> q;
   const inverse::Branch<double> above0 = w.branch;
   for (int k0 = 0; k0 < 2; ++k0) {
-    w.branch = above0;
+    w.branch.resume(above0);
     solve_theta1(t, k0 == 0 ? 1.0 : -1.0, w);
     if (!w.branch.exists) break;
     solve_free_sum(t, w);
@@ -61,12 +76,12 @@ Target target_of(const Pose<double>& pose, [[maybe_unused]] const Geometry& g, d
     solve_half_theta1(t, w);
     const inverse::Branch<double> above1 = w.branch;
     for (int k1 = 0; k1 < 2; ++k1) {
-      w.branch = above1;
+      w.branch.resume(above1);
       solve_wrist(t, k1 == 0 ? 1.0 : -1.0, w);
       if (!w.branch.exists) break;
       const inverse::Branch<double> above2 = w.branch;
       for (int k2 = 0; k2 < 2; ++k2) {
-        w.branch = above2;
+        w.branch.resume(above2);
         solve_theta3(t, k2 == 0 ? 1.0 : -1.0, w);
         if (!w.branch.exists) break;
         if (k2 == 0) {
@@ -82,17 +97,62 @@ Target target_of(const Pose<double>& pose, [[maybe_unused]] const Geometry& g, d
       }
     }
   }
+  return !w.branch.doubtful;
 }
 
-/// Branches side by side where machine and compiler know AVX2.
-[[gnu::always_inline]] inline void solve(const Target& t, inverse::Form form, Solutions& found) {
-  if (form == inverse::Form::fastest && solve_in_lanes != nullptr && inverse::machine_has_avx2()) {
-    inverse::conclude(found, solve_in_lanes(t, inverse::row_places(found)));
-    return;
+using Visited = inverse::Visited<double, 6, 8>;
+
+/// One pass near singular poses: every branch that may exist, its joints polished by Newton steps. Returns whether an angle was free.
+[[gnu::noinline]] bool follow_carefully(const Target& t, Visited& visited, Solutions& found) {
+  Work<double> w;
+  JointVector<double> q;
+  const inverse::Branch<double> above0 = w.branch;
+  for (int k0 = 0; k0 < 2; ++k0) {
+    w.branch.resume(above0);
+    solve_theta1(t, k0 == 0 ? 1.0 : -1.0, w);
+    if (!w.branch.exists) break;
+    solve_free_sum(t, w);
+    solve_half_theta1(t, w);
+    const inverse::Branch<double> above1 = w.branch;
+    for (int k1 = 0; k1 < 2; ++k1) {
+      w.branch.resume(above1);
+      solve_wrist(t, k1 == 0 ? 1.0 : -1.0, w);
+      if (!w.branch.exists) break;
+      const inverse::Branch<double> above2 = w.branch;
+      for (int k2 = 0; k2 < 2; ++k2) {
+        w.branch.resume(above2);
+        solve_theta3(t, k2 == 0 ? 1.0 : -1.0, w);
+        if (!w.branch.exists) break;
+        solve_theta2(t, w);
+        solve_theta4(t, w);
+        if (visited.settled(2 * (2 * k0 + k1) + k2)) continue;
+        Work<double> p = w;
+        const auto place = solve_arm(t, p);
+        if (!visited.take(2 * (2 * k0 + k1) + k2, p.branch.exists, place)) continue;
+        q[0] = inverse::output_angle(p.cos_theta1, p.sin_theta1);
+        q[4] = inverse::output_angle(p.cos_theta5, p.sin_theta5);
+        q[5] = inverse::output_angle(p.cos_theta6, p.sin_theta6);
+        q[2] = inverse::output_angle(p.cos_theta3, p.sin_theta3);
+        q[1] = inverse::output_angle(p.cos_theta2, p.sin_theta2);
+        q[3] = inverse::output_angle(p.cos_theta4, p.sin_theta4);
+        inverse::append(found, q, 2 * (2 * k0 + k1) + k2, p.branch.continuum);
+      }
+    }
   }
+  return w.branch.doubtful;
+}
 
-  solve_one_by_one(t, found);
+[[gnu::always_inline]] inline void solve(const Target& t, [[maybe_unused]] inverse::Form form, Solutions& found) {
+  // Branches side by side where machine and compiler know AVX2.
+  if (form == inverse::Form::fastest && solve_in_lanes != nullptr && inverse::machine_has_avx2()) {
+    const inverse::RowCount count = solve_in_lanes(t, inverse::row_places(found));
+    if (!count.doubtful) return inverse::conclude(found, count);
+  } else if (solve_one_by_one(t, found)) {
+    return found.conclude();
+  }
+  found.clear();
 
+  inverse::solve_carefully(t, Visited(), follow_carefully, found);
   found.conclude();
 }
 

@@ -20,7 +20,7 @@ namespace {
   Pack q[6];
   const inverse::Branch<Pack> above0 = w.branch;
   for (int k0 = 0; k0 < 2; ++k0) {
-    w.branch = above0;
+    w.branch.resume(above0);
     solve_theta1(t, Pack(k0 == 0 ? 1.0 : -1.0), w);
     if (!any(w.branch.exists)) break;
     solve_free_sum(t, w);
@@ -39,7 +39,7 @@ namespace {
     q[3] = inverse::output_angle(w.cos_theta4, w.sin_theta4);
     rows.append(q, w.branch, 4 * k0);
   }
-  return rows.count();
+  return rows.count(w.branch);
 }
 
 }  // namespace

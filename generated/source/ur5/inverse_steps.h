@@ -15,6 +15,12 @@
 namespace qvgen::robots::ur5::detail::all {
 /// What the pose says, once for all branches.
 struct Target : inverse::TargetBase<6> {
+  double turn_11;
+  double turn_13;
+  double turn_21;
+  double turn_23;
+  double turn_31;
+  double turn_33;
   double size_square;
   double goal_x;
   double goal_y;
@@ -23,6 +29,9 @@ struct Target : inverse::TargetBase<6> {
   double target_q_x;
   double target_q_y;
   double target_q_z;
+  double pose_p_x;
+  double pose_p_y;
+  double pose_p_z;
 };
 
 /// All branches, four at a time in the lanes of AVX2 registers; null if the compiler was not asked for it.
@@ -75,7 +84,7 @@ inline void solve_theta1([[maybe_unused]] const Target& t, const Scalar& sign,
     const Scalar y = Scalar(t.goal_x);
     const Scalar low = t0 - Scalar(0.10915);
     const Scalar high = Scalar(0.10915) + t0;
-    result = inverse::free_circle_angle<Scalar>(low, high, inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny1), inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)}, sign, Scalar(t.tolerance), w.branch);
+    result = inverse::free_circle_angle<Scalar>(low, high, inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny1), inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)}, sign, t.boundary, w.branch);
   }
 
   w.cos_theta1 = result.cosine;
@@ -139,7 +148,7 @@ inline void solve_wrist([[maybe_unused]] const Target& t, const Scalar& sign,
     const Scalar v_y = w.after_theta1_x;
     const Scalar choice_x = w.cos_free_sum;
     const Scalar choice_y = w.sin_free_sum;
-    result = inverse::right_wrist_turns<Scalar>(inverse::Rotor<Scalar>{u_x, u_y}, inverse::Rotor<Scalar>{v_x, v_y}, false, inverse::Rotor<Scalar>{choice_x, choice_y}, sign, w.branch);
+    result = inverse::right_wrist_turns<Scalar>(inverse::Rotor<Scalar>{u_x, u_y}, inverse::Rotor<Scalar>{v_x, v_y}, false, inverse::Rotor<Scalar>{choice_x, choice_y}, sign, t.boundary, w.branch);
   }
 
   w.cos_sum = result.first.cosine;
@@ -167,7 +176,7 @@ inline void solve_theta3([[maybe_unused]] const Target& t, const Scalar& sign,
     const Scalar low = Scalar(0.6678975625) - w.square_theta3;
     const Scalar high = w.square_theta3 - Scalar(0.0010725625);
     const Scalar scale = Scalar(1.499643834589285);
-    result = inverse::circle_angle<Scalar>(low, high, scale, sign, Scalar(t.tolerance), inverse::merge_share<Scalar>(), inverse::merge_share<Scalar>(), w.branch);
+    result = inverse::circle_angle<Scalar>(low, high, scale, sign, t.boundary, w.branch);
   }
 
   w.cos_theta3 = result.cosine;
@@ -213,6 +222,88 @@ inline void solve_theta4([[maybe_unused]] const Target& t,
 
   w.cos_theta4 = result.cosine;
   w.sin_theta4 = result.sine;
+}
+
+/// arm: Newton steps, one value.
+/// From: Newton steps: near a singular place, and after a quartic, closed forms lose digits.
+template <typename Scalar>
+inline inverse::JointValues<Scalar, 6> solve_arm([[maybe_unused]] const Target& t, Work<Scalar>& w) {
+  using std::sqrt;
+  const Scalar t0 = sqrt(Scalar(t.size_square));
+  const Scalar axis1_x = Scalar(0);
+  const Scalar axis1_y = Scalar(0);
+  const Scalar axis1_z = Scalar(1);
+  const Scalar point1_x = Scalar(0);
+  const Scalar point1_y = Scalar(0);
+  const Scalar point1_z = Scalar(0);
+  const Scalar axis2_x = Scalar(0);
+  const Scalar axis2_y = -Scalar(1);
+  const Scalar axis2_z = Scalar(0);
+  const Scalar point2_x = Scalar(0);
+  const Scalar point2_y = Scalar(0);
+  const Scalar point2_z = Scalar(0.089159);
+  const Scalar axis3_x = Scalar(0);
+  const Scalar axis3_y = -Scalar(1);
+  const Scalar axis3_z = Scalar(0);
+  const Scalar point3_x = -Scalar(0.425);
+  const Scalar point3_y = Scalar(0);
+  const Scalar point3_z = Scalar(0.089159);
+  const Scalar axis4_x = Scalar(0);
+  const Scalar axis4_y = -Scalar(1);
+  const Scalar axis4_z = Scalar(0);
+  const Scalar point4_x = -Scalar(0.81725);
+  const Scalar point4_y = Scalar(0);
+  const Scalar point4_z = Scalar(0.089159);
+  const Scalar axis5_x = Scalar(0);
+  const Scalar axis5_y = Scalar(0);
+  const Scalar axis5_z = -Scalar(1);
+  const Scalar point5_x = -Scalar(0.81725);
+  const Scalar point5_y = -Scalar(0.10915);
+  const Scalar point5_z = Scalar(0.089159);
+  const Scalar axis6_x = Scalar(0);
+  const Scalar axis6_y = -Scalar(1);
+  const Scalar axis6_z = Scalar(0);
+  const Scalar point6_x = -Scalar(0.81725);
+  const Scalar point6_y = -Scalar(0.10915);
+  const Scalar point6_z = -Scalar(0.005491);
+  const Scalar start1_x = -Scalar(0.81725);
+  const Scalar start1_y = -Scalar(0.19145);
+  const Scalar start1_z = -Scalar(0.005491);
+  const Scalar goal1_x = Scalar(t.pose_p_x);
+  const Scalar goal1_y = Scalar(t.pose_p_y);
+  const Scalar goal1_z = Scalar(t.pose_p_z);
+  const Scalar start2_x = t0 - Scalar(0.81725);
+  const Scalar start2_y = -Scalar(0.19145);
+  const Scalar start2_z = -Scalar(0.005491);
+  const Scalar goal2_x = Scalar(t.pose_p_x) + Scalar(t.turn_11) * t0;
+  const Scalar goal2_y = Scalar(t.pose_p_y) + Scalar(t.turn_21) * t0;
+  const Scalar goal2_z = Scalar(t.pose_p_z) + Scalar(t.turn_31) * t0;
+  const Scalar start3_x = -Scalar(0.81725);
+  const Scalar start3_y = t0 - Scalar(0.19145);
+  const Scalar start3_z = -Scalar(0.005491);
+  const Scalar goal3_x = Scalar(t.pose_p_x) - Scalar(t.turn_13) * t0;
+  const Scalar goal3_y = Scalar(t.pose_p_y) - Scalar(t.turn_23) * t0;
+  const Scalar goal3_z = Scalar(t.pose_p_z) - Scalar(t.turn_33) * t0;
+  inverse::JointValues<Scalar, 6> values{{inverse::Rotor<Scalar>{w.cos_theta1, w.sin_theta1}, inverse::Rotor<Scalar>{w.cos_theta2, w.sin_theta2}, inverse::Rotor<Scalar>{w.cos_theta3, w.sin_theta3}, inverse::Rotor<Scalar>{w.cos_theta4, w.sin_theta4}, inverse::Rotor<Scalar>{w.cos_theta5, w.sin_theta5}, inverse::Rotor<Scalar>{w.cos_theta6, w.sin_theta6}}};
+  const inverse::Carrying<Scalar, 6, 3> task{
+      {{inverse::Screw<Scalar>{true, {axis1_x, axis1_y, axis1_z}, {point1_x, point1_y, point1_z}}, inverse::Screw<Scalar>{true, {axis2_x, axis2_y, axis2_z}, {point2_x, point2_y, point2_z}}, inverse::Screw<Scalar>{true, {axis3_x, axis3_y, axis3_z}, {point3_x, point3_y, point3_z}}, inverse::Screw<Scalar>{true, {axis4_x, axis4_y, axis4_z}, {point4_x, point4_y, point4_z}}, inverse::Screw<Scalar>{true, {axis5_x, axis5_y, axis5_z}, {point5_x, point5_y, point5_z}}, inverse::Screw<Scalar>{true, {axis6_x, axis6_y, axis6_z}, {point6_x, point6_y, point6_z}}}},
+      {{inverse::Triple<Scalar>{start1_x, start1_y, start1_z}, inverse::Triple<Scalar>{start2_x, start2_y, start2_z}, inverse::Triple<Scalar>{start3_x, start3_y, start3_z}}},
+      {{inverse::Triple<Scalar>{goal1_x, goal1_y, goal1_z}, inverse::Triple<Scalar>{goal2_x, goal2_y, goal2_z}, inverse::Triple<Scalar>{goal3_x, goal3_y, goal3_z}}}};
+  w.branch.exists = w.branch.exists && inverse::polish(task, Scalar(t.size_square), Scalar(t.tolerance), values);
+  w.cos_theta1 = values[0].cosine;
+  w.sin_theta1 = values[0].sine;
+  w.cos_theta2 = values[1].cosine;
+  w.sin_theta2 = values[1].sine;
+  w.cos_theta3 = values[2].cosine;
+  w.sin_theta3 = values[2].sine;
+  w.cos_theta4 = values[3].cosine;
+  w.sin_theta4 = values[3].sine;
+  w.length_theta4 = Scalar(1);
+  w.cos_theta5 = values[4].cosine;
+  w.sin_theta5 = values[4].sine;
+  w.cos_theta6 = values[5].cosine;
+  w.sin_theta6 = values[5].sine;
+  return values;
 }
 
 }  // namespace

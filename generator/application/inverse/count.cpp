@@ -56,7 +56,7 @@ void wrist(const LoweredPlan& plan, const Step& step) {
     negative(angles.middle, pi);
     opposite(angles.last, pi);
   } else {
-    right_wrist_turns<Counted>(u, v, plan.plan.wrist.middle_swapped, {1, 0}, 1, branch);
+    right_wrist_turns<Counted>(u, v, plan.plan.wrist.middle_swapped, {1, 0}, 1, Boundary::plain(default_tolerance), branch);
   }
 }
 
@@ -75,18 +75,19 @@ Counted length_of(const Step& step) {
 void block(const LoweredPlan& plan, const Step& step) {
   using namespace qvgen::inverse;
   const Counted sign(1), tolerance(1e-12), tiny(1e-30);
+  const Boundary boundary = Boundary::plain(default_tolerance);
   const Rotor turn{0.6, 0.8};
   Branch<Counted> branch;
   switch (step.kind) {
-    case Kind::circle: circle_angle<Counted>(1, 2, 0.3, sign, tolerance, 0, 0, branch); return;
-    case Kind::free_circle: free_circle_angle<Counted>(1, 2, turn, tiny, {1, 0}, sign, tolerance, branch); return;
-    case Kind::factored: factored_line_angle<Counted>(turn, 1, 1, 2, tiny, {1, 0}, sign, tolerance, branch); return;
+    case Kind::circle: circle_angle<Counted>(1, 2, 0.3, sign, boundary, branch); return;
+    case Kind::free_circle: free_circle_angle<Counted>(1, 2, turn, tiny, {1, 0}, sign, boundary, branch); return;
+    case Kind::factored: factored_line_angle<Counted>(turn, 1, 1, 2, tiny, {1, 0}, sign, boundary, branch); return;
     case Kind::opposite: sign * directed(step, turn, tiny, branch); return;
     case Kind::pair: directed(step, turn, tiny, branch); return;
     case Kind::reach: reachable_direction<Counted>(turn, turn, 0, 4, {1, 0}); return;
     case Kind::half: plan.plan.wrist.right ? half_direction(turn, length_of(step)) : half(turn); return;
-    case Kind::root: signed_root<Counted>(1, 1, tiny, sign, tolerance, branch); return;
-    case Kind::quadratic: quadratic_root<Counted>(1, 2, -1, sign, tolerance, branch); return;
+    case Kind::root: signed_root<Counted>(1, 1, tiny, sign, boundary, branch); return;
+    case Kind::quadratic: quadratic_root<Counted>(1, 2, -1, sign, boundary, branch); return;
     case Kind::require:
       step.divisor ? require_divisor<Counted>(1, branch) : require_zero<Counted>(0, 1, tolerance, branch);
       return;
@@ -94,8 +95,7 @@ void block(const LoweredPlan& plan, const Step& step) {
     case Kind::oblique_wrist: wrist(plan, step); return;
     case Kind::linear:
     case Kind::conic:
-    case Kind::polish:
-    case Kind::polish_pair: return;
+    case Kind::polish: return;
   }
 }
 
@@ -125,7 +125,7 @@ nlohmann::ordered_json inverse_counts(const LoweredPlan& plan) {
   nlohmann::ordered_json steps{{"pose", to_json(target)}};
   OperationCounts all = target;
   int times = 1;
-  for (std::size_t i = 0; i < plan.steps.size(); ++i) {
+  for (const std::size_t i : derive::inverse::order(plan.plan, false)) {
     const Step& step = plan.plan.steps[i];
     const bool turned_over = step.kind == Kind::right_wrist && plan.plan.wrist.ends_the_plan;
     if (step.branches == 2 && !turned_over) times *= 2;

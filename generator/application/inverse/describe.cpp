@@ -25,7 +25,6 @@ std::string kind_name(Kind kind) {
     case Kind::require: return "condition";
     case Kind::reach: return "a choice within reach";
     case Kind::half: return "half angle";
-    case Kind::polish_pair:
     case Kind::polish: return "Newton steps";
     case Kind::right_wrist: return "wrist with right angles, half-angle form";
     case Kind::oblique_wrist: return "wrist with oblique axes, half-angle form";
@@ -80,7 +79,6 @@ std::string solution(const Step& step, bool latex) {
     case Kind::linear:
     case Kind::half:
     case Kind::polish:
-    case Kind::polish_pair:
     case Kind::right_wrist:
     case Kind::oblique_wrist: return {};
   }
@@ -116,7 +114,7 @@ class Description {
     std::vector<std::string> given = scheme();
     for (const std::string& line : formulas(plan_.target, {})) given.push_back(line);
     block(given);
-    for (std::size_t i = 0; i < plan_.steps.size(); ++i) step(i);
+    for (const std::size_t i : derive::inverse::order(plan_.plan, plan_.plan.quartic())) step(i);
     return std::move(lines_);
   }
 

@@ -4,7 +4,6 @@
 #include <stdexcept>
 
 #include <qvgen/inverse/conic_circle.h>
-#include <qvgen/inverse/pair_system.h>
 #include <qvgen/inverse/polish.h>
 #include <qvgen/inverse/roots.h>
 #include <qvgen/inverse/wrist.h>
@@ -56,7 +55,7 @@ Values outputs(const dag::Function& function, const Values& values) {
 
 class Execution {
  public:
-  explicit Execution(const LoweredPlan& plan) : plan_(plan) {}
+  explicit Execution(const LoweredPlan& plan) : plan_(plan), order_(derive::inverse::order(plan.plan, plan.plan.quartic())) {}
 
   std::vector<Row> run(Values values) {
     for (const auto& [name, value] : outputs(plan_.target, values)) values[name] = value;
@@ -67,6 +66,7 @@ class Execution {
 
  private:
   static Real tolerance() { return Real(qvgen::inverse::default_tolerance); }
+  static qvgen::inverse::Boundary boundary() { return qvgen::inverse::Boundary::plain(qvgen::inverse::default_tolerance); }
 
   Real tiny(int degree) const {
     const Real noise = Real(16) * qvgen::inverse::epsilon<Real>();
@@ -76,15 +76,15 @@ class Execution {
     return (degree == 2 ? square : square * square) * size_square_ * size_square_;
   }
 
-  void follow(std::size_t index, Values values, Branch branch, int label) {
-    if (index == plan_.steps.size()) return finish(values, branch, label);
+  void follow(std::size_t place, Values values, Branch branch, int label) {
+    if (place == order_.size()) return finish(values, branch, label);
+    const std::size_t index = order_[place];
     const Step& step = plan_.plan.steps[index];
     const Values in = outputs(plan_.steps[index].before, values);
-    if (step.kind == Kind::conic) return follow_conic(index, values, in, branch, label);
-    if (step.is_polish()) {
-      step.kind == Kind::polish ? polish(step, in, values) : polish_pair(step, in, values);
-      for (const auto& [name, value] : outputs(plan_.steps[index].after, values)) values[name] = value;
-      return follow(index + 1, std::move(values), branch, label);
+    if (step.kind == Kind::conic) return follow_conic(place, values, in, branch, label);
+    if (step.kind == Kind::polish) {
+      if (polish(step, in, values)) follow(place + 1, std::move(values), branch, label);
+      return;
     }
     for (int k = 0; k < step.branches; ++k) {
       Branch next = branch;
@@ -96,18 +96,18 @@ class Execution {
         block(step, in, known, Real(k == 0 ? 1 : -1), next);
         for (const auto& [name, value] : outputs(plan_.steps[index].after, known)) known[name] = value;
       }
-      if (next.exists) follow(index + 1, known, next, label * step.branches + k);
+      if (next.exists) follow(place + 1, known, next, label * step.branches + k);
     }
   }
 
-  void follow_conic(std::size_t index, const Values& values, const Values& in, const Branch& branch, int label) {
+  void follow_conic(std::size_t place, const Values& values, const Values& in, const Branch& branch, int label) {
     const qvgen::inverse::Conic<Real> conic{in.at("xx"), in.at("xy"), in.at("yy"), in.at("x"), in.at("y"), in.at("one")};
-    const auto roots = qvgen::inverse::conic_circle(conic, Real::pi());
+    const auto roots = qvgen::inverse::conic_circle(conic, qvgen::inverse::Boundary::careful(qvgen::inverse::default_tolerance), Real::pi());
     for (int k = 0; k < roots.count; ++k) {
       Values known = values;
       set(known, roots.root[static_cast<std::size_t>(k)]);
-      for (const auto& [name, value] : outputs(plan_.steps[index].after, known)) known[name] = value;
-      follow(index + 1, known, branch, label * 4 + k);
+      for (const auto& [name, value] : outputs(plan_.steps[order_[place]].after, known)) known[name] = value;
+      follow(place + 1, known, branch, label * 4 + k);
     }
   }
 
@@ -119,17 +119,15 @@ class Execution {
   void block(const Step& step, const Values& in, Values& known, const Real& sign, Branch& branch) const {
     using namespace qvgen::inverse;
     const Rotor choice = step.joint < 0 && step.kind == Kind::pair ? Rotor{in.at("choice_x"), in.at("choice_y")} : Rotor{Real(1), Real(0)};
-    const Real merge_both = merge_share<Real>();
     switch (step.kind) {
       case Kind::circle:
-        return set(known, circle_angle(in.at("low"), in.at("high"), in.at("scale"), sign, tolerance(), step.exact_low ? Real(0) : merge_both,
-                                       step.exact_high ? Real(0) : merge_both, branch));
+        return set(known, circle_angle(in.at("low"), in.at("high"), in.at("scale"), sign, boundary(), branch));
       case Kind::free_circle:
         return set(known, free_circle_angle(in.at("low"), in.at("high"), Rotor{in.at("x"), in.at("y")}, tiny(step.degree), choice,
-                                            sign, tolerance(), branch));
+                                            sign, boundary(), branch));
       case Kind::factored:
         return set(known, factored_line_angle(Rotor{in.at("x"), in.at("y")}, in.at("rhs"), in.at("low"), in.at("high"),
-                                              tiny(step.degree), choice, sign, tolerance(), branch));
+                                              tiny(step.degree), choice, sign, boundary(), branch));
       case Kind::reach:
         return set(known, reachable_direction(Rotor{in.at("point_x"), in.at("point_y")}, Rotor{in.at("offset_x"), in.at("offset_y")},
                                               in.at("inner"), in.at("outer"), choice));
@@ -142,10 +140,10 @@ class Execution {
         return set(known, plan_.plan.wrist.right ? half_direction(turn, length) : half(turn));
       }
       case Kind::root:
-        known["result"] = signed_root(in.at("square"), in.at("scale"), tiny(1), sign, tolerance(), branch);
+        known["result"] = signed_root(in.at("square"), in.at("scale"), tiny(1), sign, boundary(), branch);
         return;
       case Kind::quadratic:
-        known["result"] = quadratic_root(in.at("a"), in.at("b"), in.at("c"), sign, tolerance(), branch);
+        known["result"] = quadratic_root(in.at("a"), in.at("b"), in.at("c"), sign, boundary(), branch);
         return;
       case Kind::require:
         if (step.divisor) return require_divisor(in.at("divisor"), branch);
@@ -165,41 +163,38 @@ class Execution {
     known["result"] = sign * length;
   }
 
-  static void polish(const Step& step, const Values& in, Values& known) {
-    using namespace qvgen::inverse;
-    const auto triple = [&](const std::string& name) { return Triple<Real>{in.at(name + "_x"), in.at(name + "_y"), in.at(name + "_z")}; };
-    std::array<Screw<Real>, 3> arm;
-    std::array<Rotor, 3> values;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::string name = "joint" + std::to_string(i + 1);
-      const auto& turn = step.turns[i];
-      const bool revolute = known.count("cos_" + turn) > 0;
-      arm[i] = {revolute, triple(name + "_axis"), triple(name + "_point")};
-      values[i] = revolute ? Rotor{known.at("cos_" + turn), known.at("sin_" + turn)} : Rotor{known.at(turn), Real(0)};
-    }
-    polish_position(arm, triple("start"), triple("goal"), values);
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (arm[i].revolute) {
-        known["cos_" + step.turns[i]] = values[i].cosine;
-        known["sin_" + step.turns[i]] = values[i].sine;
-      } else {
-        known[step.turns[i]] = values[i].cosine;
-      }
-    }
+  bool polish(const Step& step, const Values& in, Values& known) const {
+    if (step.points == 1 && step.turns.size() == 2) return polish<2, 1>(step, in, known);
+    if (step.points == 1 && step.turns.size() == 3) return polish<3, 1>(step, in, known);
+    if (step.points == 3 && step.turns.size() == 6) return polish<6, 3>(step, in, known);
+    throw std::logic_error("inverse kinematics: Newton steps for " + std::to_string(step.turns.size()) + " joints");
   }
 
-  static void polish_pair(const Step& step, const Values& in, Values& known) {
+  template <std::size_t joints, std::size_t points>
+  bool polish(const Step& step, const Values& in, Values& known) const {
     using namespace qvgen::inverse;
-    const auto row = [&](const std::string& n) {
-      return PairRow<Real>{{in.at(n + "_kx"), in.at(n + "_ky")}, {in.at(n + "_mx"), in.at(n + "_my")}, in.at(n + "_one")};
+    const auto triple = [&](const char* name, std::size_t i) {
+      const std::string full = name + std::to_string(i + 1);
+      return Triple<Real>{in.at(full + "_x"), in.at(full + "_y"), in.at(full + "_z")};
     };
-    std::array<Rotor, 2> values;
-    for (std::size_t i = 0; i < 2; ++i) values[i] = {known.at("cos_" + step.turns[i]), known.at("sin_" + step.turns[i])};
-    values = polished_pair<Real>({row("row1"), row("row2")}, values);
-    for (std::size_t i = 0; i < 2; ++i) {
-      known["cos_" + step.turns[i]] = values[i].cosine;
-      known["sin_" + step.turns[i]] = values[i].sine;
+    Carrying<Real, joints, points> task;
+    JointValues<Real, joints> values;
+    for (std::size_t i = 0; i < joints; ++i) {
+      const auto& turn = step.turns[i];
+      const bool revolute = known.count("cos_" + turn) > 0;
+      task.arm[i] = {revolute, triple("axis", i), triple("point", i)};
+      values[i] = revolute ? Rotor{known.at("cos_" + turn), known.at("sin_" + turn)} : Rotor{known.at(turn), Real(0)};
     }
+    for (std::size_t i = 0; i < points; ++i) {
+      task.start[i] = triple("start", i);
+      task.goal[i] = triple("goal", i);
+    }
+    const bool reached = qvgen::inverse::polish(task, size_square_, tolerance(), values);
+    for (std::size_t i = 0; i < joints; ++i) {
+      known[(task.arm[i].revolute ? "cos_" : "") + step.turns[i]] = values[i].cosine;
+      if (task.arm[i].revolute) known["sin_" + step.turns[i]] = values[i].sine;
+    }
+    return reached;
   }
 
   /// A wrist in the middle of a plan: the blocks that leave cosines and sines.
@@ -210,7 +205,7 @@ class Execution {
     const Rotor choice{in.at("choice_x"), in.at("choice_y")};
     const Real sign(k == 0 ? 1 : -1);
     WristTurns<Real> turns;
-    if (step.kind == Kind::right_wrist) turns = right_wrist_turns(u, v, plan_.plan.wrist.middle_swapped, choice, sign, branch);
+    if (step.kind == Kind::right_wrist) turns = right_wrist_turns(u, v, plan_.plan.wrist.middle_swapped, choice, sign, boundary(), branch);
     else turns = oblique_wrist_turns(u, v, shape(in), Rotor{in.at("cosine_delta"), in.at("sine_delta")}, choice, sign, tolerance(), branch);
     const std::array<Rotor, 3> values = {turns.first, turns.middle, turns.last};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -254,6 +249,7 @@ class Execution {
   }
 
   const LoweredPlan& plan_;
+  std::vector<std::size_t> order_;
   Real size_square_;
   std::vector<Row> rows_;
 };

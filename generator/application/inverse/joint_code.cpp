@@ -7,11 +7,12 @@ namespace qvgen::application {
 
 std::string joint_place(int joint) { return "q[" + std::to_string(joint) + "]"; }
 
-std::vector<std::string> joint_lines(const model::Robot& robot, const LoweredPlan& plan, const derive::inverse::Step& step) {
+std::vector<std::string> joint_lines(const model::Robot& robot, const LoweredPlan& plan, const derive::inverse::Step& step,
+                                     const std::string& work) {
   std::vector<std::string> lines;
   const auto add = [&](int joint) {
     const auto& value = plan.plan.joints[static_cast<std::size_t>(joint)];
-    const std::string field = value.revolute ? "inverse::output_angle(w." + value.cosine + ", w." + value.sine + ")" : "w." + value.cosine;
+    const std::string field = value.revolute ? "inverse::output_angle(" + work + "." + value.cosine + ", " + work + "." + value.sine + ")" : work + "." + value.cosine;
     lines.push_back(joint_place(joint) + " = " + field + ";");
   };
   if (step.turns.empty() && step.joint >= 0) add(step.joint);
@@ -21,8 +22,8 @@ std::vector<std::string> joint_lines(const model::Robot& robot, const LoweredPla
   return lines;
 }
 
-std::string step_call(const LoweredPlan& plan, std::size_t index, const std::string& sign) {
-  return "solve_" + step_name(plan, index) + "(t, " + sign + (sign.empty() ? "" : ", ") + "w)";
+std::string step_call(const LoweredPlan& plan, std::size_t index, const std::string& sign, const std::string& work) {
+  return "solve_" + step_name(plan, index) + "(t, " + sign + (sign.empty() ? "" : ", ") + work + ")";
 }
 
 }  // namespace qvgen::application

@@ -30,7 +30,7 @@ class Lanes {
     line("Work<Pack> w;");
     line("Pack q[" + dof() + "];");
     if (plan_.plan.locked >= 0) line(joint_place(plan_.plan.locked) + " = Pack(t.locked);");
-    for (std::size_t i = 0; i < plan_.steps.size(); ++i) step(i);
+    for (const std::size_t i : derive::inverse::order(plan_.plan, false)) step(i);
     if (!ended_) {
       flush();
       line("rows.append(q, w.branch, " + label(1) + ");");
@@ -39,7 +39,7 @@ class Lanes {
       --depth_;
       line("}");
     }
-    line("return rows.count();");
+    line("return rows.count(w.branch);");
     return std::move(lines_);
   }
 
@@ -53,7 +53,7 @@ class Lanes {
     return labels_.empty() ? "0" : std::to_string(4 * rows_of_a_lane) + " * " + (labels_.find(' ') == std::string::npos ? labels_ : "(" + labels_ + ")");
   }
 
-  void leave_if_none() { line(std::string("if (!any(w.branch.exists)) ") + (depth_ == 0 ? "return rows.count();" : "continue;")); }
+  void leave_if_none() { line(std::string("if (!any(w.branch.exists)) ") + (depth_ == 0 ? "return rows.count(w.branch);" : "continue;")); }
 
   void step(std::size_t i) {
     const Step& step = plan_.plan.steps[i];
@@ -90,7 +90,7 @@ class Lanes {
     line("const inverse::Branch<Pack> " + above + " = w.branch;");
     line("for (int " + k + " = 0; " + k + " < 2; ++" + k + ") {");
     ++depth_;
-    line("w.branch = " + above + ";");
+    line("w.branch.resume(" + above + ");");
     line(call(i, "Pack(" + k + " == 0 ? 1.0 : -1.0)") + ";");
     line("if (!any(w.branch.exists)) break;");
     labels_ = labels_.empty() ? k : "2 * " + (labels_.find(' ') == std::string::npos ? labels_ : "(" + labels_ + ")") + " + " + k;
@@ -125,7 +125,7 @@ class Lanes {
       line("const inverse::Branch<Pack> before = w.branch;");
       line("const auto angles = " + call(i, "Pack(1)") + ";");
       line("const inverse::Branch<Pack> branch = w.branch;");
-      line("w.branch = before;");
+      line("w.branch.resume(before);");
       line("const auto others = " + call(i, "Pack(-1)") + ";");
       set("q", "angles.first", "angles.middle", "angles.last");
       copy();

@@ -12,13 +12,13 @@ using derive::inverse::Step;
 
 class Nest {
  public:
-  Nest(const model::Robot& robot, const LoweredPlan& plan) : robot_(robot), plan_(plan) {}
+  Nest(const model::Robot& robot, const LoweredPlan& plan, Pass pass) : robot_(robot), plan_(plan), careful_(pass == Pass::careful) {}
 
   std::vector<std::string> write() {
     line("Work<double> w;");
     line("JointVector<double> q;");
     if (plan_.plan.locked >= 0) line(joint_place(plan_.plan.locked) + " = t.locked;");
-    for (std::size_t i = 0; i < plan_.steps.size(); ++i) step(i);
+    for (const std::size_t i : derive::inverse::order(plan_.plan, careful_)) step(i);
     if (!ended_) {
       flush();
       append("q", label());
@@ -27,22 +27,27 @@ class Nest {
       --depth_;
       line("}");
     }
+    line(leave());
     return std::move(lines_);
   }
 
  private:
-  std::string call(std::size_t i, const std::string& sign = "") const { return step_call(plan_, i, sign); }
-  std::string label() const { return labels_.empty() ? "0" : labels_; }
+  [[nodiscard]] std::string call(std::size_t i, const std::string& sign = "") const { return step_call(plan_, i, sign, work_); }
+  [[nodiscard]] std::string branch() const { return work_ + ".branch"; }
+  [[nodiscard]] std::string leave() const { return careful_ ? "return w.branch.doubtful;" : "return !w.branch.doubtful;"; }
+  [[nodiscard]] std::string label() const { return labels_.empty() ? "0" : labels_; }
   void line(const std::string& text) { lines_.push_back(std::string(static_cast<std::size_t>(2 * depth_), ' ') + text); }
+
+  void leave_unless(const std::string& condition) { line("if (!" + condition + ") " + (depth_ == 0 ? leave() : "continue;")); }
 
   /// Loop variable k0, k1, ... of a branching step, with the state of the branch above it put back in every round.
   std::string open(const Step& step, const std::string& count) {
     const std::string k = "k" + std::to_string(loops_);
     const std::string above = "above" + std::to_string(loops_++);
-    line("const inverse::Branch<double> " + above + " = w.branch;");
+    line("const inverse::Branch<double> " + above + " = " + branch() + ";");
     line("for (int " + k + " = 0; " + k + " < " + count + "; ++" + k + ") {");
     ++depth_;
-    line("w.branch = " + above + ";");
+    line(branch() + ".resume(" + above + ");");
     const bool simple = labels_.find(' ') == std::string::npos;
     const std::string outer = simple ? labels_ : "(" + labels_ + ")";
     labels_ = labels_.empty() ? k : std::to_string(step.branches) + " * " + outer + " + " + k;
@@ -51,43 +56,47 @@ class Nest {
 
   void step(std::size_t i) {
     const Step& step = plan_.plan.steps[i];
+    if (step.kind == Kind::polish) return polished(i);
     if (step.is_wrist() && plan_.plan.wrist.ends_the_plan) return wrist(i);
     if (step.kind == Kind::half) return deferred_.push_back(call(i) + ";");
     if (step.kind == Kind::conic) return conic(i);
     if (step.branches == 1) {
       line(call(i) + ";");
-      if (step.kind == Kind::require) line(depth_ == 0 ? "if (!w.branch.exists) return;" : "if (!w.branch.exists) continue;");
-      angles(step);
-      return;
+      if (step.kind == Kind::require) leave_unless(branch() + ".exists");
+      return angles(step);
     }
     if (step.is_wrist()) flush();
     const std::string k = open(step, "2");
     line(call(i, k + " == 0 ? 1.0 : -1.0") + ";");
-    line("if (!w.branch.exists) break;");
+    line("if (!" + branch() + ".exists) break;");
     flush_once(k);
     angles(step);
   }
 
+  /// From here on the joints are those of a copy: the next branch starts from what the closed form has found.
+  void polished(std::size_t i) {
+    line("if (visited.settled(" + label() + ")) " + (depth_ == 0 ? leave() : "continue;"));
+    line("Work<double> p = w;");
+    work_ = "p";
+    line("const auto place = " + call(i) + ";");
+    leave_unless("visited.take(" + label() + ", p.branch.exists, place)");
+    for (const std::size_t earlier : derive::inverse::order(plan_.plan, careful_)) {
+      if (earlier == i) break;
+      angles(plan_.plan.steps[earlier]);
+    }
+  }
+
   void conic(std::size_t i) {
     const Step& step = plan_.plan.steps[i];
-    flush();
     line("const auto roots = roots_" + step_name(plan_, i) + "(t, w);");
     const std::string k = open(step, "roots.count");
     line("take_" + step_name(plan_, i) + "(t, roots.root[static_cast<std::size_t>(" + k + ")], w);");
-    angles(step);
   }
 
   /// The joints whose values a step leaves: their angles are taken when they are sure to be needed.
   void angles(const Step& step) {
-    if (plan_.plan.quartic() && !step.is_polish()) {
-      if (!step.turns.empty() || step.joint < 0) return;
-      bool polished = false;
-      for (const Step& other : plan_.plan.steps)
-        if (other.is_polish())
-          for (const std::string& turn : other.turns) polished = polished || turn == step.unknown;
-      if (polished) return;
-    }
-    for (const std::string& text : joint_lines(robot_, plan_, step)) deferred_.push_back(text);
+    if (careful_ && work_ == "w") return;
+    for (const std::string& text : joint_lines(robot_, plan_, step, work_)) deferred_.push_back(text);
   }
 
   void flush() {
@@ -104,8 +113,8 @@ class Nest {
     line("}");
   }
 
-  void append(const std::string& values, const std::string& branch) {
-    line("inverse::append(found, " + values + ", " + branch + ", w.branch.continuum);");
+  void append(const std::string& values, const std::string& label) {
+    line("inverse::append(found, " + values + ", " + label + ", " + branch() + ".continuum);");
   }
 
   void wrist(std::size_t i) {
@@ -121,7 +130,7 @@ class Nest {
     if (step.kind == Kind::oblique_wrist) {
       const std::string k = open(step, "2");
       line("const auto angles = " + call(i, k + " == 0 ? 1.0 : -1.0") + ";");
-      line("if (!w.branch.exists) break;");
+      line("if (!" + branch() + ".exists) break;");
       set("angles.first", "angles.middle", "angles.last");
       append("q", label());
       return;
@@ -137,6 +146,8 @@ class Nest {
 
   const model::Robot& robot_;
   const LoweredPlan& plan_;
+  bool careful_;
+  std::string work_ = "w";
   std::vector<std::string> lines_;
   std::vector<std::string> deferred_;
   std::string labels_;
@@ -147,6 +158,6 @@ class Nest {
 
 }  // namespace
 
-std::vector<std::string> nest_lines(const model::Robot& robot, const LoweredPlan& plan) { return Nest(robot, plan).write(); }
+std::vector<std::string> nest_lines(const model::Robot& robot, const LoweredPlan& plan, Pass pass) { return Nest(robot, plan, pass).write(); }
 
 }  // namespace qvgen::application

@@ -72,8 +72,6 @@ std::string seeds(const Step& step) {
 
 std::string tiny(const Step& step) { return "Scalar(t.tiny" + std::to_string(step.degree) + ")"; }
 
-std::string merge(bool exact) { return exact ? "Scalar(0)" : "inverse::merge_share<Scalar>()"; }
-
 std::string direction(const Step& step) {
   return std::string("inverse::") + (step.unit ? "direction" : "span") + "<Scalar>(" + rotor("x", "y") + ", " + tiny(step) + ", " + choice(step) +
          ", " + (step.unit ? "" : length_place(step.unknown) + ", ") + "w.branch)";
@@ -92,34 +90,33 @@ std::pair<std::string, std::string> block(const LoweredPlan& plan, const Step& s
   const std::string tolerance = "Scalar(t.tolerance)";
   switch (step.kind) {
     case Kind::circle:
-      return {turn, "inverse::circle_angle<Scalar>(low, high, scale, sign, " + tolerance + ", " + merge(step.exact_low) + ", " +
-                        merge(step.exact_high) + ", w.branch)"};
+      return {turn, "inverse::circle_angle<Scalar>(low, high, scale, sign, t.boundary, w.branch)"};
     case Kind::free_circle:
       return {turn, "inverse::free_circle_angle<Scalar>(low, high, " + rotor("x", "y") + ", " + tiny(step) + ", " + choice(step) +
-                        ", sign, " + tolerance + ", w.branch)"};
+                        ", sign, t.boundary, w.branch)"};
     case Kind::factored:
       return {turn, "inverse::factored_line_angle<Scalar>(" + rotor("x", "y") + ", rhs, low, high, " + tiny(step) + ", " + choice(step) +
-                        ", sign, " + tolerance + ", w.branch)"};
+                        ", sign, t.boundary, w.branch)"};
     case Kind::reach:
       return {turn, "inverse::reachable_direction<Scalar>(" + rotor("point_x", "point_y") + ", " + rotor("offset_x", "offset_y") +
                         ", inner, outer, " + seeds(step) + ")"};
     case Kind::opposite: return {turn, "sign * " + direction(step)};
     case Kind::pair: return {turn, direction(step)};
     case Kind::half: return {turn, half(plan, step)};
-    case Kind::root: return {"Scalar", "inverse::signed_root<Scalar>(square, scale, Scalar(t.tiny1), sign, " + tolerance + ", w.branch)"};
-    case Kind::quadratic: return {"Scalar", "inverse::quadratic_root<Scalar>(a, b, c, sign, " + tolerance + ", w.branch)"};
+    case Kind::root: return {"Scalar", "inverse::signed_root<Scalar>(square, scale, Scalar(t.tiny1), sign, t.boundary, w.branch)"};
+    case Kind::quadratic: return {"Scalar", "inverse::quadratic_root<Scalar>(a, b, c, sign, t.boundary, w.branch)"};
     case Kind::require:
       if (step.divisor) return {"", "inverse::require_divisor<Scalar>(divisor, w.branch)"};
       return {"", "inverse::require_zero<Scalar>(residual, scale, " + tolerance + ", w.branch)"};
     case Kind::conic:
-      return {"inverse::CircleRoots<Scalar>", "inverse::conic_circle<Scalar>({xx, xy, yy, x, y, one}, inverse::pi<Scalar>())"};
+      return {"inverse::CircleRoots<Scalar>", "inverse::conic_circle<Scalar>({xx, xy, yy, x, y, one}, t.boundary, inverse::pi<Scalar>())"};
     case Kind::right_wrist: {
       const std::string swapped = plan.plan.wrist.middle_swapped ? "true" : "false";
       const std::string uv = rotor("u_x", "u_y") + ", " + rotor("v_x", "v_y") + ", " + swapped + ", ";
       if (ends(plan, step))
         return {"inverse::WristAngles<Scalar>", "inverse::right_wrist<Scalar>(" + uv + preferred_angle(plan.plan.wrist.joints[0]) +
                                                     ", inverse::pi<Scalar>(), w.branch)"};
-      return {"inverse::WristTurns<Scalar>", "inverse::right_wrist_turns<Scalar>(" + uv + rotor("choice_x", "choice_y") + ", sign, w.branch)"};
+      return {"inverse::WristTurns<Scalar>", "inverse::right_wrist_turns<Scalar>(" + uv + rotor("choice_x", "choice_y") + ", sign, t.boundary, w.branch)"};
     }
     case Kind::oblique_wrist: {
       const std::string uv = rotor("u_x", "u_y") + ", " + rotor("v_x", "v_y") + ", {cosine_sum, sine_sum, cosine_difference, sine_difference, product}, ";
@@ -130,53 +127,52 @@ std::pair<std::string, std::string> block(const LoweredPlan& plan, const Step& s
               "inverse::oblique_wrist<Scalar>(" + uv + "sign, " + preferred_angle(plan.plan.wrist.joints[0]) + ", " + tolerance +
                   ", inverse::pi<Scalar>(), w.branch)"};
     }
-    case Kind::polish_pair: {
-      const auto row = [](const std::string& n) { return "inverse::PairRow<Scalar>{{" + n + "_kx, " + n + "_ky}, {" + n + "_mx, " + n + "_my}, " + n + "_one}"; };
-      const auto value = [&](std::size_t i) { return rotor("w.cos_" + step.turns[i], "w.sin_" + step.turns[i]); };
-      return {"std::array<" + turn + ", 2>",
-              "inverse::polished_pair<Scalar>({" + row("row1") + ", " + row("row2") + "}, {" + value(0) + ", " + value(1) + "})"};
-    }
     case Kind::polish:
     case Kind::linear: return {"", ""};
   }
   return {};
 }
 
-/// A polish step's call, which changes the values in place.
-std::vector<std::string> polish_lines(const LoweredPlan& plan, const Step& step) {
-  std::vector<std::string> lines;
-  const auto joint_of = [&](const std::string& variable) {
-    for (const auto& joint : plan.plan.joints)
-      if (joint.cosine == "cos_" + variable || joint.cosine == variable) return joint;
-    return derive::inverse::JointValue{};
-  };
-  std::string arm;
-  std::string start;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto joint = joint_of(step.turns[i]);
-    const std::string n = "joint" + std::to_string(i + 1);
-    arm += std::string(i == 0 ? "" : ", ") + "inverse::Screw<Scalar>{" + (joint.revolute ? "true" : "false") + ", {" + n + "_axis_x, " + n +
-           "_axis_y, " + n + "_axis_z}, {" + n + "_point_x, " + n + "_point_y, " + n + "_point_z}}";
-    start += std::string(i == 0 ? "" : ", ") + rotor("w." + joint.cosine, joint.revolute ? "w." + joint.sine : "Scalar(0)");
-  }
-  lines.push_back("std::array<inverse::Rotor<Scalar>, 3> values{" + start + "};");
-  lines.push_back("inverse::polish_position<Scalar>({" + arm + "}, {start_x, start_y, start_z}, {goal_x, goal_y, goal_z}, values);");
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto joint = joint_of(step.turns[i]);
-    const std::string value = "values[" + std::to_string(i) + "].";
-    lines.push_back("w." + joint.cosine + " = " + value + "cosine;");
-    if (joint.revolute) lines.push_back("w." + joint.sine + " = " + value + "sine;");
-  }
-  return lines;
+const derive::inverse::JointValue& value_of(const model::Robot& robot, const LoweredPlan& plan, const std::string& variable) {
+  std::size_t joint = 0;
+  while (robot.joints[joint].variable != variable) ++joint;
+  return plan.plan.joints[joint];
 }
 
-std::vector<std::string> polish_pair_lines(const Step& step) {
-  std::vector<std::string> lines;
-  for (std::size_t i = 0; i < 2; ++i) {
-    const std::string result = "result[" + std::to_string(i) + "].";
-    lines.push_back("w.cos_" + step.turns[i] + " = " + result + "cosine;");
-    lines.push_back("w.sin_" + step.turns[i] + " = " + result + "sine;");
+std::string triple(const std::string& name, std::size_t i) {
+  const std::string full = name + std::to_string(i + 1);
+  return "{" + full + "_x, " + full + "_y, " + full + "_z}";
+}
+
+std::string joined(const std::vector<std::string>& parts) {
+  std::string text;
+  for (const std::string& part : parts) text += (text.empty() ? "" : ", ") + part;
+  return "{{" + text + "}}";
+}
+
+/// A polish step's task, and the values it changes in place.
+std::vector<std::string> polish_lines(const model::Robot& robot, const LoweredPlan& plan, const Step& step) {
+  std::vector<std::string> arm, from, start, goal, back;
+  for (std::size_t i = 0; i < step.turns.size(); ++i) {
+    const auto& joint = value_of(robot, plan, step.turns[i]);
+    arm.push_back(std::string("inverse::Screw<Scalar>{") + (joint.revolute ? "true" : "false") + ", " + triple("axis", i) + ", " + triple("point", i) + "}");
+    from.push_back(rotor("w." + joint.cosine, joint.revolute ? "w." + joint.sine : "Scalar(0)"));
+    const std::string value = "values[" + std::to_string(i) + "].";
+    back.push_back("w." + joint.cosine + " = " + value + "cosine;");
+    if (joint.revolute) back.push_back("w." + joint.sine + " = " + value + "sine;");
+    for (const Step& other : plan.plan.steps)
+      if (!other.unit && other.unknown == step.turns[i]) back.push_back(length_place(other.unknown) + " = Scalar(1);");
   }
+  for (std::size_t i = 0; i < static_cast<std::size_t>(step.points); ++i) {
+    start.push_back("inverse::Triple<Scalar>" + triple("start", i));
+    goal.push_back("inverse::Triple<Scalar>" + triple("goal", i));
+  }
+  std::vector<std::string> lines = {"inverse::JointValues<Scalar, " + std::to_string(arm.size()) + "> values" + joined(from) + ";",
+                                    "const inverse::Carrying<Scalar, " + std::to_string(arm.size()) + ", " + std::to_string(start.size()) + "> task{",
+                                    "    " + joined(arm) + ",", "    " + joined(start) + ",", "    " + joined(goal) + "};",
+                                    "w.branch.exists = w.branch.exists && inverse::polish(task, Scalar(t.size_square), Scalar(t.tolerance), values);"};
+  lines.insert(lines.end(), back.begin(), back.end());
+  lines.emplace_back("return values;");
   return lines;
 }
 
@@ -212,7 +208,7 @@ std::vector<std::string> work_fields(const LoweredPlan& plan) {
     if (ends(plan, step)) continue;
     for (const std::string& turn : step.turns)
       for (const char* part : {"cos_", "sin_"})
-        if (!step.is_polish()) fields.push_back(part + turn);
+        if (step.kind != Kind::polish) fields.push_back(part + turn);
     fields.insert(fields.end(), step.kept.begin(), step.kept.end());
     if (!step.unit) fields.push_back("length_" + step.unknown);
   }
@@ -239,8 +235,8 @@ json step_values(const model::Robot& robot, const LoweredPlan& plan) {
     const emit::Code after = emit::cpp_code(plan.steps[i].after, names);
     const auto [type, call] = block(plan, step);
     std::vector<std::string> extra;
-    if (step.kind == Kind::polish) extra = polish_lines(plan, step);
-    if (step.kind == Kind::polish_pair) extra = polish_pair_lines(step);
+    const bool polish = step.kind == Kind::polish;
+    if (polish) extra = polish_lines(robot, plan, step);
     if (step.is_wrist() && !ends(plan, step)) extra = wrist_turn_lines(step);
     const bool split = step.kind == Kind::conic;
     const bool returns = split || ends(plan, step);
@@ -250,6 +246,8 @@ json step_values(const model::Robot& robot, const LoweredPlan& plan) {
                      {"sign", step.branches == 2 && !(ends(plan, step) && !oblique)},
                      {"returns", returns},
                      {"split", split},
+                     {"polish", polish ? json{{"joints", step.turns.size()}} : json(false)},
+                     {"regular", !split && !polish},
                      {"type", type},
                      {"call", call},
                      {"has_result", !type.empty() && !returns},

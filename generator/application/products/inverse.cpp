@@ -49,7 +49,7 @@ std::string tidy(const std::string& text) {
 /// One line for each unknown, for the head of the public function.
 std::vector<std::string> summary(const LoweredPlan& plan) {
   std::vector<std::string> lines;
-  for (std::size_t i = 0; i < plan.steps.size(); ++i)
+  for (const std::size_t i : derive::inverse::order(plan.plan, plan.plan.quartic()))
     if (!plan.plan.steps[i].unknown.empty() && plan.plan.steps[i].kind != derive::inverse::Kind::half) lines.push_back("- " + step_comment(plan, i).front());
   return lines;
 }
@@ -81,6 +81,12 @@ std::string reach(const model::Robot& robot) {
     sum += length(*offset);
   }
   return fmt::format("{:.6f}", sum);
+}
+
+std::size_t polished_joints(const derive::inverse::Plan& plan) {
+  for (const auto& step : plan.steps)
+    if (step.kind == derive::inverse::Kind::polish) return step.turns.size();
+  throw std::logic_error("inverse kinematics: a plan without Newton steps");
 }
 
 json variant(const model::Robot& robot, const derive::inverse::Plan& derived, nlohmann::ordered_json& all_counts) {
@@ -119,7 +125,9 @@ json variant(const model::Robot& robot, const derive::inverse::Plan& derived, nl
           {"dof", robot.joints.size()},
           {"has_geometry", !constants.empty()},
           {"geometry", fields_of(constants)},
-          {"nest", lines_of(nest_lines(robot, plan))},
+          {"first_pass", derived.quartic() ? json(false) : json{{"lines", lines_of(nest_lines(robot, plan, Pass::first))}}},
+          {"polished_joints", std::to_string(polished_joints(derived))},
+          {"careful_pass", lines_of(nest_lines(robot, plan, Pass::careful))},
           {"has_lanes", lanes ? "true" : "false"},
           {"lanes", lanes ? json{{"lines", lines_of(lane_lines(robot, plan))}} : json(false)}};
 }

@@ -166,8 +166,6 @@ void Builder::turn_by_distance(const Screw& screw, int sign, const Flat& v, cons
   const Polar base = v_fixed ? polar(v, scope_) : varying(v);
   const Polar arm = x_fixed ? polar(x0, scope_) : varying(x0);
   const ex inner = scope_.is_zero(base.length - arm.length) ? ex(0) : ex(GiNaC::pow(base.length - arm.length, 2));
-  // A named square is a sum of squares, so that its small values are exact.
-  const bool folds = GiNaC::is_a<GiNaC::symbol>(square);
   const ex outer = scope_.is_zero(base.length + arm.length) ? ex(0) : ex(GiNaC::pow(base.length + arm.length, 2));
   const ex low = outer - square;
   const ex high = square - inner;
@@ -176,8 +174,6 @@ void Builder::turn_by_distance(const Screw& screw, int sign, const Flat& v, cons
     step.before.output("low", low);
     step.before.output("high", high);
     step.before.output("scale", 1 / (4 * base.length * arm.length));
-    step.exact_high = folds && scope_.is_zero(inner);
-    step.exact_low = folds && scope_.is_zero(outer);
     step.degenerate = "stretched or folded: the two solutions coincide";
     const Flat turned = result_turn() * base.direction * conjugate(arm.direction);
     set_turn(step, screw, {turned.x, sign * turned.y});
@@ -279,35 +275,25 @@ void Builder::require_divisor(const ex& divisor, const std::string& equation) {
   step.before.output("divisor", divisor);
 }
 
-void Builder::polish(const std::array<Screw, 3>& arm, const symbolic::Vector& start, const symbolic::Vector& goal) {
-  Step& step = add(Kind::polish, nullptr, 1, "Newton steps: the quartic's roots carry fewer digits than the arm deserves");
-  step.unknown = "position";
-  const auto input = [&](const std::string& name, const symbolic::Vector& v) {
-    step.before.output(name + "_x", v.x);
-    step.before.output(name + "_y", v.y);
-    step.before.output(name + "_z", v.z);
+void Builder::polish(const std::vector<Screw>& arm, const std::vector<symbolic::Vector>& start,
+                     const std::vector<symbolic::Vector>& goal) {
+  Step& step = add(Kind::polish, nullptr, 1, "Newton steps: near a singular place, and after a quartic, closed forms lose digits");
+  step.unknown = "arm";
+  step.points = static_cast<int>(start.size());
+  const auto input = [&](const std::string& name, std::size_t i, const symbolic::Vector& v) {
+    const std::string full = name + std::to_string(i + 1);
+    step.before.output(full + "_x", v.x);
+    step.before.output(full + "_y", v.y);
+    step.before.output(full + "_z", v.z);
   };
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::string name = "joint" + std::to_string(i + 1);
-    input(name + "_axis", arm[i].axis);
-    input(name + "_point", arm[i].point);
+  for (std::size_t i = 0; i < arm.size(); ++i) {
+    input("axis", i, arm[i].axis);
+    input("point", i, arm[i].revolute ? arm[i].point : symbolic::Vector{0, 0, 0});
     step.turns.push_back(arm[i].variable);
   }
-  input("start", start);
-  input("goal", goal);
-}
-
-void Builder::polish(const Screw& a, const Screw& c, const std::array<PairRow, 2>& rows) {
-  Step& step = add(Kind::polish_pair, nullptr, 1, "Newton steps on the two equations: the quartic's roots carry fewer digits");
-  step.unknown = "pair";
-  step.turns = {a.variable, c.variable};
-  for (std::size_t i = 0; i < 2; ++i) {
-    const std::string name = "row" + std::to_string(i + 1);
-    step.before.output(name + "_kx", rows[i].k.x);
-    step.before.output(name + "_ky", rows[i].k.y);
-    step.before.output(name + "_mx", rows[i].m.x);
-    step.before.output(name + "_my", rows[i].m.y);
-    step.before.output(name + "_one", rows[i].constant);
+  for (std::size_t i = 0; i < start.size(); ++i) {
+    input("start", i, start[i]);
+    input("goal", i, goal[i]);
   }
 }
 

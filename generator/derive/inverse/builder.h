@@ -63,10 +63,8 @@ class Builder {
   /// which divides, has no answer.
   void require_divisor(const GiNaC::ex& divisor, const std::string& equation);
   void require_zero(const GiNaC::ex& residual, const GiNaC::ex& scale, const std::string& equation);
-  /// Newton steps on e_a e_b e_c start = goal once all three are known.
-  void polish(const std::array<Screw, 3>& arm, const symbolic::Vector& start, const symbolic::Vector& goal);
-  /// The same on two equations in the angles of two joints, each k·(cos q_a, sin q_a) + constant + m·(cos q_c, sin q_c) = 0.
-  void polish(const Screw& a, const Screw& c, const std::array<PairRow, 2>& rows);
+  /// Newton steps on arm start = goal, for one point or several, once all these joints are known.
+  void polish(const std::vector<Screw>& arm, const std::vector<symbolic::Vector>& start, const std::vector<symbolic::Vector>& goal);
   /// Half of an angle given by cosine and sine: names cos_half_NAME, sin_half_NAME.
   Scope::Turn half(const std::string& name, const GiNaC::ex& cosine, const GiNaC::ex& sine);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "derive/inverse/attempt.h"
+#include "derive/inverse/inverse.h"
 #include "derive/inverse/orientation.h"
 #include "derive/inverse/pair_system.h"
 #include "derive/inverse/tool_side.h"
@@ -71,6 +72,7 @@ class ParallelAxes {
       return reason;
     }
     links();
+    polish();
     return "";
   }
 
@@ -161,9 +163,7 @@ class ParallelAxes {
     if (vanishes(height.row.k)) return one_by_one(c_, &PairRow::m, height, a_, tilt);
     if (vanishes(tilt.row.m)) return one_by_one(a_, &PairRow::k, tilt, c_, height);
     if (vanishes(height.row.m)) return one_by_one(a_, &PairRow::k, height, c_, tilt);
-    const std::string reason = eliminate(builder_, {a_, 1, {}, {1, 0}}, c_, {tilt.row, height.row});
-    if (reason.empty()) builder_.polish(a_, c_, {tilt.row, height.row});
-    return reason;
+    return eliminate(builder_, {a_, 1, {}, {1, 0}}, c_, {tilt.row, height.row});
   }
 
   /// The first equation holds one angle alone, its part of the row being `own`; the second gives the other.
@@ -250,6 +250,18 @@ class ParallelAxes {
     }
     builder_.turn_by_pair(three_[2], {rest.x, sense(three_[2]) * rest.y},
                           "what the sum of the three leaves for " + three_[2].variable);
+  }
+
+  /// Three points that stand off from each other by the size of the arm are carried to where the pose has them.
+  void polish() {
+    const ex size = GiNaC::sqrt(symbolic::symbol(size_square));
+    std::vector<Vector> start;
+    std::vector<Vector> goal;
+    for (const Vector& away : {Vector{0, 0, 0}, Vector{1, 0, 0}, Vector{0, 1, 0}}) {
+      start.push_back(attempt_.chain.home.p + size * away);
+      goal.push_back(target_.image(start.back()));
+    }
+    builder_.polish(attempt_.chain.screws, start, goal);
   }
 
   Attempt& attempt_;

@@ -23,8 +23,7 @@ enum class Kind {
   require,      ///< no unknown: an equation that the pose must satisfy, or (Step::divisor) a divisor that must not vanish
   half,         ///< cosine and sine of half an angle already known
   reach,        ///< no unknown: the value that a free angle takes so that the joints after it are in reach
-  polish,       ///< Newton steps on the position, after a quartic
-  polish_pair,  ///< Newton steps on two equations in two angles, after a quartic
+  polish,       ///< Newton steps, after a quartic and wherever a pose is near a singular one
   right_wrist,  ///< three axes at right angles through a point
   oblique_wrist
 };
@@ -43,6 +42,7 @@ struct Step {
   symbolic::Program before;          ///< the block's inputs, by the block's names
   symbolic::Program after;           ///< names that stay
   std::vector<std::string> turns;    ///< wrist, polish: the joints whose values it leaves, in order
+  int points = 0;                    ///< polish: how many points the joints carry to their goals
   struct Seed {
     int joint;
     int sense;
@@ -52,12 +52,9 @@ struct Step {
   std::vector<std::string> lengths;  ///< half: the unknowns among its angle's terms that are not
   std::vector<std::string> kept;     ///< those of `after` that a later step or the result reads
   bool divisor = false;   ///< require: what must not vanish, in place of an equation
-  bool exact_low = false;            ///< circle: low is a sum of squares, so that only an exact zero is a double root
-  bool exact_high = false;
   std::string equation;              ///< in words and symbols, for people
   std::string degenerate;            ///< where it loses a branch or an angle becomes free
 
-  [[nodiscard]] bool is_polish() const { return kind == Kind::polish || kind == Kind::polish_pair; }
   [[nodiscard]] bool is_wrist() const { return kind == Kind::right_wrist || kind == Kind::oblique_wrist; }
 };
 
@@ -93,6 +90,10 @@ struct Plan {
     return false;
   }
 };
+
+/// The steps in the order of a first pass, which leaves out Newton steps, or of a careful one: what may wait until the
+/// joints are polished then does. An arm with a quartic has no first pass.
+std::vector<std::size_t> order(const Plan& plan, bool careful);
 
 /// A plan, or why there is none.
 struct Derivation {

@@ -20,6 +20,11 @@ void require_height(Attempt& attempt, const Vector& axis, const Vector& start, c
                                "the height along the axes");
 }
 
+void place_by_two_links(Attempt& attempt, const Screw& a, const Screw& b, const Vector& start, const Vector& goal) {
+  two_link(attempt, a, b, start, goal);
+  attempt.builder.polish({a, b}, {start}, {goal});
+}
+
 }  // namespace
 
 Flat in_frame(const Screw& screw, const Vector& v, const Scope& scope) {
@@ -53,7 +58,7 @@ std::string in_plane(Attempt& attempt, bool locked) {
   const Vector tool = attempt.chain.home.p;
   if (screws.size() == 2) {
     require_height(attempt, axis, tool, target.pose().p);
-    two_link(attempt, screws[0], screws[1], tool, target.pose().p);
+    place_by_two_links(attempt, screws[0], screws[1], tool, target.pose().p);
     attempt.plan.position_only = true;
     attempt.plan.structure = "two parallel axes place the tool point in their plane; the orientation follows";
     return "";
@@ -65,7 +70,7 @@ std::string in_plane(Attempt& attempt, bool locked) {
     attempt.plan.joints[2] = {true, std::string("cos_") + locked_joint, std::string("sin_") + locked_joint};
     const Vector start = attempt.scope.define(attempt.plan.target, "start", scope.clean(apply(third, at.cosine, at.sine, tool)));
     require_height(attempt, axis, tool, target.pose().p);
-    two_link(attempt, screws[0], screws[1], start, target.pose().p);
+    place_by_two_links(attempt, screws[0], screws[1], start, target.pose().p);
     attempt.plan.position_only = true;
     attempt.plan.structure = "three parallel axes with " + third.variable + " given: two links place the tool point";
     return "";
@@ -75,7 +80,7 @@ std::string in_plane(Attempt& attempt, bool locked) {
   attempt.builder.require_zero(scope.clean(dot(screws[0].first, part)), 1, "no tilt out of the plane");
   attempt.builder.require_zero(scope.clean(dot(screws[0].second, part)), 1, "no tilt out of the plane");
   require_height(attempt, axis, third.point, target.image(third.point));
-  two_link(attempt, screws[0], screws[1], third.point, target.image(third.point));
+  place_by_two_links(attempt, screws[0], screws[1], third.point, target.image(third.point));
   const ex along = scope.clean(dot(axis, part));
   Flat rest{q.w * q.w - along * along, 2 * q.w * along};
   const auto without = [&](const Screw& screw) {

@@ -31,7 +31,7 @@ class Position {
     const std::string reason = b_.revolute ? around_axis() : along_axis();
     if (!reason.empty()) return reason;
     middle();
-    if (builder_.plan().quartic()) builder_.polish({a_.screw, b_, c_.screw}, start_, goal_);
+    builder_.polish({a_.screw, b_, c_.screw}, {start_}, {goal_});
     return "";
   }
 

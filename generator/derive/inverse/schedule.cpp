@@ -41,10 +41,11 @@ std::vector<std::string> reads(const Step& step) {
 std::vector<std::string> writes(const Step& step) {
   std::vector<std::string> names;
   for (const auto& output : step.after.outputs()) names.push_back(output.name);
+  // Polished values are better ones of what has been known already.
+  if (step.kind == Kind::polish) return names;
   for (const std::string& turn : step.turns) {
     names.push_back("cos_" + turn);
     names.push_back("sin_" + turn);
-    if (step.kind == Kind::polish) names.push_back(turn);
   }
   return names;
 }
@@ -65,6 +66,46 @@ void schedule(Plan& plan) {
     ordered.insert(ordered.begin() + static_cast<std::ptrdiff_t>(place), std::move(step));
   }
   plan.steps = std::move(ordered);
+}
+
+namespace {
+
+bool any_of(const std::vector<std::string>& names, const std::set<std::string>& wanted) {
+  return std::any_of(names.begin(), names.end(), [&](const std::string& name) { return wanted.count(name) > 0; });
+}
+
+/// Whether each of the first steps has to come before step `end`, which reads none of them: all but half angles that wait.
+std::vector<bool> needed_before(const Plan& plan, std::size_t end) {
+  std::vector<bool> needed(end);
+  std::set<std::string> wanted;
+  for (std::size_t i = end; i-- > 0;) {
+    const Step& step = plan.steps[i];
+    needed[i] = !moves(step) || any_of(writes(step), wanted);
+    if (!needed[i]) continue;
+    for (const std::string& name : reads(step)) wanted.insert(name);
+  }
+  return needed;
+}
+
+std::size_t polish_of(const Plan& plan) {
+  std::size_t i = 0;
+  while (i < plan.steps.size() && plan.steps[i].kind != Kind::polish) ++i;
+  return i;
+}
+
+}  // namespace
+
+std::vector<std::size_t> order(const Plan& plan, bool careful) {
+  const std::size_t polish = polish_of(plan);
+  const std::vector<bool> needed = needed_before(plan, polish);
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < polish; ++i)
+    if (!careful || needed[i]) result.push_back(i);
+  if (careful && polish < plan.steps.size()) result.push_back(polish);
+  for (std::size_t i = 0; i < polish; ++i)
+    if (careful && !needed[i]) result.push_back(i);
+  for (std::size_t i = polish + 1; i < plan.steps.size(); ++i) result.push_back(i);
+  return result;
 }
 
 void prune(Plan& plan) {

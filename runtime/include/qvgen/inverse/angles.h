@@ -46,7 +46,7 @@ Scalar output_angle(const Scalar& cosine, const Scalar& sine) {
 }
 
 /// A pair brought to length one. Where its squared length is below `tiny`, any direction will do: the caller's choice is
-/// taken and the branch is marked.
+/// taken and the branch is marked; what the other signs then lead to may be the same.
 template <typename Scalar>
 Rotor<Scalar> direction(const Rotor<Scalar>& v, const Scalar& tiny, const Rotor<Scalar>& choice,
                         Branch<Scalar>& branch) {
@@ -54,6 +54,7 @@ Rotor<Scalar> direction(const Rotor<Scalar>& v, const Scalar& tiny, const Rotor<
   const Scalar square = v.cosine * v.cosine + v.sine * v.sine;
   const Mask<Scalar> is_free = square <= tiny;
   branch.continuum = branch.continuum | (branch.exists & is_free);
+  branch.doubtful = branch.doubtful | (branch.exists & is_free);
   const Scalar scale = Scalar(1) / sqrt(select(is_free, Scalar(1), square));
   return {select(is_free, choice.cosine, Scalar(v.cosine * scale)), select(is_free, choice.sine, Scalar(v.sine * scale))};
 }
@@ -67,6 +68,7 @@ Rotor<Scalar> span(const Rotor<Scalar>& v, const Scalar& tiny, const Rotor<Scala
   const Scalar square = v.cosine * v.cosine + v.sine * v.sine;
   const Mask<Scalar> is_free = square <= tiny;
   branch.continuum = branch.continuum | (branch.exists & is_free);
+  branch.doubtful = branch.doubtful | (branch.exists & is_free);
   const Scalar brief(0x1p-100);
   length = select(is_free, brief, sqrt(square));
   return {select(is_free, Scalar(brief * choice.cosine), v.cosine), select(is_free, Scalar(brief * choice.sine), v.sine)};

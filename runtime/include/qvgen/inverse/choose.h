@@ -41,25 +41,6 @@ double joint_distance(const Joints<dof>& a, const Joints<dof>& b, const JointKin
   return std::sqrt(sum);
 }
 
-namespace inverse {
-
-/// Drops rows that are an earlier one to half the digits; for generated code. Where two roots of a quartic meet they are
-/// known no better than that, and Newton steps bring both to the same place or next to it.
-template <int dof, int capacity, std::size_t count>
-void merge_close(Solutions<dof, capacity>& found, const std::array<bool, count>& revolute) {
-  int kept = 0;
-  for (int i = 0; i < found.size(); ++i) {
-    bool repeated = false;
-    for (int k = 0; k < kept; ++k) repeated = repeated || joint_distance<dof>(found[k].q, found[i].q, revolute) < 1e-7;
-    if (repeated) continue;
-    if (kept != i) found[kept] = found[i];
-    ++kept;
-  }
-  found.truncate(kept);
-}
-
-}  // namespace inverse
-
 /// Puts the solutions in order of their distance from the seed; equal distances keep their order.
 template <int dof, int capacity, std::size_t count>
 void sort_by_distance(Solutions<dof, capacity>& found, const Joints<dof>& seed, const std::array<bool, count>& revolute) {

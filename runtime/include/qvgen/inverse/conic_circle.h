@@ -80,6 +80,14 @@ Matrix<Scalar> line_pair(const Aligned<Scalar>& f, const Scalar& pi) {
   return m;
 }
 
+/// A small turn, by 2 atan(angle/2): exact in length.
+template <typename Scalar>
+Rotor<Scalar> turned_by(const Rotor<Scalar>& u, const Scalar& angle) {
+  const Scalar t = angle / Scalar(2);
+  const Scalar scale = Scalar(1) / (Scalar(1) + t * t);
+  return Rotor<Scalar>{(Scalar(1) - t) * (Scalar(1) + t) * scale, Scalar(2) * t * scale} * u;
+}
+
 /// Moves a root along the circle: Newton, near a double root the local parabola's root or its extremum.
 template <typename Scalar>
 Rotor<Scalar> polished(const Aligned<Scalar>& f, Rotor<Scalar> u) {
@@ -98,67 +106,100 @@ Rotor<Scalar> polished(const Aligned<Scalar>& f, Rotor<Scalar> u) {
       move = -value / slope;
     }
     if (abs(move) > Scalar(0.1)) move = with_sign(Scalar(0.1), move);
-    // A rotation by 2 atan(move/2), exact in length.
-    const Scalar t = move / Scalar(2);
-    const Scalar scale = Scalar(1) / (Scalar(1) + t * t);
-    u = Rotor<Scalar>{(Scalar(1) - t) * (Scalar(1) + t) * scale, Scalar(2) * t * scale} * u;
+    u = turned_by(u, move);
     if (abs(move) < epsilon<Scalar>() / Scalar(2)) break;
   }
   const Scalar scale = Scalar(1) / sqrt(Scalar(u.cosine * u.cosine + u.sine * u.sine));
   return {u.cosine * scale, u.sine * scale};
 }
 
-/// Adds a root unless it is no root or stands there already.
+/// The candidates for roots, each once; two that nearly meet count as two even where they are one.
 template <typename Scalar>
-void add_root(const Aligned<Scalar>& f, const Rotor<Scalar>& start, CircleRoots<Scalar>& found) {
-  using std::abs;
-  const Rotor<Scalar> u = polished(f, start);
-  if (!(abs(f.value(u)) < Scalar(3e-11)) || found.count == 4) return;
-  for (int i = 0; i < found.count; ++i) {
-    const Rotor<Scalar>& other = found.root[static_cast<std::size_t>(i)];
-    if (abs(Scalar(u.cosine - other.cosine)) + abs(Scalar(u.sine - other.sine)) < Scalar(1e-9)) return;
-  }
-  found.root[static_cast<std::size_t>(found.count++)] = u;
-}
+class Roots {
+ public:
+  Roots(const Aligned<Scalar>& f, const Boundary& boundary) : f_(f), accept_(1e-2 * boundary.accept), floor_(boundary.floor) {}
 
-/// The points of the line a·u + d = 0 on the unit circle; a line that misses it narrowly touches it.
-template <typename Scalar>
-void intersect(const Aligned<Scalar>& f, const std::array<Scalar, 3>& line, CircleRoots<Scalar>& found) {
-  using std::abs;
-  using std::sqrt;
-  const Scalar length = sqrt(Scalar(line[0] * line[0] + line[1] * line[1]));
-  if (!(length > Scalar(1e-12) * abs(line[2]))) return;
-  const Scalar a = line[0] / length, b = line[1] / length, d = -line[2] / length;
-  if (abs(d) > Scalar(1 + 1e-5)) return;
-  const Scalar foot = smaller(Scalar(1), Scalar(abs(d)));
-  const Scalar height = sqrt(Scalar((Scalar(1) - foot) * (Scalar(1) + foot)));
-  const Scalar along = with_sign(foot, d);
-  add_root(f, {a * along - b * height, b * along + a * height}, found);
-  add_root(f, {a * along + b * height, b * along - a * height}, found);
-}
+  /// The points of the line a·u + d = 0 on the unit circle; a line that misses it narrowly touches it.
+  void intersect(const std::array<Scalar, 3>& line) {
+    using std::abs;
+    using std::sqrt;
+    const Scalar length = sqrt(Scalar(line[0] * line[0] + line[1] * line[1]));
+    if (!(length > Scalar(1e-12) * abs(line[2]))) return;
+    const Scalar a = line[0] / length, b = line[1] / length, d = -line[2] / length;
+    if (abs(d) > Scalar(1 + 1e-3)) return;
+    const Scalar foot = smaller(Scalar(1), Scalar(abs(d)));
+    const Scalar height = sqrt(Scalar((Scalar(1) - foot) * (Scalar(1) + foot)));
+    const Scalar along = with_sign(foot, d);
+    add({a * along - b * height, b * along + a * height});
+    add({a * along + b * height, b * along - a * height});
+  }
+
+  [[nodiscard]] const CircleRoots<Scalar>& found() const { return found_; }
+
+ private:
+  void add(const Rotor<Scalar>& start) {
+    using std::abs;
+    const Rotor<Scalar> u = polished(f_, start);
+    if (!(abs(f_.value(u)) < Scalar(accept_))) return;
+    if (abs(f_.slope(u)) < Scalar(1e-4) * abs(f_.curvature(u))) return add_pair(u);
+    if (abs(f_.value(u)) < Scalar(3e-11)) push(u, Scalar(1e-9));
+  }
+
+  /// About the extremum next to u: the local parabola's roots, or the extremum itself twice.
+  void add_pair(const Rotor<Scalar>& u) {
+    using std::sqrt;
+    const Rotor<Scalar> middle = turned_by(u, Scalar(-f_.slope(u) / f_.curvature(u)));
+    for (int i = 0; i < pairs_; ++i)
+      if (apart(middle, middle_[static_cast<std::size_t>(i)]) < Scalar(1e-3)) return;
+    if (pairs_ < 2) middle_[static_cast<std::size_t>(pairs_++)] = middle;
+    const Scalar square = Scalar(-2) * f_.value(middle) / f_.curvature(middle);
+    const Scalar offset = sqrt(larger(square, Scalar(floor_)));
+    push(turned_by(middle, Scalar(-offset)), Scalar(0));
+    push(turned_by(middle, offset), Scalar(0));
+  }
+
+  void push(const Rotor<Scalar>& u, const Scalar& least_distance) {
+    if (found_.count == 4) return;
+    for (int i = 0; i < found_.count; ++i)
+      if (apart(u, found_.root[static_cast<std::size_t>(i)]) < least_distance) return;
+    found_.root[static_cast<std::size_t>(found_.count++)] = u;
+  }
+
+  static Scalar apart(const Rotor<Scalar>& u, const Rotor<Scalar>& v) {
+    return magnitude(Scalar(u.cosine - v.cosine)) + magnitude(Scalar(u.sine - v.sine));
+  }
+
+  const Aligned<Scalar>& f_;
+  double accept_;
+  double floor_;
+  CircleRoots<Scalar> found_;
+  std::array<Rotor<Scalar>, 2> middle_;
+  int pairs_ = 0;
+};
 
 }  // namespace conic
 
 /// The up to four angles of a conic on the unit circle, by the pencil of the two conics: a real root of one cubic,
-/// then two lines. No half-angle tangent occurs, so no angle is special. Ordered by angle; double roots once.
+/// then two lines. No half-angle tangent occurs, so no angle is special. Ordered by angle. Nearly double roots, and extrema
+/// that come near zero, count as two: Newton steps on the joints are to decide.
 template <typename Scalar>
-CircleRoots<Scalar> conic_circle(const Conic<Scalar>& conic, const Scalar& pi) {
+CircleRoots<Scalar> conic_circle(const Conic<Scalar>& conic, const Boundary& boundary, const Scalar& pi) {
   using std::abs;
   using std::atan2;
   using std::sqrt;
-  CircleRoots<Scalar> found;
   const Scalar difference = (conic.xx - conic.yy) / Scalar(2);
   const Scalar mixed = conic.xy / Scalar(2);
   const Scalar g = sqrt(Scalar(difference * difference + mixed * mixed));
   const Scalar one = conic.one + (conic.xx + conic.yy) / Scalar(2);
   const Scalar scale = g + abs(conic.x) + abs(conic.y) + abs(one);
-  if (!(scale > Scalar(0))) return found;
+  if (!(scale > Scalar(0))) return {};
   const Rotor<Scalar> axis = g > Scalar(0) ? half(Rotor<Scalar>{difference / g, mixed / g}) : Rotor<Scalar>{1, 0};
   const Scalar p = (axis.cosine * conic.x + axis.sine * conic.y) / Scalar(2);
   const Scalar q = (axis.cosine * conic.y - axis.sine * conic.x) / Scalar(2);
   const conic::Aligned<Scalar> f{g / scale, p / scale, q / scale, one / scale};
+  conic::Roots<Scalar> roots(f, boundary);
   if (f.g < Scalar(1e-13)) {
-    conic::intersect(f, {Scalar(2) * f.p, Scalar(2) * f.q, f.k}, found);
+    roots.intersect({Scalar(2) * f.p, Scalar(2) * f.q, f.k});
   } else {
     const conic::Matrix<Scalar> lines = conic::line_pair(f, pi);
     std::size_t row = 0, column = 0;
@@ -168,9 +209,10 @@ CircleRoots<Scalar> conic_circle(const Conic<Scalar>& conic, const Scalar& pi) {
         column = i % 3;
       }
     }
-    conic::intersect(f, lines[row], found);
-    conic::intersect(f, {lines[0][column], lines[1][column], lines[2][column]}, found);
+    roots.intersect(lines[row]);
+    roots.intersect({lines[0][column], lines[1][column], lines[2][column]});
   }
+  CircleRoots<Scalar> found = roots.found();
   std::array<Scalar, 4> order{};
   for (int i = 0; i < found.count; ++i) {
     const auto place = static_cast<std::size_t>(i);

@@ -4,7 +4,6 @@
 #include <array>
 
 #include <qvgen/inverse/angles.h>
-#include <qvgen/inverse/pair_system.h>
 
 namespace qvgen::inverse {
 
@@ -32,7 +31,7 @@ struct Screw {
   Triple<Scalar> point;
 };
 
-/// Value of a joint: an angle as its pair, a length in the cosine's place.
+/// A direction turned about a revolute joint's axis.
 template <typename Scalar>
 Triple<Scalar> turned(const Screw<Scalar>& screw, const Rotor<Scalar>& value, const Triple<Scalar>& v) {
   const Triple<Scalar> side = cross(screw.axis, v);
@@ -43,6 +42,7 @@ Triple<Scalar> turned(const Screw<Scalar>& screw, const Rotor<Scalar>& value, co
   return result;
 }
 
+/// A point carried by a joint. Value of a joint: an angle as its pair, a length in the cosine's place.
 template <typename Scalar>
 Triple<Scalar> moved(const Screw<Scalar>& screw, const Rotor<Scalar>& value, const Triple<Scalar>& x) {
   Triple<Scalar> result = x;
@@ -52,67 +52,183 @@ Triple<Scalar> moved(const Screw<Scalar>& screw, const Rotor<Scalar>& value, con
   return result;
 }
 
-/// (JᵀJ + λ² I)⁻¹ Jᵀ r for the columns of J.
-template <typename Scalar>
-Triple<Scalar> damped_step(const std::array<Triple<Scalar>, 3>& columns, const Triple<Scalar>& r, const Scalar& lambda2) {
-  std::array<Triple<Scalar>, 3> n;
-  Triple<Scalar> b;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) n[i][j] = dot(columns[i], columns[j]);
-    n[i][i] += lambda2;
-    b[i] = dot(columns[i], r);
+/// Joints that are to carry points to their goals: one point is a position, three that are no line a whole pose.
+template <typename Scalar, std::size_t joints, std::size_t points>
+struct Carrying {
+  std::array<Screw<Scalar>, joints> arm;
+  std::array<Triple<Scalar>, points> start;
+  std::array<Triple<Scalar>, points> goal;
+};
+
+template <typename Scalar, std::size_t joints>
+using JointValues = std::array<Rotor<Scalar>, joints>;
+
+namespace polishing {
+
+template <typename Scalar, std::size_t size>
+using Vector = std::array<Scalar, size>;
+template <typename Scalar, std::size_t size>
+using Square = std::array<Vector<Scalar, size>, size>;
+
+/// x of n x = b for a symmetric n that is positive semidefinite, by Cholesky's L D Lᵀ. What a vanishing pivot leaves open is 0:
+/// a free joint stays where it is.
+template <typename Scalar, std::size_t size>
+Vector<Scalar, size> solved(Square<Scalar, size> n, Vector<Scalar, size> b) {
+  Scalar trace(0);
+  for (std::size_t i = 0; i < size; ++i) trace += n[i][i];
+  Vector<Scalar, size> inverse;
+  for (std::size_t i = 0; i < size; ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      const Scalar factor = n[i][k] * inverse[k];
+      for (std::size_t j = i; j < size; ++j) n[j][i] -= factor * n[j][k];
+      b[i] -= factor * b[k];
+    }
+    const bool holds = n[i][i] > epsilon<Scalar>() * trace;
+    inverse[i] = holds ? Scalar(Scalar(1) / n[i][i]) : Scalar(0);
   }
-  const Triple<Scalar> c0 = cross(n[1], n[2]);
-  const Scalar determinant = dot(n[0], c0);
-  if (!(determinant > Scalar(0))) return {Scalar(0), Scalar(0), Scalar(0)};
-  const Triple<Scalar> c1 = cross(n[2], n[0]);
-  const Triple<Scalar> c2 = cross(n[0], n[1]);
-  Triple<Scalar> step;
-  for (std::size_t i = 0; i < 3; ++i) step[i] = (c0[i] * b[0] + c1[i] * b[1] + c2[i] * b[2]) / determinant;
-  return step;
+  for (std::size_t i = size; i-- > 0;) {
+    for (std::size_t j = i + 1; j < size; ++j) b[i] -= n[j][i] * b[j];
+    b[i] = b[i] * inverse[i];
+  }
+  return b;
 }
 
-/// Improves joint values with e_a e_b e_c start = goal by damped Newton steps as long as they help. Quartic roots
-/// carry nine to eleven digits; this gives back the rest. It never discards a solution: without a better one the
-/// values stay as they are.
-template <typename Scalar>
-void polish_position(const std::array<Screw<Scalar>, 3>& arm, const Triple<Scalar>& start, const Triple<Scalar>& goal,
-                     std::array<Rotor<Scalar>, 3>& values) {
-  using std::abs;
-  using std::sqrt;
-  const auto reach = [&](const std::array<Rotor<Scalar>, 3>& at, std::array<Triple<Scalar>, 4>& path) {
-    path[3] = start;
-    for (std::size_t i = 3; i-- > 0;) path[i] = moved(arm[i], at[i], path[i + 1]);
-    const Triple<Scalar> miss = difference(goal, path[0]);
-    return dot(miss, miss);
-  };
-  const Scalar size = Scalar(1) + dot(goal, goal);
-  std::array<Triple<Scalar>, 4> path;
-  Scalar error = reach(values, path);
-  const Scalar enough = Scalar(4) * epsilon<Scalar>() * epsilon<Scalar>() * size;
-  for (int step = 0; step < 8 && error > enough; ++step) {
-    std::array<Triple<Scalar>, 3> columns;
-    for (std::size_t i = 0; i < 3; ++i) {
-      columns[i] = arm[i].revolute ? cross(arm[i].axis, difference(path[i], arm[i].point)) : arm[i].axis;
-      for (std::size_t k = i; k-- > 0;)
-        if (arm[k].revolute) columns[i] = turned(arm[k], values[k], columns[i]);
+template <typename Scalar, std::size_t joints, std::size_t points>
+class Newton {
+ public:
+  using Values = JointValues<Scalar, joints>;
+
+  explicit Newton(const Carrying<Scalar, joints, points>& task) : task_(task) {}
+
+  /// Sum of the squared distances between the points and their goals.
+  Scalar miss(const Values& values) const {
+    Scalar sum(0);
+    for (std::size_t p = 0; p < points; ++p) {
+      Triple<Scalar> x = task_.start[p];
+      for (std::size_t i = joints; i-- > 0;) x = moved(task_.arm[i], values[i], x);
+      const Triple<Scalar> off = difference(task_.goal[p], x);
+      sum += dot(off, off);
     }
-    const Triple<Scalar> d = damped_step(columns, difference(goal, path[0]), Scalar(error * Scalar(1e-2)));
-    std::array<Rotor<Scalar>, 3> next = values;
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (!arm[i].revolute) {
-        next[i].cosine += d[i];
+    return sum;
+  }
+
+  /// Where (JᵀJ + λ² I)⁻¹ Jᵀ (goal - point) leads.
+  Values step(const Values& values, const Scalar& lambda2) const {
+    Square<Scalar, joints> n{};
+    Vector<Scalar, joints> b{};
+    for (std::size_t p = 0; p < points; ++p) add_point(p, values, n, b);
+    for (std::size_t i = 0; i < joints; ++i) n[i][i] += lambda2;
+    return advanced(values, solved(n, b));
+  }
+
+ private:
+  void add_point(std::size_t p, const Values& values, Square<Scalar, joints>& n, Vector<Scalar, joints>& b) const {
+    std::array<Triple<Scalar>, joints> columns;
+    Triple<Scalar> x = task_.start[p];
+    for (std::size_t i = joints; i-- > 0;) {
+      const Screw<Scalar>& screw = task_.arm[i];
+      x = moved(screw, values[i], x);
+      columns[i] = screw.revolute ? cross(screw.axis, difference(x, screw.point)) : screw.axis;
+      for (std::size_t k = i + 1; screw.revolute && k < joints; ++k) columns[k] = turned(screw, values[i], columns[k]);
+    }
+    const Triple<Scalar> off = difference(task_.goal[p], x);
+    for (std::size_t i = 0; i < joints; ++i) {
+      for (std::size_t j = 0; j <= i; ++j) n[i][j] += dot(columns[i], columns[j]);
+      b[i] += dot(columns[i], off);
+    }
+  }
+
+  Values advanced(Values values, const Vector<Scalar, joints>& by) const {
+    for (std::size_t i = 0; i < joints; ++i) {
+      if (!task_.arm[i].revolute) {
+        values[i].cosine += by[i];
         continue;
       }
-      const Scalar t = d[i] / Scalar(2);
+      // Of exact length; far steps end at half a turn.
+      const Scalar t = by[i] / Scalar(2);
       const Scalar scale = Scalar(1) / (Scalar(1) + t * t);
-      next[i] = Rotor<Scalar>{(Scalar(1) - t) * (Scalar(1) + t) * scale, Scalar(2) * t * scale} * next[i];
+      values[i] = Rotor<Scalar>{(Scalar(1) - t) * (Scalar(1) + t) * scale, Scalar(2) * t * scale} * values[i];
     }
-    const Scalar better = reach(next, path);
-    if (!(better < error)) return;
-    error = better;
-    values = next;
+    return values;
   }
+
+  const Carrying<Scalar, joints, points>& task_;
+};
+
+}  // namespace polishing
+
+/// Brings joint values to where they carry the points to their goals, by damped Newton steps (Levenberg, Marquardt).
+/// Returns whether what the best of them miss is at most the tolerance, a share of the size; NaN is not.
+///
+/// A quartic's roots carry nine to eleven digits, and a closed form that divides by a length of 1e-5 as many: this gives
+/// back the rest. At a double root each step halves what is left, so that there may be many; and it may have to step
+/// aside first, which the next steps make good: hence the patience.
+template <typename Scalar, std::size_t joints, std::size_t points>
+bool polish(const Carrying<Scalar, joints, points>& task, const Scalar& size_square, const Scalar& tolerance,
+            JointValues<Scalar, joints>& values) {
+  using std::sqrt;
+  constexpr int most_steps = 60;
+  constexpr int patience = 4;
+  const polishing::Newton<Scalar, joints, points> newton(task);
+  for (std::size_t i = 0; i < joints; ++i) {
+    if (!task.arm[i].revolute) continue;
+    const Scalar square = values[i].cosine * values[i].cosine + values[i].sine * values[i].sine;
+    values[i] = Scalar(Scalar(1) / sqrt(square)) * values[i];
+  }
+  JointValues<Scalar, joints> now = values;
+  Scalar error = newton.miss(now);
+  Scalar least = error;
+  const Scalar enough = epsilon<Scalar>() * epsilon<Scalar>() * size_square;
+  int waited = 0;
+  for (int step = 0; step < most_steps && waited < patience && least > enough; ++step) {
+    now = newton.step(now, Scalar(error * Scalar(1e-2)));
+    error = newton.miss(now);
+    ++waited;
+    if (!(error < least)) continue;
+    least = error;
+    values = now;
+    waited = 0;
+  }
+  const Scalar share = larger(tolerance, Scalar(Scalar(32) * epsilon<Scalar>()));
+  return least <= share * share * size_square;
 }
+
+/// What has come of each branch, and the solutions so far by the values of the joints that decide: the closed form may
+/// come to one from two branches, and polishing brings two together where they are one.
+template <typename Scalar, std::size_t joints, std::size_t capacity>
+class Visited {
+ public:
+  [[nodiscard]] bool settled(int branch) const { return settled_[static_cast<std::size_t>(branch)]; }
+  /// Whether some branch came near a solution and has none.
+  [[nodiscard]] bool misses_any() const { return misses_any_; }
+  void begin_pass() { misses_any_ = false; }
+
+  /// Takes note of where a branch has led; true if that is a solution and a new one, to half the digits.
+  bool take(int branch, bool reached, const JointValues<Scalar, joints>& values) {
+    misses_any_ = misses_any_ || !reached;
+    if (!reached) return false;
+    settled_[static_cast<std::size_t>(branch)] = true;
+    for (std::size_t k = 0; k < count_; ++k)
+      if (same(rows_[k], values)) return false;
+    rows_[count_++] = values;
+    return true;
+  }
+
+ private:
+  static bool same(const JointValues<Scalar, joints>& a, const JointValues<Scalar, joints>& b) {
+    Scalar sum(0);
+    for (std::size_t i = 0; i < joints; ++i) {
+      const Scalar x = a[i].cosine - b[i].cosine;
+      const Scalar y = a[i].sine - b[i].sine;
+      sum += x * x + y * y;
+    }
+    return sum < Scalar(180) * epsilon<Scalar>();
+  }
+
+  std::array<bool, capacity> settled_{};
+  std::array<JointValues<Scalar, joints>, capacity> rows_;
+  std::size_t count_ = 0;
+  bool misses_any_ = false;
+};
 
 }  // namespace qvgen::inverse

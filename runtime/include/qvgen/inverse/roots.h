@@ -5,45 +5,46 @@
 
 namespace qvgen::inverse {
 
+/// Whether a branch whose least share of the range is `margin` exists; `nearly_free` as for `Boundary::near`.
+template <typename Scalar>
+void admit(const Scalar& margin, const Mask<Scalar>& nearly_free, const Boundary& boundary, Branch<Scalar>& branch) {
+  const Mask<Scalar> close = (magnitude(margin) < Scalar(boundary.doubt)) | nearly_free;
+  branch.doubtful = branch.doubtful | (branch.exists & close);
+  branch.exists = branch.exists & ((margin >= Scalar(-boundary.accept)) | nearly_free);
+}
+
 /// cos φ = (high - low) / (high + low), the two angles ±φ at which a line or circle meets a circle; scale = 1 / (low + high).
 ///
 /// For a·x = d, |x| = r: low = r|a| - d, high = r|a| + d, φ counted from a. For |v + x| = δ:
 /// low = (|v|+r)² - δ², high = δ² - (|v|-r)², φ counted from v. Both tell sin² and cos² of φ/2 without
 /// cancellation, so the angle is exact to rounding at φ = 0 and φ = pi; both may have their signs flipped.
-/// Outside by more than `tolerance` (a share of high + low), or NaN: the branch does not exist. A double root is
-/// one branch, that of sign +1; which shares count as double is for the caller to say: `merge_share`, or 0 where
-/// low or high is a sum of squares and small values are exact.
 template <typename Scalar>
 Rotor<Scalar> circle_angle(const Scalar& low, const Scalar& high, const Scalar& scale, const Scalar& sign,
-                           const Scalar& tolerance, const Scalar& merge_low, const Scalar& merge_high,
-                           Branch<Scalar>& branch) {
+                           const Boundary& boundary, Branch<Scalar>& branch,
+                           const Mask<Scalar>& nearly_free = Mask<Scalar>(false)) {
   using std::sqrt;
   const Scalar sine2 = low * scale;
   const Scalar cosine2 = high * scale;
-  const Scalar margin = smaller(sine2, cosine2);
-  const Mask<Scalar> twin = (sine2 <= merge_low) | (cosine2 <= merge_high);
-  branch.exists = branch.exists & (margin >= -tolerance) & !(twin & (sign < Scalar(0)));
-  const Scalar cosine = cosine2 - sine2;
-  const Scalar sine = (Scalar(2) * sign) * sqrt(not_negative(Scalar(sine2 * cosine2)));
-  return {select(twin, with_sign(Scalar(1), cosine), cosine), select(twin, Scalar(0), sine)};
+  admit(smaller(sine2, cosine2), nearly_free, boundary, branch);
+  const Scalar s = larger(sine2, Scalar(boundary.floor));
+  const Scalar c = larger(cosine2, Scalar(boundary.floor));
+  return {c - s, (Scalar(2) * sign) * sqrt(Scalar(s * c))};
 }
 
 /// The angle ±φ from a direction (x, y) that the pose gives, low and high as for `circle_angle`. Where the direction's
-/// squared length is below `tiny`, low + high vanishes too: the angle is free if high - low is as small, and else
-/// there is no solution.
+/// squared length is below `tiny`, low + high vanishes too: the angle is free if high - low is as small.
 template <typename Scalar>
 Rotor<Scalar> free_circle_angle(const Scalar& low, const Scalar& high, const Rotor<Scalar>& from, const Scalar& tiny,
-                                const Rotor<Scalar>& choice, const Scalar& sign, const Scalar& tolerance,
+                                const Rotor<Scalar>& choice, const Scalar& sign, const Boundary& boundary,
                                 Branch<Scalar>& branch) {
   using std::sqrt;
   const Scalar square = from.cosine * from.cosine + from.sine * from.sine;
-  const Mask<Scalar> is_free = square <= tiny;
   const Scalar gap = high - low;
-  const Mask<Scalar> holds = gap * gap <= Scalar(64) * tiny;
+  const Mask<Scalar> is_free = square <= tiny;
   Branch<Scalar> regular = branch;
-  const Rotor<Scalar> turn = circle_angle(low, high, Scalar(Scalar(1) / (low + high)), sign, tolerance, merge_share<Scalar>(), merge_share<Scalar>(), regular);
-  branch.exists = (branch.exists & is_free & holds) | (regular.exists & !is_free);
-  branch.continuum = branch.continuum | (branch.exists & is_free);
+  const Rotor<Scalar> turn = circle_angle(low, high, Scalar(Scalar(1) / (low + high)), sign, boundary, regular,
+                                          square <= Scalar(boundary.near) * tiny);
+  branch.take(is_free, gap * gap <= Scalar(boundary.gap) * tiny, regular);
   const Scalar scale = Scalar(1) / sqrt(select(is_free, Scalar(1), square));
   const Rotor<Scalar> found = turn * Rotor<Scalar>{from.cosine * scale, from.sine * scale};
   return {select(is_free, Scalar(sign * choice.cosine), found.cosine),
@@ -52,12 +53,11 @@ Rotor<Scalar> free_circle_angle(const Scalar& low, const Scalar& high, const Rot
 
 /// The angle ±φ from a direction v = (x, y) that the pose gives, with v·u = rhs for the unit vector u: sin φ |v| is the
 /// root of |v|² - rhs², known as the product low * high of two lengths, and so exact where the difference would not be.
-/// Outside by more than `tolerance` (a share of low + high): the branch does not exist. Where |v|² is below `tiny` the
-/// angle is free if rhs is as small.
+/// Where |v|² is below `tiny` the angle is free if rhs is as small.
 template <typename Scalar>
 Rotor<Scalar> factored_line_angle(const Rotor<Scalar>& v, const Scalar& rhs, const Scalar& low, const Scalar& high,
                                   const Scalar& tiny, const Rotor<Scalar>& choice, const Scalar& sign,
-                                  const Scalar& tolerance, Branch<Scalar>& branch) {
+                                  const Boundary& boundary, Branch<Scalar>& branch) {
   using std::sqrt;
   const Scalar square = v.cosine * v.cosine + v.sine * v.sine;
   const Mask<Scalar> is_free = square <= tiny;
@@ -65,14 +65,11 @@ Rotor<Scalar> factored_line_angle(const Rotor<Scalar>& v, const Scalar& rhs, con
   const Scalar scale = Scalar(1) / range;
   const Scalar low_share = low * scale;
   const Scalar high_share = high * scale;
-  const Scalar margin = smaller(low_share, high_share);
-  const Mask<Scalar> twin = margin <= merge_share<Scalar>();
-  const Mask<Scalar> holds = select(is_free, Scalar(rhs * rhs - Scalar(64) * tiny), Scalar(-tolerance - margin)) <= Scalar(0);
-  branch.exists = branch.exists & holds & !(twin & !is_free & (sign < Scalar(0)));
-  branch.continuum = branch.continuum | (branch.exists & is_free);
-  const Scalar share = low_share * high_share;
-  const Scalar size = select(range < Scalar(0), Scalar(-range), range);
-  const Scalar height = select(twin, Scalar(0), Scalar(sign * size * sqrt(not_negative(share))));
+  Branch<Scalar> regular = branch;
+  admit(smaller(low_share, high_share), square <= Scalar(boundary.near) * tiny, boundary, regular);
+  branch.take(is_free, rhs * rhs <= Scalar(boundary.gap) * tiny, regular);
+  const Scalar floor(boundary.floor);
+  const Scalar height = sign * magnitude(range) * sqrt(Scalar(larger(low_share, floor) * larger(high_share, floor)));
   const Scalar length = sqrt(select(is_free, Scalar(1), Scalar(rhs * rhs + height * height)));
   const Scalar unit = Scalar(1) / (length * sqrt(select(is_free, Scalar(1), square)));
   const Rotor<Scalar> found = Rotor<Scalar>{rhs * unit, height * unit} * v;
@@ -106,30 +103,29 @@ Rotor<Scalar> reachable_direction(const Rotor<Scalar>& point, const Rotor<Scalar
 }
 
 /// ±sqrt(square), where `square` = r² - m² may be negative by rounding, `scale` = m² telling how much that is.
-/// With scale 0 it is a sum of squares, and a double root is what lies below `tiny`, the square of a length that is noise.
+/// With scale 0 it is a sum of squares, and noise is what lies below `tiny`, the square of a length.
 template <typename Scalar>
 Scalar signed_root(const Scalar& square, const Scalar& scale, const Scalar& tiny, const Scalar& sign,
-                   const Scalar& tolerance, Branch<Scalar>& branch) {
+                   const Boundary& boundary, Branch<Scalar>& branch) {
   using std::sqrt;
-  const Mask<Scalar> twin = square <= merge_share<Scalar>() * scale + tiny;
-  branch.exists = branch.exists & (square >= -tolerance * scale) & !(twin & (sign < Scalar(0)));
-  return select(twin, Scalar(0), Scalar(sign * sqrt(not_negative(square))));
+  const Mask<Scalar> close = magnitude(square) <= Scalar(boundary.near) * tiny;
+  admit(Scalar(square / larger(scale, magnitude(square))), close, boundary, branch);
+  return sign * sqrt(larger(square, Scalar(boundary.floor) * (scale + tiny)));
 }
 
 /// The root of a t² + 2 b t + c = 0, a not zero, that belongs to the sign: (-b ± sqrt(b² - a c)) / a without
 /// cancellation between -b and the square root.
 template <typename Scalar>
-Scalar quadratic_root(const Scalar& a, const Scalar& b, const Scalar& c, const Scalar& sign,
-                      const Scalar& tolerance, Branch<Scalar>& branch) {
+Scalar quadratic_root(const Scalar& a, const Scalar& b, const Scalar& c, const Scalar& sign, const Boundary& boundary,
+                      Branch<Scalar>& branch) {
   using std::sqrt;
   const Scalar half = -b / a;
   const Scalar product = c / a;
   const Scalar square = half * half;
-  const Scalar scale = square + select(product < Scalar(0), Scalar(-product), product);
+  const Scalar scale = square + magnitude(product);
   const Scalar discriminant = square - product;
-  const Mask<Scalar> twin = discriminant <= merge_share<Scalar>() * scale;
-  branch.exists = branch.exists & (discriminant >= -tolerance * scale) & !(twin & (sign < Scalar(0)));
-  const Scalar root = select(twin, Scalar(0), sqrt(not_negative(discriminant)));
+  admit(Scalar(discriminant / scale), Mask<Scalar>(false), boundary, branch);
+  const Scalar root = sqrt(larger(discriminant, Scalar(boundary.floor) * scale));
   const Scalar large = half + with_sign(root, half);
   const Mask<Scalar> wants_large = (half < Scalar(0)) == (sign < Scalar(0));
   const Scalar small = select(large == Scalar(0), Scalar(0), Scalar(product / select(large == Scalar(0), Scalar(1), large)));

@@ -15,6 +15,7 @@ struct RowPlaces {
 struct RowCount {
   int rows;
   bool continuum;  ///< one of them is marked
+  bool doubtful;   ///< rounding may have decided what exists: nothing of this counts
 };
 
 }  // namespace qvgen::inverse

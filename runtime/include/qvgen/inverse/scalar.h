@@ -42,9 +42,8 @@ Scalar merge_share() {
   return Scalar(18) * epsilon<Scalar>();
 }
 
-/// How far outside the reachable range a pose may lie and still be solved at the boundary, as a share of the range of
-/// the equation that shows it. The joints that are returned there miss the pose by about this share of the arm's size,
-/// times the ratio of the longest to the shortest link where one equation's miss is another one's lever.
+/// How far off a pose the nearest joints may leave the arm's point and still count as a solution, as a share of the arm's
+/// size: what a pose at the boundary of reach needs, since rounding puts every second one outside.
 inline constexpr double default_tolerance = 1e-13;
 
 template <typename Scalar>
@@ -80,11 +79,41 @@ Scalar negated(const Mask<Scalar>& condition, const Scalar& a) {
   return select(condition, Scalar(-a), a);
 }
 
+/// How blocks treat the ends of their range, where two solutions meet and rounding decides whether they exist.
+///
+/// A first pass takes equations at their word and says where it should not be trusted. Poses in doubt are solved once more:
+/// whatever might exist is followed from the end of the range, and Newton steps and the pose they reach decide. Branches
+/// that come to nothing so are followed again from two places apart, since at the end itself Newton's steps are blind.
+struct Boundary {
+  double accept;  ///< so far outside, as a share of the range, a branch still exists and is taken to the end of the range
+  double doubt;   ///< nearer to an end than this share the branch is doubtful
+  double floor;   ///< least share of the range: what is nearer to the end is moved away from it
+  double near;    ///< a direction whose square is below this multiple of noise is nearly free: doubtful, and accepted at any share
+  double gap;     ///< a free direction's equation holds if the square of what is left is below this multiple of noise
+
+  static constexpr Boundary plain(double tolerance) { return {0, 1e-7 + 100 * tolerance, 0, 1e14, 64}; }
+  static constexpr Boundary careful(double tolerance) { return {1e-3 + 100 * tolerance, 0, 0, 1e14, 64e14}; }
+  static constexpr Boundary apart(double tolerance) { return {1e-3 + 100 * tolerance, 0, 1e-10, 1e14, 64e14}; }
+};
+
 /// What is known of the branch that a sequence of blocks follows.
 template <typename Scalar>
 struct Branch {
-  Mask<Scalar> exists{true};      ///< false: no such solution, or the same as that of the other sign
+  Mask<Scalar> exists{true};      ///< false: no such solution
   Mask<Scalar> continuum{false};  ///< true: an angle was free and has been chosen
+  Mask<Scalar> doubtful{false};   ///< true: rounding may have decided what exists, on this branch or on one before
+
+  /// Back to a fork; doubts stay.
+  void resume(const Branch& fork) {
+    exists = fork.exists;
+    continuum = fork.continuum;
+  }
+  /// Where an angle is free it has been chosen, if the equation holds; elsewhere the branch is what a regular block has found.
+  void take(const Mask<Scalar>& is_free, const Mask<Scalar>& holds, const Branch& regular) {
+    doubtful = doubtful | (exists & is_free) | regular.doubtful;
+    exists = (is_free & exists & holds) | ((!is_free) & regular.exists);
+    continuum = continuum | (exists & is_free);
+  }
 };
 
 }  // namespace qvgen::inverse

@@ -94,5 +94,13 @@ void append(Solutions<dof, capacity>& found, const Eigen::Matrix<double, dof, 1>
   row.continuum = continuum;
 }
 
+/// Back into the order of branches, for rows that two passes have found.
+template <int dof, int capacity>
+void sort_by_branch(Solutions<dof, capacity>& found) {
+  const auto earlier = [](const Solution<dof>& a, const Solution<dof>& b) { return a.branch < b.branch; };
+  for (auto place = found.begin(); place != found.end(); ++place)
+    std::rotate(std::upper_bound(found.begin(), place, *place, earlier), place, place + 1);
+}
+
 }  // namespace inverse
 }  // namespace qvgen

@@ -26,6 +26,7 @@ struct TargetBase {
   static constexpr double noise = 16 * std::numeric_limits<double>::epsilon();
   static constexpr double tiny0 = noise * noise;  ///< the same of directions of unit length
   double tolerance;            ///< see `default_tolerance`
+  Boundary boundary;           ///< how this pass treats the ends of ranges
   double tiny1, tiny2, tiny4;  ///< squares of directions that are noise: of lengths, squared lengths, short lengths squared
   double locked, cos_locked, sin_locked;
   const Preference<dof>* preference;

@@ -74,7 +74,8 @@ struct WristTurns {
 /// Both branches of `right_wrist`, by sign, without any arctangent.
 template <typename Scalar>
 WristTurns<Scalar> right_wrist_turns(const Rotor<Scalar>& u, const Rotor<Scalar>& v, bool swapped,
-                                     const Rotor<Scalar>& choice, const Scalar& sign, Branch<Scalar>& branch) {
+                                     const Rotor<Scalar>& choice, const Scalar& sign, const Boundary& boundary,
+                                     Branch<Scalar>& branch) {
   using std::sqrt;
   const Scalar u_square = u.cosine * u.cosine + u.sine * u.sine;
   const Scalar v_square = v.cosine * v.cosine + v.sine * v.sine;
@@ -87,6 +88,10 @@ WristTurns<Scalar> right_wrist_turns(const Rotor<Scalar>& u, const Rotor<Scalar>
   const Rotor<Scalar> v_or_choice = direction(v, noise, choice, branch);
   const Rotor<Scalar> along_u = direction(u, noise, Rotor<Scalar>(choice * inverse(v_or_choice)), branch);
   const Rotor<Scalar> rest = choice * inverse(along_u);
+  // Nearly free: what the angles are is for the joints between to say, and those may be at the end of their reach.
+  const Scalar little = Scalar(boundary.near) * noise;
+  const Mask<Scalar> nearly_free = ((u_square <= little) & (u_square > noise)) | ((v_square <= little) & (v_square > noise));
+  branch.doubtful = branch.doubtful | (branch.exists & nearly_free);
   const Rotor<Scalar> along_v{select(is_free.v, rest.cosine, v_or_choice.cosine), select(is_free.v, rest.sine, v_or_choice.sine)};
   const Rotor<Scalar> first = along_u * along_v;
   const Rotor<Scalar> last = along_u * inverse(along_v);
@@ -125,14 +130,15 @@ ObliqueHalf<Scalar> oblique_half(const Rotor<Scalar>& u11, const Rotor<Scalar>& 
   const Scalar cosine2 = (u12_square - shape.sine_difference * shape.sine_difference) / shape.product;
   const Vanishing<Scalar> is_free = vanishing(u11_square, u12_square);
   const Scalar margin = smaller(sine2, cosine2);
-  const Mask<Scalar> sine_twin = (sine2 <= merge_share<Scalar>()) & (shape.cosine_sum != zero);
-  const Mask<Scalar> cosine_twin = (cosine2 <= merge_share<Scalar>()) & (shape.sine_difference != zero);
-  branch.exists = branch.exists & (margin >= -tolerance) & !((sine_twin | cosine_twin) & (sign < zero));
-  const Scalar s = select(sine_twin | is_free.u, zero, sqrt(not_negative(sine2)));
-  const Scalar c = select(cosine_twin | is_free.v, zero, sqrt(not_negative(cosine2)));
-  // z1 = M11 conj(U11), z2 = M12 conj(U12); at a right sum or difference the limit direction is kept.
+  // Where the first or last angle is free the middle one is 0 or pi, which with a right sum or difference is no double root.
   const Mask<Scalar> right_sum = shape.cosine_sum == zero;
   const Mask<Scalar> right_difference = shape.sine_difference == zero;
+  const Mask<Scalar> sine_twin = ((sine2 <= merge_share<Scalar>()) & (!right_sum)) | is_free.u;
+  const Mask<Scalar> cosine_twin = ((cosine2 <= merge_share<Scalar>()) & (!right_difference)) | is_free.v;
+  branch.exists = branch.exists & (margin >= -tolerance) & !((sine_twin | cosine_twin) & (sign < zero));
+  const Scalar s = select(sine_twin, zero, sqrt(not_negative(sine2)));
+  const Scalar c = select(cosine_twin, zero, sqrt(not_negative(cosine2)));
+  // z1 = M11 conj(U11), z2 = M12 conj(U12); at a right sum or difference the limit direction is kept.
   const Scalar m11_real = shape.cosine_sum * c;
   const Scalar m11_imaginary = -sign * select(right_sum, Scalar(1), Scalar(shape.cosine_difference * s));
   const Scalar m12_real = -sign * (shape.sine_difference * s);
