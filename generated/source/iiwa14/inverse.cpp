@@ -12,49 +12,20 @@
 namespace qvgen::robots::iiwa14 {
 namespace detail::given_theta3 {
 namespace {
-Target target_of(const Pose<double>& pose, [[maybe_unused]] const Geometry& g, double tolerance,
-    const inverse::Preference<dof>& preference, double locked) {
-  using Scalar [[maybe_unused]] = double;
-  using std::sqrt;
-  const double scale = inverse::unit_scale(pose.orientation.squaredNorm());
-  [[maybe_unused]] const double pose_q_w = scale * pose.orientation.w();
-  [[maybe_unused]] const double pose_q_x = scale * pose.orientation.x();
-  [[maybe_unused]] const double pose_q_y = scale * pose.orientation.y();
-  [[maybe_unused]] const double pose_q_z = scale * pose.orientation.z();
-  [[maybe_unused]] const double pose_p_x = pose.position.x();
-  [[maybe_unused]] const double pose_p_y = pose.position.y();
-  [[maybe_unused]] const double pose_p_z = pose.position.z();
+/// All of a target that the pose does not say.
+Target given([[maybe_unused]] const Geometry& g, double tolerance, const inverse::Preference<dof>& preference, double locked) {
   Target t;
   t.tolerance = tolerance;
-  t.boundary = inverse::Boundary::plain(tolerance);
   t.preference = &preference;
   t.lock(locked);
-  [[maybe_unused]] const double cos_locked = t.cos_locked;
-  [[maybe_unused]] const double sin_locked = t.sin_locked;
-  const Scalar t0 = Scalar(2) * pose_q_x * pose_q_z + Scalar(2) * pose_q_w * pose_q_y;
-  const Scalar t1 = pose_p_x - Scalar(0.126) * t0;
-  const Scalar t2 = Scalar(2) * pose_q_y * pose_q_z - Scalar(2) * pose_q_w * pose_q_x;
-  const Scalar t3 = pose_p_y - Scalar(0.126) * t2;
-  const Scalar t4 = Scalar(1) - Scalar(2) * pose_q_x * pose_q_x - Scalar(2) * pose_q_y * pose_q_y;
-  const Scalar t5 = pose_p_z - Scalar(0.126) * t4;
-  const Scalar t6 = Scalar(9) - Scalar(25) * t5;
-  const Scalar t7 = t1 * t1 + t3 * t3 + Scalar(0.0016) * t6 * t6;
-  t.size_square = Scalar(1.705636) + pose_p_y * pose_p_y + pose_p_z * pose_p_z + pose_p_x * pose_p_x;
-  t.goal_x = t1;
-  t.goal_y = t3;
-  t.goal_z = t5;
-  t.square_theta4 = t7;
-  t.pose_q_w = pose_q_w;
-  t.pose_q_x = pose_q_x;
-  t.pose_q_y = pose_q_y;
-  t.pose_q_z = pose_q_z;
 
-  t.set_size(t.size_square);
   return t;
 }
 
 /// All branches, one after the other. Returns whether rounding has decided nothing.
-[[gnu::flatten, gnu::noinline]] bool solve_one_by_one(const Target& t, SolutionsGiven_theta3& found) {
+[[gnu::flatten, gnu::noinline]] bool solve_one_by_one(inverse::PoseNumbers pose, double excess, const Target& given, SolutionsGiven_theta3& found) {
+  Target t = given;
+  aim(pose, excess, t);
   Work<double> w;
   JointVector<double> q;
   q[2] = t.locked;
@@ -135,18 +106,24 @@ using Visited = inverse::Visited<double, 3, 8>;
   return w.branch.doubtful;
 }
 
-[[gnu::always_inline]] inline void solve(const Target& t, [[maybe_unused]] inverse::Form form, SolutionsGiven_theta3& found) {
-  // Branches side by side where machine and compiler know AVX2.
-  if (form == inverse::Form::fastest && solve_in_lanes != nullptr && inverse::machine_has_avx2()) {
-    const inverse::RowCount count = solve_in_lanes(t, inverse::row_places(found));
-    if (!count.doubtful) return inverse::conclude(found, count);
-  } else if (solve_one_by_one(t, found)) {
-    return found.conclude();
-  }
+[[gnu::noinline]] void solve_carefully(const Pose<double>& pose, const Target& given, SolutionsGiven_theta3& found) {
+  Target t = given;
+  aim(inverse::numbers_of(pose), inverse::unit_excess(pose), t);
   found.clear();
-
   inverse::solve_carefully(t, Visited(), follow_carefully, found);
   found.conclude();
+}
+
+[[gnu::always_inline]] inline void solve(const Pose<double>& pose, const Target& given, [[maybe_unused]] inverse::Form form, SolutionsGiven_theta3& found) {
+  // Branches side by side where machine and compiler know AVX2.
+  if (form == inverse::Form::fastest && solve_in_lanes != nullptr && inverse::machine_has_avx2()) {
+    const inverse::RowCount count = solve_in_lanes(inverse::numbers_of(pose), inverse::unit_excess(pose), given, inverse::row_places(found));
+    if (!count.doubtful) return inverse::conclude(found, count);
+  } else if (solve_one_by_one(inverse::numbers_of(pose), inverse::unit_excess(pose), given, found)) {
+    return found.conclude();
+  }
+
+  solve_carefully(pose, given, found);
 }
 
 }  // namespace
@@ -160,7 +137,7 @@ SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Pose<double>& pose, 
     return found;
   }
 
-  detail::given_theta3::solve(detail::given_theta3::target_of(pose, g, tolerance, inverse::zero_preference<dof>, theta3), form, found);
+  detail::given_theta3::solve(pose, detail::given_theta3::given(g, tolerance, inverse::zero_preference<dof>, theta3), form, found);
   return found;
 }
 
@@ -172,7 +149,7 @@ SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Pose<double>& pose, 
   }
   if (!inverse::is_within(pose, 1.306000, tolerance)) return found;
   const inverse::Preference<dof> preference = inverse::preference<dof>(seed);
-  detail::given_theta3::solve(detail::given_theta3::target_of(pose, g, tolerance, preference, theta3), inverse::Form::fastest, found);
+  detail::given_theta3::solve(pose, detail::given_theta3::given(g, tolerance, preference, theta3), inverse::Form::fastest, found);
   sort_by_distance(found, seed, is_revolute);
   return found;
 }

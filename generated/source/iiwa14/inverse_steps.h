@@ -26,11 +26,47 @@ struct Target : inverse::TargetBase<7> {
   double pose_q_z;
 };
 
-/// All branches, four at a time in the lanes of AVX2 registers; null if the compiler was not asked for it.
-using LaneSolver = inverse::RowCount (*)(const Target&, inverse::RowPlaces);
+/// All branches, four at a time in the lanes of AVX2 registers; null if the compiler was not asked for it. Aims at the pose
+/// itself, which spares what it reads of it the way through memory.
+using LaneSolver = inverse::RowCount (*)(inverse::PoseNumbers, double excess, const Target& given, inverse::RowPlaces);
 extern const LaneSolver solve_in_lanes;
 
 namespace {
+/// Fills in what the pose says, for a first pass; `excess` is what its quaternion's square has beyond 1.
+inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
+  using Scalar [[maybe_unused]] = double;
+  using std::sqrt;
+  const double scale = inverse::unit_scale(excess);
+  [[maybe_unused]] const double pose_q_w = scale * pose.quaternion[3];
+  [[maybe_unused]] const double pose_q_x = scale * pose.quaternion[0];
+  [[maybe_unused]] const double pose_q_y = scale * pose.quaternion[1];
+  [[maybe_unused]] const double pose_q_z = scale * pose.quaternion[2];
+  [[maybe_unused]] const double pose_p_x = pose.position[0];
+  [[maybe_unused]] const double pose_p_y = pose.position[1];
+  [[maybe_unused]] const double pose_p_z = pose.position[2];
+  [[maybe_unused]] const double cos_locked = t.cos_locked;
+  [[maybe_unused]] const double sin_locked = t.sin_locked;
+  const Scalar t0 = Scalar(2) * pose_q_x * pose_q_z + Scalar(2) * pose_q_w * pose_q_y;
+  const Scalar t1 = pose_p_x - Scalar(0.126) * t0;
+  const Scalar t2 = Scalar(2) * pose_q_y * pose_q_z - Scalar(2) * pose_q_w * pose_q_x;
+  const Scalar t3 = pose_p_y - Scalar(0.126) * t2;
+  const Scalar t4 = Scalar(1) - Scalar(2) * pose_q_x * pose_q_x - Scalar(2) * pose_q_y * pose_q_y;
+  const Scalar t5 = pose_p_z - Scalar(0.126) * t4;
+  const Scalar t6 = Scalar(9) - Scalar(25) * t5;
+  const Scalar t7 = t1 * t1 + t3 * t3 + Scalar(0.0016) * t6 * t6;
+  t.size_square = Scalar(1.705636) + pose_p_y * pose_p_y + pose_p_z * pose_p_z + pose_p_x * pose_p_x;
+  t.goal_x = t1;
+  t.goal_y = t3;
+  t.goal_z = t5;
+  t.square_theta4 = t7;
+  t.pose_q_w = pose_q_w;
+  t.pose_q_x = pose_q_x;
+  t.pose_q_y = pose_q_y;
+  t.pose_q_z = pose_q_z;
+  t.set_size(t.size_square);
+  t.boundary = inverse::Boundary::plain(t.tolerance);
+}
+
 template <typename Scalar>
 struct Work {
   inverse::Branch<Scalar> branch;
@@ -139,7 +175,7 @@ inline void solve_theta2([[maybe_unused]] const Target& t,
   {
     const Scalar x = w.plane_theta1_x * w.plane_theta4_x + w.plane_theta1_y * w.plane_theta4_y;
     const Scalar y = w.plane_theta1_y * w.plane_theta4_x - w.plane_theta1_x * w.plane_theta4_y;
-    result = inverse::span<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->turn[1].cosine), Scalar(t.preference->turn[1].sine)}, w.length_theta2, w.branch);
+    result = inverse::span<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->brief[1].cosine), Scalar(t.preference->brief[1].sine)}, w.length_theta2, w.branch);
   }
 
   w.cos_theta2 = result.cosine;

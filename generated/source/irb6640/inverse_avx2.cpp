@@ -13,8 +13,10 @@ namespace qvgen::robots::irb6640::detail::all {
 #if defined(__AVX2__)
 namespace {
 /// The steps of inverse_steps.h, each once for four branches.
-[[gnu::flatten]] inverse::RowCount all_lanes(const Target& t, inverse::RowPlaces places) {
+[[gnu::flatten]] inverse::RowCount all_lanes(inverse::PoseNumbers pose, double excess, const Target& given, inverse::RowPlaces places) {
   using inverse::avx2::Pack;
+  Target t = given;
+  aim(pose, excess, t);
   inverse::avx2::LaneRows<6> rows(places);
   Work<Pack> w;
   Pack q[6];

@@ -12,47 +12,22 @@
 namespace qvgen::robots::planar_3r {
 namespace detail::all {
 namespace {
-Target target_of(const Pose<double>& pose, [[maybe_unused]] const Geometry& g, double tolerance,
-    const inverse::Preference<dof>& preference) {
-  using Scalar [[maybe_unused]] = double;
-  using std::sqrt;
-  const double scale = inverse::unit_scale(pose.orientation.squaredNorm());
-  [[maybe_unused]] const double pose_q_w = scale * pose.orientation.w();
-  [[maybe_unused]] const double pose_q_x = scale * pose.orientation.x();
-  [[maybe_unused]] const double pose_q_y = scale * pose.orientation.y();
-  [[maybe_unused]] const double pose_q_z = scale * pose.orientation.z();
-  [[maybe_unused]] const double pose_p_x = pose.position.x();
-  [[maybe_unused]] const double pose_p_y = pose.position.y();
-  [[maybe_unused]] const double pose_p_z = pose.position.z();
+/// All of a target that the pose does not say.
+Target given([[maybe_unused]] const Geometry& g, double tolerance, const inverse::Preference<dof>& preference) {
   Target t;
   t.tolerance = tolerance;
-  t.boundary = inverse::Boundary::plain(tolerance);
   t.preference = &preference;
 
-  const Scalar t0 = Scalar(1) - Scalar(2) * pose_q_y * pose_q_y - Scalar(2) * pose_q_z * pose_q_z;
-  const Scalar t1 = Scalar(2) * pose_q_x * pose_q_y + Scalar(2) * pose_q_w * pose_q_z;
-  const Scalar t2 = Scalar(2) * pose_q_x * pose_q_z - Scalar(2) * pose_q_w * pose_q_y;
-  const Scalar t3 = Scalar(2) * g.l2 * g.l3 + g.l2 * g.l2 + Scalar(2) * g.l1 * g.l2 + pose_p_y * pose_p_y + pose_p_z * pose_p_z + g.l1 * g.l1 + pose_p_x * pose_p_x + g.l3 * g.l3 + Scalar(2) * g.l1 * g.l3;
-  t.turn_11 = t0;
-  t.turn_21 = t1;
-  t.turn_31 = t2;
-  t.size_square = t3;
-  t.pose_p_x = pose_p_x;
-  t.pose_p_y = pose_p_y;
-  t.pose_p_z = pose_p_z;
-  t.pose_q_w = pose_q_w;
-  t.pose_q_x = pose_q_x;
-  t.pose_q_y = pose_q_y;
-  t.pose_q_z = pose_q_z;
   t.geometry.l1 = g.l1;
   t.geometry.l2 = g.l2;
   t.geometry.l3 = g.l3;
-  t.set_size(t.size_square);
   return t;
 }
 
 /// All branches, one after the other. Returns whether rounding has decided nothing.
-[[gnu::flatten, gnu::noinline]] bool solve_one_by_one(const Target& t, Solutions& found) {
+[[gnu::flatten, gnu::noinline]] bool solve_one_by_one(inverse::PoseNumbers pose, double excess, const Target& given, Solutions& found) {
+  Target t = given;
+  aim(pose, excess, t);
   Work<double> w;
   JointVector<double> q;
   solve_condition_1(t, w);
@@ -107,52 +82,39 @@ using Visited = inverse::Visited<double, 2, 2>;
   return w.branch.doubtful;
 }
 
-[[gnu::always_inline]] inline void solve(const Target& t, [[maybe_unused]] inverse::Form form, Solutions& found) {
-  if (solve_one_by_one(t, found)) return found.conclude();
+[[gnu::noinline]] void solve_carefully(const Pose<double>& pose, const Target& given, Solutions& found) {
+  Target t = given;
+  aim(inverse::numbers_of(pose), inverse::unit_excess(pose), t);
   found.clear();
   inverse::solve_carefully(t, Visited(), follow_carefully, found);
   found.conclude();
+}
+
+[[gnu::always_inline]] inline void solve(const Pose<double>& pose, const Target& given, [[maybe_unused]] inverse::Form form, Solutions& found) {
+  if (solve_one_by_one(inverse::numbers_of(pose), inverse::unit_excess(pose), given, found)) return found.conclude();
+  solve_carefully(pose, given, found);
 }
 
 }  // namespace
 }  // namespace detail::all
 namespace detail::given_theta3 {
 namespace {
-Target target_of(const Pose<double>& pose, [[maybe_unused]] const Geometry& g, double tolerance,
-    const inverse::Preference<dof>& preference, double locked) {
-  using Scalar [[maybe_unused]] = double;
-  using std::sqrt;
-  const double scale = inverse::unit_scale(pose.orientation.squaredNorm());
-  [[maybe_unused]] const double pose_q_w = scale * pose.orientation.w();
-  [[maybe_unused]] const double pose_q_x = scale * pose.orientation.x();
-  [[maybe_unused]] const double pose_q_y = scale * pose.orientation.y();
-  [[maybe_unused]] const double pose_q_z = scale * pose.orientation.z();
-  [[maybe_unused]] const double pose_p_x = pose.position.x();
-  [[maybe_unused]] const double pose_p_y = pose.position.y();
-  [[maybe_unused]] const double pose_p_z = pose.position.z();
+/// All of a target that the pose does not say.
+Target given([[maybe_unused]] const Geometry& g, double tolerance, const inverse::Preference<dof>& preference, double locked) {
   Target t;
   t.tolerance = tolerance;
-  t.boundary = inverse::Boundary::plain(tolerance);
   t.preference = &preference;
   t.lock(locked);
-  [[maybe_unused]] const double cos_locked = t.cos_locked;
-  [[maybe_unused]] const double sin_locked = t.sin_locked;
-  const Scalar t0 = Scalar(2) * g.l2 * g.l3 + g.l2 * g.l2 + Scalar(2) * g.l1 * g.l2 + pose_p_y * pose_p_y + pose_p_z * pose_p_z + g.l1 * g.l1 + pose_p_x * pose_p_x + g.l3 * g.l3 + Scalar(2) * g.l1 * g.l3;
-  t.size_square = t0;
-  t.start_x = g.l1 + g.l2 + cos_locked * g.l3;
-  t.start_y = g.l3 * sin_locked;
-  t.pose_p_x = pose_p_x;
-  t.pose_p_y = pose_p_y;
-  t.pose_p_z = pose_p_z;
   t.geometry.l1 = g.l1;
   t.geometry.l2 = g.l2;
   t.geometry.l3 = g.l3;
-  t.set_size(t.size_square);
   return t;
 }
 
 /// All branches, one after the other. Returns whether rounding has decided nothing.
-[[gnu::flatten, gnu::noinline]] bool solve_one_by_one(const Target& t, SolutionsGiven_theta3& found) {
+[[gnu::flatten, gnu::noinline]] bool solve_one_by_one(inverse::PoseNumbers pose, double excess, const Target& given, SolutionsGiven_theta3& found) {
+  Target t = given;
+  aim(pose, excess, t);
   Work<double> w;
   JointVector<double> q;
   q[2] = t.locked;
@@ -197,11 +159,17 @@ using Visited = inverse::Visited<double, 2, 2>;
   return w.branch.doubtful;
 }
 
-[[gnu::always_inline]] inline void solve(const Target& t, [[maybe_unused]] inverse::Form form, SolutionsGiven_theta3& found) {
-  if (solve_one_by_one(t, found)) return found.conclude();
+[[gnu::noinline]] void solve_carefully(const Pose<double>& pose, const Target& given, SolutionsGiven_theta3& found) {
+  Target t = given;
+  aim(inverse::numbers_of(pose), inverse::unit_excess(pose), t);
   found.clear();
   inverse::solve_carefully(t, Visited(), follow_carefully, found);
   found.conclude();
+}
+
+[[gnu::always_inline]] inline void solve(const Pose<double>& pose, const Target& given, [[maybe_unused]] inverse::Form form, SolutionsGiven_theta3& found) {
+  if (solve_one_by_one(inverse::numbers_of(pose), inverse::unit_excess(pose), given, found)) return found.conclude();
+  solve_carefully(pose, given, found);
 }
 
 }  // namespace
@@ -215,7 +183,7 @@ Solutions inverse_kinematics(const Pose<double>& pose, const Geometry& g, double
     found.status = Status::invalid;
     return found;
   }
-  detail::all::solve(detail::all::target_of(pose, g, tolerance, inverse::zero_preference<dof>), form, found);
+  detail::all::solve(pose, detail::all::given(g, tolerance, inverse::zero_preference<dof>), form, found);
   return found;
 }
 
@@ -227,7 +195,7 @@ Solutions inverse_kinematics(const Pose<double>& pose, const JointVector<double>
   }
 
   const inverse::Preference<dof> preference = inverse::preference<dof>(seed);
-  detail::all::solve(detail::all::target_of(pose, g, tolerance, preference), inverse::Form::fastest, found);
+  detail::all::solve(pose, detail::all::given(g, tolerance, preference), inverse::Form::fastest, found);
   sort_by_distance(found, seed, is_revolute);
   return found;
 }
@@ -253,7 +221,7 @@ SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Pose<double>& pose, 
     found.status = Status::invalid;
     return found;
   }
-  detail::given_theta3::solve(detail::given_theta3::target_of(pose, g, tolerance, inverse::zero_preference<dof>, theta3), form, found);
+  detail::given_theta3::solve(pose, detail::given_theta3::given(g, tolerance, inverse::zero_preference<dof>, theta3), form, found);
   return found;
 }
 
@@ -265,7 +233,7 @@ SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Pose<double>& pose, 
   }
 
   const inverse::Preference<dof> preference = inverse::preference<dof>(seed);
-  detail::given_theta3::solve(detail::given_theta3::target_of(pose, g, tolerance, preference, theta3), inverse::Form::fastest, found);
+  detail::given_theta3::solve(pose, detail::given_theta3::given(g, tolerance, preference, theta3), inverse::Form::fastest, found);
   sort_by_distance(found, seed, is_revolute);
   return found;
 }

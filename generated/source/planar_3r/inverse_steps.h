@@ -34,6 +34,38 @@ struct Target : inverse::TargetBase<3> {
 };
 
 namespace {
+/// Fills in what the pose says, for a first pass; `excess` is what its quaternion's square has beyond 1.
+inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
+  using Scalar [[maybe_unused]] = double;
+  using std::sqrt;
+  const double scale = inverse::unit_scale(excess);
+  [[maybe_unused]] const double pose_q_w = scale * pose.quaternion[3];
+  [[maybe_unused]] const double pose_q_x = scale * pose.quaternion[0];
+  [[maybe_unused]] const double pose_q_y = scale * pose.quaternion[1];
+  [[maybe_unused]] const double pose_q_z = scale * pose.quaternion[2];
+  [[maybe_unused]] const double pose_p_x = pose.position[0];
+  [[maybe_unused]] const double pose_p_y = pose.position[1];
+  [[maybe_unused]] const double pose_p_z = pose.position[2];
+
+  const Scalar t0 = Scalar(1) - Scalar(2) * pose_q_y * pose_q_y - Scalar(2) * pose_q_z * pose_q_z;
+  const Scalar t1 = Scalar(2) * pose_q_x * pose_q_y + Scalar(2) * pose_q_w * pose_q_z;
+  const Scalar t2 = Scalar(2) * pose_q_x * pose_q_z - Scalar(2) * pose_q_w * pose_q_y;
+  const Scalar t3 = Scalar(2) * t.geometry.l2 * t.geometry.l3 + t.geometry.l2 * t.geometry.l2 + Scalar(2) * t.geometry.l1 * t.geometry.l2 + pose_p_y * pose_p_y + pose_p_z * pose_p_z + t.geometry.l1 * t.geometry.l1 + pose_p_x * pose_p_x + t.geometry.l3 * t.geometry.l3 + Scalar(2) * t.geometry.l1 * t.geometry.l3;
+  t.turn_11 = t0;
+  t.turn_21 = t1;
+  t.turn_31 = t2;
+  t.size_square = t3;
+  t.pose_p_x = pose_p_x;
+  t.pose_p_y = pose_p_y;
+  t.pose_p_z = pose_p_z;
+  t.pose_q_w = pose_q_w;
+  t.pose_q_x = pose_q_x;
+  t.pose_q_y = pose_q_y;
+  t.pose_q_z = pose_q_z;
+  t.set_size(t.size_square);
+  t.boundary = inverse::Boundary::plain(t.tolerance);
+}
+
 template <typename Scalar>
 struct Work {
   inverse::Branch<Scalar> branch;
@@ -184,7 +216,7 @@ inline void solve_theta3([[maybe_unused]] const Target& t,
     const Scalar t3 = w.cos_theta1 * t0 + Scalar(2) * w.sin_theta1 * t1;
     const Scalar x = w.cos_theta2 * t3 - w.sin_theta2 * t2;
     const Scalar y = -w.sin_theta2 * t3 - w.cos_theta2 * t2;
-    result = inverse::span<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->turn[2].cosine), Scalar(t.preference->turn[2].sine)}, w.length_theta3, w.branch);
+    result = inverse::span<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->brief[2].cosine), Scalar(t.preference->brief[2].sine)}, w.length_theta3, w.branch);
   }
 
   w.cos_theta3 = result.cosine;
@@ -210,6 +242,31 @@ struct Target : inverse::TargetBase<3> {
 };
 
 namespace {
+/// Fills in what the pose says, for a first pass; `excess` is what its quaternion's square has beyond 1.
+inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
+  using Scalar [[maybe_unused]] = double;
+  using std::sqrt;
+  const double scale = inverse::unit_scale(excess);
+  [[maybe_unused]] const double pose_q_w = scale * pose.quaternion[3];
+  [[maybe_unused]] const double pose_q_x = scale * pose.quaternion[0];
+  [[maybe_unused]] const double pose_q_y = scale * pose.quaternion[1];
+  [[maybe_unused]] const double pose_q_z = scale * pose.quaternion[2];
+  [[maybe_unused]] const double pose_p_x = pose.position[0];
+  [[maybe_unused]] const double pose_p_y = pose.position[1];
+  [[maybe_unused]] const double pose_p_z = pose.position[2];
+  [[maybe_unused]] const double cos_locked = t.cos_locked;
+  [[maybe_unused]] const double sin_locked = t.sin_locked;
+  const Scalar t0 = Scalar(2) * t.geometry.l2 * t.geometry.l3 + t.geometry.l2 * t.geometry.l2 + Scalar(2) * t.geometry.l1 * t.geometry.l2 + pose_p_y * pose_p_y + pose_p_z * pose_p_z + t.geometry.l1 * t.geometry.l1 + pose_p_x * pose_p_x + t.geometry.l3 * t.geometry.l3 + Scalar(2) * t.geometry.l1 * t.geometry.l3;
+  t.size_square = t0;
+  t.start_x = t.geometry.l1 + t.geometry.l2 + cos_locked * t.geometry.l3;
+  t.start_y = t.geometry.l3 * sin_locked;
+  t.pose_p_x = pose_p_x;
+  t.pose_p_y = pose_p_y;
+  t.pose_p_z = pose_p_z;
+  t.set_size(t.size_square);
+  t.boundary = inverse::Boundary::plain(t.tolerance);
+}
+
 template <typename Scalar>
 struct Work {
   inverse::Branch<Scalar> branch;
@@ -272,7 +329,7 @@ inline void solve_theta1([[maybe_unused]] const Target& t,
     const Scalar t1 = w.cos_theta2 * Scalar(t.start_y) - w.sin_theta2 * (Scalar(t.geometry.l1) - Scalar(t.start_x));
     const Scalar x = Scalar(t.pose_p_y) * t1 - Scalar(t.pose_p_x) * t0;
     const Scalar y = -Scalar(t.pose_p_y) * t0 - Scalar(t.pose_p_x) * t1;
-    result = inverse::span<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)}, w.length_theta1, w.branch);
+    result = inverse::span<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->brief[0].cosine), Scalar(t.preference->brief[0].sine)}, w.length_theta1, w.branch);
   }
 
   w.cos_theta1 = result.cosine;

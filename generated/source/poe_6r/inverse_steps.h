@@ -33,11 +33,41 @@ struct Target : inverse::TargetBase<6> {
   double pose_q_z;
 };
 
-/// All branches, four at a time in the lanes of AVX2 registers; null if the compiler was not asked for it.
-using LaneSolver = inverse::RowCount (*)(const Target&, inverse::RowPlaces);
+/// All branches, four at a time in the lanes of AVX2 registers; null if the compiler was not asked for it. Aims at the pose
+/// itself, which spares what it reads of it the way through memory.
+using LaneSolver = inverse::RowCount (*)(inverse::PoseNumbers, double excess, const Target& given, inverse::RowPlaces);
 extern const LaneSolver solve_in_lanes;
 
 namespace {
+/// Fills in what the pose says, for a first pass; `excess` is what its quaternion's square has beyond 1.
+inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
+  using Scalar [[maybe_unused]] = double;
+  using std::sqrt;
+  const double scale = inverse::unit_scale(excess);
+  [[maybe_unused]] const double pose_q_w = scale * pose.quaternion[3];
+  [[maybe_unused]] const double pose_q_x = scale * pose.quaternion[0];
+  [[maybe_unused]] const double pose_q_y = scale * pose.quaternion[1];
+  [[maybe_unused]] const double pose_q_z = scale * pose.quaternion[2];
+  [[maybe_unused]] const double pose_p_x = pose.position[0];
+  [[maybe_unused]] const double pose_p_y = pose.position[1];
+  [[maybe_unused]] const double pose_p_z = pose.position[2];
+
+  const Scalar t0 = t.geometry.d3 * t.geometry.d3 + Scalar(2) * t.geometry.d1 * t.geometry.d3 + Scalar(2) * t.geometry.a1 * t.geometry.a2 + t.geometry.a1 * t.geometry.a1 + Scalar(2) * t.geometry.a2 * t.geometry.a3 + Scalar(2) * t.geometry.a1 * t.geometry.a3 + pose_p_y * pose_p_y + pose_p_z * pose_p_z + t.geometry.d1 * t.geometry.d1 + Scalar(2) * t.geometry.d2 * t.geometry.d3 + pose_p_x * pose_p_x + Scalar(2) * t.geometry.d1 * t.geometry.d2 + t.geometry.a2 * t.geometry.a2 + t.geometry.a3 * t.geometry.a3 + t.geometry.d2 * t.geometry.d2;
+  const Scalar t1 = Scalar(1) - Scalar(2) * pose_q_y * pose_q_y - Scalar(2) * pose_q_z * pose_q_z;
+  const Scalar t2 = Scalar(2) * pose_q_x * pose_q_y + Scalar(2) * pose_q_w * pose_q_z;
+  const Scalar t3 = Scalar(2) * pose_q_x * pose_q_z - Scalar(2) * pose_q_w * pose_q_y;
+  t.size_square = t0;
+  t.goal_x = pose_p_x - t.geometry.d3 * t1;
+  t.goal_y = pose_p_y - t.geometry.d3 * t2;
+  t.goal_z = pose_p_z - t.geometry.d3 * t3;
+  t.pose_q_w = pose_q_w;
+  t.pose_q_x = pose_q_x;
+  t.pose_q_y = pose_q_y;
+  t.pose_q_z = pose_q_z;
+  t.set_size(t.size_square);
+  t.boundary = inverse::Boundary::plain(t.tolerance);
+}
+
 template <typename Scalar>
 struct Work {
   inverse::Branch<Scalar> branch;
@@ -75,7 +105,7 @@ inline void solve_theta1([[maybe_unused]] const Target& t, const Scalar& sign,
   {
     const Scalar x = Scalar(t.goal_x);
     const Scalar y = Scalar(t.goal_y);
-    result = sign * inverse::span<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny1), inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)}, w.length_theta1, w.branch);
+    result = sign * inverse::span<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny1), inverse::Rotor<Scalar>{Scalar(t.preference->brief[0].cosine), Scalar(t.preference->brief[0].sine)}, w.length_theta1, w.branch);
   }
 
   const Scalar t0 = Scalar(t.geometry.a1) - Scalar(t.goal_z);
@@ -144,7 +174,7 @@ inline void solve_theta2([[maybe_unused]] const Target& t,
   {
     const Scalar x = w.plane_theta1_x * w.plane_theta3_x + w.plane_theta1_y * w.plane_theta3_y;
     const Scalar y = w.plane_theta1_y * w.plane_theta3_x - w.plane_theta1_x * w.plane_theta3_y;
-    result = inverse::span<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->turn[1].cosine), Scalar(t.preference->turn[1].sine)}, w.length_theta2, w.branch);
+    result = inverse::span<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->brief[1].cosine), Scalar(t.preference->brief[1].sine)}, w.length_theta2, w.branch);
   }
 
   w.cos_theta2 = result.cosine;

@@ -12,35 +12,20 @@
 namespace qvgen::robots::rpp {
 namespace detail::all {
 namespace {
-Target target_of(const Pose<double>& pose, [[maybe_unused]] const Geometry& g, double tolerance,
-    const inverse::Preference<dof>& preference) {
-  using Scalar [[maybe_unused]] = double;
-  using std::sqrt;
-  const double scale = inverse::unit_scale(pose.orientation.squaredNorm());
-  [[maybe_unused]] const double pose_q_w = scale * pose.orientation.w();
-  [[maybe_unused]] const double pose_q_x = scale * pose.orientation.x();
-  [[maybe_unused]] const double pose_q_y = scale * pose.orientation.y();
-  [[maybe_unused]] const double pose_q_z = scale * pose.orientation.z();
-  [[maybe_unused]] const double pose_p_x = pose.position.x();
-  [[maybe_unused]] const double pose_p_y = pose.position.y();
-  [[maybe_unused]] const double pose_p_z = pose.position.z();
+/// All of a target that the pose does not say.
+Target given([[maybe_unused]] const Geometry& g, double tolerance, const inverse::Preference<dof>& preference) {
   Target t;
   t.tolerance = tolerance;
-  t.boundary = inverse::Boundary::plain(tolerance);
   t.preference = &preference;
 
-  const Scalar t0 = pose_p_y * pose_p_y + pose_p_z * pose_p_z + g.l1 * g.l1 + pose_p_x * pose_p_x;
-  t.size_square = t0;
-  t.pose_p_x = pose_p_x;
-  t.pose_p_y = pose_p_y;
-  t.pose_p_z = pose_p_z;
   t.geometry.l1 = g.l1;
-  t.set_size(t.size_square);
   return t;
 }
 
 /// All branches, one after the other. Returns whether rounding has decided nothing.
-[[gnu::flatten, gnu::noinline]] bool solve_one_by_one(const Target& t, Solutions& found) {
+[[gnu::flatten, gnu::noinline]] bool solve_one_by_one(inverse::PoseNumbers pose, double excess, const Target& given, Solutions& found) {
+  Target t = given;
+  aim(pose, excess, t);
   Work<double> w;
   JointVector<double> q;
   const inverse::Branch<double> above0 = w.branch;
@@ -83,11 +68,17 @@ using Visited = inverse::Visited<double, 3, 2>;
   return w.branch.doubtful;
 }
 
-[[gnu::always_inline]] inline void solve(const Target& t, [[maybe_unused]] inverse::Form form, Solutions& found) {
-  if (solve_one_by_one(t, found)) return found.conclude();
+[[gnu::noinline]] void solve_carefully(const Pose<double>& pose, const Target& given, Solutions& found) {
+  Target t = given;
+  aim(inverse::numbers_of(pose), inverse::unit_excess(pose), t);
   found.clear();
   inverse::solve_carefully(t, Visited(), follow_carefully, found);
   found.conclude();
+}
+
+[[gnu::always_inline]] inline void solve(const Pose<double>& pose, const Target& given, [[maybe_unused]] inverse::Form form, Solutions& found) {
+  if (solve_one_by_one(inverse::numbers_of(pose), inverse::unit_excess(pose), given, found)) return found.conclude();
+  solve_carefully(pose, given, found);
 }
 
 }  // namespace
@@ -101,7 +92,7 @@ Solutions inverse_kinematics(const Pose<double>& pose, const Geometry& g, double
     found.status = Status::invalid;
     return found;
   }
-  detail::all::solve(detail::all::target_of(pose, g, tolerance, inverse::zero_preference<dof>), form, found);
+  detail::all::solve(pose, detail::all::given(g, tolerance, inverse::zero_preference<dof>), form, found);
   return found;
 }
 
@@ -113,7 +104,7 @@ Solutions inverse_kinematics(const Pose<double>& pose, const JointVector<double>
   }
 
   const inverse::Preference<dof> preference = inverse::preference<dof>(seed);
-  detail::all::solve(detail::all::target_of(pose, g, tolerance, preference), inverse::Form::fastest, found);
+  detail::all::solve(pose, detail::all::given(g, tolerance, preference), inverse::Form::fastest, found);
   sort_by_distance(found, seed, is_revolute);
   return found;
 }

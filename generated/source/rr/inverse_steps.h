@@ -30,11 +30,38 @@ struct Target : inverse::TargetBase<6> {
   double pose_q_z;
 };
 
-/// All branches, four at a time in the lanes of AVX2 registers; null if the compiler was not asked for it.
-using LaneSolver = inverse::RowCount (*)(const Target&, inverse::RowPlaces);
+/// All branches, four at a time in the lanes of AVX2 registers; null if the compiler was not asked for it. Aims at the pose
+/// itself, which spares what it reads of it the way through memory.
+using LaneSolver = inverse::RowCount (*)(inverse::PoseNumbers, double excess, const Target& given, inverse::RowPlaces);
 extern const LaneSolver solve_in_lanes;
 
 namespace {
+/// Fills in what the pose says, for a first pass; `excess` is what its quaternion's square has beyond 1.
+inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
+  using Scalar [[maybe_unused]] = double;
+  using std::sqrt;
+  const double scale = inverse::unit_scale(excess);
+  [[maybe_unused]] const double pose_q_w = scale * pose.quaternion[3];
+  [[maybe_unused]] const double pose_q_x = scale * pose.quaternion[0];
+  [[maybe_unused]] const double pose_q_y = scale * pose.quaternion[1];
+  [[maybe_unused]] const double pose_q_z = scale * pose.quaternion[2];
+  [[maybe_unused]] const double pose_p_x = pose.position[0];
+  [[maybe_unused]] const double pose_p_y = pose.position[1];
+  [[maybe_unused]] const double pose_p_z = pose.position[2];
+
+  const Scalar t0 = Scalar(2) * t.geometry.d4 * t.geometry.l2 + t.geometry.l2 * t.geometry.l2 + pose_p_y * pose_p_y + pose_p_z * pose_p_z + pose_p_x * pose_p_x + t.geometry.h1 * t.geometry.h1 + t.geometry.d4 * t.geometry.d4;
+  t.size_square = t0;
+  t.pose_p_x = pose_p_x;
+  t.pose_p_y = pose_p_y;
+  t.pose_p_z = pose_p_z;
+  t.pose_q_w = pose_q_w;
+  t.pose_q_x = pose_q_x;
+  t.pose_q_y = pose_q_y;
+  t.pose_q_z = pose_q_z;
+  t.set_size(t.size_square);
+  t.boundary = inverse::Boundary::plain(t.tolerance);
+}
+
 template <typename Scalar>
 struct Work {
   inverse::Branch<Scalar> branch;

@@ -26,6 +26,28 @@ struct Target : inverse::TargetBase<2> {
 };
 
 namespace {
+/// Fills in what the pose says, for a first pass; `excess` is what its quaternion's square has beyond 1.
+inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
+  using Scalar [[maybe_unused]] = double;
+  using std::sqrt;
+  const double scale = inverse::unit_scale(excess);
+  [[maybe_unused]] const double pose_q_w = scale * pose.quaternion[3];
+  [[maybe_unused]] const double pose_q_x = scale * pose.quaternion[0];
+  [[maybe_unused]] const double pose_q_y = scale * pose.quaternion[1];
+  [[maybe_unused]] const double pose_q_z = scale * pose.quaternion[2];
+  [[maybe_unused]] const double pose_p_x = pose.position[0];
+  [[maybe_unused]] const double pose_p_y = pose.position[1];
+  [[maybe_unused]] const double pose_p_z = pose.position[2];
+
+  const Scalar t0 = t.geometry.l2 * t.geometry.l2 + Scalar(2) * t.geometry.l1 * t.geometry.l2 + pose_p_y * pose_p_y + pose_p_z * pose_p_z + t.geometry.l1 * t.geometry.l1 + pose_p_x * pose_p_x;
+  t.size_square = t0;
+  t.pose_p_x = pose_p_x;
+  t.pose_p_y = pose_p_y;
+  t.pose_p_z = pose_p_z;
+  t.set_size(t.size_square);
+  t.boundary = inverse::Boundary::plain(t.tolerance);
+}
+
 template <typename Scalar>
 struct Work {
   inverse::Branch<Scalar> branch;
@@ -85,7 +107,7 @@ inline void solve_theta1([[maybe_unused]] const Target& t,
     const Scalar t1 = Scalar(t.geometry.l1) + w.cos_theta2 * Scalar(t.geometry.l2);
     const Scalar x = Scalar(t.pose_p_y) * t0 + Scalar(t.pose_p_x) * t1;
     const Scalar y = Scalar(t.pose_p_y) * t1 - Scalar(t.pose_p_x) * t0;
-    result = inverse::span<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)}, w.length_theta1, w.branch);
+    result = inverse::span<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->brief[0].cosine), Scalar(t.preference->brief[0].sine)}, w.length_theta1, w.branch);
   }
 
   w.cos_theta1 = result.cosine;

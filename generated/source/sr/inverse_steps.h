@@ -31,6 +31,32 @@ struct Target : inverse::TargetBase<6> {
 };
 
 namespace {
+/// Fills in what the pose says, for a first pass; `excess` is what its quaternion's square has beyond 1.
+inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
+  using Scalar [[maybe_unused]] = double;
+  using std::sqrt;
+  const double scale = inverse::unit_scale(excess);
+  [[maybe_unused]] const double pose_q_w = scale * pose.quaternion[3];
+  [[maybe_unused]] const double pose_q_x = scale * pose.quaternion[0];
+  [[maybe_unused]] const double pose_q_y = scale * pose.quaternion[1];
+  [[maybe_unused]] const double pose_q_z = scale * pose.quaternion[2];
+  [[maybe_unused]] const double pose_p_x = pose.position[0];
+  [[maybe_unused]] const double pose_p_y = pose.position[1];
+  [[maybe_unused]] const double pose_p_z = pose.position[2];
+
+  const Scalar t0 = t.geometry.l2 * t.geometry.l2 + Scalar(2) * t.geometry.l1 * t.geometry.l2 + pose_p_y * pose_p_y + pose_p_z * pose_p_z + t.geometry.l1 * t.geometry.l1 + pose_p_x * pose_p_x + t.geometry.d4 * t.geometry.d4;
+  t.size_square = t0;
+  t.pose_p_x = pose_p_x;
+  t.pose_p_y = pose_p_y;
+  t.pose_p_z = pose_p_z;
+  t.pose_q_w = pose_q_w;
+  t.pose_q_x = pose_q_x;
+  t.pose_q_y = pose_q_y;
+  t.pose_q_z = pose_q_z;
+  t.set_size(t.size_square);
+  t.boundary = inverse::Boundary::plain(t.tolerance);
+}
+
 template <typename Scalar>
 struct Work {
   inverse::Branch<Scalar> branch;
@@ -97,7 +123,7 @@ inline void solve_theta2([[maybe_unused]] const Target& t,
   {
     const Scalar x = w.plane_d1_x * w.plane_theta3_x + w.plane_theta3_y * Scalar(t.pose_p_y);
     const Scalar y = w.plane_theta3_x * Scalar(t.pose_p_y) - w.plane_d1_x * w.plane_theta3_y;
-    result = inverse::span<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->turn[1].cosine), Scalar(t.preference->turn[1].sine)}, w.length_theta2, w.branch);
+    result = inverse::span<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->brief[1].cosine), Scalar(t.preference->brief[1].sine)}, w.length_theta2, w.branch);
   }
 
   w.cos_theta2 = result.cosine;

@@ -25,11 +25,41 @@ struct Target : inverse::TargetBase<6> {
   double pose_p_z;
 };
 
-/// All branches, four at a time in the lanes of AVX2 registers; null if the compiler was not asked for it.
-using LaneSolver = inverse::RowCount (*)(const Target&, inverse::RowPlaces);
+/// All branches, four at a time in the lanes of AVX2 registers; null if the compiler was not asked for it. Aims at the pose
+/// itself, which spares what it reads of it the way through memory.
+using LaneSolver = inverse::RowCount (*)(inverse::PoseNumbers, double excess, const Target& given, inverse::RowPlaces);
 extern const LaneSolver solve_in_lanes;
 
 namespace {
+/// Fills in what the pose says, for a first pass; `excess` is what its quaternion's square has beyond 1.
+inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
+  using Scalar [[maybe_unused]] = double;
+  using std::sqrt;
+  const double scale = inverse::unit_scale(excess);
+  [[maybe_unused]] const double pose_q_w = scale * pose.quaternion[3];
+  [[maybe_unused]] const double pose_q_x = scale * pose.quaternion[0];
+  [[maybe_unused]] const double pose_q_y = scale * pose.quaternion[1];
+  [[maybe_unused]] const double pose_q_z = scale * pose.quaternion[2];
+  [[maybe_unused]] const double pose_p_x = pose.position[0];
+  [[maybe_unused]] const double pose_p_y = pose.position[1];
+  [[maybe_unused]] const double pose_p_z = pose.position[2];
+
+  const Scalar t0 = Scalar(0.7071067811865476) * pose_q_w;
+  const Scalar t1 = Scalar(0.7071067811865476) * pose_q_z;
+  const Scalar t2 = Scalar(0.7071067811865476) * pose_q_x;
+  const Scalar t3 = Scalar(0.7071067811865476) * pose_q_y;
+  t.size_square = Scalar(0.18761969) + pose_p_y * pose_p_y + pose_p_z * pose_p_z + pose_p_x * pose_p_x;
+  t.target_q_w = t0 - t1;
+  t.target_q_x = t2 + t3;
+  t.target_q_y = t3 - t2;
+  t.target_q_z = t0 + t1;
+  t.pose_p_x = pose_p_x;
+  t.pose_p_y = pose_p_y;
+  t.pose_p_z = pose_p_z;
+  t.set_size(t.size_square);
+  t.boundary = inverse::Boundary::plain(t.tolerance);
+}
+
 template <typename Scalar>
 struct Work {
   inverse::Branch<Scalar> branch;
@@ -125,7 +155,7 @@ inline void solve_theta2([[maybe_unused]] const Target& t,
   {
     const Scalar x = w.d3 * w.plane_theta1_x;
     const Scalar y = w.d3 * w.plane_theta1_y;
-    result = inverse::span<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->turn[1].cosine), Scalar(t.preference->turn[1].sine)}, w.length_theta2, w.branch);
+    result = inverse::span<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->brief[1].cosine), Scalar(t.preference->brief[1].sine)}, w.length_theta2, w.branch);
   }
 
   w.cos_theta2 = result.cosine;

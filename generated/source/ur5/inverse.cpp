@@ -12,58 +12,19 @@
 namespace qvgen::robots::ur5 {
 namespace detail::all {
 namespace {
-Target target_of(const Pose<double>& pose, [[maybe_unused]] const Geometry& g, double tolerance,
-    const inverse::Preference<dof>& preference) {
-  using Scalar [[maybe_unused]] = double;
-  using std::sqrt;
-  const double scale = inverse::unit_scale(pose.orientation.squaredNorm());
-  [[maybe_unused]] const double pose_q_w = scale * pose.orientation.w();
-  [[maybe_unused]] const double pose_q_x = scale * pose.orientation.x();
-  [[maybe_unused]] const double pose_q_y = scale * pose.orientation.y();
-  [[maybe_unused]] const double pose_q_z = scale * pose.orientation.z();
-  [[maybe_unused]] const double pose_p_x = pose.position.x();
-  [[maybe_unused]] const double pose_p_y = pose.position.y();
-  [[maybe_unused]] const double pose_p_z = pose.position.z();
+/// All of a target that the pose does not say.
+Target given([[maybe_unused]] const Geometry& g, double tolerance, const inverse::Preference<dof>& preference) {
   Target t;
   t.tolerance = tolerance;
-  t.boundary = inverse::Boundary::plain(tolerance);
   t.preference = &preference;
 
-  const Scalar t0 = Scalar(1) - Scalar(2) * pose_q_y * pose_q_y;
-  const Scalar t1 = Scalar(2) * pose_q_x * pose_q_z;
-  const Scalar t2 = Scalar(2) * pose_q_w * pose_q_y;
-  const Scalar t3 = t1 + t2;
-  const Scalar t4 = Scalar(2) * pose_q_x * pose_q_y + Scalar(2) * pose_q_w * pose_q_z;
-  const Scalar t5 = Scalar(2) * pose_q_y * pose_q_z - Scalar(2) * pose_q_w * pose_q_x;
-  const Scalar t6 = Scalar(2) * pose_q_x * pose_q_x - t0;
-  const Scalar t7 = Scalar(0.7071067811865476) * pose_q_w;
-  const Scalar t8 = Scalar(0.7071067811865476) * pose_q_x;
-  const Scalar t9 = Scalar(0.7071067811865476) * pose_q_z;
-  const Scalar t10 = Scalar(0.7071067811865476) * pose_q_y;
-  t.turn_11 = t0 - Scalar(2) * pose_q_z * pose_q_z;
-  t.turn_13 = t3;
-  t.turn_21 = t4;
-  t.turn_23 = t5;
-  t.turn_31 = t1 - t2;
-  t.turn_33 = -t6;
-  t.size_square = Scalar(0.704580816081) + pose_p_y * pose_p_y + pose_p_z * pose_p_z + pose_p_x * pose_p_x;
-  t.goal_x = pose_p_x - Scalar(0.0823) * t3;
-  t.goal_y = pose_p_y - Scalar(0.0823) * t5;
-  t.goal_z = pose_p_z + Scalar(0.0823) * t6;
-  t.target_q_w = t7 + t8;
-  t.target_q_x = t8 - t7;
-  t.target_q_y = t10 - t9;
-  t.target_q_z = t9 + t10;
-  t.pose_p_x = pose_p_x;
-  t.pose_p_y = pose_p_y;
-  t.pose_p_z = pose_p_z;
-
-  t.set_size(t.size_square);
   return t;
 }
 
 /// All branches, one after the other. Returns whether rounding has decided nothing.
-[[gnu::flatten, gnu::noinline]] bool solve_one_by_one(const Target& t, Solutions& found) {
+[[gnu::flatten, gnu::noinline]] bool solve_one_by_one(inverse::PoseNumbers pose, double excess, const Target& given, Solutions& found) {
+  Target t = given;
+  aim(pose, excess, t);
   Work<double> w;
   JointVector<double> q;
   const inverse::Branch<double> above0 = w.branch;
@@ -142,18 +103,24 @@ using Visited = inverse::Visited<double, 6, 8>;
   return w.branch.doubtful;
 }
 
-[[gnu::always_inline]] inline void solve(const Target& t, [[maybe_unused]] inverse::Form form, Solutions& found) {
-  // Branches side by side where machine and compiler know AVX2.
-  if (form == inverse::Form::fastest && solve_in_lanes != nullptr && inverse::machine_has_avx2()) {
-    const inverse::RowCount count = solve_in_lanes(t, inverse::row_places(found));
-    if (!count.doubtful) return inverse::conclude(found, count);
-  } else if (solve_one_by_one(t, found)) {
-    return found.conclude();
-  }
+[[gnu::noinline]] void solve_carefully(const Pose<double>& pose, const Target& given, Solutions& found) {
+  Target t = given;
+  aim(inverse::numbers_of(pose), inverse::unit_excess(pose), t);
   found.clear();
-
   inverse::solve_carefully(t, Visited(), follow_carefully, found);
   found.conclude();
+}
+
+[[gnu::always_inline]] inline void solve(const Pose<double>& pose, const Target& given, [[maybe_unused]] inverse::Form form, Solutions& found) {
+  // Branches side by side where machine and compiler know AVX2.
+  if (form == inverse::Form::fastest && solve_in_lanes != nullptr && inverse::machine_has_avx2()) {
+    const inverse::RowCount count = solve_in_lanes(inverse::numbers_of(pose), inverse::unit_excess(pose), given, inverse::row_places(found));
+    if (!count.doubtful) return inverse::conclude(found, count);
+  } else if (solve_one_by_one(inverse::numbers_of(pose), inverse::unit_excess(pose), given, found)) {
+    return found.conclude();
+  }
+
+  solve_carefully(pose, given, found);
 }
 
 }  // namespace
@@ -167,7 +134,7 @@ Solutions inverse_kinematics(const Pose<double>& pose, const Geometry& g, double
     return found;
   }
 
-  detail::all::solve(detail::all::target_of(pose, g, tolerance, inverse::zero_preference<dof>), form, found);
+  detail::all::solve(pose, detail::all::given(g, tolerance, inverse::zero_preference<dof>), form, found);
   return found;
 }
 
@@ -179,7 +146,7 @@ Solutions inverse_kinematics(const Pose<double>& pose, const JointVector<double>
   }
   if (!inverse::is_within(pose, 1.192509, tolerance)) return found;
   const inverse::Preference<dof> preference = inverse::preference<dof>(seed);
-  detail::all::solve(detail::all::target_of(pose, g, tolerance, preference), inverse::Form::fastest, found);
+  detail::all::solve(pose, detail::all::given(g, tolerance, preference), inverse::Form::fastest, found);
   sort_by_distance(found, seed, is_revolute);
   return found;
 }

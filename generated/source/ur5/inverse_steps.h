@@ -34,11 +34,57 @@ struct Target : inverse::TargetBase<6> {
   double pose_p_z;
 };
 
-/// All branches, four at a time in the lanes of AVX2 registers; null if the compiler was not asked for it.
-using LaneSolver = inverse::RowCount (*)(const Target&, inverse::RowPlaces);
+/// All branches, four at a time in the lanes of AVX2 registers; null if the compiler was not asked for it. Aims at the pose
+/// itself, which spares what it reads of it the way through memory.
+using LaneSolver = inverse::RowCount (*)(inverse::PoseNumbers, double excess, const Target& given, inverse::RowPlaces);
 extern const LaneSolver solve_in_lanes;
 
 namespace {
+/// Fills in what the pose says, for a first pass; `excess` is what its quaternion's square has beyond 1.
+inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
+  using Scalar [[maybe_unused]] = double;
+  using std::sqrt;
+  const double scale = inverse::unit_scale(excess);
+  [[maybe_unused]] const double pose_q_w = scale * pose.quaternion[3];
+  [[maybe_unused]] const double pose_q_x = scale * pose.quaternion[0];
+  [[maybe_unused]] const double pose_q_y = scale * pose.quaternion[1];
+  [[maybe_unused]] const double pose_q_z = scale * pose.quaternion[2];
+  [[maybe_unused]] const double pose_p_x = pose.position[0];
+  [[maybe_unused]] const double pose_p_y = pose.position[1];
+  [[maybe_unused]] const double pose_p_z = pose.position[2];
+
+  const Scalar t0 = Scalar(1) - Scalar(2) * pose_q_y * pose_q_y;
+  const Scalar t1 = Scalar(2) * pose_q_x * pose_q_z;
+  const Scalar t2 = Scalar(2) * pose_q_w * pose_q_y;
+  const Scalar t3 = t1 + t2;
+  const Scalar t4 = Scalar(2) * pose_q_x * pose_q_y + Scalar(2) * pose_q_w * pose_q_z;
+  const Scalar t5 = Scalar(2) * pose_q_y * pose_q_z - Scalar(2) * pose_q_w * pose_q_x;
+  const Scalar t6 = Scalar(2) * pose_q_x * pose_q_x - t0;
+  const Scalar t7 = Scalar(0.7071067811865476) * pose_q_w;
+  const Scalar t8 = Scalar(0.7071067811865476) * pose_q_x;
+  const Scalar t9 = Scalar(0.7071067811865476) * pose_q_z;
+  const Scalar t10 = Scalar(0.7071067811865476) * pose_q_y;
+  t.turn_11 = t0 - Scalar(2) * pose_q_z * pose_q_z;
+  t.turn_13 = t3;
+  t.turn_21 = t4;
+  t.turn_23 = t5;
+  t.turn_31 = t1 - t2;
+  t.turn_33 = -t6;
+  t.size_square = Scalar(0.704580816081) + pose_p_y * pose_p_y + pose_p_z * pose_p_z + pose_p_x * pose_p_x;
+  t.goal_x = pose_p_x - Scalar(0.0823) * t3;
+  t.goal_y = pose_p_y - Scalar(0.0823) * t5;
+  t.goal_z = pose_p_z + Scalar(0.0823) * t6;
+  t.target_q_w = t7 + t8;
+  t.target_q_x = t8 - t7;
+  t.target_q_y = t10 - t9;
+  t.target_q_z = t9 + t10;
+  t.pose_p_x = pose_p_x;
+  t.pose_p_y = pose_p_y;
+  t.pose_p_z = pose_p_z;
+  t.set_size(t.size_square);
+  t.boundary = inverse::Boundary::plain(t.tolerance);
+}
+
 template <typename Scalar>
 struct Work {
   inverse::Branch<Scalar> branch;
@@ -217,7 +263,7 @@ inline void solve_theta4([[maybe_unused]] const Target& t,
     const Scalar t1 = w.cos_sum * w.sin_theta2 - w.cos_theta2 * w.sin_sum;
     const Scalar x = w.cos_theta3 * t0 - w.sin_theta3 * t1;
     const Scalar y = -w.sin_theta3 * t0 - w.cos_theta3 * t1;
-    result = inverse::span<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->turn[3].cosine), Scalar(t.preference->turn[3].sine)}, w.length_theta4, w.branch);
+    result = inverse::span<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->brief[3].cosine), Scalar(t.preference->brief[3].sine)}, w.length_theta4, w.branch);
   }
 
   w.cos_theta4 = result.cosine;

@@ -62,7 +62,7 @@ void wrist(const LoweredPlan& plan, const Step& step) {
 
 Rotor directed(const Step& step, const Rotor& turn, const Counted& tiny, qvgen::inverse::Branch<Counted>& branch) {
   Counted length;
-  return step.unit ? direction<Counted>(turn, tiny, {1, 0}, branch) : span<Counted>(turn, tiny, {1, 0}, length, branch);
+  return step.unit ? direction<Counted>(turn, tiny, {1, 0}, branch) : span<Counted>(turn, tiny, {qvgen::inverse::brief_length, 0}, length, branch);
 }
 
 Counted length_of(const Step& step) {

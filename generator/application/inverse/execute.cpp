@@ -158,7 +158,7 @@ class Execution {
     const Rotor choice{Real(1), Real(0)};
     if (step.unit) return set(known, sign * direction(v, tiny(step.degree), choice, branch));
     Real length;
-    set(known, sign * span(v, tiny(step.degree), choice, length, branch));
+    set(known, sign * span(v, tiny(step.degree), Real(brief_length) * choice, length, branch));
     known["length_" + step.unknown] = length;
     known["result"] = sign * length;
   }

@@ -53,11 +53,11 @@ std::string rotor(const std::string& x, const std::string& y) { return "inverse:
 
 std::string preferred_angle(int joint) { return "Scalar(t.preference->angle[" + std::to_string(joint) + "])"; }
 
-std::string choice(int joint) {
-  const std::string turn = "t.preference->turn[" + std::to_string(joint) + "]";
+/// A joint's seed; what a sum of angles shall be is worked out before.
+std::string choice(int joint, const std::string& kind = "turn") {
+  const std::string turn = "t.preference->" + kind + "[" + std::to_string(joint) + "]";
   return rotor("Scalar(" + turn + ".cosine)", "Scalar(" + turn + ".sine)");
 }
-/// A joint's seed; what a sum of angles shall be is worked out before.
 std::string choice(const Step& step) { return step.joint < 0 ? rotor("choice_x", "choice_y") : choice(step.joint); }
 
 /// The turn that the seed's angles add up to.
@@ -73,8 +73,8 @@ std::string seeds(const Step& step) {
 std::string tiny(const Step& step) { return "Scalar(t.tiny" + std::to_string(step.degree) + ")"; }
 
 std::string direction(const Step& step) {
-  return std::string("inverse::") + (step.unit ? "direction" : "span") + "<Scalar>(" + rotor("x", "y") + ", " + tiny(step) + ", " + choice(step) +
-         ", " + (step.unit ? "" : length_place(step.unknown) + ", ") + "w.branch)";
+  return std::string("inverse::") + (step.unit ? "direction" : "span") + "<Scalar>(" + rotor("x", "y") + ", " + tiny(step) + ", " +
+         choice(step.joint, step.unit ? "turn" : "brief") + ", " + (step.unit ? "" : length_place(step.unknown) + ", ") + "w.branch)";
 }
 
 std::string half(const LoweredPlan& plan, const Step& step) {
@@ -218,7 +218,7 @@ std::vector<std::string> work_fields(const LoweredPlan& plan) {
 json target_values(const model::Robot& robot, const LoweredPlan& plan) {
   std::set<std::string> parameters;
   for (const auto& parameter : robot.geometry) parameters.insert(parameter.name);
-  const auto symbol = [&](const std::string& name) { return parameters.count(name) > 0 ? "g." + name : name; };
+  const auto symbol = [&](const std::string& name) { return parameters.count(name) > 0 ? "t.geometry." + name : name; };
   // Sines of twists that are symbols.
   const emit::Names plain{symbol, {}, {}};
   const auto function = [&](const std::string& name) { return [&, name](const dag::Angle& angle) { return name + "(" + angle_code(angle, plain) + ")"; }; };

@@ -59,19 +59,20 @@ Rotor<Scalar> direction(const Rotor<Scalar>& v, const Scalar& tiny, const Rotor<
   return {select(is_free, choice.cosine, Scalar(v.cosine * scale)), select(is_free, choice.sine, Scalar(v.sine * scale))};
 }
 
-/// A pair left as long as it is, and its length. A free one is the caller's choice, short: what is computed from its length
-/// is then as good as zero, as it should be, and its direction is still exact.
+/// Length of a choice that takes the place of a direction without length: as good as zero, and far from underflow.
+inline constexpr double brief_length = 0x1p-100;
+
+/// A pair left as long as it is, and its length. A free one is the caller's choice, of `brief_length`: what is computed from
+/// its length is then as good as zero, as it should be, and its direction is still exact.
 template <typename Scalar>
-Rotor<Scalar> span(const Rotor<Scalar>& v, const Scalar& tiny, const Rotor<Scalar>& choice, Scalar& length,
+Rotor<Scalar> span(const Rotor<Scalar>& v, const Scalar& tiny, const Rotor<Scalar>& brief_choice, Scalar& length,
                    Branch<Scalar>& branch) {
   using std::sqrt;
   const Scalar square = v.cosine * v.cosine + v.sine * v.sine;
   const Mask<Scalar> is_free = square <= tiny;
   branch.continuum = branch.continuum | (branch.exists & is_free);
-  branch.doubtful = branch.doubtful | (branch.exists & is_free);
-  const Scalar brief(0x1p-100);
-  length = select(is_free, brief, sqrt(square));
-  return {select(is_free, Scalar(brief * choice.cosine), v.cosine), select(is_free, Scalar(brief * choice.sine), v.sine)};
+  length = select(is_free, Scalar(brief_length), sqrt(square));
+  return {select(is_free, brief_choice.cosine, v.cosine), select(is_free, brief_choice.sine, v.sine)};
 }
 
 /// Cosine and sine of half the angle (in (-pi/2, pi/2]) from a normalised pair, accurate near 0 and near pi.

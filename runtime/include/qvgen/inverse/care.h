@@ -14,7 +14,7 @@ template <int dof>
 Preference<dof> next_choice(Preference<dof> preference) {
   const Rotor<double> turn{0x1.d906bcf328d46p-1, 0x1.87de2a6aea963p-2};
   for (int i = 0; i < dof; ++i) {
-    preference.turn[i] = turn * preference.turn[i];
+    preference.choose(i, turn * preference.turn[i]);
     preference.angle[i] = angle(preference.turn[i]);
   }
   return preference;

@@ -13,23 +13,20 @@ Preference<dof> preference(const Eigen::Matrix<double, dof, 1>& seed) {
   Preference<dof> result;
   for (int i = 0; i < dof; ++i) {
     result.angle[i] = seed[i];
-    result.turn[i] = {std::cos(seed[i]), std::sin(seed[i])};
+    result.choose(i, {std::cos(seed[i]), std::sin(seed[i])});
   }
   return result;
 }
 
-/// 1 / |q| of a valid pose's quaternion from |q|², which `unit_tolerance` keeps so near to 1 that the third power of the
-/// difference is below rounding.
-inline double unit_scale(double square) {
-  const double excess = square - 1;
-  return 1 + excess * (-0.5 + 0.375 * excess);
-}
+inline PoseNumbers numbers_of(const Pose<double>& pose) { return {pose.orientation.coeffs().data(), pose.position.data()}; }
+/// How far the square of a pose's quaternion is from 1.
+inline double unit_excess(const Pose<double>& pose) { return pose.orientation.squaredNorm() - 1; }
 
 /// Whether a pose is valid and no farther out than the sum of all lengths of the arm, rounding and tolerance (up to 1)
 /// allowed for: else nothing has to be solved.
 inline bool is_within(const Pose<double>& pose, double reach, double tolerance) {
   const double square = reach * reach;
-  return std::abs(pose.orientation.squaredNorm() - 1) <= unit_tolerance<double>() &&
+  return std::abs(unit_excess(pose)) <= unit_tolerance<double>() &&
          pose.position.squaredNorm() <= square * (1 + 1e-6) + 80 * square * tolerance;
 }
 

@@ -10,14 +10,29 @@ template <int dof>
 struct Preference {
   double angle[dof];
   Rotor<double> turn[dof];
+  Rotor<double> brief[dof];  ///< the same as short as `span` wants them
 
-  constexpr Preference() : angle{}, turn{} {
-    for (Rotor<double>& one : turn) one.cosine = 1;
+  constexpr Preference() : angle{}, turn{}, brief{} {
+    for (int i = 0; i < dof; ++i) choose(i, {1, 0});
+  }
+  constexpr void choose(int i, const Rotor<double>& direction) {
+    turn[i] = direction;
+    brief[i] = {brief_length * direction.cosine, brief_length * direction.sine};
   }
 };
 
 template <int dof>
 inline constexpr Preference<dof> zero_preference{};
+
+/// Where a pose's numbers stand: x, y, z, w of its quaternion, then its position.
+struct PoseNumbers {
+  const double* quaternion;
+  const double* position;
+};
+
+/// 1 / |q| of a valid pose's quaternion from |q|² - 1, which `unit_tolerance` keeps so small that its third power is below
+/// rounding.
+[[gnu::always_inline]] inline double unit_scale(double excess) { return 1 + excess * (-0.5 + 0.375 * excess); }
 
 /// The part of a generated Target that is the same for every robot. Nothing but numbers, without Eigen: files that are
 /// compiled for other machines than the rest read it.
@@ -31,7 +46,7 @@ struct TargetBase {
   double locked, cos_locked, sin_locked;
   const Preference<dof>* preference;
 
-  void set_size(double square) {
+  [[gnu::always_inline]] void set_size(double square) {
     tiny1 = noise * noise * square;
     tiny2 = tiny1 * square;
     tiny4 = tiny1 * tiny1;
