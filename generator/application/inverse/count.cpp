@@ -46,7 +46,7 @@ void wrist(const LoweredPlan& plan, const Step& step) {
   Branch<Counted> branch;
   const qvgen::inverse::WristShape<Counted> shape{0.1, 0.9, 0.9, 0.1, 0.5};
   if (step.kind == Kind::oblique_wrist && !plan.plan.wrist.ends_the_plan) {
-    oblique_wrist_turns<Counted>(u, v, shape, {0.8, 0.6}, {1, 0}, 1, 1e-12, branch);
+    oblique_wrist_turns<Counted>(u, v, shape, {0.8, 0.6}, {1, 0}, 1, Boundary::plain(default_tolerance), branch);
   } else if (step.kind == Kind::oblique_wrist) {
     const auto angles = oblique_wrist<Counted>(u, v, shape, 1, 0, 1e-12, pi, branch);
     wrapped(Counted(angles.middle - arctangent(Counted(0.1), Counted(0.9))), pi);
@@ -62,6 +62,8 @@ void wrist(const LoweredPlan& plan, const Step& step) {
 
 Rotor directed(const Step& step, const Rotor& turn, const Counted& tiny, qvgen::inverse::Branch<Counted>& branch) {
   Counted length;
+  using namespace qvgen::inverse;
+  if (step.joint < 0) return chosen_direction<Counted>(turn, {1, 0}, Boundary::plain(default_tolerance), branch);
   return step.unit ? direction<Counted>(turn, tiny, {1, 0}, branch) : span<Counted>(turn, tiny, {qvgen::inverse::brief_length, 0}, length, branch);
 }
 

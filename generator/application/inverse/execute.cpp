@@ -118,7 +118,7 @@ class Execution {
 
   void block(const Step& step, const Values& in, Values& known, const Real& sign, Branch& branch) const {
     using namespace qvgen::inverse;
-    const Rotor choice = step.joint < 0 && step.kind == Kind::pair ? Rotor{in.at("choice_x"), in.at("choice_y")} : Rotor{Real(1), Real(0)};
+    const Rotor choice{Real(1), Real(0)};
     switch (step.kind) {
       case Kind::circle:
         return set(known, circle_angle(in.at("low"), in.at("high"), in.at("scale"), sign, boundary(), branch));
@@ -156,6 +156,7 @@ class Execution {
     using namespace qvgen::inverse;
     const Rotor v{in.at("x"), in.at("y")};
     const Rotor choice{Real(1), Real(0)};
+    if (step.joint < 0) return set(known, chosen_direction(v, choice, boundary(), branch));
     if (step.unit) return set(known, sign * direction(v, tiny(step.degree), choice, branch));
     Real length;
     set(known, sign * span(v, tiny(step.degree), Real(brief_length) * choice, length, branch));
@@ -206,7 +207,7 @@ class Execution {
     const Real sign(k == 0 ? 1 : -1);
     WristTurns<Real> turns;
     if (step.kind == Kind::right_wrist) turns = right_wrist_turns(u, v, plan_.plan.wrist.middle_swapped, choice, sign, boundary(), branch);
-    else turns = oblique_wrist_turns(u, v, shape(in), Rotor{in.at("cosine_delta"), in.at("sine_delta")}, choice, sign, tolerance(), branch);
+    else turns = oblique_wrist_turns(u, v, shape(in), Rotor{in.at("cosine_delta"), in.at("sine_delta")}, choice, sign, boundary(), branch);
     const std::array<Rotor, 3> values = {turns.first, turns.middle, turns.last};
     for (std::size_t i = 0; i < 3; ++i) {
       known["cos_" + step.turns[i]] = values[i].cosine;

@@ -79,10 +79,22 @@ class Nest {
     line("Work<double> p = w;");
     work_ = "p";
     line("const auto place = " + call(i) + ";");
+    leave_continuum();
     leave_unless("visited.take(" + label() + ", p.branch.exists, place)");
     for (const std::size_t earlier : derive::inverse::order(plan_.plan, careful_)) {
       if (earlier == i) break;
       angles(plan_.plan.steps[earlier]);
+    }
+  }
+
+  /// A sum of angles that turns out to be free where it was not chosen is left to the pass that chooses.
+  void leave_continuum() {
+    const auto& steps = plan_.plan.steps;
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      if (steps[i].kind != Kind::pair || steps[i].joint >= 0) continue;
+      line("const bool chosen = p.branch.continuum;");
+      line(call(i) + ";");
+      line("p.branch.exists = p.branch.exists && p.branch.continuum == chosen;");
     }
   }
 

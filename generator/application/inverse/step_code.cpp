@@ -58,7 +58,7 @@ std::string choice(int joint, const std::string& kind = "turn") {
   const std::string turn = "t.preference->" + kind + "[" + std::to_string(joint) + "]";
   return rotor("Scalar(" + turn + ".cosine)", "Scalar(" + turn + ".sine)");
 }
-std::string choice(const Step& step) { return step.joint < 0 ? rotor("choice_x", "choice_y") : choice(step.joint); }
+std::string choice(const Step& step) { return choice(step.joint); }
 
 /// The turn that the seed's angles add up to.
 std::string seeds(const Step& step) {
@@ -73,6 +73,9 @@ std::string seeds(const Step& step) {
 std::string tiny(const Step& step) { return "Scalar(t.tiny" + std::to_string(step.degree) + ")"; }
 
 std::string direction(const Step& step) {
+  // What a sum of angles shall be is worked out before.
+  if (step.joint < 0)
+    return "inverse::chosen_direction<Scalar>(" + rotor("x", "y") + ", " + rotor("choice_x", "choice_y") + ", t.boundary, w.branch)";
   return std::string("inverse::") + (step.unit ? "direction" : "span") + "<Scalar>(" + rotor("x", "y") + ", " + tiny(step) + ", " +
          choice(step.joint, step.unit ? "turn" : "brief") + ", " + (step.unit ? "" : length_place(step.unknown) + ", ") + "w.branch)";
 }
@@ -122,7 +125,7 @@ std::pair<std::string, std::string> block(const LoweredPlan& plan, const Step& s
       const std::string uv = rotor("u_x", "u_y") + ", " + rotor("v_x", "v_y") + ", {cosine_sum, sine_sum, cosine_difference, sine_difference, product}, ";
       if (!ends(plan, step))
         return {"inverse::WristTurns<Scalar>", "inverse::oblique_wrist_turns<Scalar>(" + uv + rotor("cosine_delta", "sine_delta") + ", " +
-                                                   rotor("choice_x", "choice_y") + ", sign, " + tolerance + ", w.branch)"};
+                                                   rotor("choice_x", "choice_y") + ", sign, t.boundary, w.branch)"};
       return {"inverse::WristAngles<Scalar>",
               "inverse::oblique_wrist<Scalar>(" + uv + "sign, " + preferred_angle(plan.plan.wrist.joints[0]) + ", " + tolerance +
                   ", inverse::pi<Scalar>(), w.branch)"};

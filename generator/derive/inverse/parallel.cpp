@@ -194,10 +194,8 @@ class ParallelAxes {
     const Flat from{tilting.at_value(three_[0].first, builder_),
                     tilting.at_value(three_[0].second, builder_)};
     const Flat to{tilted.at(ToolSide::first, builder_), tilted.at(ToolSide::second, builder_)};
-    const Flat turn = to * conjugate(from);
-    const Flat named{builder_.keep("turn_sum_x", turn.x), builder_.keep("turn_sum_y", turn.y)};
     const bool never_free = vanishes(tilting.x0);
-    builder_.turn_by_pair(sum_name, named, never_free ? Scope::Turn{1, 0} : free_sum(),
+    builder_.turn_by_pair(sum_name, to * conjugate(from), never_free ? Scope::Turn{1, 0} : free_sum(),
                           "the turn of the axis of " + b_.variable + " about the axes of " + three());
   }
 

@@ -104,6 +104,18 @@ Rotor<Scalar> reachable_direction(const Rotor<Scalar>& point, const Rotor<Scalar
   return {select(stays, choice.cosine, found.cosine), select(stays, choice.sine, found.sine)};
 }
 
+/// The direction of v, a product of two vectors that are at most unit vectors and vanish together: then it is free. What
+/// is left of vectors of 1e-5, next to a double root that carries half the digits, may be noise.
+template <typename Scalar>
+Rotor<Scalar> chosen_direction(const Rotor<Scalar>& v, const Rotor<Scalar>& choice, const Boundary& boundary,
+                               Branch<Scalar>& branch) {
+  const Scalar noise = Scalar(16) * epsilon<Scalar>();
+  const Scalar little(1e-20);
+  const Scalar square = v.cosine * v.cosine + v.sine * v.sine;
+  branch.doubtful = branch.doubtful | (branch.exists & (square <= little));
+  return direction(v, boundary.choose ? little : Scalar(noise * noise * noise * noise), choice, branch);
+}
+
 /// ±sqrt(square), where `square` = r² - m² may be negative by rounding, `scale` = m² telling how much that is.
 /// With scale 0 it is a sum of squares, and noise is what lies below `tiny`, the square of a length.
 template <typename Scalar>

@@ -89,11 +89,13 @@ struct Boundary {
   double doubt;   ///< nearer to an end than this share the branch is doubtful
   double floor;   ///< least share of the range: what is nearer to the end is moved away from it
   double near;    ///< a direction whose square is below this multiple of noise is nearly free: doubtful, and accepted at any share
+  bool choose;    ///< what is nearly free is chosen as if it were free
   double gap;     ///< a free direction's equation holds if the square of what is left is below this multiple of noise
 
-  static constexpr Boundary plain(double tolerance) { return {0, 1e-7 + 100 * tolerance, 0, 1e14, 64}; }
-  static constexpr Boundary careful(double tolerance) { return {1e-3 + 100 * tolerance, 0, 0, 1e14, 64e14}; }
-  static constexpr Boundary apart(double tolerance) { return {1e-3 + 100 * tolerance, 0, 1e-10, 1e14, 64e14}; }
+  static constexpr Boundary plain(double tolerance) { return {0, 1e-7 + 100 * tolerance, 0, 1e14, false, 64}; }
+  static constexpr Boundary careful(double tolerance) { return {1e-3 + 100 * tolerance, 0, 0, 1e14, false, 64e14}; }
+  static constexpr Boundary choosing(double tolerance) { return {1e-3 + 100 * tolerance, 0, 0, 1e14, true, 64e14}; }
+  static constexpr Boundary apart(double tolerance) { return {1e-3 + 100 * tolerance, 0, 1e-10, 1e14, true, 64e14}; }
 };
 
 /// What is known of the branch that a sequence of blocks follows.

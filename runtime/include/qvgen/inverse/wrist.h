@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <qvgen/inverse/angles.h>
+#include <utility>
+
+#include <qvgen/inverse/roots.h>
 
 namespace qvgen::inverse {
 
@@ -30,6 +32,17 @@ template <typename Scalar>
 Vanishing<Scalar> vanishing(const Scalar& u_square, const Scalar& v_square) {
   const Scalar noise = wrist_noise<Scalar>() * wrist_noise<Scalar>() * (u_square + v_square);
   return {u_square <= noise, v_square <= noise};
+}
+
+/// The same before further joints: nearly free, what the angles are is for those to say, which may be at the end of their reach.
+template <typename Scalar>
+Vanishing<Scalar> vanishing(const Scalar& u_square, const Scalar& v_square, const Boundary& boundary, Branch<Scalar>& branch) {
+  const Scalar noise = wrist_noise<Scalar>() * wrist_noise<Scalar>() * (u_square + v_square);
+  const Scalar little = Scalar(boundary.near) * noise;
+  branch.doubtful = branch.doubtful | (branch.exists & ((u_square <= little) | (v_square <= little)));
+  branch.continuum = branch.continuum | (branch.exists & ((u_square <= noise) | (v_square <= noise)));
+  const Scalar least = boundary.choose ? little : noise;
+  return {u_square <= least, v_square <= least};
 }
 
 /// Arguments of the two complex numbers; one that vanishes gets what makes their sum equal to `first`.
@@ -71,6 +84,23 @@ struct WristTurns {
   Rotor<Scalar> first, middle, last;
 };
 
+/// The directions of the two numbers. One of them vanishes at most: what it leaves free makes the first angle the choice.
+template <typename Scalar>
+std::pair<Rotor<Scalar>, Rotor<Scalar>> turns(const Rotor<Scalar>& u, const Rotor<Scalar>& v, const Vanishing<Scalar>& is_free,
+                                              const Rotor<Scalar>& choice) {
+  using std::sqrt;
+  const auto unit = [](const Rotor<Scalar>& z, const Mask<Scalar>& free) {
+    const Scalar square = z.cosine * z.cosine + z.sine * z.sine;
+    return Scalar(Scalar(1) / sqrt(select(free, Scalar(1), square))) * z;
+  };
+  const auto either = [](const Mask<Scalar>& condition, const Rotor<Scalar>& yes, const Rotor<Scalar>& no) {
+    return Rotor<Scalar>{select(condition, yes.cosine, no.cosine), select(condition, yes.sine, no.sine)};
+  };
+  const Rotor<Scalar> along_u = unit(u, is_free.u);
+  const Rotor<Scalar> along_v = unit(v, is_free.v);
+  return {either(is_free.u, choice * inverse(along_v), along_u), either(is_free.v, choice * inverse(along_u), along_v)};
+}
+
 /// Both branches of `right_wrist`, by sign, without any arctangent.
 template <typename Scalar>
 WristTurns<Scalar> right_wrist_turns(const Rotor<Scalar>& u, const Rotor<Scalar>& v, bool swapped,
@@ -80,19 +110,10 @@ WristTurns<Scalar> right_wrist_turns(const Rotor<Scalar>& u, const Rotor<Scalar>
   const Scalar u_square = u.cosine * u.cosine + u.sine * u.sine;
   const Scalar v_square = v.cosine * v.cosine + v.sine * v.sine;
   const Scalar sum = u_square + v_square;
-  const Scalar noise = wrist_noise<Scalar>() * wrist_noise<Scalar>() * sum;
-  const Vanishing<Scalar> is_free = vanishing(u_square, v_square);
+  const Vanishing<Scalar> is_free = vanishing(u_square, v_square, boundary, branch);
   const Scalar product = select(is_free.u | is_free.v, Scalar(0), Scalar(Scalar(2) * sqrt(Scalar(u_square * v_square))));
   const Scalar gap = swapped ? Scalar(v_square - u_square) : Scalar(u_square - v_square);
-  // One of the two vanishes at most: what it leaves free makes the first angle the choice.
-  const Rotor<Scalar> v_or_choice = direction(v, noise, choice, branch);
-  const Rotor<Scalar> along_u = direction(u, noise, Rotor<Scalar>(choice * inverse(v_or_choice)), branch);
-  const Rotor<Scalar> rest = choice * inverse(along_u);
-  // Nearly free: what the angles are is for the joints between to say, and those may be at the end of their reach.
-  const Scalar little = Scalar(boundary.near) * noise;
-  const Mask<Scalar> nearly_free = ((u_square <= little) & (u_square > noise)) | ((v_square <= little) & (v_square > noise));
-  branch.doubtful = branch.doubtful | (branch.exists & nearly_free);
-  const Rotor<Scalar> along_v{select(is_free.v, rest.cosine, v_or_choice.cosine), select(is_free.v, rest.sine, v_or_choice.sine)};
+  const auto [along_u, along_v] = turns(u, v, is_free, choice);
   const Rotor<Scalar> first = along_u * along_v;
   const Rotor<Scalar> last = along_u * inverse(along_v);
   const Scalar scale = Scalar(1) / sum;
@@ -108,53 +129,54 @@ struct WristShape {
   Scalar cosine_sum, sine_sum, cosine_difference, sine_difference, product;
 };
 
-/// What both forms of an oblique wrist start from: cosine and sine of half the middle angle θ >= 0, and two complex numbers
-/// with first = arg z1 + arg z2, last = arg z1 - arg z2.
+/// Squares of sine and cosine of half the middle angle θ of a wrist with oblique axes, U = F4ᵀ R F6, θ counted from the
+/// normals' coincidence: |U11|² = cos²((α+α')/2) + sin α sin α' sin²(θ/2), and so on.
 template <typename Scalar>
-struct ObliqueHalf {
-  Scalar cosine, sine;
-  Rotor<Scalar> z1, z2;
-  Vanishing<Scalar> is_free;
+struct ObliqueSquares {
+  Scalar u11, u12;
+  Scalar sine, cosine;
+  Mask<Scalar> right_sum, right_difference;  ///< then sine or cosine vanishes where an angle is free, else at a double root
+
+  ObliqueSquares(const Rotor<Scalar>& first, const Rotor<Scalar>& second, const WristShape<Scalar>& shape)
+      : u11(first.cosine * first.cosine + first.sine * first.sine), u12(second.cosine * second.cosine + second.sine * second.sine),
+        sine((u11 - shape.cosine_sum * shape.cosine_sum) / shape.product),
+        cosine((u12 - shape.sine_difference * shape.sine_difference) / shape.product),
+        right_sum(shape.cosine_sum == Scalar(0)), right_difference(shape.sine_difference == Scalar(0)) {}
 };
 
-/// Wrist with oblique axes, U = F4ᵀ R F6: |U11|² = cos²((α+α')/2) + sin α sin α' sin²(θ/2) and so on, θ the middle
-/// angle from the normals' coincidence.
+/// Two complex numbers from sine and cosine of half the middle angle: first = arg z1 + arg z2, last = arg z1 - arg z2.
+/// z1 = M11 conj(U11), z2 = M12 conj(U12); at a right sum or difference the limit direction is kept.
 template <typename Scalar>
-ObliqueHalf<Scalar> oblique_half(const Rotor<Scalar>& u11, const Rotor<Scalar>& u12, const WristShape<Scalar>& shape,
-                                 const Scalar& sign, const Scalar& tolerance, Branch<Scalar>& branch) {
-  using std::sqrt;
-  const Scalar zero(0);
-  const Scalar u11_square = u11.cosine * u11.cosine + u11.sine * u11.sine;
-  const Scalar u12_square = u12.cosine * u12.cosine + u12.sine * u12.sine;
-  const Scalar sine2 = (u11_square - shape.cosine_sum * shape.cosine_sum) / shape.product;
-  const Scalar cosine2 = (u12_square - shape.sine_difference * shape.sine_difference) / shape.product;
-  const Vanishing<Scalar> is_free = vanishing(u11_square, u12_square);
-  const Scalar margin = smaller(sine2, cosine2);
-  // Where the first or last angle is free the middle one is 0 or pi, which with a right sum or difference is no double root.
-  const Mask<Scalar> right_sum = shape.cosine_sum == zero;
-  const Mask<Scalar> right_difference = shape.sine_difference == zero;
-  const Mask<Scalar> sine_twin = ((sine2 <= merge_share<Scalar>()) & (!right_sum)) | is_free.u;
-  const Mask<Scalar> cosine_twin = ((cosine2 <= merge_share<Scalar>()) & (!right_difference)) | is_free.v;
-  branch.exists = branch.exists & (margin >= -tolerance) & !((sine_twin | cosine_twin) & (sign < zero));
-  const Scalar s = select(sine_twin, zero, sqrt(not_negative(sine2)));
-  const Scalar c = select(cosine_twin, zero, sqrt(not_negative(cosine2)));
-  // z1 = M11 conj(U11), z2 = M12 conj(U12); at a right sum or difference the limit direction is kept.
+std::pair<Rotor<Scalar>, Rotor<Scalar>> oblique_products(const Rotor<Scalar>& u11, const Rotor<Scalar>& u12,
+                                                         const WristShape<Scalar>& shape, const ObliqueSquares<Scalar>& square,
+                                                         const Scalar& s, const Scalar& c, const Scalar& sign) {
   const Scalar m11_real = shape.cosine_sum * c;
-  const Scalar m11_imaginary = -sign * select(right_sum, Scalar(1), Scalar(shape.cosine_difference * s));
+  const Scalar m11_imaginary = -sign * select(square.right_sum, Scalar(1), Scalar(shape.cosine_difference * s));
   const Scalar m12_real = -sign * (shape.sine_difference * s);
-  const Scalar m12_imaginary = -select(right_difference, Scalar(1), Scalar(shape.sine_sum * c));
-  return {c, s, Rotor<Scalar>{m11_real, m11_imaginary} * inverse(u11), Rotor<Scalar>{m12_real, m12_imaginary} * inverse(u12), is_free};
+  const Scalar m12_imaginary = -select(square.right_difference, Scalar(1), Scalar(shape.sine_sum * c));
+  return {Rotor<Scalar>{m11_real, m11_imaginary} * inverse(u11), Rotor<Scalar>{m12_real, m12_imaginary} * inverse(u12)};
 }
 
 template <typename Scalar>
 WristAngles<Scalar> oblique_wrist(const Rotor<Scalar>& u11, const Rotor<Scalar>& u12, const WristShape<Scalar>& shape,
                                   const Scalar& sign, const Scalar& seed, const Scalar& tolerance, const Scalar& pi,
                                   Branch<Scalar>& branch) {
-  const ObliqueHalf<Scalar> half = oblique_half(u11, u12, shape, sign, tolerance, branch);
+  using std::sqrt;
+  const Scalar zero(0);
+  const ObliqueSquares<Scalar> square(u11, u12, shape);
+  const Vanishing<Scalar> is_free = vanishing(square.u11, square.u12);
+  const Scalar margin = smaller(square.sine, square.cosine);
+  // Where the first or last angle is free the middle one is 0 or pi, which with a right sum or difference is no double root.
+  const Mask<Scalar> sine_twin = ((square.sine <= merge_share<Scalar>()) & (!square.right_sum)) | is_free.u;
+  const Mask<Scalar> cosine_twin = ((square.cosine <= merge_share<Scalar>()) & (!square.right_difference)) | is_free.v;
+  branch.exists = branch.exists & (margin >= -tolerance) & !((sine_twin | cosine_twin) & (sign < zero));
+  const Scalar s = select(sine_twin, zero, sqrt(not_negative(square.sine)));
+  const Scalar c = select(cosine_twin, zero, sqrt(not_negative(square.cosine)));
+  const auto z = oblique_products(u11, u12, shape, square, s, c, sign);
   Scalar first_argument;
   Scalar second_argument;
-  arguments(half.z1, half.z2, half.is_free, seed, first_argument, second_argument, branch);
-  return {wrapped(Scalar(first_argument + second_argument), pi), Scalar(2) * sign * acute_arctangent(half.sine, half.cosine),
+  arguments(z.first, z.second, is_free, seed, first_argument, second_argument, branch);
+  return {wrapped(Scalar(first_argument + second_argument), pi), Scalar(2) * sign * acute_arctangent(s, c),
           wrapped(Scalar(first_argument - second_argument), pi)};
 }
 
@@ -162,27 +184,24 @@ WristAngles<Scalar> oblique_wrist(const Rotor<Scalar>& u11, const Rotor<Scalar>&
 template <typename Scalar>
 WristTurns<Scalar> oblique_wrist_turns(const Rotor<Scalar>& u11, const Rotor<Scalar>& u12, const WristShape<Scalar>& shape,
                                        const Rotor<Scalar>& delta, const Rotor<Scalar>& choice, const Scalar& sign,
-                                       const Scalar& tolerance, Branch<Scalar>& branch) {
+                                       const Boundary& boundary, Branch<Scalar>& branch) {
   using std::sqrt;
-  const ObliqueHalf<Scalar> half = oblique_half(u11, u12, shape, sign, tolerance, branch);
-  const Mask<Scalar>& u_free = half.is_free.u;
-  const Mask<Scalar>& v_free = half.is_free.v;
-  branch.continuum = branch.continuum | (branch.exists & (u_free | v_free));
-  const auto unit = [](const Rotor<Scalar>& z, const Mask<Scalar>& is_free) {
-    const Scalar square = z.cosine * z.cosine + z.sine * z.sine;
-    return Scalar(Scalar(1) / sqrt(select(is_free, Scalar(1), square))) * z;
+  const Scalar one(1);
+  const ObliqueSquares<Scalar> square(u11, u12, shape);
+  const Vanishing<Scalar> is_free = vanishing(square.u11, square.u12, boundary, branch);
+  const Scalar margin = smaller(select(square.right_sum, one, square.sine), select(square.right_difference, one, square.cosine));
+  admit(margin, Scalar(boundary.doubt), Scalar(boundary.accept), Mask<Scalar>(false), branch);
+  const auto root = [&](const Scalar& value, const Mask<Scalar>& folds, const Mask<Scalar>& free) {
+    const Scalar least = select(folds, Scalar(boundary.floor), Scalar(0));
+    return Scalar(select(free, Scalar(0), sqrt(larger(value, least))));
   };
-  // One of the two vanishes at most: what it leaves free makes the first angle the choice.
-  const Rotor<Scalar> along_1 = unit(half.z1, u_free);
-  const Rotor<Scalar> along_2 = unit(half.z2, v_free);
-  const Rotor<Scalar> rest_1 = choice * inverse(along_2);
-  const Rotor<Scalar> rest_2 = choice * inverse(along_1);
-  const Rotor<Scalar> z1{select(u_free, rest_1.cosine, along_1.cosine), select(u_free, rest_1.sine, along_1.sine)};
-  const Rotor<Scalar> z2{select(v_free, rest_2.cosine, along_2.cosine), select(v_free, rest_2.sine, along_2.sine)};
-  const Scalar scale = Scalar(1) / (half.cosine * half.cosine + half.sine * half.sine);
-  const Rotor<Scalar> middle{(half.cosine - half.sine) * (half.cosine + half.sine) * scale,
-                             sign * (Scalar(2) * half.cosine * half.sine * scale)};
-  return {z1 * z2, middle * inverse(delta), z1 * inverse(z2)};
+  const Scalar s = root(square.sine, !square.right_sum, is_free.u);
+  const Scalar c = root(square.cosine, !square.right_difference, is_free.v);
+  const auto z = oblique_products(u11, u12, shape, square, s, c, sign);
+  const auto [along_1, along_2] = turns(z.first, z.second, is_free, choice);
+  const Scalar scale = one / (c * c + s * s);
+  const Rotor<Scalar> middle{(c - s) * (c + s) * scale, sign * (Scalar(2) * c * s * scale)};
+  return {along_1 * along_2, middle * inverse(delta), along_1 * inverse(along_2)};
 }
 
 }  // namespace qvgen::inverse
