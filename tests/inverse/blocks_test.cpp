@@ -65,6 +65,7 @@ TEST(CircleAngle, BoundaryOutsideAndNaN) {
   EXPECT_EQ(fate(0.5, 1.5, plain), (Fate{true, false}));
   EXPECT_EQ(fate(0.0, 2.0, plain), (Fate{true, true})) << "at the boundary rounding decides";
   EXPECT_EQ(fate(-1e-13, 2.0, plain), (Fate{false, true}));
+  EXPECT_EQ(fate(-1e-9, 2.0, plain), (Fate{false, false})) << "a billionth is more than rounding";
   EXPECT_EQ(fate(2.0, 1e-9, plain), (Fate{true, true}));
   EXPECT_EQ(fate(-1e-3, 2.0, plain), (Fate{false, false}));
   EXPECT_EQ(fate(3.0, -1.0, plain), (Fate{false, false}));

@@ -335,7 +335,7 @@ inline inverse::JointValues<Scalar, 6> solve_arm([[maybe_unused]] const Target& 
       {{inverse::Screw<Scalar>{true, {axis1_x, axis1_y, axis1_z}, {point1_x, point1_y, point1_z}}, inverse::Screw<Scalar>{true, {axis2_x, axis2_y, axis2_z}, {point2_x, point2_y, point2_z}}, inverse::Screw<Scalar>{true, {axis3_x, axis3_y, axis3_z}, {point3_x, point3_y, point3_z}}, inverse::Screw<Scalar>{true, {axis4_x, axis4_y, axis4_z}, {point4_x, point4_y, point4_z}}, inverse::Screw<Scalar>{true, {axis5_x, axis5_y, axis5_z}, {point5_x, point5_y, point5_z}}, inverse::Screw<Scalar>{true, {axis6_x, axis6_y, axis6_z}, {point6_x, point6_y, point6_z}}}},
       {{inverse::Triple<Scalar>{start1_x, start1_y, start1_z}, inverse::Triple<Scalar>{start2_x, start2_y, start2_z}, inverse::Triple<Scalar>{start3_x, start3_y, start3_z}}},
       {{inverse::Triple<Scalar>{goal1_x, goal1_y, goal1_z}, inverse::Triple<Scalar>{goal2_x, goal2_y, goal2_z}, inverse::Triple<Scalar>{goal3_x, goal3_y, goal3_z}}}};
-  w.branch.exists = w.branch.exists && inverse::polish(task, Scalar(t.size_square), Scalar(t.tolerance), values);
+  w.branch.exists = w.branch.exists && inverse::polish(task, Scalar(t.size_square), Scalar(t.boundary.miss), values);
   w.cos_theta1 = values[0].cosine;
   w.sin_theta1 = values[0].sine;
   w.cos_theta2 = values[1].cosine;

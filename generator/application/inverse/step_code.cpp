@@ -173,7 +173,7 @@ std::vector<std::string> polish_lines(const model::Robot& robot, const LoweredPl
   std::vector<std::string> lines = {"inverse::JointValues<Scalar, " + std::to_string(arm.size()) + "> values" + joined(from) + ";",
                                     "const inverse::Carrying<Scalar, " + std::to_string(arm.size()) + ", " + std::to_string(start.size()) + "> task{",
                                     "    " + joined(arm) + ",", "    " + joined(start) + ",", "    " + joined(goal) + "};",
-                                    "w.branch.exists = w.branch.exists && inverse::polish(task, Scalar(t.size_square), Scalar(t.tolerance), values);"};
+                                    "w.branch.exists = w.branch.exists && inverse::polish(task, Scalar(t.size_square), Scalar(t.boundary.miss), values);"};
   lines.insert(lines.end(), back.begin(), back.end());
   lines.emplace_back("return values;");
   return lines;

@@ -20,23 +20,25 @@ Preference<dof> next_choice(Preference<dof> preference) {
   return preference;
 }
 
-/// Solves near singular poses. `follow(target, visited, found)` is one pass over all branches that may exist, polished;
-/// it returns whether it met a free angle, or one that is nearly so: what that is told to be may be noise, and out of reach for the
-/// joints after it, so that branches without a solution are followed again with a choice in its place. Branches that come to nothing from the ends of their ranges are followed again from
-/// two places apart; and if there is nothing at all, the free angles are chosen anew, for joints after them may then be in reach.
+/// Solves near singular poses. `follow(target, visited, found)` is one pass over all branches that may exist, polished; it
+/// returns whether it met a free angle, or one that is nearly so: what such an angle is told to be may be noise, and out of
+/// reach for the joints after it, so that branches without a solution are followed again with a choice in its place. If there
+/// is nothing at all the free angles are chosen anew.
 template <int dof, class Target, class Visited, int capacity, class Follow>
 void solve_carefully(Target t, Visited visited, const Follow& follow, Solutions<dof, capacity>& found) {
   constexpr int choices = 16;
   Preference<dof> preference = *t.preference;
   t.preference = &preference;
-  for (int k = 0; k < choices && found.empty(); ++k) {
-    t.boundary = Boundary::careful(t.tolerance);
+  const auto pass = [&](const Boundary& boundary) {
+    t.boundary = boundary;
     visited.begin_pass();
-    const bool met_free = follow(t, visited, found);
-    t.boundary = Boundary::choosing(t.tolerance);
-    if (met_free) follow(t, visited, found);
-    t.boundary = Boundary::apart(t.tolerance);
-    if (visited.misses_any()) follow(t, visited, found);
+    return follow(t, visited, found);
+  };
+  for (int k = 0; k < choices && found.empty(); ++k) {
+    const bool met_free = pass(Boundary::careful(t.tolerance));
+    if (met_free) pass(Boundary::choosing(t.tolerance));
+    if (visited.misses_any()) pass(Boundary::apart(t.tolerance));
+    if (visited.misses_any()) pass(Boundary::tolerant(t.tolerance));
     if (!met_free) break;
     preference = next_choice(preference);
   }

@@ -67,30 +67,37 @@ namespace polishing {
 
 template <typename Scalar, std::size_t size>
 using Vector = std::array<Scalar, size>;
-template <typename Scalar, std::size_t size>
-using Square = std::array<Vector<Scalar, size>, size>;
 
-/// x of n x = b for a symmetric n that is positive semidefinite, by Cholesky's L D Lᵀ. What a vanishing pivot leaves open is 0:
-/// a free joint stays where it is.
 template <typename Scalar, std::size_t size>
-Vector<Scalar, size> solved(Square<Scalar, size> n, Vector<Scalar, size> b) {
-  Scalar trace(0);
-  for (std::size_t i = 0; i < size; ++i) trace += n[i][i];
-  Vector<Scalar, size> inverse;
-  for (std::size_t i = 0; i < size; ++i) {
-    for (std::size_t k = 0; k < i; ++k) {
-      const Scalar factor = n[i][k] * inverse[k];
-      for (std::size_t j = i; j < size; ++j) n[j][i] -= factor * n[j][k];
-      b[i] -= factor * b[k];
-    }
-    const bool holds = n[i][i] > epsilon<Scalar>() * trace;
-    inverse[i] = holds ? Scalar(Scalar(1) / n[i][i]) : Scalar(0);
+Scalar dot(const Vector<Scalar, size>& a, const Vector<Scalar, size>& b) {
+  Scalar sum(0);
+  for (std::size_t i = 0; i < size; ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+/// The x for which the columns' combination comes nearest to b, by modified Gram-Schmidt: normal equations would lose what
+/// hardly moves. A column that adds less than `nothing`, as a share of the longest, is left out: a free joint stays.
+template <typename Scalar, std::size_t columns, std::size_t rows>
+Vector<Scalar, columns> least_squares(std::array<Vector<Scalar, rows>, columns> a, Vector<Scalar, rows> b, const Scalar& nothing) {
+  Scalar longest(0);
+  for (const Vector<Scalar, rows>& column : a) longest = larger(longest, dot(column, column));
+  std::array<Vector<Scalar, columns>, columns> r{};
+  Vector<Scalar, columns> x{};
+  for (std::size_t i = 0; i < columns; ++i) {
+    const Scalar square = dot(a[i], a[i]);
+    if (!(square > nothing * nothing * longest)) continue;
+    r[i][i] = square;
+    const auto without = [&](Vector<Scalar, rows>& v) {
+      const Scalar share = dot(a[i], v) / square;
+      for (std::size_t row = 0; row < rows; ++row) v[row] -= share * a[i][row];
+      return share;
+    };
+    for (std::size_t j = i + 1; j < columns; ++j) r[i][j] = without(a[j]);
+    x[i] = without(b);
   }
-  for (std::size_t i = size; i-- > 0;) {
-    for (std::size_t j = i + 1; j < size; ++j) b[i] -= n[j][i] * b[j];
-    b[i] = b[i] * inverse[i];
-  }
-  return b;
+  for (std::size_t i = columns; i-- > 0;)
+    for (std::size_t j = i + 1; j < columns && r[i][i] > Scalar(0); ++j) x[i] -= r[i][j] * x[j];
+  return x;
 }
 
 template <typename Scalar, std::size_t joints, std::size_t points>
@@ -107,22 +114,24 @@ class Newton {
       Triple<Scalar> x = task_.start[p];
       for (std::size_t i = joints; i-- > 0;) x = moved(task_.arm[i], values[i], x);
       const Triple<Scalar> off = difference(task_.goal[p], x);
-      sum += dot(off, off);
+      sum += inverse::dot(off, off);
     }
     return sum;
   }
 
-  /// Where (JᵀJ + λ² I)⁻¹ Jᵀ (goal - point) leads.
-  Values step(const Values& values, const Scalar& lambda2) const {
-    Square<Scalar, joints> n{};
-    Vector<Scalar, joints> b{};
-    for (std::size_t p = 0; p < points; ++p) add_point(p, values, n, b);
-    for (std::size_t i = 0; i < joints; ++i) n[i][i] += lambda2;
-    return advanced(values, solved(n, b));
+  /// Where the least squares of J step = goal - points and λ step = 0 lead; `nothing` as for `least_squares`.
+  Values step(const Values& values, const Scalar& lambda, const Scalar& nothing) const {
+    std::array<Column, joints> jacobian{};
+    Column off{};
+    for (std::size_t p = 0; p < points; ++p) add_point(p, values, jacobian, off);
+    for (std::size_t i = 0; i < joints; ++i) jacobian[i][3 * points + i] = lambda;
+    return advanced(values, least_squares(jacobian, off, nothing));
   }
 
  private:
-  void add_point(std::size_t p, const Values& values, Square<Scalar, joints>& n, Vector<Scalar, joints>& b) const {
+  using Column = Vector<Scalar, 3 * points + joints>;
+
+  void add_point(std::size_t p, const Values& values, std::array<Column, joints>& jacobian, Column& off) const {
     std::array<Triple<Scalar>, joints> columns;
     Triple<Scalar> x = task_.start[p];
     for (std::size_t i = joints; i-- > 0;) {
@@ -131,10 +140,10 @@ class Newton {
       columns[i] = screw.revolute ? cross(screw.axis, difference(x, screw.point)) : screw.axis;
       for (std::size_t k = i + 1; screw.revolute && k < joints; ++k) columns[k] = turned(screw, values[i], columns[k]);
     }
-    const Triple<Scalar> off = difference(task_.goal[p], x);
-    for (std::size_t i = 0; i < joints; ++i) {
-      for (std::size_t j = 0; j <= i; ++j) n[i][j] += dot(columns[i], columns[j]);
-      b[i] += dot(columns[i], off);
+    const Triple<Scalar> miss = difference(task_.goal[p], x);
+    for (std::size_t k = 0; k < 3; ++k) {
+      for (std::size_t i = 0; i < joints; ++i) jacobian[i][3 * p + k] = columns[i][k];
+      off[3 * p + k] = miss[k];
     }
   }
 
@@ -158,17 +167,17 @@ class Newton {
 }  // namespace polishing
 
 /// Brings joint values to where they carry the points to their goals, by damped Newton steps (Levenberg, Marquardt).
-/// Returns whether what the best of them miss is at most the tolerance, a share of the size; NaN is not.
+/// Returns whether what the best of them miss is no more than is allowed, a share of the size, or than rounding; NaN is not.
 ///
 /// A quartic's roots carry nine to eleven digits, and a closed form that divides by a length of 1e-5 as many: this gives
 /// back the rest. At a double root each step halves what is left, so that there may be many; and it may have to step
 /// aside first, which the next steps make good: hence the patience.
 template <typename Scalar, std::size_t joints, std::size_t points>
-bool polish(const Carrying<Scalar, joints, points>& task, const Scalar& size_square, const Scalar& tolerance,
+bool polish(const Carrying<Scalar, joints, points>& task, const Scalar& size_square, const Scalar& allowed,
             JointValues<Scalar, joints>& values) {
   using std::sqrt;
   constexpr int most_steps = 60;
-  constexpr int patience = 4;
+  constexpr int patience = 6;
   const polishing::Newton<Scalar, joints, points> newton(task);
   for (std::size_t i = 0; i < joints; ++i) {
     if (!task.arm[i].revolute) continue;
@@ -179,9 +188,12 @@ bool polish(const Carrying<Scalar, joints, points>& task, const Scalar& size_squ
   Scalar error = newton.miss(now);
   Scalar least = error;
   const Scalar enough = epsilon<Scalar>() * epsilon<Scalar>() * size_square;
+  const Scalar half_the_digits = sqrt(epsilon<Scalar>());
   int waited = 0;
   for (int step = 0; step < most_steps && waited < patience && least > enough; ++step) {
-    now = newton.step(now, Scalar(error * Scalar(1e-2)));
+    // Directions that hardly move the points are left alone, unless it does not go on without them.
+    const bool stuck = waited >= patience / 2 && least > Scalar(256) * enough;
+    now = newton.step(now, Scalar(Scalar(1e-1) * sqrt(error)), stuck ? Scalar(Scalar(64) * epsilon<Scalar>()) : half_the_digits);
     error = newton.miss(now);
     ++waited;
     if (!(error < least)) continue;
@@ -189,7 +201,7 @@ bool polish(const Carrying<Scalar, joints, points>& task, const Scalar& size_squ
     values = now;
     waited = 0;
   }
-  const Scalar share = larger(tolerance, Scalar(Scalar(32) * epsilon<Scalar>()));
+  const Scalar share = larger(allowed, Scalar(Scalar(16) * epsilon<Scalar>()));
   return least <= share * share * size_square;
 }
 

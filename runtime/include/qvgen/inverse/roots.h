@@ -5,13 +5,22 @@
 
 namespace qvgen::inverse {
 
-/// Whether a branch exists that is `margin` from the end of a range; `nearly_free`, `doubt`, `accept` as for `Boundary`.
+/// A boundary in the units of an equation's range.
 template <typename Scalar>
-void admit(const Scalar& margin, const Scalar& doubt, const Scalar& accept, const Mask<Scalar>& nearly_free,
-           Branch<Scalar>& branch) {
-  const Mask<Scalar> close = (magnitude(margin) < doubt) | nearly_free;
+struct Limits {
+  Scalar doubt, beyond, accept;
+
+  explicit Limits(const Boundary& boundary) : doubt(boundary.doubt), beyond(boundary.beyond), accept(boundary.accept) {}
+  Limits(const Boundary& boundary, const Scalar& range)
+      : doubt(Scalar(boundary.doubt) * range), beyond(Scalar(boundary.beyond) * range), accept(Scalar(boundary.accept) * range) {}
+};
+
+/// Whether a branch exists that is `margin` from the end of a range; `nearly_free` as for `Boundary::near`.
+template <typename Scalar>
+void admit(const Scalar& margin, const Limits<Scalar>& limits, const Mask<Scalar>& nearly_free, Branch<Scalar>& branch) {
+  const Mask<Scalar> close = ((margin < limits.doubt) & (margin > -limits.beyond)) | nearly_free;
   branch.doubtful = branch.doubtful | (branch.exists & close);
-  branch.exists = branch.exists & ((margin >= -accept) | nearly_free);
+  branch.exists = branch.exists & ((margin >= -limits.accept) | nearly_free);
 }
 
 /// cos φ = (high - low) / (high + low), the two angles ±φ at which a line or circle meets a circle; scale = 1 / (low + high).
@@ -26,7 +35,7 @@ Rotor<Scalar> circle_angle(const Scalar& low, const Scalar& high, const Scalar& 
   using std::sqrt;
   const Scalar sine2 = low * scale;
   const Scalar cosine2 = high * scale;
-  admit(smaller(sine2, cosine2), Scalar(boundary.doubt), Scalar(boundary.accept), nearly_free, branch);
+  admit(smaller(sine2, cosine2), Limits<Scalar>(boundary), nearly_free, branch);
   const Scalar s = larger(sine2, Scalar(boundary.floor));
   const Scalar c = larger(cosine2, Scalar(boundary.floor));
   return {c - s, (Scalar(2) * sign) * sqrt(Scalar(s * c))};
@@ -67,8 +76,7 @@ Rotor<Scalar> factored_line_angle(const Rotor<Scalar>& v, const Scalar& rhs, con
   const Scalar low_share = low * scale;
   const Scalar high_share = high * scale;
   Branch<Scalar> regular = branch;
-  admit(smaller(low_share, high_share), Scalar(boundary.doubt), Scalar(boundary.accept), square <= Scalar(boundary.near) * tiny,
-        regular);
+  admit(smaller(low_share, high_share), Limits<Scalar>(boundary), square <= Scalar(boundary.near) * tiny, regular);
   branch.take(is_free, rhs * rhs <= Scalar(boundary.gap) * tiny, regular);
   const Scalar floor(boundary.floor);
   const Scalar height = sign * magnitude(range) * sqrt(Scalar(larger(low_share, floor) * larger(high_share, floor)));
@@ -123,8 +131,7 @@ Scalar signed_root(const Scalar& square, const Scalar& scale, const Scalar& tiny
                    const Boundary& boundary, Branch<Scalar>& branch) {
   using std::sqrt;
   const Mask<Scalar> close = magnitude(square) <= Scalar(boundary.near) * tiny;
-  const Scalar range = larger(scale, magnitude(square));
-  admit(square, Scalar(Scalar(boundary.doubt) * range), Scalar(Scalar(boundary.accept) * range), close, branch);
+  admit(square, Limits<Scalar>(boundary, larger(scale, magnitude(square))), close, branch);
   return sign * sqrt(larger(square, Scalar(boundary.floor) * (scale + tiny)));
 }
 
@@ -139,7 +146,7 @@ Scalar quadratic_root(const Scalar& a, const Scalar& b, const Scalar& c, const S
   const Scalar square = half * half;
   const Scalar scale = square + magnitude(product);
   const Scalar discriminant = square - product;
-  admit(discriminant, Scalar(Scalar(boundary.doubt) * scale), Scalar(Scalar(boundary.accept) * scale), Mask<Scalar>(false), branch);
+  admit(discriminant, Limits<Scalar>(boundary, scale), Mask<Scalar>(false), branch);
   const Scalar root = sqrt(larger(discriminant, Scalar(boundary.floor) * scale));
   const Scalar large = half + with_sign(root, half);
   const Mask<Scalar> wants_large = (half < Scalar(0)) == (sign < Scalar(0));

@@ -83,19 +83,27 @@ Scalar negated(const Mask<Scalar>& condition, const Scalar& a) {
 ///
 /// A first pass takes equations at their word and says where it should not be trusted. Poses in doubt are solved once more:
 /// whatever might exist is followed from the end of the range, and Newton steps and the pose they reach decide. Branches
-/// that come to nothing so are followed again from two places apart, since at the end itself Newton's steps are blind.
+/// that come to nothing so are followed again from two places apart, since at the end itself Newton's steps are blind; and
+/// what is left may be out of reach by less than is tolerated.
 struct Boundary {
   double accept;  ///< so far outside, as a share of the range, a branch still exists and is taken to the end of the range
-  double doubt;   ///< nearer to an end than this share the branch is doubtful
+  double doubt;   ///< nearer to an end than this share, inside, the branch is doubtful
+  double beyond;  ///< the same outside: what is farther out is not for rounding to decide
   double floor;   ///< least share of the range: what is nearer to the end is moved away from it
   double near;    ///< a direction whose square is below this multiple of noise is nearly free: doubtful, and accepted at any share
   bool choose;    ///< what is nearly free is chosen as if it were free
   double gap;     ///< a free direction's equation holds if the square of what is left is below this multiple of noise
+  double miss;    ///< how far off the pose polished joints may leave the arm, as a share of its size
 
-  static constexpr Boundary plain(double tolerance) { return {0, 1e-7 + 100 * tolerance, 0, 1e14, false, 64}; }
-  static constexpr Boundary careful(double tolerance) { return {1e-3 + 100 * tolerance, 0, 0, 1e14, false, 64e14}; }
-  static constexpr Boundary choosing(double tolerance) { return {1e-3 + 100 * tolerance, 0, 0, 1e14, true, 64e14}; }
-  static constexpr Boundary apart(double tolerance) { return {1e-3 + 100 * tolerance, 0, 1e-10, 1e14, true, 64e14}; }
+  static constexpr Boundary plain(double tolerance) { return {0, 1e-7 + 100 * tolerance, 1e-10 + 100 * tolerance, 0, 1e18, false, 64, tolerance}; }
+  /// From the ends of the ranges, taking no miss but rounding.
+  static constexpr Boundary careful(double tolerance) { return {1e-3 + 100 * tolerance, 0, 0, 0, 1e18, false, 64e14, 0}; }
+  /// The same with a choice where an angle is nearly free.
+  static constexpr Boundary choosing(double tolerance) { return {1e-3 + 100 * tolerance, 0, 0, 0, 1e18, true, 64e14, 0}; }
+  /// From two places apart.
+  static constexpr Boundary apart(double tolerance) { return {1e-3 + 100 * tolerance, 0, 0, 1e-10, 1e18, true, 64e14, 0}; }
+  /// From the ends again, for poses that are out of reach by no more than the tolerance.
+  static constexpr Boundary tolerant(double tolerance) { return {1e-3 + 100 * tolerance, 0, 0, 0, 1e18, false, 64e14, tolerance}; }
 };
 
 /// What is known of the branch that a sequence of blocks follows.

@@ -41,7 +41,7 @@ Vanishing<Scalar> vanishing(const Scalar& u_square, const Scalar& v_square, cons
   const Scalar little = Scalar(boundary.near) * noise;
   branch.doubtful = branch.doubtful | (branch.exists & ((u_square <= little) | (v_square <= little)));
   branch.continuum = branch.continuum | (branch.exists & ((u_square <= noise) | (v_square <= noise)));
-  const Scalar least = boundary.choose ? little : noise;
+  const Scalar least = boundary.choose ? Scalar(Scalar(1e14) * noise) : noise;
   return {u_square <= least, v_square <= least};
 }
 
@@ -190,7 +190,7 @@ WristTurns<Scalar> oblique_wrist_turns(const Rotor<Scalar>& u11, const Rotor<Sca
   const ObliqueSquares<Scalar> square(u11, u12, shape);
   const Vanishing<Scalar> is_free = vanishing(square.u11, square.u12, boundary, branch);
   const Scalar margin = smaller(select(square.right_sum, one, square.sine), select(square.right_difference, one, square.cosine));
-  admit(margin, Scalar(boundary.doubt), Scalar(boundary.accept), Mask<Scalar>(false), branch);
+  admit(margin, Limits<Scalar>(boundary), Mask<Scalar>(false), branch);
   const auto root = [&](const Scalar& value, const Mask<Scalar>& folds, const Mask<Scalar>& free) {
     const Scalar least = select(folds, Scalar(boundary.floor), Scalar(0));
     return Scalar(select(free, Scalar(0), sqrt(larger(value, least))));
