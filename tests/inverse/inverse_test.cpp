@@ -58,6 +58,19 @@ TEST_P(Inverse, BoundaryOfReach) {
   }
 }
 
+/// What is a billionth beyond reach is solved by the nearest joints where that much is tolerated, and nothing is farther off.
+TEST_P(Inverse, ToleranceBringsBackWhatIsBeyondReach) {
+  constexpr double tolerance = 1e-6;
+  for (int i = 0; i < pose_count() / 50 && !HasFailure(); ++i) {
+    const std::optional<Sample> sample = pose_set("just outside").draw(test(), i);
+    if (!sample) continue;
+    const Found found = GetParam().solve(sample->pose, test().given(sample->q), tolerance);
+    EXPECT_FALSE(found.rows.empty()) << GetParam().name << ", pose " << i;
+    for (const Row& row : found.rows)
+      EXPECT_LT(test().miss(row.q, sample->target).largest(), 4 * tolerance * (1 + sample->target.translation().norm()));
+  }
+}
+
 TEST_P(Inverse, ReflectionsAndScaledMatricesAreInvalid) {
   const Eigen::VectorXd q = test().joints();
   const Eigen::Isometry3d target = test().tool(q);

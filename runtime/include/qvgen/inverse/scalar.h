@@ -95,15 +95,31 @@ struct Boundary {
   double gap;     ///< a free direction's equation holds if the square of what is left is below this multiple of noise
   double miss;    ///< how far off the pose polished joints may leave the arm, as a share of its size
 
-  static constexpr Boundary plain(double tolerance) { return {0, 1e-7 + 100 * tolerance, 1e-10 + 100 * tolerance, 0, 1e18, false, 64, tolerance}; }
+  static constexpr Boundary plain(double tolerance) {
+    return {0, 1e-7 + 100 * tolerance, 1e-10 + 100 * tolerance, 0, 1e18, false, 64, tolerance};
+  }
   /// From the ends of the ranges, taking no miss but rounding.
-  static constexpr Boundary careful(double tolerance) { return {1e-3 + 100 * tolerance, 0, 0, 0, 1e18, false, 64e14, 0}; }
+  static constexpr Boundary careful(double tolerance) {
+    return {1e-3 + 100 * tolerance, 0, 0, 0, 1e18, false, 64e14, 0};
+  }
   /// The same with a choice where an angle is nearly free.
-  static constexpr Boundary choosing(double tolerance) { return {1e-3 + 100 * tolerance, 0, 0, 0, 1e18, true, 64e14, 0}; }
+  static constexpr Boundary choosing(double tolerance) {
+    Boundary boundary = careful(tolerance);
+    boundary.choose = true;
+    return boundary;
+  }
   /// From two places apart.
-  static constexpr Boundary apart(double tolerance) { return {1e-3 + 100 * tolerance, 0, 0, 1e-10, 1e18, true, 64e14, 0}; }
+  static constexpr Boundary apart(double tolerance) {
+    Boundary boundary = choosing(tolerance);
+    boundary.floor = 1e-10;
+    return boundary;
+  }
   /// From the ends again, for poses that are out of reach by no more than the tolerance.
-  static constexpr Boundary tolerant(double tolerance) { return {1e-3 + 100 * tolerance, 0, 0, 0, 1e18, false, 64e14, tolerance}; }
+  static constexpr Boundary tolerant(double tolerance) {
+    Boundary boundary = careful(tolerance);
+    boundary.miss = tolerance;
+    return boundary;
+  }
 };
 
 /// What is known of the branch that a sequence of blocks follows.

@@ -26,8 +26,8 @@ inline constexpr InverseInfo inverse_info_given_theta3{ 8, true, 2, true };
 /// the sampled joints among them.
 ///
 /// The pose's quaternion may be off its length by rounding (float's too) and is normalised; NaN, infinity or no
-/// rotation gives Status::invalid. `tolerance` is how far beyond the boundary of reach, as a share of the arm, a pose
-/// is still solved at the boundary. A free angle at a singular pose is taken as 0. No heap, no exceptions.
+/// rotation gives Status::invalid. `tolerance` is how far beyond the boundary of reach, as a share of the arm's size, a pose
+/// is still solved by the nearest joints. A free angle at a singular pose is taken as 0. No heap, no exceptions.
 /// Four branches at a time in the lanes of AVX2 registers, if the machine has them; `form` is for comparisons.
 SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Pose<double>& pose, double theta3, const Geometry& g = {},
     double tolerance = inverse::default_tolerance, inverse::Form form = inverse::Form::fastest);

@@ -26,8 +26,8 @@ inline constexpr InverseInfo inverse_info{ 2, true, -1, false };
 /// the sampled joints among them.
 ///
 /// The pose's quaternion may be off its length by rounding (float's too) and is normalised; NaN, infinity or no
-/// rotation gives Status::invalid. `tolerance` is how far beyond the boundary of reach, as a share of the arm, a pose
-/// is still solved at the boundary. A free angle at a singular pose is taken as 0. No heap, no exceptions.
+/// rotation gives Status::invalid. `tolerance` is how far beyond the boundary of reach, as a share of the arm's size, a pose
+/// is still solved by the nearest joints. A free angle at a singular pose is taken as 0. No heap, no exceptions.
 
 Solutions inverse_kinematics(const Pose<double>& pose, const Geometry& g = {},
     double tolerance = inverse::default_tolerance, inverse::Form form = inverse::Form::fastest);
