@@ -7,6 +7,7 @@
 #include <qvgen/inverse/conic_circle.h>
 #include <qvgen/inverse/polish.h>
 #include <qvgen/inverse/roots.h>
+#include <qvgen/inverse/visited.h>
 #include <qvgen/inverse/wrist.h>
 
 namespace {

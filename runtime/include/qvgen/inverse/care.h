@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include <qvgen/inverse/polish.h>
 #include <qvgen/inverse/solutions.h>
 #include <qvgen/inverse/target.h>
+#include <qvgen/inverse/visited.h>
 
 namespace qvgen::inverse {
 

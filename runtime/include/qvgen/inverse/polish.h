@@ -1,56 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
-
-#include <qvgen/inverse/angles.h>
+#include <qvgen/inverse/least_squares.h>
+#include <qvgen/inverse/screw.h>
 
 namespace qvgen::inverse {
-
-template <typename Scalar>
-using Triple = std::array<Scalar, 3>;
-
-template <typename Scalar>
-Triple<Scalar> cross(const Triple<Scalar>& a, const Triple<Scalar>& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-template <typename Scalar>
-Scalar dot(const Triple<Scalar>& a, const Triple<Scalar>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-template <typename Scalar>
-Triple<Scalar> difference(const Triple<Scalar>& a, const Triple<Scalar>& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
-/// A joint at the zero pose: unit axis and, for a revolute one, a point on it.
-template <typename Scalar>
-struct Screw {
-  bool revolute;
-  Triple<Scalar> axis;
-  Triple<Scalar> point;
-};
-
-/// A direction turned about a revolute joint's axis.
-template <typename Scalar>
-Triple<Scalar> turned(const Screw<Scalar>& screw, const Rotor<Scalar>& value, const Triple<Scalar>& v) {
-  const Triple<Scalar> side = cross(screw.axis, v);
-  const Scalar along = dot(screw.axis, v) * (Scalar(1) - value.cosine);
-  Triple<Scalar> result;
-  for (std::size_t i = 0; i < 3; ++i)
-    result[i] = value.cosine * v[i] + value.sine * side[i] + along * screw.axis[i];
-  return result;
-}
-
-/// A point carried by a joint. Value of a joint: an angle as its pair, a length in the cosine's place.
-template <typename Scalar>
-Triple<Scalar> moved(const Screw<Scalar>& screw, const Rotor<Scalar>& value, const Triple<Scalar>& x) {
-  Triple<Scalar> result = x;
-  if (screw.revolute) result = turned(screw, value, difference(x, screw.point));
-  for (std::size_t i = 0; i < 3; ++i)
-    result[i] += screw.revolute ? screw.point[i] : Scalar(screw.axis[i] * value.cosine);
-  return result;
-}
 
 /// Joints that are to carry points to their goals: one point is a position, three that are no line a whole pose.
 template <typename Scalar, std::size_t joints, std::size_t points>
@@ -64,41 +18,6 @@ template <typename Scalar, std::size_t joints>
 using JointValues = std::array<Rotor<Scalar>, joints>;
 
 namespace polishing {
-
-template <typename Scalar, std::size_t size>
-using Vector = std::array<Scalar, size>;
-
-template <typename Scalar, std::size_t size>
-Scalar dot(const Vector<Scalar, size>& a, const Vector<Scalar, size>& b) {
-  Scalar sum(0);
-  for (std::size_t i = 0; i < size; ++i) sum += a[i] * b[i];
-  return sum;
-}
-
-/// The x for which the columns' combination comes nearest to b, by modified Gram-Schmidt: normal equations would lose what
-/// hardly moves. A column that adds less than `nothing`, as a share of the longest, is left out: a free joint stays.
-template <typename Scalar, std::size_t columns, std::size_t rows>
-Vector<Scalar, columns> least_squares(std::array<Vector<Scalar, rows>, columns> a, Vector<Scalar, rows> b, const Scalar& nothing) {
-  Scalar longest(0);
-  for (const Vector<Scalar, rows>& column : a) longest = larger(longest, dot(column, column));
-  std::array<Vector<Scalar, columns>, columns> r{};
-  Vector<Scalar, columns> x{};
-  for (std::size_t i = 0; i < columns; ++i) {
-    const Scalar square = dot(a[i], a[i]);
-    if (!(square > nothing * nothing * longest)) continue;
-    r[i][i] = square;
-    const auto without = [&](Vector<Scalar, rows>& v) {
-      const Scalar share = dot(a[i], v) / square;
-      for (std::size_t row = 0; row < rows; ++row) v[row] -= share * a[i][row];
-      return share;
-    };
-    for (std::size_t j = i + 1; j < columns; ++j) r[i][j] = without(a[j]);
-    x[i] = without(b);
-  }
-  for (std::size_t i = columns; i-- > 0;)
-    for (std::size_t j = i + 1; j < columns && r[i][i] > Scalar(0); ++j) x[i] -= r[i][j] * x[j];
-  return x;
-}
 
 template <typename Scalar, std::size_t joints, std::size_t points>
 class Newton {
@@ -204,43 +123,5 @@ bool polish(const Carrying<Scalar, joints, points>& task, const Scalar& size_squ
   const Scalar share = larger(allowed, Scalar(Scalar(16) * epsilon<Scalar>()));
   return least <= share * share * size_square;
 }
-
-/// What has come of each branch, and the solutions so far by the values of the joints that decide: the closed form may
-/// come to one from two branches, and polishing brings two together where they are one.
-template <typename Scalar, std::size_t joints, std::size_t capacity>
-class Visited {
- public:
-  [[nodiscard]] bool settled(int branch) const { return settled_[static_cast<std::size_t>(branch)]; }
-  /// Whether some branch came near a solution and has none.
-  [[nodiscard]] bool misses_any() const { return misses_any_; }
-  void begin_pass() { misses_any_ = false; }
-
-  /// Takes note of where a branch has led; true if that is a solution and a new one, to half the digits.
-  bool take(int branch, bool reached, const JointValues<Scalar, joints>& values) {
-    misses_any_ = misses_any_ || !reached;
-    if (!reached) return false;
-    settled_[static_cast<std::size_t>(branch)] = true;
-    for (std::size_t k = 0; k < count_; ++k)
-      if (same(rows_[k], values)) return false;
-    rows_[count_++] = values;
-    return true;
-  }
-
- private:
-  static bool same(const JointValues<Scalar, joints>& a, const JointValues<Scalar, joints>& b) {
-    Scalar sum(0);
-    for (std::size_t i = 0; i < joints; ++i) {
-      const Scalar x = a[i].cosine - b[i].cosine;
-      const Scalar y = a[i].sine - b[i].sine;
-      sum += x * x + y * y;
-    }
-    return sum < Scalar(180) * epsilon<Scalar>();
-  }
-
-  std::array<bool, capacity> settled_{};
-  std::array<JointValues<Scalar, joints>, capacity> rows_;
-  std::size_t count_ = 0;
-  bool misses_any_ = false;
-};
 
 }  // namespace qvgen::inverse

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include <qvgen/inverse/scalar.h>
+
+namespace qvgen::inverse {
+namespace polishing {
+
+template <typename Scalar, std::size_t size>
+using Vector = std::array<Scalar, size>;
+
+template <typename Scalar, std::size_t size>
+Scalar dot(const Vector<Scalar, size>& a, const Vector<Scalar, size>& b) {
+  Scalar sum(0);
+  for (std::size_t i = 0; i < size; ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+/// The x for which the columns' combination comes nearest to b, by modified Gram-Schmidt: normal equations would lose what
+/// hardly moves. A column that adds less than `nothing`, as a share of the longest, is left out: a free joint stays.
+template <typename Scalar, std::size_t columns, std::size_t rows>
+Vector<Scalar, columns> least_squares(std::array<Vector<Scalar, rows>, columns> a, Vector<Scalar, rows> b, const Scalar& nothing) {
+  Scalar longest(0);
+  for (const Vector<Scalar, rows>& column : a) longest = larger(longest, dot(column, column));
+  std::array<Vector<Scalar, columns>, columns> r{};
+  Vector<Scalar, columns> x{};
+  for (std::size_t i = 0; i < columns; ++i) {
+    const Scalar square = dot(a[i], a[i]);
+    if (!(square > nothing * nothing * longest)) continue;
+    r[i][i] = square;
+    const auto without = [&](Vector<Scalar, rows>& v) {
+      const Scalar share = dot(a[i], v) / square;
+      for (std::size_t row = 0; row < rows; ++row) v[row] -= share * a[i][row];
+      return share;
+    };
+    for (std::size_t j = i + 1; j < columns; ++j) r[i][j] = without(a[j]);
+    x[i] = without(b);
+  }
+  for (std::size_t i = columns; i-- > 0;)
+    for (std::size_t j = i + 1; j < columns && r[i][i] > Scalar(0); ++j) x[i] -= r[i][j] * x[j];
+  return x;
+}
+
+}  // namespace polishing
+}  // namespace qvgen::inverse
