@@ -41,6 +41,15 @@ Rotor<Scalar> circle_angle(const Scalar& low, const Scalar& high, const Scalar& 
   return {c - s, (Scalar(2) * sign) * sqrt(Scalar(s * c))};
 }
 
+/// Whether a direction of the given square is nearly free, or the nearer end of its range so near that earlier equations,
+/// which magnify rounding where they are at their own ends, may have moved it across.
+template <typename Scalar>
+Mask<Scalar> nearly_free(const Scalar& square, const Scalar& low, const Scalar& high, const Scalar& tiny, const Boundary& boundary) {
+  constexpr double magnified = 1e8;
+  const Scalar end = smaller(magnitude(low), magnitude(high));
+  return (square <= Scalar(boundary.near) * tiny) | (end * end <= Scalar(magnified) * tiny);
+}
+
 /// The angle ±φ from a direction (x, y) that the pose gives, low and high as for `circle_angle`. Where the direction's
 /// squared length is below `tiny`, low + high vanishes too: the angle is free if high - low is as small.
 template <typename Scalar>
@@ -53,7 +62,7 @@ Rotor<Scalar> free_circle_angle(const Scalar& low, const Scalar& high, const Rot
   const Mask<Scalar> is_free = square <= tiny;
   Branch<Scalar> regular = branch;
   const Rotor<Scalar> turn = circle_angle(low, high, Scalar(Scalar(1) / (low + high)), sign, boundary, regular,
-                                          square <= Scalar(boundary.near) * tiny);
+                                          nearly_free(square, low, high, tiny, boundary));
   branch.take(is_free, gap * gap <= Scalar(boundary.gap) * tiny, regular);
   const Scalar scale = Scalar(1) / sqrt(select(is_free, Scalar(1), square));
   const Rotor<Scalar> found = turn * Rotor<Scalar>{from.cosine * scale, from.sine * scale};
@@ -76,7 +85,7 @@ Rotor<Scalar> factored_line_angle(const Rotor<Scalar>& v, const Scalar& rhs, con
   const Scalar low_share = low * scale;
   const Scalar high_share = high * scale;
   Branch<Scalar> regular = branch;
-  admit(smaller(low_share, high_share), Limits<Scalar>(boundary), square <= Scalar(boundary.near) * tiny, regular);
+  admit(smaller(low_share, high_share), Limits<Scalar>(boundary), nearly_free(square, low, high, tiny, boundary), regular);
   branch.take(is_free, rhs * rhs <= Scalar(boundary.gap) * tiny, regular);
   const Scalar floor(boundary.floor);
   const Scalar height = sign * magnitude(range) * sqrt(Scalar(larger(low_share, floor) * larger(high_share, floor)));
