@@ -115,7 +115,7 @@ using Visited = inverse::Visited<double, 3, 8>;
   // Branches side by side where machine and compiler know AVX2.
   if (form == inverse::Form::fastest && solve_in_lanes != nullptr && inverse::machine_has_avx2()) {
     const inverse::RowCount count = solve_in_lanes(inverse::numbers_of(pose), inverse::unit_excess(pose), given, inverse::row_places(found));
-    if (!count.doubtful) return inverse::conclude(found, count);
+    if (count.rows >= 0) return inverse::conclude(found, count);
   } else if (solve_one_by_one(inverse::numbers_of(pose), inverse::unit_excess(pose), given, found)) {
     return found.conclude();
   }

@@ -18,7 +18,7 @@ class LaneRows {
  public:
   [[gnu::always_inline]] explicit LaneRows(RowPlaces places) : next_(places.first), stride_(places.stride) {}
 
-  [[gnu::always_inline]] RowCount count(const Branch<Pack>& branch) const { return {rows_, continuum_, any(branch.doubtful)}; }
+  [[gnu::always_inline]] RowCount count(const Branch<Pack>& branch) const { return {any(branch.doubtful) ? -1 : rows_, continuum_}; }
 
   /// One row a lane, branches label, label + 1, ...
   [[gnu::always_inline]] void append(const Pack (&q)[dof], const Branch<Pack>& branch, int label) {

@@ -5,22 +5,22 @@
 
 namespace qvgen::inverse {
 
-/// A boundary in the units of an equation's range.
+/// A boundary in the units of an equation's range, what is outside negative.
 template <typename Scalar>
 struct Limits {
   Scalar doubt, beyond, accept;
 
-  explicit Limits(const Boundary& boundary) : doubt(boundary.doubt), beyond(boundary.beyond), accept(boundary.accept) {}
+  explicit Limits(const Boundary& boundary) : doubt(boundary.doubt), beyond(-boundary.beyond), accept(-boundary.accept) {}
   Limits(const Boundary& boundary, const Scalar& range)
-      : doubt(Scalar(boundary.doubt) * range), beyond(Scalar(boundary.beyond) * range), accept(Scalar(boundary.accept) * range) {}
+      : doubt(Scalar(boundary.doubt) * range), beyond(Scalar(-boundary.beyond) * range), accept(Scalar(-boundary.accept) * range) {}
 };
 
 /// Whether a branch exists that is `margin` from the end of a range; `nearly_free` as for `Boundary::near`.
 template <typename Scalar>
 void admit(const Scalar& margin, const Limits<Scalar>& limits, const Mask<Scalar>& nearly_free, Branch<Scalar>& branch) {
-  const Mask<Scalar> close = ((margin < limits.doubt) & (margin > -limits.beyond)) | nearly_free;
+  const Mask<Scalar> close = ((margin < limits.doubt) & (margin > limits.beyond)) | nearly_free;
   branch.doubtful = branch.doubtful | (branch.exists & close);
-  branch.exists = branch.exists & ((margin >= -limits.accept) | nearly_free);
+  branch.exists = branch.exists & ((margin >= limits.accept) | nearly_free);
 }
 
 /// cos φ = (high - low) / (high + low), the two angles ±φ at which a line or circle meets a circle; scale = 1 / (low + high).

@@ -13,9 +13,8 @@ struct RowPlaces {
 };
 
 struct RowCount {
-  int rows;
+  int rows;        ///< -1: rounding may have decided what exists
   bool continuum;  ///< one of them is marked
-  bool doubtful;   ///< rounding may have decided what exists: nothing of this counts
 };
 
 }  // namespace qvgen::inverse
