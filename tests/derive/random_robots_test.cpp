@@ -7,6 +7,7 @@
 #include <random>
 
 #include "application/optimise.h"
+#include "application/singularities.h"
 #include "dag/evaluate.h"
 #include "derive/forward_kinematics.h"
 #include "description/reader.h"
@@ -62,6 +63,23 @@ TEST_P(RandomRobots, DeriveToTheReferencePose) {
   const auto m = dag::evaluate<double>(transform.function, leaves);
   for (std::size_t i = 0; i < 9; ++i)
     EXPECT_NEAR(m[i], expected.linear()(static_cast<Eigen::Index>(i / 3), static_cast<Eigen::Index>(i % 3)), 1e-13) << text;
+}
+
+/// Six joints whose last ones slide: the determinant's point of reference moves with them, its value does not.
+TEST(SlidesAtTheEnd, SingularityMeasuresAreTheDeterminant) {
+  const std::string revolute = "[[joint]]\ntype = \"revolute\"\norigin = [\"1/3\", 0, \"2/5\"]\naxis = ";
+  const std::string slide = "[[joint]]\ntype = \"prismatic\"\naxis = ";
+  const std::string axes[] = {"\"z\"\n", "[\"3/5\", 0, \"4/5\"]\n", "\"x\"\n", "\"y\"\n", "\"z\"\n", "[\"5/13\", 0, \"12/13\"]\n"};
+  for (std::size_t slides = 1; slides <= 3; ++slides) {
+    std::string text = "name = \"slides_at_the_end\"\ntitle = \"an arm with slides at its end\"\n";
+    for (std::size_t i = 0; i < 6; ++i)
+      text += (i + slides < 6 ? revolute : slide) + axes[i] + "variable = \"q" + std::to_string(i + 1) + "\"\n";
+    const auto read = description::read_text(text, "slides.toml");
+    ASSERT_TRUE(read.robot) << text << (read.diagnostics.empty() ? "" : to_string(read.diagnostics.front()));
+    const auto measures = application::singularity_measures(*read.robot);
+    EXPECT_NE(measures.names, std::vector<std::string>{"determinant"}) << "factored, since no twist is a symbol";
+    EXPECT_NO_THROW(application::optimise(measures.quantity)) << text;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomRobots, testing::Range(1U, 41U));

@@ -50,7 +50,7 @@ std::optional<Vector> wrist_centre(const model::Robot& robot) {
 
 Linkage at_last_pivot(const Linkage& linkage) {
   Linkage result = linkage;
-  result.beyond = {};
+  result.beyond.offset = {0, 0, 0};
   return result;
 }
 

@@ -170,10 +170,13 @@ void require_zero(const Scalar& residual, const Scalar& scale, const Scalar& tol
 }
 
 /// Requires that a divisor is more than rounding: where it vanishes the pose leaves a joint free, and its quotient is noise.
+/// Where it is merely small the quotient has lost digits.
 template <typename Scalar>
 void require_divisor(const Scalar& divisor, Branch<Scalar>& branch) {
   const Scalar noise = Scalar(64) * epsilon<Scalar>();
-  branch.exists = branch.exists & ((divisor > noise) | (divisor < -noise));
+  const Scalar size = magnitude(divisor);
+  branch.doubtful = branch.doubtful | (branch.exists & (size < Scalar(1e-2)));
+  branch.exists = branch.exists & (size > noise);
 }
 
 }  // namespace qvgen::inverse
