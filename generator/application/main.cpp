@@ -44,7 +44,7 @@ int main(int argc, char** argv) {
   auto* generate_command = app.add_subcommand("generate", "derive, certify and emit C++ for robots");
   generate_command->add_option("FILES", generate_files, "robot descriptions or names of known robots; all known ones without");
   generate_command->add_option("-o,--output", output, "folder to write to")->capture_default_str();
-  generate_command->add_option("--only", generate.parts, "parts to generate: kinematics, jacobian, ...; all without")->delimiter(',');
+  generate_command->add_option("--only", generate.parts, "parts to generate: kinematics, jacobian, ...; all without")->allow_extra_args(false)->delimiter(',');
   generate_command->add_option("--require", generate.required, "a product (inverse) that every robot must get, else an error");
   generate_command->add_flag("--strict", generate.strict, "warnings about a description are errors");
 

@@ -100,6 +100,9 @@ TEST_F(CommandLine, GeneratesARobotFromAnEmptyFolder) {
 
 TEST_F(CommandLine, GeneratesOnlyThePartsAskedFor) {
   const std::string file = write("my_arm.toml", good_arm);
+  // The file may stand on either side of the parts.
+  EXPECT_EQ(run("generate --only kinematics,inverse " + file + " --output " + out() + "/both").code, 0);
+  EXPECT_TRUE(fs::exists(fs::path(out()) / "both/source/my_arm/inverse.cpp"));
   EXPECT_EQ(run("generate " + file + " --only kinematics --output " + out()).code, 0);
   EXPECT_TRUE(fs::exists(fs::path(out()) / "include/qvgen/robots/my_arm/model.h"));
   EXPECT_TRUE(fs::exists(fs::path(out()) / "source/my_arm/kinematics.cpp"));
