@@ -27,6 +27,14 @@ Rotor<Scalar> inverse(const Rotor<Scalar>& a) {
   return {a.cosine, -a.sine};
 }
 
+/// A small turn, by 2 atan(angle/2): exact in length; far ones end at half a turn.
+template <typename Scalar>
+Rotor<Scalar> turned_by(const Rotor<Scalar>& u, const Scalar& angle) {
+  const Scalar t = angle / Scalar(2);
+  const Scalar scale = Scalar(1) / (Scalar(1) + t * t);
+  return Rotor<Scalar>{(Scalar(1) - t) * (Scalar(1) + t) * scale, Scalar(2) * t * scale} * u;
+}
+
 /// Angle in [-pi, pi], rad, of a pair that need not be normalised.
 template <typename Scalar>
 Scalar angle(const Rotor<Scalar>& rotor) {

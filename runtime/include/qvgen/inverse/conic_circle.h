@@ -80,14 +80,6 @@ Matrix<Scalar> line_pair(const Aligned<Scalar>& f, const Scalar& pi) {
   return m;
 }
 
-/// A small turn, by 2 atan(angle/2): exact in length.
-template <typename Scalar>
-Rotor<Scalar> turned_by(const Rotor<Scalar>& u, const Scalar& angle) {
-  const Scalar t = angle / Scalar(2);
-  const Scalar scale = Scalar(1) / (Scalar(1) + t * t);
-  return Rotor<Scalar>{(Scalar(1) - t) * (Scalar(1) + t) * scale, Scalar(2) * t * scale} * u;
-}
-
 /// Moves a root along the circle: Newton, near a double root the local parabola's root or its extremum.
 template <typename Scalar>
 Rotor<Scalar> polished(const Aligned<Scalar>& f, Rotor<Scalar> u) {

@@ -68,14 +68,10 @@ class Newton {
 
   Values advanced(Values values, const Vector<Scalar, joints>& by) const {
     for (std::size_t i = 0; i < joints; ++i) {
-      if (!task_.arm[i].revolute) {
+      if (task_.arm[i].revolute)
+        values[i] = turned_by(values[i], by[i]);
+      else
         values[i].cosine += by[i];
-        continue;
-      }
-      // Of exact length; far steps end at half a turn.
-      const Scalar t = by[i] / Scalar(2);
-      const Scalar scale = Scalar(1) / (Scalar(1) + t * t);
-      values[i] = Rotor<Scalar>{(Scalar(1) - t) * (Scalar(1) + t) * scale, Scalar(2) * t * scale} * values[i];
     }
     return values;
   }

@@ -41,7 +41,9 @@ Vanishing<Scalar> vanishing(const Scalar& u_square, const Scalar& v_square, cons
   const Scalar little = Scalar(boundary.near) * noise;
   branch.doubtful = branch.doubtful | (branch.exists & ((u_square <= little) | (v_square <= little)));
   branch.continuum = branch.continuum | (branch.exists & ((u_square <= noise) | (v_square <= noise)));
-  const Scalar least = boundary.choose ? Scalar(Scalar(1e14) * noise) : noise;
+  // Narrower than where doubt begins: Newton steps have to make good what the choice turns away.
+  constexpr double choosable = 1e14;
+  const Scalar least = boundary.choose ? Scalar(Scalar(choosable) * noise) : noise;
   return {u_square <= least, v_square <= least};
 }
 
