@@ -241,6 +241,99 @@ struct Arm {
 
 Rotor<double> turn(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
+constexpr double arm_noise = 256 * eps * eps;  ///< of an arm of 1 m
+
+double on_line(const Rotor<double>& along, const Rotor<double>& rhs, double choice, const Boundary& boundary, Branch<double>& branch) {
+  return slide_on_line<double>(along, rhs, arm_noise, choice, boundary, branch);
+}
+
+TEST(SlideOnLine, DividesWhereItCan) {
+  Random random;
+  for (int i = 0; i < 1000; ++i) {
+    const Rotor<double> along{random(), random()};
+    const double t = random(-3, 3);
+    Branch<double> branch;
+    EXPECT_NEAR(on_line(along, t * along, 7, plain, branch), t, 1e-14);
+    EXPECT_TRUE(branch.exists && !branch.continuum);
+    const double square = along.cosine * along.cosine + along.sine * along.sine;
+    EXPECT_EQ(branch.doubtful, square <= 1e-4);
+  }
+}
+
+TEST(SlideOnLine, IsFreeWhereBothSidesVanish) {
+  for (const Boundary& boundary : {plain, careful}) {
+    Branch<double> branch;
+    EXPECT_EQ(on_line({1e-15, -2e-15}, {-3e-15, 1e-15}, 7, boundary, branch), 7);
+    EXPECT_TRUE(branch.exists && branch.continuum && branch.doubtful);
+  }
+  // One side only: out of reach, by more than a careful pass may make good.
+  Branch<double> branch;
+  on_line({1e-15, 0}, {1e-5, 0}, 7, careful, branch);
+  EXPECT_FALSE(branch.exists);
+}
+
+/// A divisor of 1e-13: the quotient is known to 16 eps / 1e-13 = 0.036.
+TEST(SlideOnLine, FollowsTheChoiceAsFarAsRoundingAllows) {
+  const double width = 16 * eps / 1e-13;
+  for (const auto& [choice, expected] : {std::pair{0.51, 0.51}, std::pair{2.0, 0.5 + width}, std::pair{-2.0, 0.5 - width}}) {
+    Branch<double> branch;
+    EXPECT_NEAR(on_line({1e-13, 0}, {0.5e-13, 0}, choice, careful, branch), expected, 1e-12);
+    EXPECT_TRUE(branch.exists && branch.continuum && branch.doubtful);
+  }
+  // A pass that chooses takes what is next to nothing for nothing.
+  Branch<double> branch;
+  EXPECT_EQ(on_line({1e-13, 0}, {0.5e-13, 0}, 2, Boundary::choosing(default_tolerance), branch), 2);
+  EXPECT_TRUE(branch.exists && branch.continuum);
+}
+
+double square_at(const Rotor<double>& point, const Rotor<double>& along, double t) {
+  const double x = point.cosine + t * along.cosine;
+  const double y = point.sine + t * along.sine;
+  return x * x + y * y;
+}
+
+TEST(FreeSlide, StaysWithinReachOfTheNextJoint) {
+  Random random;
+  const Rotor<double> preferred{1, 0};
+  for (int i = 0; i < 1000; ++i) {
+    const Rotor<double> point{random(), random()};
+    const Rotor<double> along = turn(random(-3, 3));
+    const double wanted = random(-5, 5);
+    const double foot = square_at(point, along, -(point.cosine * along.cosine + point.sine * along.sine));
+    const double inner = random(0, 3);
+    const double outer = std::max(inner, foot) + random(0, 3);
+    const double between = slide_between(point, along, inner, outer, wanted, preferred);
+    const double beyond = slide_beyond(point, along, inner, 1.0, wanted, preferred);
+    EXPECT_GE(square_at(point, along, between), inner - 1e-13);
+    EXPECT_LE(square_at(point, along, between), outer + 1e-13);
+    EXPECT_GE(square_at(point, along, beyond), inner - 1e-13);
+    // What is within reach is taken; else an end of the reach.
+    const double square = square_at(point, along, wanted);
+    const double end = square < inner ? inner : outer;
+    const bool in_reach = square >= inner && square <= outer;
+    EXPECT_NEAR(square_at(point, along, beyond), std::max(square, inner), 1e-13 * (1 + square));
+    EXPECT_NEAR(square_at(point, along, between), in_reach ? square : end, 1e-13);
+    if (in_reach) {
+      EXPECT_NEAR(between, wanted, 1e-14);
+      EXPECT_NEAR(beyond, wanted, 1e-14);
+    }
+  }
+}
+
+TEST(FreeSlide, IsSpreadOverTheReach) {
+  const Rotor<double> point{0.2, 0.5};
+  const Rotor<double> along{0, 1};
+  for (int k = 1; k < 16; ++k) {
+    const Rotor<double> spread = turn(k * pi<double>() / 16);
+    // The line passes the origin 0.2 beside it: 1² - 0.2² and 2² - 0.2² are the squares of the ends' distances from its foot.
+    const double least = std::sqrt(0.96);
+    const double most = std::sqrt(3.96);
+    const double off = 0.5 + slide_between(point, along, 1.0, 4.0, 77.0, spread);
+    EXPECT_NEAR(std::abs(off), least + std::abs(spread.cosine) * (most - least), 1e-14);
+    EXPECT_NEAR(0.5 + slide_beyond(point, along, 0.0, 9.0, 77.0, spread), 3 * spread.cosine / spread.sine, 1e-13);
+  }
+}
+
 TEST(Polish, GivesBackTheLastDigits) {
   Random random;
   const Arm arm;

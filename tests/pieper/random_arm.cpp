@@ -4,6 +4,8 @@
 #include <array>
 #include <random>
 
+#include "sliding_arms.h"
+
 namespace qvgen::test {
 namespace {
 
@@ -191,6 +193,7 @@ std::string parallel_description(std::uint32_t seed) {
 }
 
 std::string arm_description(const std::string& family, std::uint32_t seed) {
+  if (family == "slides") return sliding_arm(arm_name(family, seed), seed);
   return family == "pieper" ? pieper_description(seed) : parallel_description(seed);
 }
 

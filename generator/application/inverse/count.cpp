@@ -73,6 +73,13 @@ Counted length_of(const Step& step) {
   return length;
 }
 
+Counted slide_choice(const Step& step) {
+  using namespace qvgen::inverse;
+  if (!step.has_input("inner")) return 0;
+  if (step.has_input("outer")) return slide_between<Counted>({0.6, 0.8}, {0, 1}, 1, 4, 0, {1, 0});
+  return slide_beyond<Counted>({0.6, 0.8}, {0, 1}, 1, 1, 0, {1, 0});
+}
+
 /// Runs a step's block once, at values at which every branch exists.
 void block(const LoweredPlan& plan, const Step& step) {
   using namespace qvgen::inverse;
@@ -89,6 +96,7 @@ void block(const LoweredPlan& plan, const Step& step) {
     case Kind::reach: reachable_direction<Counted>(turn, turn, 0, 4, {1, 0}); return;
     case Kind::half: plan.plan.wrist.right ? half_direction(turn, length_of(step)) : half(turn); return;
     case Kind::root: signed_root<Counted>(1, 1, tiny, sign, boundary, branch); return;
+    case Kind::line: slide_on_line<Counted>(turn, turn, tiny, slide_choice(step), boundary, branch); return;
     case Kind::quadratic: quadratic_root<Counted>(1, 2, -1, sign, boundary, branch); return;
     case Kind::require:
       step.divisor ? require_divisor<Counted>(1, branch) : require_zero<Counted>(0, 1, tolerance, branch);

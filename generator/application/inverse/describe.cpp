@@ -21,6 +21,7 @@ std::string kind_name(Kind kind) {
     case Kind::root: return "foot of the perpendicular and square root";
     case Kind::quadratic: return "quadratic";
     case Kind::linear: return "linear";
+    case Kind::line: return "linear, with a divisor that may vanish";
     case Kind::conic: return "conic meets circle (quartic)";
     case Kind::require: return "condition";
     case Kind::reach: return "a choice within reach";
@@ -68,6 +69,9 @@ std::string solution(const Step& step, bool latex) {
              (step.unit ? "" : both(", r = +-sqrt(x^2 + y^2)", ",\\ r = \\pm\\sqrt{x^2 + y^2}"));
     case Kind::pair: return both("phi = atan2(y, x)", "\\varphi = \\mathrm{atan2}(y, x)");
     case Kind::root: return both("r = +-sqrt(square)", "r = \\pm\\sqrt{\\mathrm{square}}");
+    case Kind::line:
+      if (step.has_input("divisor")) return both("r = rhs/divisor", "r = \\frac{\\mathrm{rhs}}{\\mathrm{divisor}}");
+      return both("r = (x*rhs_x + y*rhs_y)/(x^2 + y^2)", "r = \\frac{x\\,\\mathrm{rhs}_x + y\\,\\mathrm{rhs}_y}{x^2 + y^2}");
     case Kind::quadratic: return both("r = (-b +- sqrt(b^2 - a*c))/a", "r = \\frac{-b \\pm \\sqrt{b^2 - a c}}{a}");
     case Kind::conic:
       return both("xx*cos(phi)^2 + xy*cos(phi)*sin(phi) + yy*sin(phi)^2 + x*cos(phi) + y*sin(phi) + one = 0",

@@ -142,6 +142,9 @@ class Execution {
       case Kind::root:
         known["result"] = signed_root(in.at("square"), in.at("scale"), tiny(1), sign, boundary(), branch);
         return;
+      case Kind::line:
+        known["result"] = slide(in, branch);
+        return;
       case Kind::quadratic:
         known["result"] = quadratic_root(in.at("a"), in.at("b"), in.at("c"), sign, boundary(), branch);
         return;
@@ -150,6 +153,24 @@ class Execution {
         return require_zero(in.at("residual"), in.at("scale"), tolerance(), branch);
       default: return;
     }
+  }
+
+  [[nodiscard]] Real slide(const Values& in, Branch& branch) const {
+    const bool one = in.count("divisor") > 0;
+    const Rotor along = one ? Rotor{in.at("divisor"), Real(0)} : Rotor{in.at("x"), in.at("y")};
+    const Rotor rhs = one ? Rotor{in.at("rhs"), Real(0)} : Rotor{in.at("rhs_x"), in.at("rhs_y")};
+    return qvgen::inverse::slide_on_line(along, rhs, tiny(1), slide_choice(in), boundary(), branch);
+  }
+
+  [[nodiscard]] Real slide_choice(const Values& in) const {
+    using namespace qvgen::inverse;
+    const Real zero(0);
+    const Rotor not_spread{Real(1), zero};
+    if (in.count("inner") == 0) return zero;
+    const Rotor point{in.at("point_x"), in.at("point_y")};
+    const Rotor along{in.at("along_x"), in.at("along_y")};
+    if (in.count("outer") > 0) return slide_between(point, along, in.at("inner"), in.at("outer"), zero, not_spread);
+    return slide_beyond(point, along, in.at("inner"), size_square_, zero, not_spread);
   }
 
   void directed(const Step& step, const Values& in, const Real& sign, Values& known, Branch& branch) const {

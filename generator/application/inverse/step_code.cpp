@@ -60,6 +60,16 @@ std::string choice(int joint, const std::string& kind = "turn") {
 }
 std::string choice(const Step& step) { return choice(step.joint); }
 
+/// A slide's seed, or what is nearest to it with the joint after it in reach.
+std::string slide_choice(const Step& step) {
+  const std::string value = "Scalar(t.preference->slide[" + std::to_string(step.joint) + "])";
+  if (!step.has_input("inner")) return value;
+  const bool between = step.has_input("outer");
+  return std::string("inverse::") + (between ? "slide_between" : "slide_beyond") + "<Scalar>(" + rotor("point_x", "point_y") + ", " +
+         rotor("along_x", "along_y") + ", inner, " + (between ? "outer" : "Scalar(t.size_square)") + ", " + value + ", " +
+         rotor("Scalar(t.preference->spread.cosine)", "Scalar(t.preference->spread.sine)") + ")";
+}
+
 /// The turn that the seed's angles add up to.
 std::string seeds(const Step& step) {
   std::string product;
@@ -107,6 +117,10 @@ std::pair<std::string, std::string> block(const LoweredPlan& plan, const Step& s
     case Kind::pair: return {turn, direction(step)};
     case Kind::half: return {turn, half(plan, step)};
     case Kind::root: return {"Scalar", "inverse::signed_root<Scalar>(square, scale, Scalar(t.tiny1), sign, t.boundary, w.branch)"};
+    case Kind::line:
+      return {"Scalar", "inverse::slide_on_line<Scalar>(" + (step.has_input("divisor") ? rotor("divisor", "Scalar(0)") + ", " + rotor("rhs", "Scalar(0)")
+                                                                                      : rotor("x", "y") + ", " + rotor("rhs_x", "rhs_y")) +
+                            ", Scalar(t.tiny1), " + slide_choice(step) + ", t.boundary, w.branch)"};
     case Kind::quadratic: return {"Scalar", "inverse::quadratic_root<Scalar>(a, b, c, sign, t.boundary, w.branch)"};
     case Kind::require:
       if (step.divisor) return {"", "inverse::require_divisor<Scalar>(divisor, w.branch)"};

@@ -158,8 +158,7 @@ void Builder::turn_by_line(const Screw& screw, const Flat& k, const ex& rhs, con
   set_turn(step, screw, result_turn());
 }
 
-void Builder::turn_by_distance(const Screw& screw, int sign, const Flat& v, const Flat& x0, const ex& square,
-                               const std::string& equation) {
+Ring Builder::ring(const Flat& v, const Flat& x0) const {
   const bool v_fixed = is_constant(v.x) && is_constant(v.y);
   const bool x_fixed = is_constant(x0.x) && is_constant(x0.y);
   const auto varying = [](const Flat& w) { return Polar{GiNaC::sqrt(w.x * w.x + w.y * w.y), w}; };
@@ -167,6 +166,12 @@ void Builder::turn_by_distance(const Screw& screw, int sign, const Flat& v, cons
   const Polar arm = x_fixed ? polar(x0, scope_) : varying(x0);
   const ex inner = scope_.is_zero(base.length - arm.length) ? ex(0) : ex(GiNaC::pow(base.length - arm.length, 2));
   const ex outer = scope_.is_zero(base.length + arm.length) ? ex(0) : ex(GiNaC::pow(base.length + arm.length, 2));
+  return {base, arm, v_fixed, x_fixed, inner, outer};
+}
+
+void Builder::turn_by_distance(const Screw& screw, int sign, const Flat& v, const Flat& x0, const ex& square,
+                               const std::string& equation) {
+  const auto [base, arm, v_fixed, x_fixed, inner, outer] = ring(v, x0);
   const ex low = outer - square;
   const ex high = square - inner;
   if (v_fixed && x_fixed) {
@@ -226,6 +231,33 @@ void Builder::slide_by_root(const Screw& screw, const ex& foot, const ex& square
 
 void Builder::slide_by_value(const Screw& screw, const ex& value, const std::string& equation) {
   set_length(add(Kind::linear, &screw, 1, equation), screw, value);
+}
+
+void Builder::slide_by_line(const Screw& screw, const Flat& along, const Flat& rhs, const std::optional<Reach>& reach,
+                            const std::string& equation) {
+  const bool flat = !along.y.is_zero();
+  if (!flat && is_constant(along.x)) return slide_by_value(screw, rhs.x / along.x, equation);
+  Step& step = add(Kind::line, &screw, 1, equation);
+  const auto input = [&](const std::string& name, const Flat& v) {
+    step.before.output(name + "x", v.x);
+    step.before.output(name + "y", v.y);
+  };
+  if (flat) {
+    input("", along);
+    input("rhs_", rhs);
+  } else {
+    step.before.output("divisor", along.x);
+    step.before.output("rhs", rhs.x);
+  }
+  if (reach) {
+    input("point_", reach->point);
+    input("along_", reach->along);
+    step.before.output("inner", reach->inner);
+    if (reach->outer) step.before.output("outer", *reach->outer);
+  }
+  step.degenerate = std::string(flat ? "(x, y)" : "divisor") + " = 0, the equation does not see " + screw.variable + ": it is free" +
+                    (reach ? " as far as the joint after it can follow" : "");
+  set_length(step, screw, result_length());
 }
 
 void Builder::slide_by_quadratic(const Screw& screw, const ex& a, const ex& b, const ex& c, const std::string& equation) {

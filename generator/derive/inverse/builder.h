@@ -30,6 +30,20 @@ struct Polar {
 };
 Polar polar(const Flat& v, const Scope& scope);
 
+/// The squares of the lengths that |v + x| may have for a vector v and one x that turns.
+struct Ring {
+  Polar base, arm;
+  bool base_fixed, arm_fixed;  ///< constants of the arm
+  GiNaC::ex inner, outer;
+};
+
+/// The values t of a slide with inner <= |point + t along|² <= outer: those with which the joint after it can follow.
+struct Reach {
+  Flat point, along;
+  GiNaC::ex inner = 0;
+  std::optional<GiNaC::ex> outer;  ///< none: however far
+};
+
 /// Appends steps to a plan: every canonical equation in its robust form, and the names of what it gives.
 class Builder {
  public:
@@ -39,6 +53,8 @@ class Builder {
   [[nodiscard]] Plan& plan() { return plan_; }
   /// Whether an expression is a constant of the arm: geometry and numbers only.
   [[nodiscard]] bool is_constant(const GiNaC::ex& value) const;
+
+  [[nodiscard]] Ring ring(const Flat& v, const Flat& x0) const;
 
   /// alpha cos q + beta sin q = rhs; `degree` as in Step.
   void turn_by_line(const Screw& screw, const Flat& coefficients, const GiNaC::ex& rhs, const std::string& equation, int degree = 1);
@@ -51,6 +67,8 @@ class Builder {
   Scope::Turn turn_by_pair(const std::string& name, const Flat& direction, const Scope::Turn& choice, const std::string& equation);
   void slide_by_root(const Screw& screw, const GiNaC::ex& foot, const GiNaC::ex& square, const GiNaC::ex& height_square,
                      const std::string& equation);
+  /// t along = rhs in a plane or, y = 0, on a line; `along`, a part of a unit vector, may depend on the pose.
+  void slide_by_line(const Screw& screw, const Flat& along, const Flat& rhs, const std::optional<Reach>& reach, const std::string& equation);
   void slide_by_value(const Screw& screw, const GiNaC::ex& value, const std::string& equation);
   void slide_by_quadratic(const Screw& screw, const GiNaC::ex& a, const GiNaC::ex& b, const GiNaC::ex& c,
                           const std::string& equation);

@@ -19,6 +19,7 @@ enum class Kind {
   root,         ///< ±sqrt(square)
   quadratic,    ///< a t² + 2 b t + c = 0
   linear,       ///< one value
+  line,         ///< t divisor = rhs, or t (x, y) = (rhs_x, rhs_y): the slide is free where what the pose gives there vanishes
   conic,        ///< a conic on the unit circle: a quartic in the half-angle tangent
   require,      ///< no unknown: an equation that the pose must satisfy, or (Step::divisor) a divisor that must not vanish
   half,         ///< cosine and sine of half an angle already known
@@ -55,6 +56,11 @@ struct Step {
   std::string equation;              ///< in words and symbols, for people
   std::string degenerate;            ///< where it loses a branch or an angle becomes free
 
+  [[nodiscard]] bool has_input(const std::string& name) const {
+    for (const auto& output : before.outputs())
+      if (output.name == name) return true;
+    return false;
+  }
   [[nodiscard]] bool is_wrist() const { return kind == Kind::right_wrist || kind == Kind::oblique_wrist; }
 };
 

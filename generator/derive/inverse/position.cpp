@@ -6,6 +6,7 @@
 #include <set>
 
 #include "derive/inverse/block.h"
+#include "derive/inverse/inverse.h"
 #include "derive/inverse/pair_system.h"
 #include "symbolic/model.h"
 
@@ -58,7 +59,8 @@ class Position {
 
   /// The height along axis b holds `u` alone; then the distance from axis b, in its plane, gives `w`.
   std::string by_height_then_distance(const Block& u, const Block& w) {
-    turn_or_slide(u, b_.axis, w.form(b_.axis, scope_).constant, "height along the axis of " + b_.variable + ": the same");
+    turn_or_slide(u, b_.axis, w.form(b_.axis, scope_).constant, "height along the axis of " + b_.variable + ": the same",
+                  within_distances(u, w));
     keep_flat(u);
     const ex square = builder_.keep("square_" + name(w), square_of(flats_[name(u)].x) + square_of(flats_[name(u)].y));
     return by_distance(w, b_.point, square, true);
@@ -93,13 +95,48 @@ class Position {
     builder_.require_divisor(divisor, "the equation of " + name(u) + " does not lose it");
   }
 
-  /// n·point(u) = rhs for the joint of u; the rhs may hold the other joint's solved value.
-  void turn_or_slide(const Block& u, const Vector& n, const ex& rhs, const std::string& equation) {
+  /// n·point(u) = rhs for the joint of u; the rhs may hold the other joint's solved value. A slide that its equation does not
+  /// see at some pose is free, as far as the joint after it can follow.
+  void turn_or_slide(const Block& u, const Vector& n, const ex& rhs, const std::string& equation,
+                     const std::optional<Reach>& reach = {}) {
     const Block::Form form = u.form(n, scope_);
     const ex right = scope_.clean(rhs - form.constant);
     if (u.screw.revolute) return builder_.turn_by_line(u.screw, form.coefficients, right, equation);
-    divide_by(u, form.coefficients.x);
-    builder_.slide_by_value(u.screw, right / form.coefficients.x, equation);
+    builder_.slide_by_line(u.screw, {form.coefficients.x, 0}, {right, 0}, reach, equation);
+  }
+
+  /// Components of a vector across axis b.
+  Flat across(const Vector& v) const { return {scope_.clean(dot(v, b_.first)), scope_.clean(dot(v, b_.second))}; }
+  Flat slope(const Block& slide) const { return across(ex(slide.sign) * slide.screw.axis); }
+
+  /// Values of u at which the other joint finds a point as far from axis b.
+  std::optional<Reach> within_distances(const Block& u, const Block& w) const {
+    if (u.screw.revolute) return std::nullopt;
+    Reach reach{across(u.base - b_.point), slope(u), 0, std::nullopt};
+    if (!w.screw.revolute) {
+      const Flat beside = across(w.base - b_.point) * conjugate(slope(w));
+      reach.inner = square_of(beside.y);
+      return reach;
+    }
+    const Ring ring = builder_.ring(foot_of(w, b_.point), w.x0);
+    reach.inner = ring.inner;
+    reach.outer = ring.outer;
+    return reach;
+  }
+
+  /// Values of u at which w can reach u's height along n, across axis b.
+  std::optional<Reach> within_heights(const Block& u, const Block& w, const Vector& n) const {
+    if (u.screw.revolute || (!w.screw.revolute && sees_always(w, n))) return std::nullopt;
+    if (!w.screw.revolute) {
+      // Far enough for any slide across; along axis b the slide w cannot make up for u at all.
+      const ex far = GiNaC::pow(10, 6) * symbolic::symbol(size_square);
+      const Flat k = slope(w);
+      return Reach{across(u.base - w.base), slope(u), 0, scope_.clean(k.x * k.x + k.y * k.y) * far};
+    }
+    const Block::Form own = u.form(n, scope_);
+    const Block::Form other = w.form(n, scope_);
+    const Flat& k = other.coefficients;
+    return Reach{{scope_.clean(own.constant - other.constant), 0}, {own.coefficients.x, 0}, 0, scope_.clean(k.x * k.x + k.y * k.y)};
   }
 
   /// |point(u) - r|² = square, in space or in the plane of axis b.
@@ -115,17 +152,23 @@ class Position {
       builder_.slide_by_root(u.screw, foot, square, height, equation);
       return "";
     }
-    const Flat v{scope_.clean(dot(u.screw.first, arm)), scope_.clean(dot(u.screw.second, arm))};
+    const Flat v = foot_of(u, r);
     if (scope_.is_zero(v.x) && scope_.is_zero(v.y)) return "the axes of " + name(u) + " and " + b_.variable + " coincide";
     const ex along = planar ? ex(0) : scope_.clean(dot(u.screw.axis, arm));
     builder_.turn_by_distance(u.screw, u.sign, v, u.x0, scope_.is_zero(along) ? square : ex(square - square_of(along)), equation);
     return "";
   }
 
+  /// From r to the axis of a revolute joint, across that axis.
+  Flat foot_of(const Block& u, const Vector& r) const {
+    const Vector arm = scope_.clean(u.base - r);
+    return {scope_.clean(dot(u.screw.first, arm)), scope_.clean(dot(u.screw.second, arm))};
+  }
+
   bool distance_depends(const Block& u, const Vector& r) const {
     if (!u.screw.revolute) return true;
-    const Vector arm = u.base - r;
-    return !scope_.is_zero(dot(u.screw.first, arm)) || !scope_.is_zero(dot(u.screw.second, arm));
+    const Flat v = foot_of(u, r);
+    return !scope_.is_zero(v.x) || !scope_.is_zero(v.y);
   }
 
   /// Where axis b meets another revolute axis.
@@ -187,15 +230,30 @@ class Position {
 
   std::string by_two_planes(const Block& u, const Block& w, const Vector& without_w, const std::optional<Vector>& without_u) {
     const std::string equation = "perpendicular to " + b_.variable + ", nothing changes";
-    turn_or_slide(u, without_w, w.form(without_w, scope_).constant, equation);
-    if (without_u && w.depends(*without_u, scope_)) {
+    const Vector other = scope_.clean(cross(without_w, b_.axis));
+    turn_or_slide(u, without_w, w.form(without_w, scope_).constant, equation, within_heights(u, w, other));
+    if (without_u && w.depends(*without_u, scope_) && sees_always(w, *without_u)) {
       turn_or_slide(w, *without_u, u.form(*without_u, scope_).constant, equation);
       return "";
     }
-    const Vector other = scope_.clean(cross(without_w, b_.axis));
     if (!w.depends(other, scope_)) return name(w) + " does not move the point across " + b_.variable;
-    turn_or_slide(w, other, builder_.keep("height_" + name(w), u.at_value(other, builder_)), equation);
+    if (w.screw.revolute || sees_always(w, other)) {
+      turn_or_slide(w, other, builder_.keep("height_" + name(w), u.at_value(other, builder_)), equation);
+      return "";
+    }
+    // Both components: each alone would lose the slide at some pose.
+    const auto offset = [&](const Vector& n, const char* part) {
+      return builder_.keep("height_" + name(w) + part, scope_.clean(u.at_value(n, builder_) - w.form(n, scope_).constant));
+    };
+    const Flat rhs{offset(b_.first, "_x"), offset(b_.second, "_y")};
+    builder_.slide_by_line(w.screw, slope(w), rhs, {}, equation);
     return "";
+  }
+
+  /// Whether the component along n never loses the joint, whatever the pose.
+  bool sees_always(const Block& u, const Vector& n) const {
+    const Flat& k = u.form(n, scope_).coefficients;
+    return builder_.is_constant(k.x) && builder_.is_constant(k.y);
   }
 
   /// a, b, c parallel, b prismatic: a two-link arm in the plane.

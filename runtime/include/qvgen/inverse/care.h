@@ -9,7 +9,7 @@
 
 namespace qvgen::inverse {
 
-/// Every preferred angle further by a 16th of a turn.
+/// Every preferred angle further by a 16th of a turn, and slides elsewhere in reach.
 template <int dof>
 Preference<dof> next_choice(Preference<dof> preference) {
   const Rotor<double> turn{0x1.d906bcf328d46p-1, 0x1.87de2a6aea963p-2};
@@ -17,6 +17,8 @@ Preference<dof> next_choice(Preference<dof> preference) {
     preference.choose(i, turn * preference.turn[i]);
     preference.angle[i] = angle(preference.turn[i]);
   }
+  const Rotor<double> half_of_it{0x1.f6297cff75cb0p-1, 0x1.8f8b83c69a60ap-3};
+  preference.spread = half_of_it * preference.spread;
   return preference;
 }
 
@@ -41,6 +43,8 @@ void solve_carefully(Target t, Visited visited, const Follow& follow, Solutions<
     if (visited.misses_any()) pass(Boundary::tolerant(t.tolerance));
     if (!met_free) break;
     preference = next_choice(preference);
+    // What the arm has been brought to before may be where a wrist cannot follow: that settles nothing for other choices.
+    visited = Visited();
   }
   sort_by_branch(found);
 }

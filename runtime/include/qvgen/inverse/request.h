@@ -13,6 +13,7 @@ Preference<dof> preference(const Eigen::Matrix<double, dof, 1>& seed) {
   Preference<dof> result;
   for (int i = 0; i < dof; ++i) {
     result.angle[i] = seed[i];
+    result.slide[i] = seed[i];
     result.choose(i, {std::cos(seed[i]), std::sin(seed[i])});
   }
   return result;

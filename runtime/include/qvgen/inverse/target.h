@@ -5,14 +5,16 @@
 
 namespace qvgen::inverse {
 
-/// The angles to be taken where one is free, by joint, with their cosines and sines: zero or the caller's.
+/// What is to be taken where a joint is free, by joint, angles with their cosines and sines: zero or the caller's.
 template <int dof>
 struct Preference {
   double angle[dof];
+  double slide[dof];
   Rotor<double> turn[dof];
   Rotor<double> brief[dof];  ///< the same as short as `span` wants them
+  Rotor<double> spread;      ///< (1, 0): slides are where they are preferred; turned: elsewhere in reach, see `slide_between`
 
-  constexpr Preference() : angle{}, turn{}, brief{} {
+  constexpr Preference() : angle{}, slide{}, turn{}, brief{}, spread{1, 0} {
     for (int i = 0; i < dof; ++i) choose(i, {1, 0});
   }
   constexpr void choose(int i, const Rotor<double>& direction) {
