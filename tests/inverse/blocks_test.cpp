@@ -18,6 +18,8 @@ constexpr Boundary plain = Boundary::plain(default_tolerance);
 constexpr Boundary careful = Boundary::careful(default_tolerance);
 constexpr Boundary apart = Boundary::apart(default_tolerance);
 
+Rotor<double> turn(double angle) { return {std::cos(angle), std::sin(angle)}; }
+
 struct Random {
   std::mt19937_64 engine{7};
   double operator()(double low = -1, double high = 1) { return std::uniform_real_distribution<double>(low, high)(engine); }
@@ -120,36 +122,6 @@ TEST(SignedRoot, KeepsSmallExactValuesAndDoubtsNoise) {
   EXPECT_TRUE(second.exists);
 }
 
-TEST(RequireDivisor, RefusesRoundingAndNaN) {
-  const auto exists = [](double divisor) {
-    Branch<double> branch;
-    require_divisor(divisor, branch);
-    return branch.exists;
-  };
-  EXPECT_TRUE(exists(1e-12));
-  EXPECT_TRUE(exists(-1e-12));
-  EXPECT_FALSE(exists(eps));
-  EXPECT_FALSE(exists(0.0));
-  EXPECT_FALSE(exists(std::numeric_limits<double>::quiet_NaN()));
-}
-
-TEST(QuadraticRoot, BothRootsToRounding) {
-  Random random;
-  for (int i = 0; i < 10000; ++i) {
-    const double s = std::pow(10, random(-6, 2)) * (random() < 0 ? -1 : 1);
-    const double t = std::pow(10, random(-6, 2)) * (random() < 0 ? -1 : 1);
-    const double a = random(0.2, 2);
-    if (std::abs(s - t) < 1e-3 * std::abs(s)) continue;
-    for (const double sign : {1.0, -1.0}) {
-      Branch<double> branch;
-      const double found = quadratic_root(a, -a * (s + t) / 2, a * s * t, sign, plain, branch);
-      const double expected = sign > 0 ? std::max(s, t) : std::min(s, t);
-      ASSERT_TRUE(branch.exists);
-      ASSERT_NEAR(found, expected, 1e-11 * std::abs(expected));
-    }
-  }
-}
-
 TEST(Half, IsAccurateEverywhere) {
   for (double angle = -3.14159; angle < 3.14159; angle += 1e-3) {
     const auto found = half(Rotor<double>{std::cos(angle), std::sin(angle)});
@@ -239,98 +211,33 @@ struct Arm {
   [[nodiscard]] Carrying<double, 3, 1> to(const Triple<double>& goal) const { return {screws, {start}, {goal}}; }
 };
 
-Rotor<double> turn(double angle) { return {std::cos(angle), std::sin(angle)}; }
-
-constexpr double arm_noise = 256 * eps * eps;  ///< of an arm of 1 m
-
-double on_line(const Rotor<double>& along, const Rotor<double>& rhs, double choice, const Boundary& boundary, Branch<double>& branch) {
-  return slide_on_line<double>(along, rhs, arm_noise, choice, boundary, branch);
+/// The conic that has these four angles on the unit circle: two lines, each through two of the points.
+Conic<double> through(const std::array<double, 4>& angles) {
+  const Rotor<double> m = turn((angles[0] + angles[1]) / 2), n = turn((angles[2] + angles[3]) / 2);
+  const double d = std::cos((angles[0] - angles[1]) / 2), e = std::cos((angles[2] - angles[3]) / 2);
+  return {m.cosine * n.cosine, m.cosine * n.sine + m.sine * n.cosine, m.sine * n.sine, -(d * n.cosine + e * m.cosine),
+          -(d * n.sine + e * m.sine), d * e};
 }
 
-TEST(SlideOnLine, DividesWhereItCan) {
+/// A double root and a simple one 0.006 beside it: neither is taken for the other.
+/// A double root with a simple one close beside it, where the extremum is flat: neither is taken for the other.
+TEST(ConicCircle, ADoubleRootNextToASimpleOne) {
   Random random;
-  for (int i = 0; i < 1000; ++i) {
-    const Rotor<double> along{random(), random()};
-    const double t = random(-3, 3);
-    Branch<double> branch;
-    EXPECT_NEAR(on_line(along, t * along, 7, plain, branch), t, 1e-14);
-    EXPECT_TRUE(branch.exists && !branch.continuum);
-    const double square = along.cosine * along.cosine + along.sine * along.sine;
-    EXPECT_EQ(branch.doubtful, square <= 1e-4);
-  }
-}
-
-TEST(SlideOnLine, IsFreeWhereBothSidesVanish) {
-  for (const Boundary& boundary : {plain, careful}) {
-    Branch<double> branch;
-    EXPECT_EQ(on_line({1e-15, -2e-15}, {-3e-15, 1e-15}, 7, boundary, branch), 7);
-    EXPECT_TRUE(branch.exists && branch.continuum && branch.doubtful);
-  }
-  // One side only: out of reach, by more than a careful pass may make good.
-  Branch<double> branch;
-  on_line({1e-15, 0}, {1e-5, 0}, 7, careful, branch);
-  EXPECT_FALSE(branch.exists);
-}
-
-/// A divisor of 1e-13: the quotient is known to 16 eps / 1e-13 = 0.036.
-TEST(SlideOnLine, FollowsTheChoiceAsFarAsRoundingAllows) {
-  const double width = 16 * eps / 1e-13;
-  for (const auto& [choice, expected] : {std::pair{0.51, 0.51}, std::pair{2.0, 0.5 + width}, std::pair{-2.0, 0.5 - width}}) {
-    Branch<double> branch;
-    EXPECT_NEAR(on_line({1e-13, 0}, {0.5e-13, 0}, choice, careful, branch), expected, 1e-12);
-    EXPECT_TRUE(branch.exists && branch.continuum && branch.doubtful);
-  }
-  // A pass that chooses takes what is next to nothing for nothing.
-  Branch<double> branch;
-  EXPECT_EQ(on_line({1e-13, 0}, {0.5e-13, 0}, 2, Boundary::choosing(default_tolerance), branch), 2);
-  EXPECT_TRUE(branch.exists && branch.continuum);
-}
-
-double square_at(const Rotor<double>& point, const Rotor<double>& along, double t) {
-  const double x = point.cosine + t * along.cosine;
-  const double y = point.sine + t * along.sine;
-  return x * x + y * y;
-}
-
-TEST(FreeSlide, StaysWithinReachOfTheNextJoint) {
-  Random random;
-  const Rotor<double> preferred{1, 0};
-  for (int i = 0; i < 1000; ++i) {
-    const Rotor<double> point{random(), random()};
-    const Rotor<double> along = turn(random(-3, 3));
-    const double wanted = random(-5, 5);
-    const double foot = square_at(point, along, -(point.cosine * along.cosine + point.sine * along.sine));
-    const double inner = random(0, 3);
-    const double outer = std::max(inner, foot) + random(0, 3);
-    const double between = slide_between(point, along, inner, outer, wanted, preferred);
-    const double beyond = slide_beyond(point, along, inner, 1.0, wanted, preferred);
-    EXPECT_GE(square_at(point, along, between), inner - 1e-13);
-    EXPECT_LE(square_at(point, along, between), outer + 1e-13);
-    EXPECT_GE(square_at(point, along, beyond), inner - 1e-13);
-    // What is within reach is taken; else an end of the reach.
-    const double square = square_at(point, along, wanted);
-    const double end = square < inner ? inner : outer;
-    const bool in_reach = square >= inner && square <= outer;
-    EXPECT_NEAR(square_at(point, along, beyond), std::max(square, inner), 1e-13 * (1 + square));
-    EXPECT_NEAR(square_at(point, along, between), in_reach ? square : end, 1e-13);
-    if (in_reach) {
-      EXPECT_NEAR(between, wanted, 1e-14);
-      EXPECT_NEAR(beyond, wanted, 1e-14);
+  for (const double beside : {1e-2, 6e-3, 3e-3}) {
+    for (int i = 0; i < 1000; ++i) {
+      const double twice = random(-3, 3);
+      const auto found = conic_circle(through({twice, twice, twice + beside, twice + random(0.1, 6)}), careful, pi<double>());
+      const auto closest = [&](double wanted) {
+        double least = 1;
+        for (int k = 0; k < found.count; ++k) {
+          const Rotor<double> off = found.root[static_cast<std::size_t>(k)] * inverse(turn(wanted));
+          least = std::min(least, std::abs(angle(off)));
+        }
+        return least;
+      };
+      ASSERT_LT(closest(twice), 1e-5) << beside;
+      ASSERT_LT(closest(twice + beside), 1e-8) << beside;
     }
-  }
-}
-
-TEST(FreeSlide, IsSpreadOverTheReach) {
-  const Rotor<double> point{0.2, 0.5};
-  const Rotor<double> along{0, 1};
-  for (int k = 1; k < 16; ++k) {
-    const Rotor<double> spread = turn(k * pi<double>() / 16);
-    // The line passes the origin 0.2 beside it: 1² - 0.2² and 2² - 0.2² are the squares of the ends' distances from its foot.
-    const double least = std::sqrt(0.96);
-    const double most = std::sqrt(3.96);
-    const double off = 0.5 + slide_between(point, along, 1.0, 4.0, 77.0, spread);
-    EXPECT_NEAR(std::abs(off), least + std::abs(spread.cosine) * (most - least), 1e-14);
-    EXPECT_NEAR(0.5 + slide_beyond(point, along, 0.0, 9.0, 77.0, spread), 3 * spread.cosine / spread.sine, 1e-13);
   }
 }
 

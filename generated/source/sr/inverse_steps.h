@@ -7,6 +7,7 @@
 #include <qvgen/inverse/polish.h>
 #include <qvgen/inverse/roots.h>
 #include <qvgen/inverse/rows.h>
+#include <qvgen/inverse/slide_and_turn.h>
 #include <qvgen/inverse/target.h>
 #include <qvgen/inverse/wrist.h>
 

@@ -2,6 +2,7 @@
 #include "application/inverse/count.h"
 
 #include <qvgen/inverse/roots.h>
+#include <qvgen/inverse/slides.h>
 #include <qvgen/inverse/wrist.h>
 
 #include "application/inverse/counted.h"
@@ -97,14 +98,13 @@ void block(const LoweredPlan& plan, const Step& step) {
     case Kind::half: plan.plan.wrist.right ? half_direction(turn, length_of(step)) : half(turn); return;
     case Kind::root: signed_root<Counted>(1, 1, tiny, sign, boundary, branch); return;
     case Kind::line: slide_on_line<Counted>(turn, turn, tiny, slide_choice(step), boundary, branch); return;
-    case Kind::quadratic: quadratic_root<Counted>(1, 2, -1, sign, boundary, branch); return;
-    case Kind::require:
-      step.divisor ? require_divisor<Counted>(1, branch) : require_zero<Counted>(0, 1, tolerance, branch);
-      return;
+    case Kind::slides: two_slides<Counted>({0.6, 0.7}, 0.1, {0.1, 0.2}, 0.3, tiny, 1, 0, {1, 0}, sign, boundary, branch); return;
+    case Kind::require: require_zero<Counted>(0, 1, tolerance, branch); return;
     case Kind::right_wrist:
     case Kind::oblique_wrist: wrist(plan, step); return;
     case Kind::linear:
     case Kind::conic:
+    case Kind::slide_turn:
     case Kind::polish: return;
   }
 }

@@ -19,10 +19,11 @@ std::string kind_name(Kind kind) {
     case Kind::opposite: return "two opposite directions";
     case Kind::pair: return "turn of one known vector into another";
     case Kind::root: return "foot of the perpendicular and square root";
-    case Kind::quadratic: return "quadratic";
+    case Kind::slides: return "two slides by a linear and a quadratic equation";
     case Kind::linear: return "linear";
     case Kind::line: return "linear, with a divisor that may vanish";
     case Kind::conic: return "conic meets circle (quartic)";
+    case Kind::slide_turn: return "turn and slide by a linear equation and a distance (quartic)";
     case Kind::require: return "condition";
     case Kind::reach: return "a choice within reach";
     case Kind::half: return "half angle";
@@ -34,7 +35,7 @@ std::string kind_name(Kind kind) {
 }
 
 std::string branches(const Step& step) {
-  return step.branches == 1 ? "one value" : std::to_string(step.branches) + (step.kind == Kind::conic ? " values at most" : " values");
+  return step.branches == 1 ? "one value" : std::to_string(step.branches) + (step.is_quartic() ? " values at most" : " values");
 }
 
 std::string headline(const Step& step) {
@@ -72,10 +73,15 @@ std::string solution(const Step& step, bool latex) {
     case Kind::line:
       if (step.has_input("divisor")) return both("r = rhs/divisor", "r = \\frac{\\mathrm{rhs}}{\\mathrm{divisor}}");
       return both("r = (x*rhs_x + y*rhs_y)/(x^2 + y^2)", "r = \\frac{x\\,\\mathrm{rhs}_x + y\\,\\mathrm{rhs}_y}{x^2 + y^2}");
-    case Kind::quadratic: return both("r = (-b +- sqrt(b^2 - a*c))/a", "r = \\frac{-b \\pm \\sqrt{b^2 - a c}}{a}");
+    case Kind::slides:
+      return both("a*r_1 - b*r_2 = k, r_1^2 + 2*g*r_1 - r_2^2 - 2*f*r_2 + gap = 0",
+                  "0 = a r_1 - b r_2 - k = r_1^2 + 2 g r_1 - r_2^2 - 2 f r_2 + \\mathrm{gap}");
     case Kind::conic:
       return both("xx*cos(phi)^2 + xy*cos(phi)*sin(phi) + yy*sin(phi)^2 + x*cos(phi) + y*sin(phi) + one = 0",
                   "0 = \\mathrm{xx} \\cos^2\\varphi + \\mathrm{xy} \\cos\\varphi \\sin\\varphi + \\mathrm{yy} \\sin^2\\varphi + x \\cos\\varphi + y \\sin\\varphi + \\mathrm{one}");
+    case Kind::slide_turn:
+      return both("divisor*r = level + l_x*cos(phi) + l_y*sin(phi), r^2 + 2*h*r + mean + m_x*cos(phi) + m_y*sin(phi) = 0",
+                  "\\mathrm{divisor}\\,r - \\mathrm{level} - l_x \\cos\\varphi - l_y \\sin\\varphi = 0 = r^2 + 2 h r + \\mathrm{mean} + m_x \\cos\\varphi + m_y \\sin\\varphi");
     case Kind::require: return both("|residual| <= tolerance*scale", "|\\mathrm{residual}| \\le \\mathrm{tolerance} \\cdot \\mathrm{scale}");
     case Kind::reach:
       return both("phi: inner <= |point + offset turned by phi|^2 <= outer",

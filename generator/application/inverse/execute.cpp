@@ -6,6 +6,7 @@
 #include <qvgen/inverse/conic_circle.h>
 #include <qvgen/inverse/polish.h>
 #include <qvgen/inverse/roots.h>
+#include <qvgen/inverse/slide_and_turn.h>
 #include <qvgen/inverse/wrist.h>
 
 #include "dag/evaluate.h"
@@ -81,7 +82,7 @@ class Execution {
     const std::size_t index = order_[place];
     const Step& step = plan_.plan.steps[index];
     const Values in = outputs(plan_.steps[index].before, values);
-    if (step.kind == Kind::conic) return follow_conic(place, values, in, branch, label);
+    if (step.is_quartic()) return follow_quartic(place, values, in, branch, label);
     if (step.kind == Kind::polish) {
       if (polish(step, in, values)) follow(place + 1, std::move(values), branch, label);
       return;
@@ -100,12 +101,25 @@ class Execution {
     }
   }
 
-  void follow_conic(std::size_t place, const Values& values, const Values& in, const Branch& branch, int label) {
-    const qvgen::inverse::Conic<Real> conic{in.at("xx"), in.at("xy"), in.at("yy"), in.at("x"), in.at("y"), in.at("one")};
-    const auto roots = qvgen::inverse::conic_circle(conic, qvgen::inverse::Boundary::careful(qvgen::inverse::default_tolerance), Real::pi());
+  [[nodiscard]] qvgen::inverse::SlideTurns<Real> quartic_roots(Kind kind, const Values& in) const {
+    using namespace qvgen::inverse;
+    const Boundary careful = Boundary::careful(default_tolerance);
+    if (kind == Kind::slide_turn)
+      return slide_and_turn<Real>({in.at("divisor"), in.at("h"), in.at("level"), {in.at("l_x"), in.at("l_y")}, in.at("mean"), {in.at("m_x"), in.at("m_y")}},
+                                  tiny(1), size_square_, Real(0), {Real(1), Real(0)}, careful, Real::pi());
+    const Conic<Real> conic{in.at("xx"), in.at("xy"), in.at("yy"), in.at("x"), in.at("y"), in.at("one")};
+    SlideTurns<Real> roots;
+    const auto turns = conic_circle(conic, careful, Real::pi());
+    for (int k = 0; k < turns.count; ++k) roots.add({turns.root[static_cast<std::size_t>(k)], Real(0)});
+    return roots;
+  }
+
+  void follow_quartic(std::size_t place, const Values& values, const Values& in, const Branch& branch, int label) {
+    const auto roots = quartic_roots(plan_.plan.steps[order_[place]].kind, in);
     for (int k = 0; k < roots.count; ++k) {
       Values known = values;
-      set(known, roots.root[static_cast<std::size_t>(k)]);
+      set(known, roots.root[static_cast<std::size_t>(k)].turn);
+      known["result"] = roots.root[static_cast<std::size_t>(k)].slide;
       for (const auto& [name, value] : outputs(plan_.steps[order_[place]].after, known)) known[name] = value;
       follow(place + 1, known, branch, label * 4 + k);
     }
@@ -145,11 +159,14 @@ class Execution {
       case Kind::line:
         known["result"] = slide(in, branch);
         return;
-      case Kind::quadratic:
-        known["result"] = quadratic_root(in.at("a"), in.at("b"), in.at("c"), sign, boundary(), branch);
+      case Kind::slides: {
+        const Rotor both = two_slides(Rotor{in.at("a"), in.at("b")}, in.at("k"), Rotor{in.at("g"), in.at("f")}, in.at("gap"), tiny(1),
+                                      size_square_, Real(0), Rotor{Real(1), Real(0)}, step.branches == 1 ? Real(0) : sign, boundary(), branch);
+        known["result_1"] = both.cosine;
+        known["result_2"] = both.sine;
         return;
+      }
       case Kind::require:
-        if (step.divisor) return require_divisor(in.at("divisor"), branch);
         return require_zero(in.at("residual"), in.at("scale"), tolerance(), branch);
       default: return;
     }

@@ -59,7 +59,7 @@ class Nest {
     if (step.kind == Kind::polish) return polished(i);
     if (step.is_wrist() && plan_.plan.wrist.ends_the_plan) return wrist(i);
     if (step.kind == Kind::half) return deferred_.push_back(call(i) + ";");
-    if (step.kind == Kind::conic) return conic(i);
+    if (step.is_quartic()) return quartic(i);
     if (step.branches == 1) {
       line(call(i) + ";");
       if (step.kind == Kind::require) leave_unless(branch() + ".exists");
@@ -98,7 +98,7 @@ class Nest {
     }
   }
 
-  void conic(std::size_t i) {
+  void quartic(std::size_t i) {
     const Step& step = plan_.plan.steps[i];
     line("const auto roots = roots_" + step_name(plan_, i) + "(t, w);");
     const std::string k = open(step, "roots.count");

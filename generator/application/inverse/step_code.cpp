@@ -29,10 +29,14 @@ emit::Names names_of(const model::Robot& robot, const LoweredPlan& plan, const S
   for (const auto& parameter : robot.geometry) parameters.insert(parameter.name);
   const std::vector<std::string> target = plan.plan.target_kept;
   const std::string result = step.unit ? "result" : "(sign * " + length_place(step.unknown) + ")";
-  const auto symbol = [parameters, target, result](const std::string& name) -> std::string {
+  const bool slides = step.kind == Kind::slide_turn;
+  const auto symbol = [parameters, target, result, slides](const std::string& name) -> std::string {
     if (parameters.count(name) > 0) return "Scalar(t.geometry." + name + ")";
-    if (name == "cos_result") return "result.cosine";
-    if (name == "sin_result") return "result.sine";
+    if (slides && name == "result") return "result.slide";
+    if (slides && name == "cos_result") return "result.turn.cosine";
+    if (slides && name == "sin_result") return "result.turn.sine";
+    if (name == "cos_result" || name == "result_1") return "result.cosine";
+    if (name == "sin_result" || name == "result_2") return "result.sine";
     if (name == "result") return result;
     if (std::find(target.begin(), target.end(), name) != target.end()) return "Scalar(t." + name + ")";
     if (name == std::string("cos_") + derive::inverse::locked_joint || name == std::string("sin_") + derive::inverse::locked_joint)
@@ -60,14 +64,16 @@ std::string choice(int joint, const std::string& kind = "turn") {
 }
 std::string choice(const Step& step) { return choice(step.joint); }
 
+std::string preferred_slide(int joint) { return "Scalar(t.preference->slide[" + std::to_string(joint) + "])"; }
+std::string spread() { return rotor("Scalar(t.preference->spread.cosine)", "Scalar(t.preference->spread.sine)"); }
+
 /// A slide's seed, or what is nearest to it with the joint after it in reach.
 std::string slide_choice(const Step& step) {
-  const std::string value = "Scalar(t.preference->slide[" + std::to_string(step.joint) + "])";
+  const std::string value = preferred_slide(step.joint);
   if (!step.has_input("inner")) return value;
   const bool between = step.has_input("outer");
   return std::string("inverse::") + (between ? "slide_between" : "slide_beyond") + "<Scalar>(" + rotor("point_x", "point_y") + ", " +
-         rotor("along_x", "along_y") + ", inner, " + (between ? "outer" : "Scalar(t.size_square)") + ", " + value + ", " +
-         rotor("Scalar(t.preference->spread.cosine)", "Scalar(t.preference->spread.sine)") + ")";
+         rotor("along_x", "along_y") + ", inner, " + (between ? "outer" : "Scalar(t.size_square)") + ", " + value + ", " + spread() + ")";
 }
 
 /// The turn that the seed's angles add up to.
@@ -121,12 +127,16 @@ std::pair<std::string, std::string> block(const LoweredPlan& plan, const Step& s
       return {"Scalar", "inverse::slide_on_line<Scalar>(" + (step.has_input("divisor") ? rotor("divisor", "Scalar(0)") + ", " + rotor("rhs", "Scalar(0)")
                                                                                       : rotor("x", "y") + ", " + rotor("rhs_x", "rhs_y")) +
                             ", Scalar(t.tiny1), " + slide_choice(step) + ", t.boundary, w.branch)"};
-    case Kind::quadratic: return {"Scalar", "inverse::quadratic_root<Scalar>(a, b, c, sign, t.boundary, w.branch)"};
+    case Kind::slides:
+      return {turn, "inverse::two_slides<Scalar>(" + rotor("a", "b") + ", k, " + rotor("g", "f") + ", gap, Scalar(t.tiny1), Scalar(t.size_square), " +
+                        preferred_slide(step.joint) + ", " + spread() + ", " + (step.branches == 1 ? "Scalar(0)" : "sign") + ", t.boundary, w.branch)"};
     case Kind::require:
-      if (step.divisor) return {"", "inverse::require_divisor<Scalar>(divisor, w.branch)"};
       return {"", "inverse::require_zero<Scalar>(residual, scale, " + tolerance + ", w.branch)"};
     case Kind::conic:
       return {"inverse::CircleRoots<Scalar>", "inverse::conic_circle<Scalar>({xx, xy, yy, x, y, one}, t.boundary, inverse::pi<Scalar>())"};
+    case Kind::slide_turn:
+      return {"inverse::SlideTurns<Scalar>", "inverse::slide_and_turn<Scalar>({divisor, h, level, {l_x, l_y}, mean, {m_x, m_y}}, Scalar(t.tiny1), Scalar(t.size_square), " +
+                                                 preferred_slide(step.slide) + ", " + spread() + ", t.boundary, inverse::pi<Scalar>())"};
     case Kind::right_wrist: {
       const std::string swapped = plan.plan.wrist.middle_swapped ? "true" : "false";
       const std::string uv = rotor("u_x", "u_y") + ", " + rotor("v_x", "v_y") + ", " + swapped + ", ";
@@ -141,8 +151,8 @@ std::pair<std::string, std::string> block(const LoweredPlan& plan, const Step& s
         return {"inverse::WristTurns<Scalar>", "inverse::oblique_wrist_turns<Scalar>(" + uv + rotor("cosine_delta", "sine_delta") + ", " +
                                                    rotor("choice_x", "choice_y") + ", sign, t.boundary, w.branch)"};
       return {"inverse::WristAngles<Scalar>",
-              "inverse::oblique_wrist<Scalar>(" + uv + "sign, " + preferred_angle(plan.plan.wrist.joints[0]) + ", " + tolerance +
-                  ", inverse::pi<Scalar>(), w.branch)"};
+              "inverse::oblique_wrist<Scalar>(" + uv + "sign, " + preferred_angle(plan.plan.wrist.joints[0]) +
+                  ", Scalar(t.boundary.fold), inverse::pi<Scalar>(), w.branch)"};
     }
     case Kind::polish:
     case Kind::linear: return {"", ""};
@@ -255,7 +265,9 @@ json step_values(const model::Robot& robot, const LoweredPlan& plan) {
     const bool polish = step.kind == Kind::polish;
     if (polish) extra = polish_lines(robot, plan, step);
     if (step.is_wrist() && !ends(plan, step)) extra = wrist_turn_lines(step);
-    const bool split = step.kind == Kind::conic;
+    const bool split = step.is_quartic();
+    const bool slides = step.kind == Kind::slide_turn;
+    if (slides) extra = {"if (result.chosen) w.branch.continuum = w.branch.doubtful = true;"};
     const bool returns = split || ends(plan, step);
     const bool oblique = step.kind == Kind::oblique_wrist;
     steps.push_back({{"name", step_name(plan, i)},
@@ -263,6 +275,7 @@ json step_values(const model::Robot& robot, const LoweredPlan& plan) {
                      {"sign", step.branches == 2 && !(ends(plan, step) && !oblique)},
                      {"returns", returns},
                      {"split", split},
+                     {"root", std::string("inverse::") + (slides ? "SlideTurn" : "Rotor") + "<Scalar>"},
                      {"polish", polish ? json{{"joints", step.turns.size()}} : json(false)},
                      {"regular", !split && !polish},
                      {"type", type},

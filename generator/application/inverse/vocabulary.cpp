@@ -57,6 +57,7 @@ std::string Vocabulary::function(const std::string& name, const std::string& of,
 /// cos_result and the like: the angle φ or the length r that the step solves; for a half angle the very angle.
 std::string Vocabulary::solved(const std::string& name, const Step& step) const {
   if (name == "result") return "r";
+  if (begins(name, "result_")) return symbol("r", after(name, "result_"));
   const bool half = step.kind == Kind::half;
   return function(name.substr(0, 3), half ? step.unknown : "phi", half);
 }
@@ -89,7 +90,7 @@ std::string Vocabulary::other(const std::string& name) const {
 }
 
 std::string Vocabulary::operator()(const std::string& name, const Step& step) const {
-  if (name == "cos_result" || name == "sin_result" || name == "result") return solved(name, step);
+  if (name == "cos_result" || name == "sin_result" || begins(name, "result")) return solved(name, step);
   if (const std::string pose = part_of_pose(name); !pose.empty()) return pose;
   if (begins(name, "after_")) return without_joints(name);
   for (const char* trigonometric : {"cos", "sin"}) {

@@ -22,7 +22,7 @@ Builder::Builder(const model::Robot& robot, Scope& scope, Plan& plan) : scope_(s
   for (const auto& output : plan.target.outputs()) constants_.insert(symbolic::symbol(output.name));
   plan_.joints.resize(robot.joints.size());
   scope_.turn("result");
-  scope_.length("result");
+  for (const char* name : {"result", "result_1", "result_2"}) scope_.length(name);
 }
 
 bool Builder::is_constant(const ex& value) const {
@@ -260,14 +260,20 @@ void Builder::slide_by_line(const Screw& screw, const Flat& along, const Flat& r
   set_length(step, screw, result_length());
 }
 
-void Builder::slide_by_quadratic(const Screw& screw, const ex& a, const ex& b, const ex& c, const std::string& equation) {
-  if (scope_.is_zero(a)) return slide_by_value(screw, -c / (2 * b), equation);
-  Step& step = add(Kind::quadratic, &screw, 2, equation);
-  step.before.output("a", a);
-  step.before.output("b", b);
-  step.before.output("c", c);
-  step.degenerate = "boundary of reach: the two solutions coincide";
-  set_length(step, screw, result_length());
+void Builder::two_slides(const Screw& s, const Screw& t, const Slides& slides, const std::string& equation) {
+  const bool equally_inclined = scope_.is_zero(slides.a * slides.a - slides.b * slides.b);
+  Step& step = add(Kind::slides, &s, equally_inclined ? 1 : 2, equation);
+  step.before.output("a", slides.a);
+  step.before.output("b", slides.b);
+  step.before.output("k", slides.k);
+  step.before.output("g", slides.g);
+  step.before.output("f", slides.f);
+  step.before.output("gap", slides.gap);
+  step.degenerate = "boundary of reach: the two solutions coincide; a = b or a = -b: one of them is infinitely far away; a = b = 0: " +
+                    s.variable + " is free as far as " + t.variable + " can follow";
+  set_length(step, s, symbolic::symbol("result_1"));
+  const ex other = scope_.rename(step.after, "offset_" + t.variable, symbolic::symbol("result_2"));
+  slide_by_value(t, other, "the same two equations");
 }
 
 void Builder::turn_by_conic(const Screw& screw, const std::array<ex, 6>& conic, const std::string& equation) {
@@ -276,6 +282,24 @@ void Builder::turn_by_conic(const Screw& screw, const std::array<ex, 6>& conic, 
   for (std::size_t i = 0; i < 6; ++i) step.before.output(names[i], conic[i]);
   step.degenerate = "boundary of reach: solutions coincide";
   set_turn(step, screw, result_turn());
+}
+
+void Builder::slide_and_turn(const Screw& slide, const Screw& turn, const SlideAndTurn& equations, const std::string& equation) {
+  Step& step = add(Kind::slide_turn, &turn, 4, equation);
+  step.slide = slide.joint;
+  step.before.output("divisor", equations.divisor);
+  step.before.output("h", equations.h);
+  step.before.output("level", equations.level);
+  step.before.output("l_x", equations.l.x);
+  step.before.output("l_y", equations.l.y);
+  step.before.output("mean", equations.mean);
+  step.before.output("m_x", equations.m.x);
+  step.before.output("m_y", equations.m.y);
+  step.degenerate = "boundary of reach: solutions coincide; divisor = 0 and (l_x, l_y) = 0: " + slide.variable + " is free as far as " +
+                    turn.variable + " can follow";
+  set_turn(step, turn, result_turn());
+  const ex offset = scope_.rename(step.after, "offset_" + slide.variable, result_length());
+  slide_by_value(slide, offset, "the same two equations");
 }
 
 Scope::Turn Builder::reachable(const std::string& name, const std::vector<Step::Seed>& seeds, const Flat& point,
@@ -298,13 +322,6 @@ void Builder::require_zero(const ex& residual, const ex& scale, const std::strin
   Step& step = add(Kind::require, nullptr, 1, equation);
   step.before.output("residual", residual);
   step.before.output("scale", scale);
-}
-
-void Builder::require_divisor(const ex& divisor, const std::string& equation) {
-  if (Scope::is_number(divisor)) return;
-  Step& step = add(Kind::require, nullptr, 1, equation);
-  step.divisor = true;
-  step.before.output("divisor", divisor);
 }
 
 void Builder::polish(const std::vector<Screw>& arm, const std::vector<symbolic::Vector>& start,

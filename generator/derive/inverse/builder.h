@@ -70,16 +70,22 @@ class Builder {
   /// t along = rhs in a plane or, y = 0, on a line; `along`, a part of a unit vector, may depend on the pose.
   void slide_by_line(const Screw& screw, const Flat& along, const Flat& rhs, const std::optional<Reach>& reach, const std::string& equation);
   void slide_by_value(const Screw& screw, const GiNaC::ex& value, const std::string& equation);
-  void slide_by_quadratic(const Screw& screw, const GiNaC::ex& a, const GiNaC::ex& b, const GiNaC::ex& c,
-                          const std::string& equation);
+  /// a s - b t = k and s² + 2 g s - t² - 2 f t + gap = 0 for two slides, (a, b) parts of unit vectors.
+  struct Slides {
+    GiNaC::ex a, b, k, g, f, gap;
+  };
+  void two_slides(const Screw& s, const Screw& t, const Slides& slides, const std::string& equation);
   /// w0 + w1 cos q + ... as a conic: coefficients xx, xy, yy, x, y, one.
   void turn_by_conic(const Screw& screw, const std::array<GiNaC::ex, 6>& conic, const std::string& equation);
+  /// divisor t = level + l·u and t² + 2 h t + mean + m·u = 0 for a slide t and a joint's u = (cos q, sin q).
+  struct SlideAndTurn {
+    GiNaC::ex divisor, h, level, mean;
+    Flat l, m;
+  };
+  void slide_and_turn(const Screw& slide, const Screw& turn, const SlideAndTurn& equations, const std::string& equation);
   /// The direction of a free angle for which |point + turned offset|² lies in [inner, outer]: names cos_NAME, sin_NAME.
   Scope::Turn reachable(const std::string& name, const std::vector<Step::Seed>& seeds, const Flat& point, const Flat& offset,
                         const GiNaC::ex& inner, const GiNaC::ex& outer);
-  /// No solution where a divisor, a product of directions, vanishes: there the pose leaves a joint free, and the plan,
-  /// which divides, has no answer.
-  void require_divisor(const GiNaC::ex& divisor, const std::string& equation);
   void require_zero(const GiNaC::ex& residual, const GiNaC::ex& scale, const std::string& equation);
   /// Newton steps on arm start = goal, for one point or several, once all these joints are known.
   void polish(const std::vector<Screw>& arm, const std::vector<symbolic::Vector>& start, const std::vector<symbolic::Vector>& goal);

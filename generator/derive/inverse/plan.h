@@ -17,11 +17,12 @@ enum class Kind {
   opposite,     ///< ±(x, y): a·x = 0 on a circle
   pair,         ///< the direction (x, y): the angle that turns one known vector into another
   root,         ///< ±sqrt(square)
-  quadratic,    ///< a t² + 2 b t + c = 0
+  slides,       ///< a s - b t = k, s² + 2 g s - t² - 2 f t + gap = 0: gives result_1 (the step's joint) and result_2
   linear,       ///< one value
   line,         ///< t divisor = rhs, or t (x, y) = (rhs_x, rhs_y): the slide is free where what the pose gives there vanishes
   conic,        ///< a conic on the unit circle: a quartic in the half-angle tangent
-  require,      ///< no unknown: an equation that the pose must satisfy, or (Step::divisor) a divisor that must not vanish
+  slide_turn,   ///< divisor t = l(u), t² + 2 h t + m(u) = 0 for a slide t and a unit vector u, l and m linear: a quartic
+  require,      ///< no unknown: an equation that the pose must satisfy
   half,         ///< cosine and sine of half an angle already known
   reach,        ///< no unknown: the value that a free angle takes so that the joints after it are in reach
   polish,       ///< Newton steps, after a quartic and wherever a pose is near a singular one
@@ -38,6 +39,7 @@ struct Step {
   Kind kind = Kind::linear;
   int joint = -1;                    ///< index of the joint that it determines, -1 if none
   std::string unknown;               ///< that joint's variable, or a name for what else it computes
+  int slide = -1;                    ///< slide_turn: the other joint's index
   int branches = 1;
   int degree = 1;                    ///< a direction's units: 0 none, 1 a length, 2 a length squared, 4 the square of a short length
   symbolic::Program before;          ///< the block's inputs, by the block's names
@@ -52,10 +54,11 @@ struct Step {
   bool unit = true;                  ///< pair, opposite: the direction is brought to length one
   std::vector<std::string> lengths;  ///< half: the unknowns among its angle's terms that are not
   std::vector<std::string> kept;     ///< those of `after` that a later step or the result reads
-  bool divisor = false;   ///< require: what must not vanish, in place of an equation
   std::string equation;              ///< in words and symbols, for people
   std::string degenerate;            ///< where it loses a branch or an angle becomes free
 
+  /// A block that gives all of its solutions at once, as many as there happen to be.
+  [[nodiscard]] bool is_quartic() const { return kind == Kind::conic || kind == Kind::slide_turn; }
   [[nodiscard]] bool has_input(const std::string& name) const {
     for (const auto& output : before.outputs())
       if (output.name == name) return true;
@@ -92,7 +95,7 @@ struct Plan {
   int capacity = 1;
   [[nodiscard]] bool quartic() const {
     for (const Step& step : steps)
-      if (step.kind == Kind::conic) return true;
+      if (step.is_quartic()) return true;
     return false;
   }
 };

@@ -90,11 +90,6 @@ class Position {
     return scope_.clean(block.base + block.x0.x * block.screw.first + block.x0.y * block.screw.second);
   }
 
-  /// A slide's direction may depend on the pose, and at some poses lie where its equation does not see it.
-  void divide_by(const Block& u, const ex& divisor) {
-    builder_.require_divisor(divisor, "the equation of " + name(u) + " does not lose it");
-  }
-
   /// n·point(u) = rhs for the joint of u; the rhs may hold the other joint's solved value. A slide that its equation does not
   /// see at some pose is free, as far as the joint after it can follow.
   void turn_or_slide(const Block& u, const Vector& n, const ex& rhs, const std::string& equation,
@@ -291,37 +286,27 @@ class Position {
   std::string two_slides() {
     const Block::Form a = a_.form(b_.axis, scope_);
     const Block::Form c = c_.form(b_.axis, scope_);
-    // t_a = u + v t_c from the height; then |g|² = |f|² is quadratic in t_c.
-    divide_by(a_, a.coefficients.x);
-    const ex v = scope_.clean(c.coefficients.x / a.coefficients.x);
-    const ex u = builder_.keep("offset_" + name(a_), (c.constant - a.constant) / a.coefficients.x);
     const Vector g = scope_.clean(a_.base - b_.point);
     const Vector f = scope_.clean(c_.base - b_.point);
-    const ex ga = a_.sign * dot(a_.screw.axis, g);
-    const ex fc = c_.sign * dot(c_.screw.axis, f);
-    builder_.slide_by_quadratic(c_.screw, scope_.clean(v * v - 1), u * v + ga * v - fc,
-                                u * u + 2 * ga * u + square_of(g) - square_of(f), "height, then distance: a quadratic");
-    builder_.slide_by_value(a_.screw, u + v * builder_.value(c_.screw).cosine, "the height along the axis of " + b_.variable);
+    builder_.two_slides(a_.screw, c_.screw,
+                        {a.coefficients.x, c.coefficients.x, scope_.clean(c.constant - a.constant), scope_.clean(a_.sign * dot(a_.screw.axis, g)),
+                         scope_.clean(c_.sign * dot(c_.screw.axis, f)), square_of(g) - square_of(f)},
+                        "height along the axis of " + b_.variable + " and distance from a point on it: the same");
     return "";
   }
 
   std::string slide_and_turn(const Block& slide, const Block& turn) {
     const Block::Form s = slide.form(b_.axis, scope_);
     const Block::Form t = turn.form(b_.axis, scope_);
-    divide_by(slide, s.coefficients.x);
-    const ex u = builder_.keep("offset_" + name(slide), (t.constant - s.constant) / s.coefficients.x);
-    const ex k1 = builder_.keep("cosine_" + name(slide), t.coefficients.x / s.coefficients.x);
-    const ex k2 = builder_.keep("sine_" + name(slide), t.coefficients.y / s.coefficients.x);
     const Vector g = scope_.clean(slide.base - b_.point);
     const Vector arm = scope_.clean(turn.base - b_.point);
-    const Block::Form f = turn.form(ex(2) * arm, scope_);
-    const ex own = 2 * slide.sign * dot(slide.screw.axis, g);
+    const Flat& f = turn.form(ex(2) * arm, scope_).coefficients;
+    const ex own = square_of(g);
     const ex other = square_of(arm) + square_of(turn.x0.x) + square_of(turn.x0.y);
-    builder_.turn_by_conic(turn.screw, {k1 * k1, 2 * k1 * k2, k2 * k2, 2 * u * k1 + own * k1 - f.coefficients.x,
-                                        2 * u * k2 + own * k2 - f.coefficients.y, u * u + own * u + square_of(g) - other},
-                           name(slide) + " from the height, then the distance");
-    const Scope::Turn value = builder_.value(turn.screw);
-    builder_.slide_by_value(slide.screw, u + k1 * value.cosine + k2 * value.sine, "the height along the axis of " + b_.variable);
+    builder_.slide_and_turn(slide.screw, turn.screw,
+                            {s.coefficients.x, scope_.clean(slide.sign * dot(slide.screw.axis, g)), scope_.clean(t.constant - s.constant), own - other,
+                             t.coefficients, {-f.x, -f.y}},
+                            "height along the axis of " + b_.variable + " and distance from a point on it: the same");
     return "";
   }
 

@@ -92,7 +92,7 @@ Rotor<Scalar> polished(const Aligned<Scalar>& f, Rotor<Scalar> u) {
     if (abs(slope) < Scalar(1e-3) && discriminant > Scalar(0)) {
       const Scalar below = slope + with_sign(sqrt(discriminant), slope);
       if (below != Scalar(0)) move = Scalar(-2) * value / below;
-    } else if (abs(slope) < Scalar(1e-4) && abs(curvature) > Scalar(1e-3)) {
+    } else if (!(discriminant > Scalar(0)) && abs(slope) < Scalar(1e-2) * abs(curvature)) {
       move = -slope / curvature;
     } else if (slope != Scalar(0)) {
       move = -value / slope;

@@ -121,52 +121,6 @@ Rotor<Scalar> reachable_direction(const Rotor<Scalar>& point, const Rotor<Scalar
   return {select(stays, choice.cosine, found.cosine), select(stays, choice.sine, found.sine)};
 }
 
-/// Where the line point + t along meets a circle about the origin: t = foot ± half, half = 0 if it does not.
-template <typename Scalar>
-struct Chord {
-  Mask<Scalar> is_point;  ///< along = 0
-  Scalar foot, half;
-
-  Chord(const Rotor<Scalar>& point, const Rotor<Scalar>& along, const Scalar& square) {
-    using std::sqrt;
-    const Scalar speed = along.cosine * along.cosine + along.sine * along.sine;
-    is_point = speed == Scalar(0);
-    const Scalar divisor = select(is_point, Scalar(1), speed);
-    const Scalar across = point.cosine * along.sine - point.sine * along.cosine;
-    foot = -(point.cosine * along.cosine + point.sine * along.sine) / divisor;
-    half = sqrt(not_negative(Scalar((square - across * across / divisor) / divisor)));
-  }
-};
-
-/// A free slide t with inner <= |point + t along|² <= outer, so that the joints after it stay in reach: nearest to `value`,
-/// or, if `spread` is turned, that share of the way from the foot of the perpendicular. Without any such t, the least wrong.
-template <typename Scalar>
-Scalar slide_between(const Rotor<Scalar>& point, const Rotor<Scalar>& along, const Scalar& inner, const Scalar& outer,
-                     const Scalar& value, const Rotor<Scalar>& spread) {
-  const Chord<Scalar> near(point, along, inner);
-  const Scalar far = Chord<Scalar>(point, along, outer).half;
-  const Scalar shared = near.half + magnitude(spread.cosine) * (far - near.half);
-  const Scalar wanted = value - near.foot;
-  const Scalar closest = smaller(larger(magnitude(wanted), near.half), far);
-  const Mask<Scalar> is_spread = !(spread.sine == Scalar(0));
-  const Scalar off = with_sign(select(is_spread, shared, closest), select(is_spread, spread.cosine, wanted));
-  return select(near.is_point, value, Scalar(near.foot + off));
-}
-
-/// The same without an outer end: the turned `spread` is the direction of the slide as seen from beside its foot, at the
-/// distance of the arm's size.
-template <typename Scalar>
-Scalar slide_beyond(const Rotor<Scalar>& point, const Rotor<Scalar>& along, const Scalar& inner, const Scalar& size_square,
-                    const Scalar& value, const Rotor<Scalar>& spread) {
-  using std::sqrt;
-  const Chord<Scalar> near(point, along, inner);
-  const Mask<Scalar> is_spread = !(spread.sine == Scalar(0));
-  const Scalar shared = sqrt(size_square) * (spread.cosine / select(is_spread, spread.sine, Scalar(1)));
-  const Scalar wanted = select(is_spread, shared, Scalar(value - near.foot));
-  const Scalar off = with_sign(larger(magnitude(wanted), near.half), wanted);
-  return select(near.is_point, value, Scalar(near.foot + off));
-}
-
 /// The direction of v, a product of two vectors that are at most unit vectors and vanish together: then it is free. What
 /// is left of vectors of 1e-5, next to a double root that carries half the digits, may be noise.
 template <typename Scalar>
@@ -190,63 +144,10 @@ Scalar signed_root(const Scalar& square, const Scalar& scale, const Scalar& tiny
   return sign * sqrt(larger(square, Scalar(boundary.floor) * (scale + tiny)));
 }
 
-/// The root of a t² + 2 b t + c = 0, a not zero, that belongs to the sign: (-b ± sqrt(b² - a c)) / a without
-/// cancellation between -b and the square root.
-template <typename Scalar>
-Scalar quadratic_root(const Scalar& a, const Scalar& b, const Scalar& c, const Scalar& sign, const Boundary& boundary,
-                      Branch<Scalar>& branch) {
-  using std::sqrt;
-  const Scalar half = -b / a;
-  const Scalar product = c / a;
-  const Scalar square = half * half;
-  const Scalar scale = square + magnitude(product);
-  const Scalar discriminant = square - product;
-  admit(discriminant, Limits<Scalar>(boundary, scale), Mask<Scalar>(false), branch);
-  const Scalar root = sqrt(larger(discriminant, Scalar(boundary.floor) * scale));
-  const Scalar large = half + with_sign(root, half);
-  const Mask<Scalar> wants_large = (half < Scalar(0)) == (sign < Scalar(0));
-  const Scalar small = select(large == Scalar(0), Scalar(0), Scalar(product / select(large == Scalar(0), Scalar(1), large)));
-  return select(wants_large, large, small);
-}
-
 /// Requires an equation that the pose must satisfy for the arm to reach it at all (a planar arm's plane, say).
 template <typename Scalar>
 void require_zero(const Scalar& residual, const Scalar& scale, const Scalar& tolerance, Branch<Scalar>& branch) {
   branch.exists = branch.exists & (residual <= tolerance * scale) & (residual >= -tolerance * scale);
-}
-
-/// t with t along = rhs in a plane. Where the pose makes `along` vanish, whose length is at most 1, t is free if rhs vanishes
-/// too: then it is the caller's choice. Where `along` is so small that rounding decides about t, it is as near to the choice
-/// as the equation lets it; where it is merely small, t has lost digits.
-template <typename Scalar>
-Scalar slide_on_line(const Rotor<Scalar>& along, const Rotor<Scalar>& rhs, const Scalar& tiny, const Scalar& choice,
-                     const Boundary& boundary, Branch<Scalar>& branch) {
-  using std::sqrt;
-  const Scalar noise = Scalar(64) * epsilon<Scalar>();
-  const Scalar little(1e-20);
-  const Scalar square = along.cosine * along.cosine + along.sine * along.sine;
-  const Scalar gap = rhs.cosine * rhs.cosine + rhs.sine * rhs.sine;
-  const Mask<Scalar> is_free = square <= (boundary.choose ? little : Scalar(noise * noise));
-  const Mask<Scalar> is_loose = square <= Scalar(1e-24);
-  Branch<Scalar> regular = branch;
-  regular.doubtful = regular.doubtful | (regular.exists & (square <= (boundary.doubt > 0 ? Scalar(1e-4) : little)));
-  branch.take(is_free, gap <= Scalar(boundary.gap) * tiny, regular);
-  branch.continuum = branch.continuum | (branch.exists & is_loose);
-  const Scalar divisor = select(is_free, Scalar(1), square);
-  const Scalar middle = (along.cosine * rhs.cosine + along.sine * rhs.sine) / divisor;
-  const Scalar width = select(is_loose, sqrt(Scalar(tiny / divisor)), Scalar(0));
-  const Scalar least = larger(choice, Scalar(middle - width));
-  return select(is_free, choice, smaller(least, Scalar(middle + width)));
-}
-
-/// Requires that a divisor is more than rounding: where it vanishes the pose leaves a joint free, and its quotient is noise.
-/// Where it is merely small the quotient has lost digits.
-template <typename Scalar>
-void require_divisor(const Scalar& divisor, Branch<Scalar>& branch) {
-  const Scalar noise = Scalar(64) * epsilon<Scalar>();
-  const Scalar size = magnitude(divisor);
-  branch.doubtful = branch.doubtful | (branch.exists & (size < Scalar(1e-2)));
-  branch.exists = branch.exists & (size > noise);
 }
 
 }  // namespace qvgen::inverse

@@ -94,13 +94,15 @@ struct Boundary {
   bool choose;    ///< what is nearly free is chosen as if it were free
   double gap;     ///< a free direction's equation holds if the square of what is left is below this multiple of noise
   double miss;    ///< how far off the pose polished joints may leave the arm, as a share of its size
+  double fold;    ///< so far outside a wrist at the end of the arm's joints still exists, folded
 
   static constexpr Boundary plain(double tolerance) {
-    return {0, 1e-7 + 100 * tolerance, 1e-10 + 100 * tolerance, 0, 1e18, false, 64, tolerance};
+    return {0, 1e-7 + 100 * tolerance, 1e-10 + 100 * tolerance, 0, 1e18, false, 64, tolerance, tolerance};
   }
-  /// From the ends of the ranges, taking no miss but rounding.
+  /// From the ends of the ranges, taking no miss but rounding. What that leaves in the joints of an arm near a singular place
+  /// of its own reaches the wrist magnified: half of the 1e-12 that no solution may miss its pose by.
   static constexpr Boundary careful(double tolerance) {
-    return {1e-3 + 100 * tolerance, 0, 0, 0, 1e18, false, 64e14, 0};
+    return {1e-3 + 100 * tolerance, 0, 0, 0, 1e18, false, 64e14, 0, tolerance > 5e-13 ? tolerance : 5e-13};
   }
   /// The same with a choice where an angle is nearly free.
   static constexpr Boundary choosing(double tolerance) {
