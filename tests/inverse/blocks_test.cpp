@@ -122,6 +122,25 @@ TEST(SignedRoot, KeepsSmallExactValuesAndDoubtsNoise) {
   EXPECT_TRUE(second.exists);
 }
 
+TEST(Span, MakesALengthGood) {
+  Random random;
+  for (int i = 0; i < 10000; ++i) {
+    const double angle = random(-3.14, 3.14);
+    const double size = std::exp(random(-20, 20));
+    const Rotor<double> v{size * std::cos(angle), size * std::sin(angle)};
+    Branch<double> branch;
+    double length;
+    span_of_length(v, size * (1 + random(-1e-8, 1e-8)), 0.0, {brief_length, 0}, length, branch);
+    ASSERT_NEAR(length / size, 1, 4 * eps);
+    ASSERT_FALSE(branch.continuum);
+  }
+  Branch<double> branch;
+  double length;
+  EXPECT_EQ(span_of_length<double>({1e-20, 0}, 1e-20, 1e-30, {0, brief_length}, length, branch).sine, brief_length);
+  EXPECT_EQ(length, brief_length);
+  EXPECT_TRUE(branch.continuum);
+}
+
 TEST(Half, IsAccurateEverywhere) {
   for (double angle = -3.14159; angle < 3.14159; angle += 1e-3) {
     const auto found = half(Rotor<double>{std::cos(angle), std::sin(angle)});

@@ -34,11 +34,16 @@ namespace {
 inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
   using Scalar [[maybe_unused]] = double;
   using std::sqrt;
+  [[maybe_unused]] const double pose_r_w = pose.quaternion[3];
+  [[maybe_unused]] const double pose_r_x = pose.quaternion[0];
+  [[maybe_unused]] const double pose_r_y = pose.quaternion[1];
+  [[maybe_unused]] const double pose_r_z = pose.quaternion[2];
+  [[maybe_unused]] const double pose_s = inverse::square_scale(excess);
   const double scale = inverse::unit_scale(excess);
-  [[maybe_unused]] const double pose_q_w = scale * pose.quaternion[3];
-  [[maybe_unused]] const double pose_q_x = scale * pose.quaternion[0];
-  [[maybe_unused]] const double pose_q_y = scale * pose.quaternion[1];
-  [[maybe_unused]] const double pose_q_z = scale * pose.quaternion[2];
+  [[maybe_unused]] const double pose_q_w = scale * pose_r_w;
+  [[maybe_unused]] const double pose_q_x = scale * pose_r_x;
+  [[maybe_unused]] const double pose_q_y = scale * pose_r_y;
+  [[maybe_unused]] const double pose_q_z = scale * pose_r_z;
   [[maybe_unused]] const double pose_p_x = pose.position[0];
   [[maybe_unused]] const double pose_p_y = pose.position[1];
   [[maybe_unused]] const double pose_p_z = pose.position[2];
@@ -178,7 +183,7 @@ inline inverse::JointValues<Scalar, 3> solve_arm([[maybe_unused]] const Target& 
 /// From: the orientation that the wrist's three axes have to make, in half angles.
 /// Degenerate: first and last axis in line: their sum or difference is free.
 template <typename Scalar>
-inline inverse::WristAngles<Scalar> solve_wrist([[maybe_unused]] const Target& t,
+inline inverse::WristBranches<Scalar> solve_wrist([[maybe_unused]] const Target& t,
     Work<Scalar>& w) {
   using std::sqrt;
 

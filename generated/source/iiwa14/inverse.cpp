@@ -45,18 +45,18 @@ Target given([[maybe_unused]] const Geometry& g, double tolerance, const inverse
       solve_theta2(t, w);
       q[0] = inverse::output_angle(w.cos_theta1, w.sin_theta1);
       solve_half_theta1(t, w);
-      q[1] = inverse::output_angle(w.cos_theta2, w.sin_theta2);
+      q[1] = inverse::output_angle(w.cos_theta2, w.sin_theta2, w.length_theta2);
       solve_half_theta2(t, w);
       solve_half_theta3(t, w);
       solve_half_theta4(t, w);
       const auto angles = solve_wrist(t, w);
-      q[4] = angles.first;
-      q[5] = angles.middle;
-      q[6] = angles.last;
+      q[4] = angles.one.first;
+      q[5] = angles.one.middle;
+      q[6] = angles.one.last;
       inverse::append(found, q, 2 * (2 * k0 + k1), w.branch.continuum);
-      q[4] = inverse::opposite(angles.first, inverse::pi<double>());
-      q[5] = inverse::negative(angles.middle, inverse::pi<double>());
-      q[6] = inverse::opposite(angles.last, inverse::pi<double>());
+      q[4] = angles.other.first;
+      q[5] = angles.other.middle;
+      q[6] = angles.other.last;
       inverse::append(found, q, 2 * (2 * k0 + k1) + 1, w.branch.continuum);
     }
   }
@@ -87,19 +87,19 @@ using Visited = inverse::Visited<double, 3, 8>;
       if (!visited.take(2 * k0 + k1, p.branch.exists, place)) continue;
       q[3] = inverse::output_angle(p.cos_theta4, p.sin_theta4);
       q[0] = inverse::output_angle(p.cos_theta1, p.sin_theta1);
-      q[1] = inverse::output_angle(p.cos_theta2, p.sin_theta2);
+      q[1] = inverse::output_angle(p.cos_theta2, p.sin_theta2, p.length_theta2);
       solve_half_theta1(t, p);
       solve_half_theta2(t, p);
       solve_half_theta3(t, p);
       solve_half_theta4(t, p);
       const auto angles = solve_wrist(t, p);
-      q[4] = angles.first;
-      q[5] = angles.middle;
-      q[6] = angles.last;
+      q[4] = angles.one.first;
+      q[5] = angles.one.middle;
+      q[6] = angles.one.last;
       inverse::append(found, q, 2 * (2 * k0 + k1), p.branch.continuum);
-      q[4] = inverse::opposite(angles.first, inverse::pi<double>());
-      q[5] = inverse::negative(angles.middle, inverse::pi<double>());
-      q[6] = inverse::opposite(angles.last, inverse::pi<double>());
+      q[4] = angles.other.first;
+      q[5] = angles.other.middle;
+      q[6] = angles.other.last;
       inverse::append(found, q, 2 * (2 * k0 + k1) + 1, p.branch.continuum);
     }
   }
@@ -133,7 +133,7 @@ SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Pose<double>& pose, 
     inverse::Form form) {
   SolutionsGiven_theta3 found;
   if (!inverse::is_within(pose, 1.306000, tolerance)) {
-    found.status = is_valid(pose) ? Status::unreachable : Status::invalid;
+    found.status = inverse::status_beyond(pose);
     return found;
   }
 

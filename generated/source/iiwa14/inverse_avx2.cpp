@@ -32,20 +32,19 @@ namespace {
   solve_half_theta2(t, w);
   solve_half_theta3(t, w);
   solve_half_theta4(t, w);
-  q[1] = inverse::output_angle(w.cos_theta2, w.sin_theta2);
+  q[1] = inverse::output_angle(w.cos_theta2, w.sin_theta2, w.length_theta2);
   const auto angles = solve_wrist(t, w);
-  const Pack pi = inverse::pi<Pack>();
-  q[4] = angles.first;
-  q[5] = angles.middle;
-  q[6] = angles.last;
+  q[4] = angles.one.first;
+  q[5] = angles.one.middle;
+  q[6] = angles.one.last;
   Pack twin[7];
   twin[0] = q[0];
   twin[1] = q[1];
   twin[2] = q[2];
   twin[3] = q[3];
-  twin[4] = inverse::opposite(angles.first, pi);
-  twin[5] = inverse::negative(angles.middle, pi);
-  twin[6] = inverse::opposite(angles.last, pi);
+  twin[4] = angles.other.first;
+  twin[5] = angles.other.middle;
+  twin[6] = angles.other.last;
   rows.append(q, twin, w.branch, 0);
   return rows.count(w.branch);
 }

@@ -37,24 +37,29 @@ namespace {
 inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
   using Scalar [[maybe_unused]] = double;
   using std::sqrt;
+  [[maybe_unused]] const double pose_r_w = pose.quaternion[3];
+  [[maybe_unused]] const double pose_r_x = pose.quaternion[0];
+  [[maybe_unused]] const double pose_r_y = pose.quaternion[1];
+  [[maybe_unused]] const double pose_r_z = pose.quaternion[2];
+  [[maybe_unused]] const double pose_s = inverse::square_scale(excess);
   const double scale = inverse::unit_scale(excess);
-  [[maybe_unused]] const double pose_q_w = scale * pose.quaternion[3];
-  [[maybe_unused]] const double pose_q_x = scale * pose.quaternion[0];
-  [[maybe_unused]] const double pose_q_y = scale * pose.quaternion[1];
-  [[maybe_unused]] const double pose_q_z = scale * pose.quaternion[2];
+  [[maybe_unused]] const double pose_q_w = scale * pose_r_w;
+  [[maybe_unused]] const double pose_q_x = scale * pose_r_x;
+  [[maybe_unused]] const double pose_q_y = scale * pose_r_y;
+  [[maybe_unused]] const double pose_q_z = scale * pose_r_z;
   [[maybe_unused]] const double pose_p_x = pose.position[0];
   [[maybe_unused]] const double pose_p_y = pose.position[1];
   [[maybe_unused]] const double pose_p_z = pose.position[2];
   [[maybe_unused]] const double cos_locked = t.cos_locked;
   [[maybe_unused]] const double sin_locked = t.sin_locked;
-  const Scalar t0 = Scalar(2) * pose_q_x * pose_q_z + Scalar(2) * pose_q_w * pose_q_y;
-  const Scalar t1 = pose_p_x - Scalar(0.126) * t0;
-  const Scalar t2 = Scalar(2) * pose_q_y * pose_q_z - Scalar(2) * pose_q_w * pose_q_x;
-  const Scalar t3 = pose_p_y - Scalar(0.126) * t2;
-  const Scalar t4 = Scalar(1) - Scalar(2) * pose_q_x * pose_q_x - Scalar(2) * pose_q_y * pose_q_y;
-  const Scalar t5 = pose_p_z - Scalar(0.126) * t4;
+  const Scalar t0 = Scalar(0.252) * pose_s * (pose_r_x * pose_r_z + pose_r_w * pose_r_y);
+  const Scalar t1 = pose_p_x - t0;
+  const Scalar t2 = Scalar(0.252) * pose_s * (pose_r_w * pose_r_x - pose_r_y * pose_r_z);
+  const Scalar t3 = pose_p_y + t2;
+  const Scalar t4 = Scalar(2) * pose_s * (pose_r_y * pose_r_y + pose_r_x * pose_r_x);
+  const Scalar t5 = pose_p_z - Scalar(0.126) * (Scalar(1) - t4);
   const Scalar t6 = Scalar(9) - Scalar(25) * t5;
-  const Scalar t7 = t1 * t1 + t3 * t3 + Scalar(0.0016) * t6 * t6;
+  const Scalar t7 = t3 * t3 + Scalar(0.0016) * t6 * t6 + t1 * t1;
   t.size_square = Scalar(1.705636) + pose_p_y * pose_p_y + pose_p_z * pose_p_z + pose_p_x * pose_p_x;
   t.goal_x = t1;
   t.goal_y = t3;
@@ -290,7 +295,7 @@ inline inverse::JointValues<Scalar, 3> solve_arm([[maybe_unused]] const Target& 
 /// From: the orientation that the wrist's three axes have to make, in half angles.
 /// Degenerate: first and last axis in line: their sum or difference is free.
 template <typename Scalar>
-inline inverse::WristAngles<Scalar> solve_wrist([[maybe_unused]] const Target& t,
+inline inverse::WristBranches<Scalar> solve_wrist([[maybe_unused]] const Target& t,
     Work<Scalar>& w) {
   using std::sqrt;
 

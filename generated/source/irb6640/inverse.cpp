@@ -38,21 +38,21 @@ Target given([[maybe_unused]] const Geometry& g, double tolerance, const inverse
       solve_theta3(t, k1 == 0 ? 1.0 : -1.0, w);
       if (!w.branch.exists) break;
       if (k1 == 0) {
-        q[0] = inverse::output_angle(w.cos_theta1, w.sin_theta1);
+        q[0] = inverse::output_angle(w.cos_theta1, w.sin_theta1, w.length_theta1);
         solve_half_theta1(t, w);
       }
       solve_theta2(t, w);
       q[2] = inverse::output_angle(w.cos_theta3, w.sin_theta3);
-      q[1] = inverse::output_angle(w.cos_theta2, w.sin_theta2);
+      q[1] = inverse::output_angle(w.cos_theta2, w.sin_theta2, w.length_theta2);
       solve_half_theta2_theta3(t, w);
       const auto angles = solve_wrist(t, w);
-      q[3] = angles.first;
-      q[4] = angles.middle;
-      q[5] = angles.last;
+      q[3] = angles.one.first;
+      q[4] = angles.one.middle;
+      q[5] = angles.one.last;
       inverse::append(found, q, 2 * (2 * k0 + k1), w.branch.continuum);
-      q[3] = inverse::opposite(angles.first, inverse::pi<double>());
-      q[4] = inverse::negative(angles.middle, inverse::pi<double>());
-      q[5] = inverse::opposite(angles.last, inverse::pi<double>());
+      q[3] = angles.other.first;
+      q[4] = angles.other.middle;
+      q[5] = angles.other.last;
       inverse::append(found, q, 2 * (2 * k0 + k1) + 1, w.branch.continuum);
     }
   }
@@ -80,19 +80,19 @@ using Visited = inverse::Visited<double, 3, 8>;
       Work<double> p = w;
       const auto place = solve_arm(t, p);
       if (!visited.take(2 * k0 + k1, p.branch.exists, place)) continue;
-      q[0] = inverse::output_angle(p.cos_theta1, p.sin_theta1);
+      q[0] = inverse::output_angle(p.cos_theta1, p.sin_theta1, p.length_theta1);
       q[2] = inverse::output_angle(p.cos_theta3, p.sin_theta3);
-      q[1] = inverse::output_angle(p.cos_theta2, p.sin_theta2);
+      q[1] = inverse::output_angle(p.cos_theta2, p.sin_theta2, p.length_theta2);
       solve_half_theta1(t, p);
       solve_half_theta2_theta3(t, p);
       const auto angles = solve_wrist(t, p);
-      q[3] = angles.first;
-      q[4] = angles.middle;
-      q[5] = angles.last;
+      q[3] = angles.one.first;
+      q[4] = angles.one.middle;
+      q[5] = angles.one.last;
       inverse::append(found, q, 2 * (2 * k0 + k1), p.branch.continuum);
-      q[3] = inverse::opposite(angles.first, inverse::pi<double>());
-      q[4] = inverse::negative(angles.middle, inverse::pi<double>());
-      q[5] = inverse::opposite(angles.last, inverse::pi<double>());
+      q[3] = angles.other.first;
+      q[4] = angles.other.middle;
+      q[5] = angles.other.last;
       inverse::append(found, q, 2 * (2 * k0 + k1) + 1, p.branch.continuum);
     }
   }
@@ -126,7 +126,7 @@ Solutions inverse_kinematics(const Pose<double>& pose, const Geometry& g, double
     inverse::Form form) {
   Solutions found;
   if (!inverse::is_within(pose, 3.277963, tolerance)) {
-    found.status = is_valid(pose) ? Status::unreachable : Status::invalid;
+    found.status = inverse::status_beyond(pose);
     return found;
   }
 

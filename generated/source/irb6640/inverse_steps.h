@@ -36,22 +36,27 @@ namespace {
 inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
   using Scalar [[maybe_unused]] = double;
   using std::sqrt;
+  [[maybe_unused]] const double pose_r_w = pose.quaternion[3];
+  [[maybe_unused]] const double pose_r_x = pose.quaternion[0];
+  [[maybe_unused]] const double pose_r_y = pose.quaternion[1];
+  [[maybe_unused]] const double pose_r_z = pose.quaternion[2];
+  [[maybe_unused]] const double pose_s = inverse::square_scale(excess);
   const double scale = inverse::unit_scale(excess);
-  [[maybe_unused]] const double pose_q_w = scale * pose.quaternion[3];
-  [[maybe_unused]] const double pose_q_x = scale * pose.quaternion[0];
-  [[maybe_unused]] const double pose_q_y = scale * pose.quaternion[1];
-  [[maybe_unused]] const double pose_q_z = scale * pose.quaternion[2];
+  [[maybe_unused]] const double pose_q_w = scale * pose_r_w;
+  [[maybe_unused]] const double pose_q_x = scale * pose_r_x;
+  [[maybe_unused]] const double pose_q_y = scale * pose_r_y;
+  [[maybe_unused]] const double pose_q_z = scale * pose_r_z;
   [[maybe_unused]] const double pose_p_x = pose.position[0];
   [[maybe_unused]] const double pose_p_y = pose.position[1];
   [[maybe_unused]] const double pose_p_z = pose.position[2];
 
-  const Scalar t0 = Scalar(1) - Scalar(2) * pose_q_y * pose_q_y - Scalar(2) * pose_q_z * pose_q_z;
-  const Scalar t1 = Scalar(2) * pose_q_x * pose_q_y + Scalar(2) * pose_q_w * pose_q_z;
-  const Scalar t2 = Scalar(2) * pose_q_x * pose_q_z - Scalar(2) * pose_q_w * pose_q_y;
+  const Scalar t0 = Scalar(2) * pose_s * (pose_r_y * pose_r_y + pose_r_z * pose_r_z);
+  const Scalar t1 = Scalar(0.4) * pose_s * (pose_r_x * pose_r_y + pose_r_w * pose_r_z);
+  const Scalar t2 = Scalar(0.4) * pose_s * (pose_r_x * pose_r_z - pose_r_w * pose_r_y);
   t.size_square = Scalar(6.98693125) + pose_p_y * pose_p_y + pose_p_z * pose_p_z + pose_p_x * pose_p_x;
-  t.goal_x = pose_p_x - Scalar(0.2) * t0;
-  t.goal_y = pose_p_y - Scalar(0.2) * t1;
-  t.goal_z = pose_p_z - Scalar(0.2) * t2;
+  t.goal_x = pose_p_x - Scalar(0.2) * (Scalar(1) - t0);
+  t.goal_y = pose_p_y - t1;
+  t.goal_z = pose_p_z - t2;
   t.pose_q_w = pose_q_w;
   t.pose_q_x = pose_q_x;
   t.pose_q_y = pose_q_y;
@@ -143,12 +148,10 @@ inline void solve_theta3([[maybe_unused]] const Target& t, const Scalar& sign,
     result = inverse::circle_angle<Scalar>(low, high, scale, sign, t.boundary, w.branch);
   }
 
-  const Scalar t0 = Scalar(0.17243261550442013) * result.cosine + Scalar(0.985021316069) * result.sine;
-  const Scalar t1 = Scalar(0.17243261550442013) * result.sine - Scalar(0.985021316069) * result.cosine;
-  w.cos_theta3 = t0;
-  w.sin_theta3 = t1;
-  w.plane_theta3_x = Scalar(1.075) - Scalar(1.1425) * t1 + Scalar(0.2) * t0;
-  w.plane_theta3_y = Scalar(1.1425) * t0 + Scalar(0.2) * t1;
+  w.cos_theta3 = Scalar(0.17243261550442013) * result.cosine + Scalar(0.985021316069) * result.sine;
+  w.sin_theta3 = Scalar(0.17243261550442013) * result.sine - Scalar(0.985021316069) * result.cosine;
+  w.plane_theta3_x = Scalar(1.075) + Scalar(1.1598733767097165) * result.cosine;
+  w.plane_theta3_y = Scalar(1.1598733767097165) * result.sine;
 }
 
 /// theta2: turn of one known vector into another, one value.
@@ -162,7 +165,8 @@ inline void solve_theta2([[maybe_unused]] const Target& t,
   {
     const Scalar x = w.plane_theta1_x * w.plane_theta3_x + w.plane_theta1_y * w.plane_theta3_y;
     const Scalar y = w.plane_theta1_y * w.plane_theta3_x - w.plane_theta1_x * w.plane_theta3_y;
-    result = inverse::span<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->brief[1].cosine), Scalar(t.preference->brief[1].sine)}, w.length_theta2, w.branch);
+    const Scalar length = w.square_theta3;
+    result = inverse::span_of_length<Scalar>(inverse::Rotor<Scalar>{x, y}, length, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->brief[1].cosine), Scalar(t.preference->brief[1].sine)}, w.length_theta2, w.branch);
   }
 
   w.cos_theta2 = result.cosine;
@@ -239,7 +243,7 @@ inline inverse::JointValues<Scalar, 3> solve_arm([[maybe_unused]] const Target& 
 /// From: the orientation that the wrist's three axes have to make, in half angles.
 /// Degenerate: first and last axis in line: their sum or difference is free.
 template <typename Scalar>
-inline inverse::WristAngles<Scalar> solve_wrist([[maybe_unused]] const Target& t,
+inline inverse::WristBranches<Scalar> solve_wrist([[maybe_unused]] const Target& t,
     Work<Scalar>& w) {
   using std::sqrt;
 

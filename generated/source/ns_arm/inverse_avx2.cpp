@@ -27,7 +27,7 @@ namespace {
   q[0] = inverse::output_angle(w.cos_theta1, w.sin_theta1);
   solve_theta2(t, w);
   q[2] = w.d3;
-  q[1] = inverse::output_angle(w.cos_theta2, w.sin_theta2);
+  q[1] = inverse::output_angle(w.cos_theta2, w.sin_theta2, w.length_theta2);
   rows.append(q, w.branch, 0);
   return rows.count(w.branch);
 }

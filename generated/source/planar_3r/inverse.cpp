@@ -45,7 +45,7 @@ Target given([[maybe_unused]] const Geometry& g, double tolerance, const inverse
     solve_theta3(t, w);
     q[1] = inverse::output_angle(w.cos_theta2, w.sin_theta2);
     q[0] = inverse::output_angle(w.cos_theta1, w.sin_theta1);
-    q[2] = inverse::output_angle(w.cos_theta3, w.sin_theta3);
+    q[2] = inverse::output_angle(w.cos_theta3, w.sin_theta3, w.length_theta3);
     inverse::append(found, q, k0, w.branch.continuum);
   }
   return !w.branch.doubtful;
@@ -76,7 +76,7 @@ using Visited = inverse::Visited<double, 2, 2>;
     solve_theta3(t, p);
     q[1] = inverse::output_angle(p.cos_theta2, p.sin_theta2);
     q[0] = inverse::output_angle(p.cos_theta1, p.sin_theta1);
-    q[2] = inverse::output_angle(p.cos_theta3, p.sin_theta3);
+    q[2] = inverse::output_angle(p.cos_theta3, p.sin_theta3, p.length_theta3);
     inverse::append(found, q, k0, p.branch.continuum);
   }
   return w.branch.doubtful;
@@ -127,7 +127,7 @@ Target given([[maybe_unused]] const Geometry& g, double tolerance, const inverse
     if (!w.branch.exists) break;
     solve_theta1(t, w);
     q[1] = inverse::output_angle(w.cos_theta2, w.sin_theta2);
-    q[0] = inverse::output_angle(w.cos_theta1, w.sin_theta1);
+    q[0] = inverse::output_angle(w.cos_theta1, w.sin_theta1, w.length_theta1);
     inverse::append(found, q, k0, w.branch.continuum);
   }
   return !w.branch.doubtful;
@@ -153,7 +153,7 @@ using Visited = inverse::Visited<double, 2, 2>;
     const auto place = solve_arm(t, p);
     if (!visited.take(k0, p.branch.exists, place)) continue;
     q[1] = inverse::output_angle(p.cos_theta2, p.sin_theta2);
-    q[0] = inverse::output_angle(p.cos_theta1, p.sin_theta1);
+    q[0] = inverse::output_angle(p.cos_theta1, p.sin_theta1, p.length_theta1);
     inverse::append(found, q, k0, p.branch.continuum);
   }
   return w.branch.doubtful;

@@ -49,13 +49,13 @@ Target given([[maybe_unused]] const Geometry& g, double tolerance, const inverse
       solve_half_theta3(t, w);
       q[1] = w.d2;
       const auto angles = solve_wrist(t, w);
-      q[3] = angles.first;
-      q[4] = angles.middle;
-      q[5] = angles.last;
+      q[3] = angles.one.first;
+      q[4] = angles.one.middle;
+      q[5] = angles.one.last;
       inverse::append(found, q, 2 * (2 * k0 + k1), w.branch.continuum);
-      q[3] = inverse::opposite(angles.first, inverse::pi<double>());
-      q[4] = inverse::negative(angles.middle, inverse::pi<double>());
-      q[5] = inverse::opposite(angles.last, inverse::pi<double>());
+      q[3] = angles.other.first;
+      q[4] = angles.other.middle;
+      q[5] = angles.other.last;
       inverse::append(found, q, 2 * (2 * k0 + k1) + 1, w.branch.continuum);
     }
   }
@@ -89,13 +89,13 @@ using Visited = inverse::Visited<double, 3, 8>;
       solve_half_theta1(t, p);
       solve_half_theta3(t, p);
       const auto angles = solve_wrist(t, p);
-      q[3] = angles.first;
-      q[4] = angles.middle;
-      q[5] = angles.last;
+      q[3] = angles.one.first;
+      q[4] = angles.one.middle;
+      q[5] = angles.one.last;
       inverse::append(found, q, 2 * (2 * k0 + k1), p.branch.continuum);
-      q[3] = inverse::opposite(angles.first, inverse::pi<double>());
-      q[4] = inverse::negative(angles.middle, inverse::pi<double>());
-      q[5] = inverse::opposite(angles.last, inverse::pi<double>());
+      q[3] = angles.other.first;
+      q[4] = angles.other.middle;
+      q[5] = angles.other.last;
       inverse::append(found, q, 2 * (2 * k0 + k1) + 1, p.branch.continuum);
     }
   }

@@ -29,19 +29,18 @@ namespace {
   q[0] = inverse::output_angle(w.cos_theta1, w.sin_theta1);
   solve_half_theta1_theta2(t, w);
   solve_half_theta3(t, w);
-  q[1] = inverse::output_angle(w.cos_theta2, w.sin_theta2);
+  q[1] = inverse::output_angle(w.cos_theta2, w.sin_theta2, w.length_theta2);
   const auto angles = solve_wrist(t, w);
-  const Pack pi = inverse::pi<Pack>();
-  q[3] = angles.first;
-  q[4] = angles.middle;
-  q[5] = angles.last;
+  q[3] = angles.one.first;
+  q[4] = angles.one.middle;
+  q[5] = angles.one.last;
   Pack twin[6];
   twin[0] = q[0];
   twin[1] = q[1];
   twin[2] = q[2];
-  twin[3] = inverse::opposite(angles.first, pi);
-  twin[4] = inverse::negative(angles.middle, pi);
-  twin[5] = inverse::opposite(angles.last, pi);
+  twin[3] = angles.other.first;
+  twin[4] = angles.other.middle;
+  twin[5] = angles.other.last;
   rows.append(q, twin, w.branch, 0);
   return rows.count(w.branch);
 }

@@ -45,7 +45,7 @@ Target given([[maybe_unused]] const Geometry& g, double tolerance, const inverse
       }
       solve_theta2(t, w);
       q[2] = w.d3;
-      q[1] = inverse::output_angle(w.cos_theta2, w.sin_theta2);
+      q[1] = inverse::output_angle(w.cos_theta2, w.sin_theta2, w.length_theta2);
       inverse::append(found, q, 2 * k0 + k1, w.branch.continuum);
     }
   }
@@ -75,7 +75,7 @@ using Visited = inverse::Visited<double, 3, 4>;
       if (!visited.take(2 * k0 + k1, p.branch.exists, place)) continue;
       q[0] = inverse::output_angle(p.cos_theta1, p.sin_theta1);
       q[2] = p.d3;
-      q[1] = inverse::output_angle(p.cos_theta2, p.sin_theta2);
+      q[1] = inverse::output_angle(p.cos_theta2, p.sin_theta2, p.length_theta2);
       inverse::append(found, q, 2 * k0 + k1, p.branch.continuum);
     }
   }

@@ -53,7 +53,7 @@ Target given([[maybe_unused]] const Geometry& g, double tolerance, const inverse
         solve_theta4(t, w);
         q[2] = inverse::output_angle(w.cos_theta3, w.sin_theta3);
         q[1] = inverse::output_angle(w.cos_theta2, w.sin_theta2);
-        q[3] = inverse::output_angle(w.cos_theta4, w.sin_theta4);
+        q[3] = inverse::output_angle(w.cos_theta4, w.sin_theta4, w.length_theta4);
         inverse::append(found, q, 2 * (2 * k0 + k1) + k2, w.branch.continuum);
       }
     }
@@ -95,7 +95,7 @@ using Visited = inverse::Visited<double, 6, 8>;
         q[5] = inverse::output_angle(p.cos_theta6, p.sin_theta6);
         q[2] = inverse::output_angle(p.cos_theta3, p.sin_theta3);
         q[1] = inverse::output_angle(p.cos_theta2, p.sin_theta2);
-        q[3] = inverse::output_angle(p.cos_theta4, p.sin_theta4);
+        q[3] = inverse::output_angle(p.cos_theta4, p.sin_theta4, p.length_theta4);
         inverse::append(found, q, 2 * (2 * k0 + k1) + k2, p.branch.continuum);
       }
     }
@@ -130,7 +130,7 @@ Solutions inverse_kinematics(const Pose<double>& pose, const Geometry& g, double
     inverse::Form form) {
   Solutions found;
   if (!inverse::is_within(pose, 1.192509, tolerance)) {
-    found.status = is_valid(pose) ? Status::unreachable : Status::invalid;
+    found.status = inverse::status_beyond(pose);
     return found;
   }
 

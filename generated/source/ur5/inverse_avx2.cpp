@@ -38,7 +38,7 @@ namespace {
     q[2] = inverse::output_angle(w.cos_theta3, w.sin_theta3);
     solve_theta4(t, w);
     q[1] = inverse::output_angle(w.cos_theta2, w.sin_theta2);
-    q[3] = inverse::output_angle(w.cos_theta4, w.sin_theta4);
+    q[3] = inverse::output_angle(w.cos_theta4, w.sin_theta4, w.length_theta4);
     rows.append(q, w.branch, 4 * k0);
   }
   return rows.count(w.branch);

@@ -101,7 +101,11 @@ Values target(const model::Bindings& geometry, const Pair& pose) {
   Values values;
   for (const auto& [name, value] : geometry) values[name] = Real(value);
   const std::array<const char*, 4> parts = {"_w", "_x", "_y", "_z"};
-  for (std::size_t i = 0; i < 4; ++i) values[derive::inverse::pose_quaternion + std::string(parts[i])] = pose.q[i];
+  for (std::size_t i = 0; i < 4; ++i) {
+    values[derive::inverse::pose_quaternion + std::string(parts[i])] = pose.q[i];
+    values[derive::inverse::pose_given + std::string(parts[i])] = pose.q[i];
+  }
+  values[derive::inverse::pose_scale] = Real(1);
   for (std::size_t i = 0; i < 3; ++i) values[derive::inverse::pose_position + std::string(parts[i + 1])] = pose.p[i];
   return values;
 }

@@ -52,10 +52,7 @@ void wrist(const LoweredPlan& plan, const Step& step) {
     const auto angles = oblique_wrist<Counted>(u, v, shape, 1, 0, 1e-12, pi, branch);
     wrapped(Counted(angles.middle - arctangent(Counted(0.1), Counted(0.9))), pi);
   } else if (plan.plan.wrist.ends_the_plan) {
-    const auto angles = right_wrist<Counted>(u, v, plan.plan.wrist.middle_swapped, 0, pi, branch);
-    opposite(angles.first, pi);
-    negative(angles.middle, pi);
-    opposite(angles.last, pi);
+    right_wrist<Counted>(u, v, plan.plan.wrist.middle_swapped, 0, pi, branch);
   } else {
     right_wrist_turns<Counted>(u, v, plan.plan.wrist.middle_swapped, {1, 0}, 1, Boundary::plain(default_tolerance), branch);
   }
@@ -65,7 +62,9 @@ Rotor directed(const Step& step, const Rotor& turn, const Counted& tiny, qvgen::
   Counted length;
   using namespace qvgen::inverse;
   if (step.joint < 0) return chosen_direction<Counted>(turn, {1, 0}, Boundary::plain(default_tolerance), branch);
-  return step.unit ? direction<Counted>(turn, tiny, {1, 0}, branch) : span<Counted>(turn, tiny, {qvgen::inverse::brief_length, 0}, length, branch);
+  if (step.unit) return direction<Counted>(turn, tiny, {1, 0}, branch);
+  const Rotor brief{qvgen::inverse::brief_length, 0};
+  return step.length_known ? span_of_length<Counted>(turn, 1, tiny, brief, length, branch) : span<Counted>(turn, tiny, brief, length, branch);
 }
 
 Counted length_of(const Step& step) {

@@ -197,7 +197,9 @@ class Execution {
     if (step.joint < 0) return set(known, chosen_direction(v, choice, boundary(), branch));
     if (step.unit) return set(known, sign * direction(v, tiny(step.degree), choice, branch));
     Real length;
-    set(known, sign * span(v, tiny(step.degree), Real(brief_length) * choice, length, branch));
+    const Rotor brief = Real(brief_length) * choice;
+    set(known, sign * (step.length_known ? span_of_length(v, in.at("length"), tiny(step.degree), brief, length, branch)
+                                         : span(v, tiny(step.degree), brief, length, branch)));
     known["length_" + step.unknown] = length;
     known["result"] = sign * length;
   }
@@ -265,8 +267,8 @@ class Execution {
     const Real pi = Real::pi();
     WristAngles<Real> angles;
     if (step.kind == Kind::right_wrist) {
-      angles = right_wrist(u, v, plan_.plan.wrist.middle_swapped, Real(0), pi, branch);
-      if (k == 1) angles = {opposite(angles.first, pi), -angles.middle, opposite(angles.last, pi)};
+      const auto both = right_wrist(u, v, plan_.plan.wrist.middle_swapped, Real(0), pi, branch);
+      angles = k == 0 ? both.one : both.other;
     } else {
       angles = oblique_wrist(u, v, shape(in), Real(k == 0 ? 1 : -1), Real(0), tolerance(), pi, branch);
       angles.middle = wrapped(Real(angles.middle - atan2(in.at("sine_delta"), in.at("cosine_delta"))), pi);

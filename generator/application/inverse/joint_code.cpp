@@ -5,6 +5,17 @@
 
 namespace qvgen::application {
 
+namespace {
+
+/// How long the pair is that a joint's angle is taken of, unless it is 1.
+std::string length_argument(const LoweredPlan& plan, const derive::inverse::JointValue& value, const std::string& work) {
+  for (const derive::inverse::Step& step : plan.plan.steps)
+    if (!step.unit && value.cosine == "cos_" + step.unknown) return ", " + work + ".length_" + step.unknown;
+  return {};
+}
+
+}  // namespace
+
 std::string joint_place(int joint) { return "q[" + std::to_string(joint) + "]"; }
 
 std::vector<std::string> joint_lines(const model::Robot& robot, const LoweredPlan& plan, const derive::inverse::Step& step,
@@ -12,8 +23,8 @@ std::vector<std::string> joint_lines(const model::Robot& robot, const LoweredPla
   std::vector<std::string> lines;
   const auto add = [&](int joint) {
     const auto& value = plan.plan.joints[static_cast<std::size_t>(joint)];
-    const std::string field = value.revolute ? "inverse::output_angle(" + work + "." + value.cosine + ", " + work + "." + value.sine + ")" : work + "." + value.cosine;
-    lines.push_back(joint_place(joint) + " = " + field + ";");
+    const std::string pair = work + "." + value.cosine + ", " + work + "." + value.sine + length_argument(plan, value, work);
+    lines.push_back(joint_place(joint) + " = " + (value.revolute ? "inverse::output_angle(" + pair + ")" : work + "." + value.cosine) + ";");
   };
   if (step.turns.empty() && step.joint >= 0) add(step.joint);
   for (const std::string& turn : step.turns)

@@ -134,10 +134,9 @@ class Lanes {
       return;
     }
     line("const auto angles = " + call(i) + ";");
-    line("const Pack pi = inverse::pi<Pack>();");
-    set("q", "angles.first", "angles.middle", "angles.last");
+    set("q", "angles.one.first", "angles.one.middle", "angles.one.last");
     copy();
-    set("twin", "inverse::opposite(angles.first, pi)", "inverse::negative(angles.middle, pi)", "inverse::opposite(angles.last, pi)");
+    set("twin", "angles.other.first", "angles.other.middle", "angles.other.last");
     line("rows.append(q, twin, w.branch, " + label(2) + ");");
   }
 

@@ -149,10 +149,9 @@ class Nest {
     }
     line("const auto angles = " + call(i) + ";");
     const std::string both = labels_.empty() ? "" : "2 * (" + labels_ + ")";
-    set("angles.first", "angles.middle", "angles.last");
+    set("angles.one.first", "angles.one.middle", "angles.one.last");
     append("q", both.empty() ? "0" : both);
-    const std::string pi = ", inverse::pi<double>())";
-    set("inverse::opposite(angles.first" + pi, "inverse::negative(angles.middle" + pi, "inverse::opposite(angles.last" + pi);
+    set("angles.other.first", "angles.other.middle", "angles.other.last");
     append("q", both.empty() ? "1" : both + " + 1");
   }
 

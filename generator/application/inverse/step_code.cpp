@@ -92,7 +92,8 @@ std::string direction(const Step& step) {
   // What a sum of angles shall be is worked out before.
   if (step.joint < 0)
     return "inverse::chosen_direction<Scalar>(" + rotor("x", "y") + ", " + rotor("choice_x", "choice_y") + ", t.boundary, w.branch)";
-  return std::string("inverse::") + (step.unit ? "direction" : "span") + "<Scalar>(" + rotor("x", "y") + ", " + tiny(step) + ", " +
+  const std::string block = step.unit ? "direction" : step.length_known ? "span_of_length" : "span";
+  return "inverse::" + block + "<Scalar>(" + rotor("x", "y") + (step.length_known ? ", length, " : ", ") + tiny(step) + ", " +
          choice(step.joint, step.unit ? "turn" : "brief") + ", " + (step.unit ? "" : length_place(step.unknown) + ", ") + "w.branch)";
 }
 
@@ -141,7 +142,7 @@ std::pair<std::string, std::string> block(const LoweredPlan& plan, const Step& s
       const std::string swapped = plan.plan.wrist.middle_swapped ? "true" : "false";
       const std::string uv = rotor("u_x", "u_y") + ", " + rotor("v_x", "v_y") + ", " + swapped + ", ";
       if (ends(plan, step))
-        return {"inverse::WristAngles<Scalar>", "inverse::right_wrist<Scalar>(" + uv + preferred_angle(plan.plan.wrist.joints[0]) +
+        return {"inverse::WristBranches<Scalar>", "inverse::right_wrist<Scalar>(" + uv + preferred_angle(plan.plan.wrist.joints[0]) +
                                                     ", inverse::pi<Scalar>(), w.branch)"};
       return {"inverse::WristTurns<Scalar>", "inverse::right_wrist_turns<Scalar>(" + uv + rotor("choice_x", "choice_y") + ", sign, t.boundary, w.branch)"};
     }

@@ -196,8 +196,9 @@ void Builder::turn_by_distance(const Screw& screw, int sign, const Flat& v, cons
   set_turn(step, screw, result_turn());
 }
 
-void Builder::turn_by_pair(const Screw& screw, const Flat& direction, const std::string& equation) {
+void Builder::turn_by_pair(const Screw& screw, const Flat& direction, const std::string& equation, const ex& length) {
   Step& step = add(Kind::pair, &screw, 1, equation);
+  step.length = length;
   step.degree = 4;
   step.before.output("x", direction.x);
   step.before.output("y", direction.y);

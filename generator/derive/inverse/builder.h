@@ -62,7 +62,8 @@ class Builder {
   void turn_by_distance(const Screw& screw, int sign, const Flat& v, const Flat& x0, const GiNaC::ex& square,
                         const std::string& equation);
   /// (cos q, sin q) along the direction.
-  void turn_by_pair(const Screw& screw, const Flat& direction, const std::string& equation);
+  /// `length`: the direction's, if it is known without a root.
+  void turn_by_pair(const Screw& screw, const Flat& direction, const std::string& equation, const GiNaC::ex& length = 0);
   /// The same for a sum of angles, which is `choice` where it is free: names cos_NAME, sin_NAME. The direction is a number.
   Scope::Turn turn_by_pair(const std::string& name, const Flat& direction, const Scope::Turn& choice, const std::string& equation);
   void slide_by_root(const Screw& screw, const GiNaC::ex& foot, const GiNaC::ex& square, const GiNaC::ex& height_square,

@@ -6,7 +6,9 @@
 #include "derive/inverse/attempt.h"
 #include "derive/inverse/freedom.h"
 #include "derive/inverse/lengths.h"
+#include "derive/inverse/results.h"
 #include "derive/inverse/schedule.h"
+#include "derive/inverse/target.h"
 
 namespace qvgen::derive::inverse {
 
@@ -26,6 +28,8 @@ Derivation first_of(const model::Robot& robot, const std::vector<Method>& method
     }
     schedule(attempt.plan);
     spare_lengths(attempt.plan, attempt.scope);
+    read_results(attempt.plan, attempt.scope);
+    if (attempt.plan.quartic()) read_unit_quaternion(attempt.plan.target);
     prune(attempt.plan);
     for (const Step& step : attempt.plan.steps) attempt.plan.capacity *= step.branches;
     derivation.plan = std::move(attempt.plan);

@@ -10,6 +10,9 @@ namespace qvgen::derive::inverse {
 /// cosine and sine of a locked joint.
 inline constexpr const char* pose_quaternion = "pose_q";
 inline constexpr const char* pose_position = "pose_p";
+/// The quaternion as it was given, of any length, and 1 / its square: the rotation matrix does not wait for a unit one.
+inline constexpr const char* pose_given = "pose_r";
+inline constexpr const char* pose_scale = "pose_s";
 inline constexpr const char* locked_joint = "locked";
 /// Defined by every target program: the square of a length of the arm's size, for telling noise from values.
 inline constexpr const char* size_square = "size_square";

@@ -78,6 +78,8 @@ void spare_lengths(Plan& plan, const Scope& scope) {
     const std::optional<Program> after = by_length(step, names, scope);
     if (!after) continue;
     step.unit = false;
+    step.length_known = !step.length.is_zero();
+    if (step.length_known) step.before.output("length", step.length);
     step.after = *after;
     for (Step& other : plan.steps)
       if (other.kind == Kind::half && names.are_read_by(other)) other.lengths.push_back(step.unknown);

@@ -52,6 +52,8 @@ struct Step {
   };
   std::vector<Seed> seeds;           ///< reach: the joints whose angles, with their senses, add up to the free one
   bool unit = true;                  ///< pair, opposite: the direction is brought to length one
+  GiNaC::ex length;                  ///< pair: the direction's length, zero if it is not known without a root
+  bool length_known = false;         ///< the same as an input of the block, of a direction that is left as long as it is
   std::vector<std::string> lengths;  ///< half: the unknowns among its angle's terms that are not
   std::vector<std::string> kept;     ///< those of `after` that a later step or the result reads
   std::string equation;              ///< in words and symbols, for people

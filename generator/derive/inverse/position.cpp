@@ -62,8 +62,8 @@ class Position {
     turn_or_slide(u, b_.axis, w.form(b_.axis, scope_).constant, "height along the axis of " + b_.variable + ": the same",
                   within_distances(u, w));
     keep_flat(u);
-    const ex square = builder_.keep("square_" + name(w), square_of(flats_[name(u)].x) + square_of(flats_[name(u)].y));
-    return by_distance(w, b_.point, square, true);
+    common_square_ = builder_.keep("square_" + name(w), square_of(flats_[name(u)].x) + square_of(flats_[name(u)].y));
+    return by_distance(w, b_.point, common_square_, true);
   }
 
   /// The distance from r holds `u` alone; then the height gives `w` (or its own distance from its own point).
@@ -197,7 +197,8 @@ class Position {
     keep_flat(a_);
     keep_flat(c_);
     const Flat turn = flats_[name(a_)] * conjugate(flats_[name(c_)]);
-    builder_.turn_by_pair(b_, turn, "the turn about the axis of " + b_.variable + " from one side's point to the other's");
+    builder_.turn_by_pair(b_, turn, "the turn about the axis of " + b_.variable + " from one side's point to the other's",
+                          common_square_);
   }
 
   // --- the outer joints when b is prismatic
@@ -319,6 +320,7 @@ class Position {
   Vector goal_;
   std::set<std::string> kept_;
   std::map<std::string, Flat> flats_;
+  ex common_square_;  ///< of both points' distances from axis b, where the equation of one joint is that they agree
 };
 
 }  // namespace

@@ -85,6 +85,16 @@ Quaternion Scope::quaternion(const std::string& prefix) {
           add(prefix + "_z", values[3])};
 }
 
+Quaternion Scope::unscaled(const std::string& prefix, const std::string& scale, const Quaternion& unit) {
+  const auto same = [&](const std::string& part, const ex& value) {
+    std::array<ex, points> values;
+    for (std::size_t i = 0; i < points; ++i) values[i] = samples_[i].at(value);
+    return add(prefix + part, values);
+  };
+  add(scale, {1, 1, 1});
+  return {same("_w", unit.w), same("_x", unit.x), same("_y", unit.y), same("_z", unit.z)};
+}
+
 bool Scope::is_zero(const ex& value) const {
   if (value.is_zero()) return true;
   if (GiNaC::is_a<numeric>(value)) return false;

@@ -20,6 +20,8 @@ class Scope {
   explicit Scope(const model::Robot& robot);
 
   symbolic::Quaternion quaternion(const std::string& prefix);
+  /// A quaternion that is the same but for its length, whose inverse square is the symbol `scale`.
+  symbolic::Quaternion unscaled(const std::string& prefix, const std::string& scale, const symbolic::Quaternion& unit);
   symbolic::Vector vector(const std::string& prefix);
   GiNaC::ex length(const std::string& name);
   struct Turn {

@@ -2,6 +2,7 @@
 #include "derive/inverse/target.h"
 
 #include "derive/inverse/inverse.h"
+#include "symbolic/model.h"
 
 namespace qvgen::derive::inverse {
 
@@ -10,12 +11,27 @@ using symbolic::Vector;
 Target::Target(Builder& builder, const symbolic::Pair& home) : builder_(builder), home_(home) {
   Scope& scope = builder.scope();
   pose_ = {scope.quaternion(pose_quaternion), scope.vector(pose_position)};
-  const symbolic::Matrix3 matrix = symbolic::to_matrix(pose_.q);
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j)
-      matrix_[i][j] = scope.define(builder.plan().target, "turn_" + std::to_string(i + 1) + std::to_string(j + 1), matrix[i][j]);
+  const symbolic::Quaternion q = scope.unscaled(pose_given, pose_scale, pose_.q);
+  const symbolic::Matrix3 matrix = symbolic::to_matrix(q);
+  const GiNaC::ex scale = symbolic::symbol(pose_scale);
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      const GiNaC::ex unit = i == j ? 1 : 0;
+      matrix_[i][j] = scope.define(builder.plan().target, "turn_" + std::to_string(i + 1) + std::to_string(j + 1), unit - scale * (unit - matrix[i][j]));
+    }
+  }
   const Vector wide{pose_.p.x, pose_.p.y, pose_.p.z};
   scope.define(builder.plan().target, size_square, dot(wide, wide) + scope.clean(dot(home.p, home.p)));
+}
+
+void read_unit_quaternion(symbolic::Program& program) {
+  GiNaC::exmap unit = {{symbolic::symbol(pose_scale), 1}};
+  for (const char* part : {"_w", "_x", "_y", "_z"})
+    unit[symbolic::symbol(std::string(pose_given) + part)] = symbolic::symbol(std::string(pose_quaternion) + part);
+  symbolic::Program result;
+  for (const symbolic::Program::Step& step : program.steps()) result.append({step.name, step.value.subs(unit)});
+  for (const symbolic::Program::Output& output : program.outputs()) result.output(output.name, output.value.subs(unit));
+  program = result;
 }
 
 Vector Target::image(const Vector& x) const {

@@ -46,11 +46,23 @@ Scalar pi() {
   return Scalar(3.14159265358979323846);
 }
 
-/// Angle in (-pi, pi], rad: -pi, which a negative zero or a rounded sine would give, is pi.
+/// Angle in (-pi, pi], rad, of a pair of the given length: -pi, which a negative zero or a rounded sine would give, is pi.
 template <typename Scalar>
-Scalar output_angle(const Scalar& cosine, const Scalar& sine) {
-  const Scalar value = arctangent(sine, cosine);
-  return select(value <= -pi<Scalar>(), pi<Scalar>(), value);
+Scalar output_angle(const Rotor<Scalar>& rotor, const Scalar& length, const Scalar& pi) {
+  const Scalar value = arctangent(rotor.sine, rotor.cosine, length);
+  return select(value <= -pi, pi, value);
+}
+
+/// The same and the angle of the opposite direction.
+template <typename Scalar>
+Opposites<Scalar> output_angles(const Rotor<Scalar>& rotor, const Scalar& length, const Scalar& pi) {
+  const Opposites<Scalar> value = opposite_arctangents(rotor.sine, rotor.cosine, length, pi);
+  return {select(value.one <= -pi, pi, value.one), select(value.other <= -pi, pi, value.other)};
+}
+
+template <typename Scalar>
+Scalar output_angle(const Scalar& cosine, const Scalar& sine, const Scalar& length = Scalar(1)) {
+  return output_angle(Rotor<Scalar>{cosine, sine}, length, pi<Scalar>());
 }
 
 /// A pair brought to length one. Where its squared length is below `tiny`, any direction will do: the caller's choice is
@@ -70,17 +82,34 @@ Rotor<Scalar> direction(const Rotor<Scalar>& v, const Scalar& tiny, const Rotor<
 /// Length of a choice that takes the place of a direction without length: as good as zero, and far from underflow.
 inline constexpr double brief_length = 0x1p-100;
 
-/// A pair left as long as it is, and its length. A free one is the caller's choice, of `brief_length`: what is computed from
-/// its length is then as good as zero, as it should be, and its direction is still exact.
+/// A pair left as long as it is. A free one is the caller's choice, of `brief_length`: what is computed from its length is
+/// then as good as zero, as it should be, and its direction is still exact. `length` is known for the others.
+template <typename Scalar>
+Rotor<Scalar> chosen_if_free(const Rotor<Scalar>& v, const Mask<Scalar>& is_free, const Rotor<Scalar>& brief_choice, Scalar& length,
+                             Branch<Scalar>& branch) {
+  if (!any(is_free)) return v;
+  branch.continuum = branch.continuum | (branch.exists & is_free);
+  length = select(is_free, Scalar(brief_length), length);
+  return {select(is_free, brief_choice.cosine, v.cosine), select(is_free, brief_choice.sine, v.sine)};
+}
+
+/// The same, and its length.
 template <typename Scalar>
 Rotor<Scalar> span(const Rotor<Scalar>& v, const Scalar& tiny, const Rotor<Scalar>& brief_choice, Scalar& length,
                    Branch<Scalar>& branch) {
   using std::sqrt;
   const Scalar square = v.cosine * v.cosine + v.sine * v.sine;
-  const Mask<Scalar> is_free = square <= tiny;
-  branch.continuum = branch.continuum | (branch.exists & is_free);
-  length = select(is_free, Scalar(brief_length), sqrt(square));
-  return {select(is_free, brief_choice.cosine, v.cosine), select(is_free, brief_choice.sine, v.sine)};
+  length = sqrt(square);
+  return chosen_if_free(v, Mask<Scalar>(square <= tiny), brief_choice, length, branch);
+}
+
+/// The same where the length is known but for rounding: a Newton step makes it good without waiting for a root.
+template <typename Scalar>
+Rotor<Scalar> span_of_length(const Rotor<Scalar>& v, const Scalar& about, const Scalar& tiny, const Rotor<Scalar>& brief_choice,
+                             Scalar& length, Branch<Scalar>& branch) {
+  const Scalar square = v.cosine * v.cosine + v.sine * v.sine;
+  length = Scalar(0.5) * about + square * (Scalar(0.5) / about);
+  return chosen_if_free(v, Mask<Scalar>(square <= tiny), brief_choice, length, branch);
 }
 
 /// Cosine and sine of half the angle (in (-pi/2, pi/2]) from a normalised pair, accurate near 0 and near pi.

@@ -12,6 +12,24 @@ Scalar arctangent(const Scalar& y, const Scalar& x) {
   return atan2(y, x);
 }
 
+/// The same of a pair whose length is known.
+template <typename Scalar>
+Scalar arctangent(const Scalar& y, const Scalar& x, [[maybe_unused]] const Scalar& length) {
+  return arctangent(y, x);
+}
+
+/// An angle in [-pi, pi] and the one of the opposite direction.
+template <typename Scalar>
+struct Opposites {
+  Scalar one, other;
+};
+
+template <typename Scalar>
+Opposites<Scalar> opposite_arctangents(const Scalar& y, const Scalar& x, const Scalar& length, const Scalar& pi) {
+  const Scalar one = arctangent(y, x, length);
+  return {one, one - with_sign(pi, y)};
+}
+
 /// The same where neither is negative: in [0, pi/2].
 template <typename Scalar>
 Scalar acute_arctangent(const Scalar& y, const Scalar& x) {
@@ -85,9 +103,71 @@ Scalar arctangent(const Scalar& y, const Scalar& x) {
   return with_sign(polynomial::turned_by_arctangent(base, Scalar(rise / found.run)), y);
 }
 
+/// (atan(t)/t - 1) / t² in z = t² <= tan²(pi/8), error below 2^-54 of atan(t)/t.
+template <typename Scalar>
+Scalar short_series(const Scalar& z) {
+  const Scalar z2 = z * z;
+  const Scalar z4 = z2 * z2;
+  const Scalar c01 = Scalar(-0x1.5555555555317p-2) + z * Scalar(0x1.9999999949573p-3);
+  const Scalar c23 = Scalar(-0x1.2492490573282p-3) + z * Scalar(0x1.c71c65cc4b9efp-4);
+  const Scalar c45 = Scalar(-0x1.745bc2e136756p-4) + z * Scalar(0x1.3afc30ebd6b1bp-4);
+  const Scalar c67 = Scalar(-0x1.100504f5a18b1p-4) + z * Scalar(0x1.d252ee2a38bc9p-5);
+  const Scalar c89 = Scalar(-0x1.65109d731968bp-5) + z * Scalar(0x1.5c382b132ec64p-6);
+  return ((c01 + z2 * c23) + (z4 * z4) * c89) + z4 * (c45 + z2 * c67);
+}
+
+/// An angle on its way: `axis` and twice the arctangent of t, |t| <= tan(pi/8), with the signs that are to be.
+template <typename Scalar>
+struct Tangent {
+  Scalar axis, t, sign;
+};
+
+/// With the length at hand half the angle from the nearest axis has the tangent small / (length + large), at most tan(pi/8):
+/// fewer steps than without.
+template <typename Scalar>
+Tangent<Scalar> tangent(const Scalar& y, const Scalar& x, const Scalar& length) {
+  const Scalar height = magnitude(y);
+  const Scalar width = magnitude(x);
+  const Scalar steep = width - height;  // by its sign
+  const Scalar axis = select_by_sign(steep, Scalar(0x1.921fb54442d18p+0), select_by_sign(x, Scalar(0x1.921fb54442d18p+1), Scalar(0)));
+  return {with_sign_bit(axis, y), smaller(height, width) / (length + larger(height, width)), flipped(flipped(x, y), steep)};
+}
+
+/// Twice the arctangent of t, with its sign, and what that is short of.
+template <typename Scalar>
+struct TwiceArctangent {
+  Scalar twice, rest;
+
+  explicit TwiceArctangent(const Tangent<Scalar>& found) {
+    const Scalar z = found.t * found.t;
+    twice = flipped(Scalar(found.t + found.t), found.sign);
+    rest = twice * z * polynomial::short_series(z);
+  }
+  Scalar from(const Scalar& axis) const { return (axis + twice) + rest; }
+};
+
+/// Within 4 ulp if the length is within one; what moves the signs is done beside the quotient.
+template <typename Scalar>
+Scalar arctangent(const Scalar& y, const Scalar& x, const Scalar& length) {
+  const Tangent<Scalar> found = polynomial::tangent(y, x, length);
+  return TwiceArctangent<Scalar>(found).from(found.axis);
+}
+
+/// The opposite angle differs in the axis alone.
+template <typename Scalar>
+Opposites<Scalar> opposite_arctangents(const Scalar& y, const Scalar& x, const Scalar& length, const Scalar& pi) {
+  const Tangent<Scalar> found = polynomial::tangent(y, x, length);
+  const TwiceArctangent<Scalar> angle(found);
+  return {angle.from(found.axis), angle.from(Scalar(found.axis - with_sign_bit(pi, y)))};
+}
+
 }  // namespace polynomial
 
 inline double arctangent(double y, double x) { return polynomial::arctangent(y, x); }
+inline double arctangent(double y, double x, double length) { return polynomial::arctangent(y, x, length); }
+inline Opposites<double> opposite_arctangents(double y, double x, double length, double pi) {
+  return polynomial::opposite_arctangents(y, x, length, pi);
+}
 inline double acute_arctangent(double y, double x) { return polynomial::acute_arctangent(y, x); }
 
 }  // namespace qvgen::inverse

@@ -71,6 +71,13 @@ QVGEN_PACK Pack negated(const PackMask& condition, const Pack& a) {
   return Pack(_mm256_xor_pd(a.lanes, _mm256_and_pd(reinterpret_cast<__m256d>(condition.lanes), sign_bits())));
 }
 QVGEN_PACK Pack with_sign(const Pack& magnitude, const Pack& sign) { return negated(sign < Pack(_mm256_setzero_pd()), magnitude); }
+QVGEN_PACK Pack select_by_sign(const Pack& sign, const Pack& negative, const Pack& otherwise) {
+  return Pack(_mm256_blendv_pd(otherwise.lanes, negative.lanes, sign.lanes));
+}
+QVGEN_PACK Pack with_sign_bit(const Pack& magnitude, const Pack& sign) {
+  return Pack(_mm256_or_pd(magnitude.lanes, _mm256_and_pd(sign.lanes, sign_bits())));
+}
+QVGEN_PACK Pack flipped(const Pack& a, const Pack& sign) { return Pack(_mm256_xor_pd(a.lanes, _mm256_and_pd(sign.lanes, sign_bits()))); }
 
 }  // namespace avx2
 
@@ -82,6 +89,10 @@ struct ScalarTraits<avx2::Pack> {
 
 namespace avx2 {
 QVGEN_PACK Pack arctangent(const Pack& y, const Pack& x) { return polynomial::arctangent(y, x); }
+QVGEN_PACK Pack arctangent(const Pack& y, const Pack& x, const Pack& length) { return polynomial::arctangent(y, x, length); }
+QVGEN_PACK Opposites<Pack> opposite_arctangents(const Pack& y, const Pack& x, const Pack& length, const Pack& pi) {
+  return polynomial::opposite_arctangents(y, x, length, pi);
+}
 QVGEN_PACK Pack acute_arctangent(const Pack& y, const Pack& x) { return polynomial::acute_arctangent(y, x); }
 }  // namespace avx2
 

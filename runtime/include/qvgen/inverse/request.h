@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 
+#include <qvgen/inverse/solutions.h>
 #include <qvgen/inverse/target.h>
 #include <qvgen/pose.h>
 
@@ -29,6 +30,13 @@ inline bool is_within(const Pose<double>& pose, double reach, double tolerance) 
   const double square = reach * reach;
   return std::abs(unit_excess(pose)) <= unit_tolerance<double>() &&
          pose.position.squaredNorm() <= square * (1 + 1e-6) + 80 * square * tolerance;
+}
+
+/// Why a pose that is not within has no solutions.
+inline Status status_beyond(const Pose<double>& pose) {
+  // A sum of squares is finite wherever they are; the opposite need not hold.
+  const bool finite = pose.position.squaredNorm() < std::numeric_limits<double>::infinity() || pose.position.allFinite();
+  return std::abs(unit_excess(pose)) <= unit_tolerance<double>() && finite ? Status::unreachable : Status::invalid;
 }
 
 /// A rotation matrix by its entries: orthogonal with determinant 1 to within the tolerance of a pose's quaternion.

@@ -36,9 +36,10 @@ Rotor<Scalar> circle_angle(const Scalar& low, const Scalar& high, const Scalar& 
   const Scalar sine2 = low * scale;
   const Scalar cosine2 = high * scale;
   admit(smaller(sine2, cosine2), Limits<Scalar>(boundary), nearly_free, branch);
-  const Scalar s = larger(sine2, Scalar(boundary.floor));
-  const Scalar c = larger(cosine2, Scalar(boundary.floor));
-  return {c - s, (Scalar(2) * sign) * sqrt(Scalar(s * c))};
+  const Scalar floor(boundary.floor);
+  // The root of low * high, which need not wait for the shares.
+  const Scalar height = sqrt(larger(Scalar(low * high), boundary.floor == 0 ? floor : Scalar(floor / (scale * scale))));
+  return {larger(cosine2, floor) - larger(sine2, floor), (Scalar(2) * sign * magnitude(scale)) * height};
 }
 
 /// Whether a direction of the given square is nearly free, or the nearer end of its range so near that earlier equations,

@@ -35,6 +35,8 @@ struct PoseNumbers {
 /// 1 / |q| of a valid pose's quaternion from |q|² - 1, which `unit_tolerance` keeps so small that its third power is below
 /// rounding.
 [[gnu::always_inline]] inline double unit_scale(double excess) { return 1 + excess * (-0.5 + 0.375 * excess); }
+/// 1 / |q|², the same way.
+[[gnu::always_inline]] inline double square_scale(double excess) { return 1 + excess * (excess - 1); }
 
 /// The part of a generated Target that is the same for every robot. Nothing but numbers, without Eigen: files that are
 /// compiled for other machines than the rest read it.

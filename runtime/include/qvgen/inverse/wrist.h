@@ -58,26 +58,60 @@ void arguments(const Rotor<Scalar>& u, const Rotor<Scalar>& v, const Vanishing<S
   branch.continuum = branch.continuum | (branch.exists & (is_free.u | is_free.v));
 }
 
+/// A wrist's two branches: (first, middle, last) and (first + pi, -middle, last + pi).
+template <typename Scalar>
+struct WristBranches {
+  WristAngles<Scalar> one, other;
+
+  WristBranches(const Opposites<Scalar>& first, const Scalar& middle, const Opposites<Scalar>& last, const Scalar& pi)
+      : one{first.one, middle, last.one}, other{first.other, negative(middle, pi), last.other} {}
+};
+
+/// Where u or v vanishes first is the choice, what is left follows from the other number, the middle angle is 0 or pi.
+/// Elsewhere the branches stay as they are.
+template <typename Scalar>
+WristBranches<Scalar> aligned_wrist(const WristBranches<Scalar>& regular, const Rotor<Scalar>& u, const Rotor<Scalar>& v,
+                                    const Vanishing<Scalar>& is_free, bool swapped, const Scalar& choice, const Scalar& pi) {
+  const Mask<Scalar> any_free = is_free.u | is_free.v;
+  const Scalar half = arctangent(select(is_free.u, v.sine, u.sine), select(is_free.u, v.cosine, u.cosine));
+  const Scalar rest = Scalar(2) * half - choice;
+  const Scalar first = select(any_free, wrapped(choice, pi), regular.one.first);
+  const Scalar last = select(any_free, wrapped(select(is_free.u, Scalar(-rest), rest), pi), regular.one.last);
+  const Scalar straight = select(swapped ? is_free.u : is_free.v, Scalar(0), pi);
+  const auto both = [&](const Scalar& angle, const Scalar& other) {
+    return Opposites<Scalar>{angle, select(any_free, opposite(angle, pi), other)};
+  };
+  return {both(first, regular.other.first), select(any_free, straight, regular.one.middle), both(last, regular.other.last), pi};
+}
+
 /// Wrist with right angles between neighbouring axes: the thesis's Euler wrist in half-angle form.
 ///
 /// u, v: the entries of the wrist's SU(2) matrix, of any length, turned so that first = arg u + arg v, last = arg u - arg v and
-/// middle = 2 atan2(|v|, |u|), in [0, pi] (with `swapped` the other way round). The second branch is (first + pi, -middle, last + pi). Accurate at
-/// middle = 0 and pi, where v or u vanishes: there first - last or first + last is free.
+/// middle = 2 atan2(|v|, |u|), in [0, pi] (with `swapped` the other way round). Accurate at middle = 0 and pi, where v or u
+/// vanishes: there first - last or first + last is free.
 template <typename Scalar>
-WristAngles<Scalar> right_wrist(const Rotor<Scalar>& u, const Rotor<Scalar>& v, bool swapped, const Scalar& seed,
-                                const Scalar& pi, Branch<Scalar>& branch) {
+WristBranches<Scalar> right_wrist(const Rotor<Scalar>& u, const Rotor<Scalar>& v, bool swapped, const Scalar& seed,
+                                  const Scalar& pi, Branch<Scalar>& branch) {
   using std::sqrt;
   const Scalar u_square = u.cosine * u.cosine + u.sine * u.sine;
   const Scalar v_square = v.cosine * v.cosine + v.sine * v.sine;
+  // |u v|, of which all three angles' tangents are made: sums of arguments are the arguments of products.
+  const Scalar product = sqrt(Scalar(u_square * v_square));
+  const Scalar gap = swapped ? Scalar(v_square - u_square) : Scalar(u_square - v_square);
+  const Scalar sum = u_square + v_square;
+  const Scalar cc = u.cosine * v.cosine;
+  const Scalar ss = u.sine * v.sine;
+  const Scalar cs = u.cosine * v.sine;
+  const Scalar sc = u.sine * v.cosine;
+  const Opposites<Scalar> first = output_angles(Rotor<Scalar>{cc - ss, sc + cs}, product, pi);
+  const Opposites<Scalar> last = output_angles(Rotor<Scalar>{cc + ss, sc - cs}, product, pi);
+  const Scalar middle = arctangent(product, Scalar(Scalar(0.5) * gap), Scalar(Scalar(0.5) * sum));
+  const WristBranches<Scalar> regular(first, middle, last, pi);
   const Vanishing<Scalar> is_free = vanishing(u_square, v_square);
-  // What is noise is zero to the middle angle too, or the chosen first angle would turn about a slanting axis.
-  const Scalar u_length = select(is_free.u, Scalar(0), sqrt(u_square));
-  const Scalar v_length = select(is_free.v, Scalar(0), sqrt(v_square));
-  Scalar u_argument;
-  Scalar v_argument;
-  arguments(u, v, is_free, seed, u_argument, v_argument, branch);
-  return {wrapped(Scalar(u_argument + v_argument), pi), Scalar(2) * (swapped ? acute_arctangent(u_length, v_length) : acute_arctangent(v_length, u_length)),
-          wrapped(Scalar(u_argument - v_argument), pi)};
+  const Mask<Scalar> any_free = is_free.u | is_free.v;
+  if (!any(any_free)) return regular;
+  branch.continuum = branch.continuum | (branch.exists & any_free);
+  return aligned_wrist(regular, u, v, is_free, swapped, seed, pi);
 }
 
 /// A wrist's angles as cosines and sines, for arms that go on from there.
