@@ -208,7 +208,7 @@ TEST(ObliqueWrist, ItsTurnsAreItsAngles) {
     const Rotor<double> u12 = v / std::hypot(along_v.cosine, along_v.sine) * along_v;
     for (const double sign : {1.0, -1.0}) {
       Branch<double> branch, other;
-      const auto angles = oblique_wrist(u11, u12, shape, sign, 0.0, 1e-12, 3.14159265358979323846, branch);
+      const auto angles = oblique_wrist(u11, u12, shape, sign, 0.0, plain, 3.14159265358979323846, branch);
       const auto turns = oblique_wrist_turns(u11, u12, shape, {std::cos(delta), std::sin(delta)}, {1, 0}, sign, Boundary::plain(0), other);
       ASSERT_EQ(branch.exists, other.exists);
       ASSERT_EQ(branch.continuum, other.continuum);

@@ -49,7 +49,7 @@ void wrist(const LoweredPlan& plan, const Step& step) {
   if (step.kind == Kind::oblique_wrist && !plan.plan.wrist.ends_the_plan) {
     oblique_wrist_turns<Counted>(u, v, shape, {0.8, 0.6}, {1, 0}, 1, Boundary::plain(default_tolerance), branch);
   } else if (step.kind == Kind::oblique_wrist) {
-    const auto angles = oblique_wrist<Counted>(u, v, shape, 1, 0, 1e-12, pi, branch);
+    const auto angles = oblique_wrist<Counted>(u, v, shape, 1, 0, Boundary::plain(default_tolerance), pi, branch);
     wrapped(Counted(angles.middle - arctangent(Counted(0.1), Counted(0.9))), pi);
   } else if (plan.plan.wrist.ends_the_plan) {
     right_wrist<Counted>(u, v, plan.plan.wrist.middle_swapped, 0, pi, branch);

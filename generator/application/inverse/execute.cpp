@@ -270,7 +270,7 @@ class Execution {
       const auto both = right_wrist(u, v, plan_.plan.wrist.middle_swapped, Real(0), pi, branch);
       angles = k == 0 ? both.one : both.other;
     } else {
-      angles = oblique_wrist(u, v, shape(in), Real(k == 0 ? 1 : -1), Real(0), tolerance(), pi, branch);
+      angles = oblique_wrist(u, v, shape(in), Real(k == 0 ? 1 : -1), Real(0), boundary(), pi, branch);
       angles.middle = wrapped(Real(angles.middle - atan2(in.at("sine_delta"), in.at("cosine_delta"))), pi);
     }
     const std::array<Real, 3> values = {angles.first, angles.middle, angles.last};

@@ -153,7 +153,7 @@ std::pair<std::string, std::string> block(const LoweredPlan& plan, const Step& s
                                                    rotor("choice_x", "choice_y") + ", sign, t.boundary, w.branch)"};
       return {"inverse::WristAngles<Scalar>",
               "inverse::oblique_wrist<Scalar>(" + uv + "sign, " + preferred_angle(plan.plan.wrist.joints[0]) +
-                  ", Scalar(t.boundary.fold), inverse::pi<Scalar>(), w.branch)"};
+                  ", t.boundary, inverse::pi<Scalar>(), w.branch)"};
     }
     case Kind::polish:
     case Kind::linear: return {"", ""};

@@ -33,8 +33,8 @@ enum class Kind {
 /// One step: inputs from `before`, the building block, then named values from `after`.
 ///
 /// Programs are in terms of the target's values, the geometry, and of names that earlier steps gave. The block's
-/// results enter `after` as the symbols cos_result, sin_result (angles) or result (lengths; of a direction that is left as
-/// long as it is, with the branch's sign).
+/// results enter `after` as the symbols cos_result, sin_result (angles), result (lengths; of a direction that is left as
+/// long as it is, with the branch's sign) or result_1, result_2 (two lengths).
 struct Step {
   Kind kind = Kind::linear;
   int joint = -1;                    ///< index of the joint that it determines, -1 if none

@@ -215,8 +215,12 @@ class Position {
   std::string along_axis() {
     const std::optional<Vector> without_a = blind_direction(a_);
     const std::optional<Vector> without_c = blind_direction(c_);
-    if (without_a && c_.depends(*without_a, scope_)) return by_two_planes(c_, a_, *without_a, without_c);
-    if (without_c && a_.depends(*without_c, scope_)) return by_two_planes(a_, c_, *without_c, without_a);
+    const bool c_first = without_a && c_.depends(*without_a, scope_);
+    const bool a_first = without_c && a_.depends(*without_c, scope_);
+    // A turn that the pose may lose comes after a slide, which is then the free one, in reach of the turn.
+    const bool c_may_wait = a_first && c_.screw.revolute && !a_.screw.revolute;
+    if (c_first && !(c_may_wait && !sees_always(c_, *without_a))) return by_two_planes(c_, a_, *without_a, without_c);
+    if (a_first) return by_two_planes(a_, c_, *without_c, without_a);
     if (without_a || without_c) return "a plane along " + b_.variable + " is moved by neither of the other joints";
     if (!a_.screw.revolute || !c_.screw.revolute) return "two parallel prismatic joints";
     if (scope_.is_zero(cross(a_.screw.axis, c_.screw.axis)) && scope_.is_zero(cross(a_.screw.axis, b_.axis)))

@@ -28,7 +28,7 @@ template <int dof>
 struct Solution {
   Eigen::Matrix<double, dof, 1> q;  ///< revolute: rad in (-pi, pi]; prismatic: m
   int branch;                       ///< which sign each step took; stays the same along a continuous path
-  bool continuum;                   ///< true: a free angle was chosen, from the seed or zero
+  bool continuum;                   ///< true: a free joint was chosen, from the seed or zero
 };
 
 /// The solutions of a pose: fixed capacity, no heap, in the order of their branches, none twice.

@@ -193,9 +193,10 @@ std::pair<Rotor<Scalar>, Rotor<Scalar>> oblique_products(const Rotor<Scalar>& u1
   return {Rotor<Scalar>{m11_real, m11_imaginary} * inverse(u11), Rotor<Scalar>{m12_real, m12_imaginary} * inverse(u12)};
 }
 
+/// Beyond the end of its range by less than `Boundary::fold` it is folded; by less than `Boundary::beyond` doubtful.
 template <typename Scalar>
 WristAngles<Scalar> oblique_wrist(const Rotor<Scalar>& u11, const Rotor<Scalar>& u12, const WristShape<Scalar>& shape,
-                                  const Scalar& sign, const Scalar& seed, const Scalar& tolerance, const Scalar& pi,
+                                  const Scalar& sign, const Scalar& seed, const Boundary& boundary, const Scalar& pi,
                                   Branch<Scalar>& branch) {
   using std::sqrt;
   const Scalar zero(0);
@@ -205,7 +206,9 @@ WristAngles<Scalar> oblique_wrist(const Rotor<Scalar>& u11, const Rotor<Scalar>&
   // Where the first or last angle is free the middle one is 0 or pi, which with a right sum or difference is no double root.
   const Mask<Scalar> sine_twin = ((square.sine <= merge_share<Scalar>()) & (!square.right_sum)) | is_free.u;
   const Mask<Scalar> cosine_twin = ((square.cosine <= merge_share<Scalar>()) & (!square.right_difference)) | is_free.v;
-  branch.exists = branch.exists & (margin >= -tolerance) & !((sine_twin | cosine_twin) & (sign < zero));
+  const Mask<Scalar> is_near = margin >= Scalar(-boundary.fold);
+  branch.doubtful = branch.doubtful | (branch.exists & !is_near & (margin > Scalar(-boundary.beyond)));
+  branch.exists = branch.exists & is_near & !((sine_twin | cosine_twin) & (sign < zero));
   const Scalar s = select(sine_twin, zero, sqrt(not_negative(square.sine)));
   const Scalar c = select(cosine_twin, zero, sqrt(not_negative(square.cosine)));
   const auto z = oblique_products(u11, u12, shape, square, s, c, sign);

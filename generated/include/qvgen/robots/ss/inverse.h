@@ -27,11 +27,12 @@ inline constexpr InverseInfo inverse_info{ 2, true, -1, false };
 ///
 /// The pose's quaternion may be off its length by rounding (float's too) and is normalised; NaN, infinity or no
 /// rotation gives Status::invalid. `tolerance` is how far beyond the boundary of reach, as a share of the arm's size, a pose
-/// is still solved by the nearest joints. A free angle at a singular pose is taken as 0. No heap, no exceptions.
+/// is still solved by the nearest joints. What a singular pose leaves free is taken as 0, or near it where the other joints
+/// cannot follow. No heap, no exceptions.
 
 Solutions inverse_kinematics(const Pose<double>& pose, const Geometry& g = {},
     double tolerance = inverse::default_tolerance, inverse::Form form = inverse::Form::fastest);
-/// The same, nearest to the seed first (see `sort_by_distance`); free angles are taken from the seed.
+/// The same, nearest to the seed first (see `sort_by_distance`); free joints are taken from the seed.
 Solutions inverse_kinematics(const Pose<double>& pose, const JointVector<double>& seed, const Geometry& g = {},
     double tolerance = inverse::default_tolerance);
 /// The same for a rotation matrix and a position (m).
