@@ -2,28 +2,22 @@
 // The building blocks of inverse kinematics by themselves.
 #include <gtest/gtest.h>
 
-#include <random>
-
 #include <qvgen/inverse/conic_circle.h>
-#include <qvgen/inverse/polish.h>
 #include <qvgen/inverse/roots.h>
-#include <qvgen/inverse/visited.h>
 #include <qvgen/inverse/wrist.h>
+
+#include "random.h"
 
 namespace {
 
 using namespace qvgen::inverse;
+using qvgen::test::Random;
 constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr Boundary plain = Boundary::plain(default_tolerance);
 constexpr Boundary careful = Boundary::careful(default_tolerance);
 constexpr Boundary apart = Boundary::apart(default_tolerance);
 
 Rotor<double> turn(double angle) { return {std::cos(angle), std::sin(angle)}; }
-
-struct Random {
-  std::mt19937_64 engine{7};
-  double operator()(double low = -1, double high = 1) { return std::uniform_real_distribution<double>(low, high)(engine); }
-};
 
 TEST(CircleAngle, SolvesALine) {
   Random random;
@@ -219,17 +213,6 @@ TEST(ObliqueWrist, ItsTurnsAreItsAngles) {
   }
 }
 
-struct Arm {
-  std::array<Screw<double>, 3> screws = {Screw<double>{true, {0, 0, 1}, {0, 0, 0}}, Screw<double>{true, {0, 1, 0}, {0.3, 0, 0.5}},
-                                         Screw<double>{false, {1, 0, 0}, {0, 0, 0}}};
-  Triple<double> start = {0.4, 0.2, 0.9};
-
-  [[nodiscard]] Triple<double> reached(const JointValues<double, 3>& q) const {
-    return moved(screws[0], q[0], moved(screws[1], q[1], moved(screws[2], q[2], start)));
-  }
-  [[nodiscard]] Carrying<double, 3, 1> to(const Triple<double>& goal) const { return {screws, {start}, {goal}}; }
-};
-
 /// The conic that has these four angles on the unit circle: two lines, each through two of the points.
 Conic<double> through(const std::array<double, 4>& angles) {
   const Rotor<double> m = turn((angles[0] + angles[1]) / 2), n = turn((angles[2] + angles[3]) / 2);
@@ -238,7 +221,6 @@ Conic<double> through(const std::array<double, 4>& angles) {
           -(d * n.sine + e * m.sine), d * e};
 }
 
-/// A double root and a simple one 0.006 beside it: neither is taken for the other.
 /// A double root with a simple one close beside it, where the extremum is flat: neither is taken for the other.
 TEST(ConicCircle, ADoubleRootNextToASimpleOne) {
   Random random;
@@ -260,44 +242,18 @@ TEST(ConicCircle, ADoubleRootNextToASimpleOne) {
   }
 }
 
-TEST(Polish, GivesBackTheLastDigits) {
-  Random random;
-  const Arm arm;
-  for (int i = 0; i < 200; ++i) {
-    const double q1 = random(-3, 3);
-    const double q2 = random(-1, 1);
-    const double q3 = random(0.5, 1);
-    const Triple<double> goal = arm.reached({turn(q1), turn(q2), Rotor<double>{q3, 0}});
-    JointValues<double, 3> values = {turn(q1 + 1e-6), turn(q2), Rotor<double>{q3 - 1e-6, 0}};
-    ASSERT_TRUE(polish(arm.to(goal), 1.0, default_tolerance, values));
-    const auto miss = difference(goal, arm.reached(values));
-    ASSERT_LT(dot(miss, miss), 1e-29);
+/// |(3, 0) + turned (1, 0)| may be between 2.5 and 3.5: some angle between what is too near and too far, not at the ends.
+TEST(ReachableDirection, IsTheChoiceOrWellInside) {
+  const Rotor<double> point{3, 0}, offset{1, 0};
+  const auto length = [&](double choice) {
+    const auto u = reachable_direction(point, offset, 6.25, 12.25, turn(choice));
+    return std::hypot(point.cosine + u.cosine, u.sine);
+  };
+  EXPECT_NEAR(length(1.6), std::hypot(3 + std::cos(1.6), std::sin(1.6)), 1e-15);
+  for (const double choice : {0.0, 0.5, 2.9, -3.0}) {
+    EXPECT_GT(length(choice), 2.55) << choice;
+    EXPECT_LT(length(choice), 3.45) << choice;
   }
-}
-
-TEST(Polish, SaysWhatIsOutOfReachOrNoNumber) {
-  const Arm arm;
-  // The second joint's plane keeps 0.2 m beside the first axis.
-  JointValues<double, 3> values = {turn(0.3), turn(0.1), Rotor<double>{0.5, 0}};
-  EXPECT_FALSE(polish(arm.to({0, 0.1, 0.7}), 1.0, default_tolerance, values));
-  values[1].cosine = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_FALSE(polish(arm.to(arm.reached({turn(0), turn(0), Rotor<double>{1, 0}})), 1.0, default_tolerance, values));
-}
-
-/// Two links of 1 m, stretched: from either side Newton's steps halve the way to the one solution.
-TEST(Polish, DoubleRootsFromBothSidesAreOne) {
-  const std::array<Screw<double>, 2> arm = {Screw<double>{true, {0, 0, 1}, {0, 0, 0}}, Screw<double>{true, {0, 0, 1}, {1, 0, 0}}};
-  const Carrying<double, 2, 1> stretched{arm, {Triple<double>{2, 0, 0}}, {Triple<double>{0, 2, 0}}};
-  Visited<double, 2, 4> visited;
-  EXPECT_FALSE(visited.take(2, false, {}));
-  EXPECT_TRUE(visited.misses_any() && !visited.settled(2));
-  for (const double sign : {1.0, -1.0}) {
-    JointValues<double, 2> values = {turn(pi<double>() / 2 - sign * 1e-5), turn(sign * 2e-5)};
-    ASSERT_TRUE(polish(stretched, 4.0, default_tolerance, values));
-    EXPECT_NEAR(values[1].sine, 0, 1e-7);
-    EXPECT_EQ(visited.take(sign > 0 ? 0 : 1, true, values), sign > 0);
-  }
-  EXPECT_TRUE(visited.settled(0) && visited.settled(1));
 }
 
 }  // namespace

@@ -1,26 +1,21 @@
 // SPDX-License-Identifier: MIT
 // Blocks for slides that the pose may leave free.
 #include <cmath>
-#include <random>
 
 #include <gtest/gtest.h>
 #include <qvgen/inverse/slide_and_turn.h>
 
+#include "random.h"
+
 namespace {
 
 using namespace qvgen::inverse;
+using qvgen::test::Random;
 constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr Boundary plain = Boundary::plain(default_tolerance);
 constexpr Boundary careful = Boundary::careful(default_tolerance);
 
 Rotor<double> turn(double angle) { return {std::cos(angle), std::sin(angle)}; }
-
-struct Random {
-  std::mt19937_64 engine{7};
-  double operator()(double low = -1, double high = 1) {
-    return std::uniform_real_distribution<double>(low, high)(engine);
-  }
-};
 
 constexpr double arm_noise = 256 * eps * eps;  ///< of an arm of 1 m
 

@@ -247,8 +247,8 @@ inline void solve_half_theta4([[maybe_unused]] const Target& t,
 
 /// arm: Newton steps, one value.
 /// From: Newton steps: near a singular place, and after a quartic, closed forms lose digits.
-template <typename Scalar>
-inline inverse::JointValues<Scalar, 3> solve_arm([[maybe_unused]] const Target& t, Work<Scalar>& w) {
+template <typename Scalar, class Visited>
+inline bool solve_arm([[maybe_unused]] const Target& t, int label, Visited& visited, Work<Scalar>& w) {
   using std::sqrt;
 
   const Scalar axis1_x = Scalar(0);
@@ -276,11 +276,12 @@ inline inverse::JointValues<Scalar, 3> solve_arm([[maybe_unused]] const Target& 
   const Scalar goal1_y = Scalar(t.goal_y);
   const Scalar goal1_z = Scalar(t.goal_z);
   inverse::JointValues<Scalar, 3> values{{inverse::Rotor<Scalar>{w.cos_theta1, w.sin_theta1}, inverse::Rotor<Scalar>{w.cos_theta2, w.sin_theta2}, inverse::Rotor<Scalar>{w.cos_theta4, w.sin_theta4}}};
+  const inverse::JointValues<Scalar, 3> seed{{inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)}, inverse::Rotor<Scalar>{Scalar(t.preference->turn[1].cosine), Scalar(t.preference->turn[1].sine)}, inverse::Rotor<Scalar>{Scalar(t.preference->turn[3].cosine), Scalar(t.preference->turn[3].sine)}}};
   const inverse::Carrying<Scalar, 3, 1> task{
       {{inverse::Screw<Scalar>{true, {axis1_x, axis1_y, axis1_z}, {point1_x, point1_y, point1_z}}, inverse::Screw<Scalar>{true, {axis2_x, axis2_y, axis2_z}, {point2_x, point2_y, point2_z}}, inverse::Screw<Scalar>{true, {axis3_x, axis3_y, axis3_z}, {point3_x, point3_y, point3_z}}}},
       {{inverse::Triple<Scalar>{start1_x, start1_y, start1_z}}},
-      {{inverse::Triple<Scalar>{goal1_x, goal1_y, goal1_z}}}};
-  w.branch.exists = w.branch.exists && inverse::polish(task, Scalar(t.size_square), Scalar(t.boundary.miss), values);
+      {{inverse::Triple<Scalar>{goal1_x, goal1_y, goal1_z}}}, Scalar(t.size_square)};
+  if (!visited.settle(label, task, t.boundary, t.preference->seeded ? &seed : nullptr, values, w.branch)) return false;
   w.cos_theta1 = values[0].cosine;
   w.sin_theta1 = values[0].sine;
   w.cos_theta2 = values[1].cosine;
@@ -288,7 +289,7 @@ inline inverse::JointValues<Scalar, 3> solve_arm([[maybe_unused]] const Target& 
   w.length_theta2 = Scalar(1);
   w.cos_theta4 = values[2].cosine;
   w.sin_theta4 = values[2].sine;
-  return values;
+  return true;
 }
 
 /// theta5, theta6, theta7: wrist with right angles, half-angle form, 2 values.

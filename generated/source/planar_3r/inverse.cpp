@@ -53,8 +53,9 @@ Target given([[maybe_unused]] const Geometry& g, double tolerance, const inverse
 
 using Visited = inverse::Visited<double, 2, 2>;
 
-/// One pass near singular poses: every branch that may exist, its joints polished by Newton steps. Returns whether an angle was free.
-[[gnu::noinline]] bool follow_carefully(const Target& t, Visited& visited, Solutions& found) {
+/// One pass near singular poses: every branch that may exist at one target, its joints polished by Newton steps towards
+/// another. Returns whether an angle was free.
+[[gnu::noinline]] bool follow_carefully(const Target& t, const Target& goal, Visited& visited, Solutions& found) {
   Work<double> w;
   JointVector<double> q;
   solve_condition_1(t, w);
@@ -71,9 +72,8 @@ using Visited = inverse::Visited<double, 2, 2>;
     solve_theta1(t, w);
     if (visited.settled(k0)) continue;
     Work<double> p = w;
-    const auto place = solve_arm(t, p);
-    if (!visited.take(k0, p.branch.exists, place)) continue;
-    solve_theta3(t, p);
+    if (!solve_arm(goal, k0, visited, p)) continue;
+    solve_theta3(goal, p);
     q[1] = inverse::output_angle(p.cos_theta2, p.sin_theta2);
     q[0] = inverse::output_angle(p.cos_theta1, p.sin_theta1);
     q[2] = inverse::output_angle(p.cos_theta3, p.sin_theta3, p.length_theta3);
@@ -83,10 +83,13 @@ using Visited = inverse::Visited<double, 2, 2>;
 }
 
 [[gnu::noinline]] void solve_carefully(const Pose<double>& pose, const Target& given, Solutions& found) {
-  Target t = given;
-  aim(inverse::numbers_of(pose), inverse::unit_excess(pose), t);
+  const auto aimed = [&](const Pose<double>& at) {
+    Target t = given;
+    aim(inverse::numbers_of(at), inverse::unit_excess(at), t);
+    return t;
+  };
   found.clear();
-  inverse::solve_carefully(t, Visited(), follow_carefully, found);
+  inverse::solve_carefully(pose, aimed, Visited(), follow_carefully, found);
   found.conclude();
 }
 
@@ -135,8 +138,9 @@ Target given([[maybe_unused]] const Geometry& g, double tolerance, const inverse
 
 using Visited = inverse::Visited<double, 2, 2>;
 
-/// One pass near singular poses: every branch that may exist, its joints polished by Newton steps. Returns whether an angle was free.
-[[gnu::noinline]] bool follow_carefully(const Target& t, Visited& visited, SolutionsGiven_theta3& found) {
+/// One pass near singular poses: every branch that may exist at one target, its joints polished by Newton steps towards
+/// another. Returns whether an angle was free.
+[[gnu::noinline]] bool follow_carefully(const Target& t, const Target& goal, Visited& visited, SolutionsGiven_theta3& found) {
   Work<double> w;
   JointVector<double> q;
   q[2] = t.locked;
@@ -150,8 +154,7 @@ using Visited = inverse::Visited<double, 2, 2>;
     solve_theta1(t, w);
     if (visited.settled(k0)) continue;
     Work<double> p = w;
-    const auto place = solve_arm(t, p);
-    if (!visited.take(k0, p.branch.exists, place)) continue;
+    if (!solve_arm(goal, k0, visited, p)) continue;
     q[1] = inverse::output_angle(p.cos_theta2, p.sin_theta2);
     q[0] = inverse::output_angle(p.cos_theta1, p.sin_theta1, p.length_theta1);
     inverse::append(found, q, k0, p.branch.continuum);
@@ -160,10 +163,13 @@ using Visited = inverse::Visited<double, 2, 2>;
 }
 
 [[gnu::noinline]] void solve_carefully(const Pose<double>& pose, const Target& given, SolutionsGiven_theta3& found) {
-  Target t = given;
-  aim(inverse::numbers_of(pose), inverse::unit_excess(pose), t);
+  const auto aimed = [&](const Pose<double>& at) {
+    Target t = given;
+    aim(inverse::numbers_of(at), inverse::unit_excess(at), t);
+    return t;
+  };
   found.clear();
-  inverse::solve_carefully(t, Visited(), follow_carefully, found);
+  inverse::solve_carefully(pose, aimed, Visited(), follow_carefully, found);
   found.conclude();
 }
 

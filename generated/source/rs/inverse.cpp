@@ -58,8 +58,9 @@ Target given([[maybe_unused]] const Geometry& g, double tolerance, const inverse
 
 using Visited = inverse::Visited<double, 3, 4>;
 
-/// One pass near singular poses: every branch that may exist, its joints polished by Newton steps. Returns whether an angle was free.
-[[gnu::noinline]] bool follow_carefully(const Target& t, Visited& visited, Solutions& found) {
+/// One pass near singular poses: every branch that may exist at one target, its joints polished by Newton steps towards
+/// another. Returns whether an angle was free.
+[[gnu::noinline]] bool follow_carefully(const Target& t, const Target& goal, Visited& visited, Solutions& found) {
   Work<double> w;
   JointVector<double> q;
   solve_d3(t, w);
@@ -71,13 +72,12 @@ using Visited = inverse::Visited<double, 3, 4>;
     solve_theta2(t, w);
     if (visited.settled(k0)) continue;
     Work<double> p = w;
-    const auto place = solve_arm(t, p);
-    if (!visited.take(k0, p.branch.exists, place)) continue;
+    if (!solve_arm(goal, k0, visited, p)) continue;
     q[2] = p.d3;
     q[0] = inverse::output_angle(p.cos_theta1, p.sin_theta1);
     q[1] = inverse::output_angle(p.cos_theta2, p.sin_theta2, p.length_theta2);
-    solve_half_theta1_theta2(t, p);
-    const auto angles = solve_wrist(t, p);
+    solve_half_theta1_theta2(goal, p);
+    const auto angles = solve_wrist(goal, p);
     q[3] = angles.one.first;
     q[4] = angles.one.middle;
     q[5] = angles.one.last;
@@ -91,10 +91,13 @@ using Visited = inverse::Visited<double, 3, 4>;
 }
 
 [[gnu::noinline]] void solve_carefully(const Pose<double>& pose, const Target& given, Solutions& found) {
-  Target t = given;
-  aim(inverse::numbers_of(pose), inverse::unit_excess(pose), t);
+  const auto aimed = [&](const Pose<double>& at) {
+    Target t = given;
+    aim(inverse::numbers_of(at), inverse::unit_excess(at), t);
+    return t;
+  };
   found.clear();
-  inverse::solve_carefully(t, Visited(), follow_carefully, found);
+  inverse::solve_carefully(pose, aimed, Visited(), follow_carefully, found);
   found.conclude();
 }
 

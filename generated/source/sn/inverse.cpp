@@ -64,8 +64,9 @@ Target given([[maybe_unused]] const Geometry& g, double tolerance, const inverse
 
 using Visited = inverse::Visited<double, 3, 8>;
 
-/// One pass near singular poses: every branch that may exist, its joints polished by Newton steps. Returns whether an angle was free.
-[[gnu::noinline]] bool follow_carefully(const Target& t, Visited& visited, Solutions& found) {
+/// One pass near singular poses: every branch that may exist at one target, its joints polished by Newton steps towards
+/// another. Returns whether an angle was free.
+[[gnu::noinline]] bool follow_carefully(const Target& t, const Target& goal, Visited& visited, Solutions& found) {
   Work<double> w;
   JointVector<double> q;
   const inverse::Branch<double> above0 = w.branch;
@@ -81,14 +82,13 @@ using Visited = inverse::Visited<double, 3, 8>;
       solve_theta2(t, w);
       if (visited.settled(2 * k0 + k1)) continue;
       Work<double> p = w;
-      const auto place = solve_arm(t, p);
-      if (!visited.take(2 * k0 + k1, p.branch.exists, place)) continue;
+      if (!solve_arm(goal, 2 * k0 + k1, visited, p)) continue;
       q[2] = inverse::output_angle(p.cos_theta3, p.sin_theta3);
       q[0] = p.d1;
       q[1] = inverse::output_angle(p.cos_theta2, p.sin_theta2, p.length_theta2);
-      solve_half_theta2(t, p);
-      solve_half_theta3(t, p);
-      const auto angles = solve_wrist(t, p);
+      solve_half_theta2(goal, p);
+      solve_half_theta3(goal, p);
+      const auto angles = solve_wrist(goal, p);
       q[3] = angles.one.first;
       q[4] = angles.one.middle;
       q[5] = angles.one.last;
@@ -103,10 +103,13 @@ using Visited = inverse::Visited<double, 3, 8>;
 }
 
 [[gnu::noinline]] void solve_carefully(const Pose<double>& pose, const Target& given, Solutions& found) {
-  Target t = given;
-  aim(inverse::numbers_of(pose), inverse::unit_excess(pose), t);
+  const auto aimed = [&](const Pose<double>& at) {
+    Target t = given;
+    aim(inverse::numbers_of(at), inverse::unit_excess(at), t);
+    return t;
+  };
   found.clear();
-  inverse::solve_carefully(t, Visited(), follow_carefully, found);
+  inverse::solve_carefully(pose, aimed, Visited(), follow_carefully, found);
   found.conclude();
 }
 

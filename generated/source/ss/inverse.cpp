@@ -47,8 +47,9 @@ Target given([[maybe_unused]] const Geometry& g, double tolerance, const inverse
 
 using Visited = inverse::Visited<double, 3, 2>;
 
-/// One pass near singular poses: every branch that may exist, its joints polished by Newton steps. Returns whether an angle was free.
-[[gnu::noinline]] bool follow_carefully(const Target& t, Visited& visited, Solutions& found) {
+/// One pass near singular poses: every branch that may exist at one target, its joints polished by Newton steps towards
+/// another. Returns whether an angle was free.
+[[gnu::noinline]] bool follow_carefully(const Target& t, const Target& goal, Visited& visited, Solutions& found) {
   Work<double> w;
   JointVector<double> q;
   solve_d3(t, w);
@@ -56,12 +57,11 @@ using Visited = inverse::Visited<double, 3, 2>;
   solve_d2(t, w);
   if (visited.settled(0)) return w.branch.doubtful;
   Work<double> p = w;
-  const auto place = solve_arm(t, p);
-  if (!visited.take(0, p.branch.exists, place)) return w.branch.doubtful;
+  if (!solve_arm(goal, 0, visited, p)) return w.branch.doubtful;
   q[2] = p.d3;
   q[0] = p.d1;
   q[1] = p.d2;
-  const auto angles = solve_wrist(t, p);
+  const auto angles = solve_wrist(goal, p);
   q[3] = angles.one.first;
   q[4] = angles.one.middle;
   q[5] = angles.one.last;
@@ -74,10 +74,13 @@ using Visited = inverse::Visited<double, 3, 2>;
 }
 
 [[gnu::noinline]] void solve_carefully(const Pose<double>& pose, const Target& given, Solutions& found) {
-  Target t = given;
-  aim(inverse::numbers_of(pose), inverse::unit_excess(pose), t);
+  const auto aimed = [&](const Pose<double>& at) {
+    Target t = given;
+    aim(inverse::numbers_of(at), inverse::unit_excess(at), t);
+    return t;
+  };
   found.clear();
-  inverse::solve_carefully(t, Visited(), follow_carefully, found);
+  inverse::solve_carefully(pose, aimed, Visited(), follow_carefully, found);
   found.conclude();
 }
 

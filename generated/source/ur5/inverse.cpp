@@ -63,8 +63,9 @@ Target given([[maybe_unused]] const Geometry& g, double tolerance, const inverse
 
 using Visited = inverse::Visited<double, 6, 8>;
 
-/// One pass near singular poses: every branch that may exist, its joints polished by Newton steps. Returns whether an angle was free.
-[[gnu::noinline]] bool follow_carefully(const Target& t, Visited& visited, Solutions& found) {
+/// One pass near singular poses: every branch that may exist at one target, its joints polished by Newton steps towards
+/// another. Returns whether an angle was free.
+[[gnu::noinline]] bool follow_carefully(const Target& t, const Target& goal, Visited& visited, Solutions& found) {
   Work<double> w;
   JointVector<double> q;
   const inverse::Branch<double> above0 = w.branch;
@@ -88,8 +89,7 @@ using Visited = inverse::Visited<double, 6, 8>;
         solve_theta4(t, w);
         if (visited.settled(2 * (2 * k0 + k1) + k2)) continue;
         Work<double> p = w;
-        const auto place = solve_arm(t, p);
-        if (!visited.take(2 * (2 * k0 + k1) + k2, p.branch.exists, place)) continue;
+        if (!solve_arm(goal, 2 * (2 * k0 + k1) + k2, visited, p)) continue;
         q[0] = inverse::output_angle(p.cos_theta1, p.sin_theta1);
         q[4] = inverse::output_angle(p.cos_theta5, p.sin_theta5);
         q[5] = inverse::output_angle(p.cos_theta6, p.sin_theta6);
@@ -104,10 +104,13 @@ using Visited = inverse::Visited<double, 6, 8>;
 }
 
 [[gnu::noinline]] void solve_carefully(const Pose<double>& pose, const Target& given, Solutions& found) {
-  Target t = given;
-  aim(inverse::numbers_of(pose), inverse::unit_excess(pose), t);
+  const auto aimed = [&](const Pose<double>& at) {
+    Target t = given;
+    aim(inverse::numbers_of(at), inverse::unit_excess(at), t);
+    return t;
+  };
   found.clear();
-  inverse::solve_carefully(t, Visited(), follow_carefully, found);
+  inverse::solve_carefully(pose, aimed, Visited(), follow_carefully, found);
   found.conclude();
 }
 

@@ -278,8 +278,8 @@ inline void solve_theta4([[maybe_unused]] const Target& t,
 
 /// arm: Newton steps, one value.
 /// From: Newton steps: near a singular place, and after a quartic, closed forms lose digits.
-template <typename Scalar>
-inline inverse::JointValues<Scalar, 6> solve_arm([[maybe_unused]] const Target& t, Work<Scalar>& w) {
+template <typename Scalar, class Visited>
+inline bool solve_arm([[maybe_unused]] const Target& t, int label, Visited& visited, Work<Scalar>& w) {
   using std::sqrt;
   const Scalar t0 = sqrt(Scalar(t.size_square));
   const Scalar axis1_x = Scalar(0);
@@ -337,11 +337,12 @@ inline inverse::JointValues<Scalar, 6> solve_arm([[maybe_unused]] const Target& 
   const Scalar goal3_y = Scalar(t.pose_p_y) - Scalar(t.turn_23) * t0;
   const Scalar goal3_z = Scalar(t.pose_p_z) - Scalar(t.turn_33) * t0;
   inverse::JointValues<Scalar, 6> values{{inverse::Rotor<Scalar>{w.cos_theta1, w.sin_theta1}, inverse::Rotor<Scalar>{w.cos_theta2, w.sin_theta2}, inverse::Rotor<Scalar>{w.cos_theta3, w.sin_theta3}, inverse::Rotor<Scalar>{w.cos_theta4, w.sin_theta4}, inverse::Rotor<Scalar>{w.cos_theta5, w.sin_theta5}, inverse::Rotor<Scalar>{w.cos_theta6, w.sin_theta6}}};
+  const inverse::JointValues<Scalar, 6> seed{{inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)}, inverse::Rotor<Scalar>{Scalar(t.preference->turn[1].cosine), Scalar(t.preference->turn[1].sine)}, inverse::Rotor<Scalar>{Scalar(t.preference->turn[2].cosine), Scalar(t.preference->turn[2].sine)}, inverse::Rotor<Scalar>{Scalar(t.preference->turn[3].cosine), Scalar(t.preference->turn[3].sine)}, inverse::Rotor<Scalar>{Scalar(t.preference->turn[4].cosine), Scalar(t.preference->turn[4].sine)}, inverse::Rotor<Scalar>{Scalar(t.preference->turn[5].cosine), Scalar(t.preference->turn[5].sine)}}};
   const inverse::Carrying<Scalar, 6, 3> task{
       {{inverse::Screw<Scalar>{true, {axis1_x, axis1_y, axis1_z}, {point1_x, point1_y, point1_z}}, inverse::Screw<Scalar>{true, {axis2_x, axis2_y, axis2_z}, {point2_x, point2_y, point2_z}}, inverse::Screw<Scalar>{true, {axis3_x, axis3_y, axis3_z}, {point3_x, point3_y, point3_z}}, inverse::Screw<Scalar>{true, {axis4_x, axis4_y, axis4_z}, {point4_x, point4_y, point4_z}}, inverse::Screw<Scalar>{true, {axis5_x, axis5_y, axis5_z}, {point5_x, point5_y, point5_z}}, inverse::Screw<Scalar>{true, {axis6_x, axis6_y, axis6_z}, {point6_x, point6_y, point6_z}}}},
       {{inverse::Triple<Scalar>{start1_x, start1_y, start1_z}, inverse::Triple<Scalar>{start2_x, start2_y, start2_z}, inverse::Triple<Scalar>{start3_x, start3_y, start3_z}}},
-      {{inverse::Triple<Scalar>{goal1_x, goal1_y, goal1_z}, inverse::Triple<Scalar>{goal2_x, goal2_y, goal2_z}, inverse::Triple<Scalar>{goal3_x, goal3_y, goal3_z}}}};
-  w.branch.exists = w.branch.exists && inverse::polish(task, Scalar(t.size_square), Scalar(t.boundary.miss), values);
+      {{inverse::Triple<Scalar>{goal1_x, goal1_y, goal1_z}, inverse::Triple<Scalar>{goal2_x, goal2_y, goal2_z}, inverse::Triple<Scalar>{goal3_x, goal3_y, goal3_z}}}, Scalar(t.size_square)};
+  if (!visited.settle(label, task, t.boundary, t.preference->seeded ? &seed : nullptr, values, w.branch)) return false;
   w.cos_theta1 = values[0].cosine;
   w.sin_theta1 = values[0].sine;
   w.cos_theta2 = values[1].cosine;
@@ -355,7 +356,7 @@ inline inverse::JointValues<Scalar, 6> solve_arm([[maybe_unused]] const Target& 
   w.sin_theta5 = values[4].sine;
   w.cos_theta6 = values[5].cosine;
   w.sin_theta6 = values[5].sine;
-  return values;
+  return true;
 }
 
 }  // namespace

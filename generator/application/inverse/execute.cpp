@@ -230,7 +230,8 @@ class Execution {
       task.start[i] = triple("start", i);
       task.goal[i] = triple("goal", i);
     }
-    const bool reached = qvgen::inverse::polish(task, size_square_, tolerance(), values);
+    task.size_square = size_square_;
+    const bool reached = qvgen::inverse::polish(task, tolerance(), values);
     for (std::size_t i = 0; i < joints; ++i) {
       known[(task.arm[i].revolute ? "cos_" : "") + step.turns[i]] = values[i].cosine;
       if (task.arm[i].revolute) known["sin_" + step.turns[i]] = values[i].sine;

@@ -33,8 +33,9 @@ std::vector<std::string> joint_lines(const model::Robot& robot, const LoweredPla
   return lines;
 }
 
-std::string step_call(const LoweredPlan& plan, std::size_t index, const std::string& sign, const std::string& work) {
-  return "solve_" + step_name(plan, index) + "(t, " + sign + (sign.empty() ? "" : ", ") + work + ")";
+std::string step_call(const LoweredPlan& plan, std::size_t index, const std::string& sign, const std::string& work,
+                      const std::string& target) {
+  return "solve_" + step_name(plan, index) + "(" + target + ", " + sign + (sign.empty() ? "" : ", ") + work + ")";
 }
 
 }  // namespace qvgen::application

@@ -17,6 +17,7 @@ std::vector<std::string> joint_lines(const model::Robot& robot, const LoweredPla
                                      const std::string& work = "w");
 
 /// Call of a step's function; `sign` is empty for a step with one branch.
-std::string step_call(const LoweredPlan& plan, std::size_t index, const std::string& sign, const std::string& work = "w");
+std::string step_call(const LoweredPlan& plan, std::size_t index, const std::string& sign, const std::string& work = "w",
+                      const std::string& target = "t");
 
 }  // namespace qvgen::application

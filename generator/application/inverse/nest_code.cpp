@@ -32,7 +32,7 @@ class Nest {
   }
 
  private:
-  [[nodiscard]] std::string call(std::size_t i, const std::string& sign = "") const { return step_call(plan_, i, sign, work_); }
+  [[nodiscard]] std::string call(std::size_t i, const std::string& sign = "") const { return step_call(plan_, i, sign, work_, target_); }
   [[nodiscard]] std::string branch() const { return work_ + ".branch"; }
   [[nodiscard]] std::string leave() const { return careful_ ? "return w.branch.doubtful;" : "return !w.branch.doubtful;"; }
   [[nodiscard]] std::string label() const { return labels_.empty() ? "0" : labels_; }
@@ -73,28 +73,16 @@ class Nest {
     angles(step);
   }
 
-  /// From here on the joints are those of a copy: the next branch starts from what the closed form has found.
+  /// From here on the joints are those of a copy, for the goal: the next branch starts from what the closed form has found.
   void polished(std::size_t i) {
     line("if (visited.settled(" + label() + ")) " + (depth_ == 0 ? leave() : "continue;"));
     line("Work<double> p = w;");
     work_ = "p";
-    line("const auto place = " + call(i) + ";");
-    leave_continuum();
-    leave_unless("visited.take(" + label() + ", p.branch.exists, place)");
+    target_ = "goal";
+    leave_unless(call(i, label() + ", visited"));
     for (const std::size_t earlier : derive::inverse::order(plan_.plan, careful_)) {
       if (earlier == i) break;
       angles(plan_.plan.steps[earlier]);
-    }
-  }
-
-  /// A sum of angles that turns out to be free where it was not chosen is left to the pass that chooses.
-  void leave_continuum() {
-    const auto& steps = plan_.plan.steps;
-    for (std::size_t i = 0; i < steps.size(); ++i) {
-      if (steps[i].kind != Kind::pair || steps[i].joint >= 0) continue;
-      line("const bool chosen = p.branch.continuum;");
-      line(call(i) + ";");
-      line("p.branch.exists = p.branch.exists && p.branch.continuum == chosen;");
     }
   }
 
@@ -159,6 +147,7 @@ class Nest {
   const LoweredPlan& plan_;
   bool careful_;
   std::string work_ = "w";
+  std::string target_ = "t";
   std::vector<std::string> lines_;
   std::vector<std::string> deferred_;
   std::string labels_;

@@ -57,6 +57,8 @@ std::string rotor(const std::string& x, const std::string& y) { return "inverse:
 
 std::string preferred_angle(int joint) { return "Scalar(t.preference->angle[" + std::to_string(joint) + "])"; }
 
+std::string preferred_slide(int joint) { return "Scalar(t.preference->slide[" + std::to_string(joint) + "])"; }
+
 /// A joint's seed; what a sum of angles shall be is worked out before.
 std::string choice(int joint, const std::string& kind = "turn") {
   const std::string turn = "t.preference->" + kind + "[" + std::to_string(joint) + "]";
@@ -64,7 +66,6 @@ std::string choice(int joint, const std::string& kind = "turn") {
 }
 std::string choice(const Step& step) { return choice(step.joint); }
 
-std::string preferred_slide(int joint) { return "Scalar(t.preference->slide[" + std::to_string(joint) + "])"; }
 std::string spread() { return rotor("Scalar(t.preference->spread.cosine)", "Scalar(t.preference->spread.sine)"); }
 
 /// A slide's seed, or what is nearest to it with the joint after it in reach.
@@ -161,10 +162,10 @@ std::pair<std::string, std::string> block(const LoweredPlan& plan, const Step& s
   return {};
 }
 
-const derive::inverse::JointValue& value_of(const model::Robot& robot, const LoweredPlan& plan, const std::string& variable) {
-  std::size_t joint = 0;
-  while (robot.joints[joint].variable != variable) ++joint;
-  return plan.plan.joints[joint];
+int joint_of(const model::Robot& robot, const std::string& variable) {
+  int joint = 0;
+  while (robot.joints[static_cast<std::size_t>(joint)].variable != variable) ++joint;
+  return joint;
 }
 
 std::string triple(const std::string& name, std::size_t i) {
@@ -180,11 +181,13 @@ std::string joined(const std::vector<std::string>& parts) {
 
 /// A polish step's task, and the values it changes in place.
 std::vector<std::string> polish_lines(const model::Robot& robot, const LoweredPlan& plan, const Step& step) {
-  std::vector<std::string> arm, from, start, goal, back;
+  std::vector<std::string> arm, from, seed, start, goal, back;
   for (std::size_t i = 0; i < step.turns.size(); ++i) {
-    const auto& joint = value_of(robot, plan, step.turns[i]);
+    const int index = joint_of(robot, step.turns[i]);
+    const auto& joint = plan.plan.joints[static_cast<std::size_t>(index)];
     arm.push_back(std::string("inverse::Screw<Scalar>{") + (joint.revolute ? "true" : "false") + ", " + triple("axis", i) + ", " + triple("point", i) + "}");
     from.push_back(rotor("w." + joint.cosine, joint.revolute ? "w." + joint.sine : "Scalar(0)"));
+    seed.push_back(joint.revolute ? choice(index) : rotor(preferred_slide(index), "Scalar(0)"));
     const std::string value = "values[" + std::to_string(i) + "].";
     back.push_back("w." + joint.cosine + " = " + value + "cosine;");
     if (joint.revolute) back.push_back("w." + joint.sine + " = " + value + "sine;");
@@ -195,12 +198,14 @@ std::vector<std::string> polish_lines(const model::Robot& robot, const LoweredPl
     start.push_back("inverse::Triple<Scalar>" + triple("start", i));
     goal.push_back("inverse::Triple<Scalar>" + triple("goal", i));
   }
-  std::vector<std::string> lines = {"inverse::JointValues<Scalar, " + std::to_string(arm.size()) + "> values" + joined(from) + ";",
+  const std::string type = "inverse::JointValues<Scalar, " + std::to_string(arm.size()) + ">";
+  std::vector<std::string> lines = {type + " values" + joined(from) + ";",
+                                    "const " + type + " seed" + joined(seed) + ";",
                                     "const inverse::Carrying<Scalar, " + std::to_string(arm.size()) + ", " + std::to_string(start.size()) + "> task{",
-                                    "    " + joined(arm) + ",", "    " + joined(start) + ",", "    " + joined(goal) + "};",
-                                    "w.branch.exists = w.branch.exists && inverse::polish(task, Scalar(t.size_square), Scalar(t.boundary.miss), values);"};
+                                    "    " + joined(arm) + ",", "    " + joined(start) + ",", "    " + joined(goal) + ", Scalar(t.size_square)};",
+                                    "if (!visited.settle(label, task, t.boundary, t.preference->seeded ? &seed : nullptr, values, w.branch)) return false;"};
   lines.insert(lines.end(), back.begin(), back.end());
-  lines.emplace_back("return values;");
+  lines.emplace_back("return true;");
   return lines;
 }
 

@@ -66,7 +66,8 @@ Scalar output_angle(const Scalar& cosine, const Scalar& sine, const Scalar& leng
 }
 
 /// A pair brought to length one. Where its squared length is below `tiny`, any direction will do: the caller's choice is
-/// taken and the branch is marked; what the other signs then lead to may be the same.
+/// taken and the branch is marked; what the other signs then lead to may be the same. Where it is not much longer the
+/// direction may be noise.
 template <typename Scalar>
 Rotor<Scalar> direction(const Rotor<Scalar>& v, const Scalar& tiny, const Rotor<Scalar>& choice,
                         Branch<Scalar>& branch) {
@@ -74,7 +75,7 @@ Rotor<Scalar> direction(const Rotor<Scalar>& v, const Scalar& tiny, const Rotor<
   const Scalar square = v.cosine * v.cosine + v.sine * v.sine;
   const Mask<Scalar> is_free = square <= tiny;
   branch.continuum = branch.continuum | (branch.exists & is_free);
-  branch.doubtful = branch.doubtful | (branch.exists & is_free);
+  branch.doubtful = branch.doubtful | (branch.exists & (square <= Scalar(1e16) * tiny));
   const Scalar scale = Scalar(1) / sqrt(select(is_free, Scalar(1), square));
   return {select(is_free, choice.cosine, Scalar(v.cosine * scale)), select(is_free, choice.sine, Scalar(v.sine * scale))};
 }

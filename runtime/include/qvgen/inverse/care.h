@@ -3,8 +3,8 @@
 
 #include <cmath>
 
+#include <qvgen/inverse/request.h>
 #include <qvgen/inverse/solutions.h>
-#include <qvgen/inverse/target.h>
 #include <qvgen/inverse/visited.h>
 
 namespace qvgen::inverse {
@@ -22,29 +22,56 @@ Preference<dof> next_choice(Preference<dof> preference) {
   return preference;
 }
 
-/// Solves near singular poses. `follow(target, visited, found)` is one pass over all branches that may exist, polished; it
-/// returns whether it met a free angle, or one that is nearly so: what such an angle is told to be may be noise, and out of
-/// reach for the joints after it, so that branches without a solution are followed again with a choice in its place. If there
-/// is nothing at all the free angles are chosen anew.
-template <int dof, class Target, class Visited, int capacity, class Follow>
-void solve_carefully(Target t, Visited visited, const Follow& follow, Solutions<dof, capacity>& found) {
-  constexpr int choices = 16;
-  Preference<dof> preference = *t.preference;
-  t.preference = &preference;
-  const auto pass = [&](const Boundary& boundary) {
-    t.boundary = boundary;
-    visited.begin_pass();
-    return follow(t, visited, found);
+/// A pose moved and turned a little, another way for every k: the fractional parts of multiples of square roots of primes
+/// are spread evenly.
+inline Pose<double> displaced(const Pose<double>& pose, double size, int k) {
+  constexpr double share = 1e-4;
+  constexpr double roots[] = {1.4142135623730951, 1.7320508075688772, 2.23606797749979,
+                              2.6457513110645906, 3.3166247903554, 3.605551275463989};
+  double by[6];
+  for (int i = 0; i < 6; ++i) {
+    const double multiple = (k + 1) * roots[i];
+    by[i] = share * (2 * (multiple - std::floor(multiple)) - 1);
+  }
+  Pose<double> moved = pose;
+  moved.position += size * Vector3<double>(by[0], by[1], by[2]);
+  moved.orientation = (Eigen::Quaterniond(1, by[3], by[4], by[5]) * pose.orientation).normalized();
+  return moved;
+}
+
+/// Solves near singular poses. `follow(start, goal, visited, found)` is one pass over all branches that may exist at one
+/// target, polished towards another; it returns whether it met something free, or nearly so: what that is told to be may be
+/// noise, and out of reach for the joints after it, so that branches without a solution are followed again with a choice in
+/// its place. What is then still missing is looked for from poses nearby, where nothing is free, and, if there is nothing at
+/// all, with other choices. `aimed(pose)` is the target of a pose.
+template <int dof, class Aim, class Visited, int capacity, class Follow>
+void solve_carefully(const Pose<double>& pose, const Aim& aimed, Visited visited, const Follow& follow, Solutions<dof, capacity>& found) {
+  auto goal = aimed(pose);
+  Preference<dof> preference = *goal.preference;
+  goal.preference = &preference;
+  const auto pass_from = [&](auto start, const Boundary& boundary, const Boundary& at_goal) {
+    start.boundary = boundary;
+    start.preference = &preference;
+    goal.boundary = at_goal;
+    return follow(start, goal, visited, found);
   };
-  for (int k = 0; k < choices && found.empty(); ++k) {
-    const bool met_free = pass(Boundary::careful(t.tolerance));
-    if (met_free) pass(Boundary::choosing(t.tolerance));
-    if (visited.misses_any()) pass(Boundary::apart(t.tolerance));
-    if (visited.misses_any()) pass(Boundary::tolerant(t.tolerance));
-    if (!met_free) break;
-    preference = next_choice(preference);
-    // What the arm has been brought to before may be where a wrist cannot follow: that settles nothing for other choices.
+  const auto pass = [&](const Boundary& boundary) { return pass_from(goal, boundary, boundary); };
+  const Boundary careful = Boundary::careful(goal.tolerance);
+  const Boundary choosing = Boundary::choosing(goal.tolerance);
+  bool met_free = pass(careful);
+  met_free = met_free || visited.left_any();
+  if (met_free) pass(choosing);
+  if (visited.misses_any()) pass(Boundary::apart(goal.tolerance));
+  const bool strays = visited.strays_any();
+  const auto from_nearby = [&](int k) { pass_from(aimed(displaced(pose, std::sqrt(goal.size_square), k)), careful, choosing); };
+  for (int k = 0; visited.strays_any() && k < 12; ++k) from_nearby(k);
+  if (visited.misses_any()) pass(Boundary::tolerant(goal.tolerance));
+  for (int k = 0; (met_free || strays) && found.empty() && k < 60; ++k) {
+    // What the arm has been brought to may be where a wrist cannot follow: that settles nothing for other choices.
     visited = Visited();
+    preference = next_choice(preference);
+    from_nearby(k);
+    pass(choosing);
   }
   sort_by_branch(found);
 }

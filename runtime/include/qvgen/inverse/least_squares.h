@@ -44,5 +44,34 @@ Vector<Scalar, columns> least_squares(std::array<Vector<Scalar, rows>, columns> 
   return x;
 }
 
+/// The columns that add less than `nothing` of the longest to those before them, and the one that adds least.
+template <std::size_t columns>
+struct Dependent {
+  std::array<bool, columns> is{};
+  std::size_t least = columns;
+};
+
+template <typename Scalar, std::size_t columns, std::size_t rows>
+Dependent<columns> dependent(std::array<Vector<Scalar, rows>, columns> a, const Scalar& nothing) {
+  Scalar longest(0);
+  for (const Vector<Scalar, rows>& column : a) longest = larger(longest, dot(column, column));
+  const Scalar limit = nothing * nothing * longest;
+  Scalar least = limit;
+  Dependent<columns> result;
+  for (std::size_t i = 0; i < columns; ++i) {
+    const Scalar square = dot(a[i], a[i]);
+    result.is[i] = square <= limit;
+    if (square <= least) {
+      least = square;
+      result.least = i;
+    }
+    for (std::size_t j = i + 1; j < columns && !result.is[i]; ++j) {
+      const Scalar share = dot(a[i], a[j]) / square;
+      for (std::size_t row = 0; row < rows; ++row) a[j][row] -= share * a[i][row];
+    }
+  }
+  return result;
+}
+
 }  // namespace polishing
 }  // namespace qvgen::inverse

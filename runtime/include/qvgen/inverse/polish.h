@@ -6,16 +6,34 @@
 
 namespace qvgen::inverse {
 
-/// Joints that are to carry points to their goals: one point is a position, three that are no line a whole pose.
+/// Joints that are to carry points to their goals: one point is a position, three that are no line a whole pose. The square
+/// of the arm's size tells how much rounding is.
 template <typename Scalar, std::size_t joints, std::size_t points>
 struct Carrying {
   std::array<Screw<Scalar>, joints> arm;
   std::array<Triple<Scalar>, points> start;
   std::array<Triple<Scalar>, points> goal;
+  Scalar size_square;
 };
 
 template <typename Scalar, std::size_t joints>
 using JointValues = std::array<Rotor<Scalar>, joints>;
+
+/// Sum of the squares of what the values' pairs are apart: of short arcs' lengths and slides' ways.
+template <typename Scalar, std::size_t joints>
+Scalar distance_square(const JointValues<Scalar, joints>& a, const JointValues<Scalar, joints>& b) {
+  Scalar sum(0);
+  for (std::size_t i = 0; i < joints; ++i) {
+    const Scalar x = a[i].cosine - b[i].cosine;
+    const Scalar y = a[i].sine - b[i].sine;
+    sum += x * x + y * y;
+  }
+  return sum;
+}
+
+/// Joints that keep their values while the others are polished.
+template <std::size_t joints>
+using Held = std::array<bool, joints>;
 
 namespace polishing {
 
@@ -38,13 +56,33 @@ class Newton {
     return sum;
   }
 
-  /// Where the least squares of J step = goal - points and λ step = 0 lead; `nothing` as for `least_squares`.
-  Values step(const Values& values, const Scalar& lambda, const Scalar& nothing) const {
+  /// Where the least squares of J step = goal - points and λ step = 0 lead, some joints held; `nothing` as for `least_squares`.
+  Vector<Scalar, joints> step(const Values& values, const Scalar& lambda, const Scalar& nothing, const Held<joints>& held = {}) const {
     std::array<Column, joints> jacobian{};
     Column off{};
     for (std::size_t p = 0; p < points; ++p) add_point(p, values, jacobian, off);
-    for (std::size_t i = 0; i < joints; ++i) jacobian[i][3 * points + i] = lambda;
-    return advanced(values, least_squares(jacobian, off, nothing));
+    for (std::size_t i = 0; i < joints; ++i) {
+      jacobian[i][3 * points + i] = lambda;
+      if (held[i]) jacobian[i] = Column{};
+    }
+    return least_squares(jacobian, off, nothing);
+  }
+
+  /// The joints that move the points next to nothing beyond what the ones before them can do.
+  Dependent<joints> idle(const Values& values) const {
+    const Scalar next_to_nothing(1e-5);
+    std::array<Column, joints> jacobian{};
+    Column off{};
+    for (std::size_t p = 0; p < points; ++p) add_point(p, values, jacobian, off);
+    return dependent(jacobian, next_to_nothing);
+  }
+
+  /// A joint's value changed by so many radians or metres.
+  void advance(std::size_t i, const Scalar& by, Values& values) const {
+    if (task_.arm[i].revolute)
+      values[i] = turned_by(values[i], by);
+    else
+      values[i].cosine += by;
   }
 
  private:
@@ -66,16 +104,6 @@ class Newton {
     }
   }
 
-  Values advanced(Values values, const Vector<Scalar, joints>& by) const {
-    for (std::size_t i = 0; i < joints; ++i) {
-      if (task_.arm[i].revolute)
-        values[i] = turned_by(values[i], by[i]);
-      else
-        values[i].cosine += by[i];
-    }
-    return values;
-  }
-
   const Carrying<Scalar, joints, points>& task_;
 };
 
@@ -86,10 +114,10 @@ class Newton {
 ///
 /// A quartic's roots carry nine to eleven digits, and a closed form that divides by a length of 1e-5 as many: this gives
 /// back the rest. At a double root each step halves what is left, so that there may be many; and it may have to step
-/// aside first, which the next steps make good: hence the patience.
+/// aside first, which the next steps make good: hence the patience. Held joints keep their values.
 template <typename Scalar, std::size_t joints, std::size_t points>
-bool polish(const Carrying<Scalar, joints, points>& task, const Scalar& size_square, const Scalar& allowed,
-            JointValues<Scalar, joints>& values) {
+bool polish(const Carrying<Scalar, joints, points>& task, const Scalar& allowed, JointValues<Scalar, joints>& values,
+            const Held<joints>& held = {}) {
   using std::sqrt;
   constexpr int most_steps = 60;
   constexpr int patience = 6;
@@ -102,13 +130,15 @@ bool polish(const Carrying<Scalar, joints, points>& task, const Scalar& size_squ
   JointValues<Scalar, joints> now = values;
   Scalar error = newton.miss(now);
   Scalar least = error;
-  const Scalar enough = epsilon<Scalar>() * epsilon<Scalar>() * size_square;
+  const Scalar enough = epsilon<Scalar>() * epsilon<Scalar>() * task.size_square;
   const Scalar half_the_digits = sqrt(epsilon<Scalar>());
   int waited = 0;
   for (int step = 0; step < most_steps && waited < patience && least > enough; ++step) {
     // Directions that hardly move the points are left alone, unless it does not go on without them.
     const bool stuck = waited >= patience / 2 && least > Scalar(256) * enough;
-    now = newton.step(now, Scalar(Scalar(1e-1) * sqrt(error)), stuck ? Scalar(Scalar(64) * epsilon<Scalar>()) : half_the_digits);
+    const Scalar nothing = stuck ? Scalar(Scalar(64) * epsilon<Scalar>()) : half_the_digits;
+    const auto by = newton.step(now, Scalar(Scalar(1e-1) * sqrt(error)), nothing, held);
+    for (std::size_t i = 0; i < joints; ++i) newton.advance(i, by[i], now);
     error = newton.miss(now);
     ++waited;
     if (!(error < least)) continue;
@@ -117,7 +147,7 @@ bool polish(const Carrying<Scalar, joints, points>& task, const Scalar& size_squ
     waited = 0;
   }
   const Scalar share = larger(allowed, Scalar(Scalar(16) * epsilon<Scalar>()));
-  return least <= share * share * size_square;
+  return least <= share * share * task.size_square;
 }
 
 }  // namespace qvgen::inverse

@@ -12,6 +12,7 @@ namespace qvgen::inverse {
 template <int dof>
 Preference<dof> preference(const Eigen::Matrix<double, dof, 1>& seed) {
   Preference<dof> result;
+  result.seeded = true;
   for (int i = 0; i < dof; ++i) {
     result.angle[i] = seed[i];
     result.slide[i] = seed[i];

@@ -97,8 +97,9 @@ Rotor<Scalar> factored_line_angle(const Rotor<Scalar>& v, const Scalar& rhs, con
           select(is_free, Scalar(sign * choice.sine), found.sine)};
 }
 
-/// Of the directions u with inner <= |point + u offset|² <= outer (u turns the offset), the one nearest to `choice`: what
-/// a free angle may be if the joints after it are to stay in reach. Without any such direction, the least wrong one.
+/// Of the directions u with inner <= |point + u offset|² <= outer (u turns the offset), `choice` or one near it: what a free
+/// angle may be if the joints after it are to stay in reach. Not one at the very end of their reach, where they would be
+/// singular, too. Without any such direction, the least wrong one.
 template <typename Scalar>
 Rotor<Scalar> reachable_direction(const Rotor<Scalar>& point, const Rotor<Scalar>& offset, const Scalar& inner,
                                   const Scalar& outer, const Rotor<Scalar>& choice) {
@@ -113,9 +114,12 @@ Rotor<Scalar> reachable_direction(const Rotor<Scalar>& point, const Rotor<Scalar
   const Scalar sum = point.cosine * point.cosine + point.sine * point.sine + offset.cosine * offset.cosine + offset.sine * offset.sine;
   const Scalar least = (inner - sum) / (Scalar(2) * length);
   const Scalar most = (outer - sum) / (Scalar(2) * length);
-  const Scalar above = select(now.cosine < least, least, now.cosine);
-  const Scalar within = smaller(above, most);
-  const Scalar cosine = smaller(select(within < Scalar(-1), Scalar(-1), within), Scalar(1));
+  const Scalar low = larger(least, Scalar(-1));
+  const Scalar high = smaller(most, Scalar(1));
+  const Scalar inside = not_negative(Scalar(high - low)) / Scalar(16);
+  const Scalar above = select(now.cosine < low, Scalar(low + inside), now.cosine);
+  const Scalar within = select(above > high, Scalar(high - inside), above);
+  const Scalar cosine = smaller(larger(within, Scalar(-1)), Scalar(1));
   const Rotor<Scalar> moved{cosine, with_sign(sqrt(not_negative(Scalar((Scalar(1) - cosine) * (Scalar(1) + cosine)))), now.sine)};
   const Rotor<Scalar> found = moved * inverse(along);
   const Mask<Scalar> stays = (cosine == now.cosine) | round;

@@ -13,6 +13,7 @@ struct Preference {
   Rotor<double> turn[dof];
   Rotor<double> brief[dof];  ///< the same as short as `span` wants them
   Rotor<double> spread;      ///< (1, 0): slides are where they are preferred; turned: elsewhere in reach, see `slide_between`
+  bool seeded = false;       ///< the caller's
 
   constexpr Preference() : angle{}, slide{}, turn{}, brief{}, spread{1, 0} {
     for (int i = 0; i < dof; ++i) choose(i, {1, 0});

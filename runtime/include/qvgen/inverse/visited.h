@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <qvgen/inverse/polish.h>
+#include <qvgen/inverse/continuum.h>
 
 namespace qvgen::inverse {
 
@@ -10,37 +10,74 @@ namespace qvgen::inverse {
 template <typename Scalar, std::size_t joints, std::size_t capacity>
 class Visited {
  public:
-  [[nodiscard]] bool settled(int branch) const { return settled_[static_cast<std::size_t>(branch)]; }
-  /// Whether some branch came near a solution and has none.
-  [[nodiscard]] bool misses_any() const { return misses_any_; }
-  void begin_pass() { misses_any_ = false; }
+  using Values = JointValues<Scalar, joints>;
 
-  /// Takes note of where a branch has led; true if that is a solution and a new one, to half the digits.
-  bool take(int branch, bool reached, const JointValues<Scalar, joints>& values) {
-    misses_any_ = misses_any_ || !reached;
+  [[nodiscard]] bool settled(int label) const { return settled_[static_cast<std::size_t>(label)]; }
+  /// Whether some branch came near a solution and has none.
+  [[nodiscard]] bool misses_any() const { return is_open(missed_); }
+  /// Whether a branch on a continuum has been left to a pass that chooses.
+  [[nodiscard]] bool left_any() const { return is_open(left_); }
+  /// Whether a branch has come near a continuum, and to no solution of its own on it.
+  [[nodiscard]] bool strays_any() const { return is_open(strayed_); }
+
+  /// Polishes where a branch has led; true if that is a solution and a new one, to half the digits. On a continuum the place
+  /// is to be one that a pass has chosen, or the one next to the seed, if there is one.
+  template <std::size_t points>
+  bool settle(int label, const Carrying<Scalar, joints, points>& task, const Boundary& boundary, const Values* seed, Values& values,
+              Branch<Scalar>& branch) {
+    const auto at = static_cast<std::size_t>(label);
+    const Idling<Scalar, joints, points> idling(task);
+    bool reached = branch.exists && polish(task, Scalar(boundary.miss), values);
+    const bool strays = branch.exists && !reached && idling.is_nearly_continuum(values);
+    if (strays) reached = idling.move_on(values);
+    strayed_[at] = strayed_[at] || strays;
+    missed_[at] = missed_[at] || !reached;
     if (!reached) return false;
-    settled_[static_cast<std::size_t>(branch)] = true;
-    for (std::size_t k = 0; k < count_; ++k)
-      if (same(rows_[k], values)) return false;
+    if (idling.is_continuum(values)) {
+      left_[at] = !branch.continuum && !boundary.choose;
+      if (left_[at]) return false;
+      branch.continuum = true;
+      if (seed != nullptr) near_seed(task, *seed, values);
+    }
+    const bool known = is_known(idling, values);
+    // Near a continuum two branches may have been led to the one solution and left another.
+    settled_[at] = !(known && strays);
+    if (known) return false;
     rows_[count_++] = values;
     return true;
   }
 
  private:
-  static bool same(const JointValues<Scalar, joints>& a, const JointValues<Scalar, joints>& b) {
-    Scalar sum(0);
-    for (std::size_t i = 0; i < joints; ++i) {
-      const Scalar x = a[i].cosine - b[i].cosine;
-      const Scalar y = a[i].sine - b[i].sine;
-      sum += x * x + y * y;
-    }
-    return sum < Scalar(180) * epsilon<Scalar>();
+  /// The place on the continuum to which Newton steps from the seed lead, if no branch has come there yet.
+  template <std::size_t points>
+  void near_seed(const Carrying<Scalar, joints, points>& task, const Values& seed, Values& values) const {
+    const Idling<Scalar, joints, points> idling(task);
+    Values near = seed;
+    if (!polish(task, Scalar(0), near) || is_known(idling, near) || !idling.is_continuum(near)) return;
+    values = near;
   }
 
-  std::array<bool, capacity> settled_{};
-  std::array<JointValues<Scalar, joints>, capacity> rows_;
+  template <std::size_t points>
+  [[nodiscard]] bool is_known(const Idling<Scalar, joints, points>& idling, const Values& values) const {
+    for (std::size_t k = 0; k < count_; ++k) {
+      const Scalar square = distance_square(rows_[k], values);
+      if (square < Scalar(180) * epsilon<Scalar>()) return true;
+      if (square < Scalar(1e-2) && idling.are_joined(rows_[k], values)) return true;
+    }
+    return false;
+  }
+
+  using Labels = std::array<bool, capacity>;
+
+  [[nodiscard]] bool is_open(const Labels& labels) const {
+    bool open = false;
+    for (std::size_t i = 0; i < capacity; ++i) open = open || (labels[i] && !settled_[i]);
+    return open;
+  }
+
+  Labels settled_{}, missed_{}, left_{}, strayed_{};
+  std::array<Values, capacity> rows_;
   std::size_t count_ = 0;
-  bool misses_any_ = false;
 };
 
 }  // namespace qvgen::inverse
