@@ -128,11 +128,16 @@ class Nest {
       line(joint_place(joints[2]) + " = " + last + ";");
     };
     if (step.kind == Kind::oblique_wrist) {
+      const std::string arm = label();
+      if (careful_) line("const int before = found.size();");
       const std::string k = open(step, "2");
       line("const auto angles = " + call(i, k + " == 0 ? 1.0 : -1.0") + ";");
       line("if (!" + branch() + ".exists) break;");
       set("angles.first", "angles.middle", "angles.last");
       append("q", label());
+      --depth_;
+      line("}");
+      if (careful_) line("if (found.size() == before) visited.reopen(" + arm + ", " + branch() + ".continuum);");
       return;
     }
     line("const auto angles = " + call(i) + ";");

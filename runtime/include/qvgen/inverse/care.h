@@ -42,8 +42,8 @@ inline Pose<double> displaced(const Pose<double>& pose, double size, int k) {
 /// Solves near singular poses. `follow(start, goal, visited, found)` is one pass over all branches that may exist at one
 /// target, polished towards another; it returns whether it met something free, or nearly so: what that is told to be may be
 /// noise, and out of reach for the joints after it, so that branches without a solution are followed again with a choice in
-/// its place. What is then still missing is looked for from poses nearby, where nothing is free, and, if there is nothing at
-/// all, with other choices. `aimed(pose)` is the target of a pose.
+/// its place. What is then still missing is looked for from poses nearby, where nothing is free, and, where a wrist cannot follow
+/// to what has been chosen or there is nothing at all, with other choices. `aimed(pose)` is the target of a pose.
 template <int dof, class Aim, class Visited, int capacity, class Follow>
 void solve_carefully(const Pose<double>& pose, const Aim& aimed, Visited visited, const Follow& follow, Solutions<dof, capacity>& found) {
   auto goal = aimed(pose);
@@ -66,9 +66,8 @@ void solve_carefully(const Pose<double>& pose, const Aim& aimed, Visited visited
   const auto from_nearby = [&](int k) { pass_from(aimed(displaced(pose, std::sqrt(goal.size_square), k)), careful, choosing); };
   for (int k = 0; visited.strays_any() && k < 12; ++k) from_nearby(k);
   if (visited.misses_any()) pass(Boundary::tolerant(goal.tolerance));
-  for (int k = 0; (met_free || strays) && found.empty() && k < 60; ++k) {
-    // What the arm has been brought to may be where a wrist cannot follow: that settles nothing for other choices.
-    visited = Visited();
+  const bool is_free = met_free || strays;
+  for (int k = 0; (is_free && found.empty() && k < 60) || (visited.turned_back_any() && k < 16); ++k) {
     preference = next_choice(preference);
     from_nearby(k);
     pass(choosing);

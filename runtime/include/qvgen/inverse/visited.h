@@ -20,6 +20,18 @@ class Visited {
   /// Whether a branch has come near a continuum, and to no solution of its own on it.
   [[nodiscard]] bool strays_any() const { return is_open(strayed_); }
 
+  /// Whether a wrist cannot follow to what has been chosen on a continuum.
+  [[nodiscard]] bool turned_back_any() const { return is_open(turned_back_); }
+
+  /// Takes back the last solution: a wrist cannot follow there.
+  void reopen(int label, bool continuum) {
+    const auto at = static_cast<std::size_t>(label);
+    settled_[at] = false;
+    missed_[at] = true;
+    turned_back_[at] = turned_back_[at] || continuum;
+    --count_;
+  }
+
   /// Polishes where a branch has led; true if that is a solution and a new one, to half the digits. On a continuum the place
   /// is to be one that a pass has chosen, or the one next to the seed, if there is one.
   template <std::size_t points>
@@ -75,7 +87,7 @@ class Visited {
     return open;
   }
 
-  Labels settled_{}, missed_{}, left_{}, strayed_{};
+  Labels settled_{}, missed_{}, left_{}, strayed_{}, turned_back_{};
   std::array<Values, capacity> rows_;
   std::size_t count_ = 0;
 };
