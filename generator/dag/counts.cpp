@@ -5,6 +5,7 @@
 #include <set>
 
 #include "dag/rebuild.h"
+#include "exact/constant_angle.h"
 
 namespace qvgen::dag {
 namespace {
@@ -41,7 +42,9 @@ OperationCounts count(const Function& function, const IsFree& is_free) {
       case Op::constant:
       case Op::symbol: break;
       case Op::sine:
-      case Op::cosine: angles.insert(to_string(function.graph.angle_of(node))); break;
+      case Op::cosine:
+        if (!exact::radians(function.graph.angle_of(node))) angles.insert(to_string(function.graph.angle_of(node)));
+        break;
       case Op::sum: counts.additions += terms - 1; break;
       case Op::product: counts.multiplications += terms - 1; break;
       case Op::quotient: ++counts.divisions; break;

@@ -50,8 +50,8 @@ class Writer {
     switch (node.op) {
       case Op::constant: return "Scalar(" + literal(graph_.constant_of(node)) + ")";
       case Op::symbol: return names_.symbol(graph_.symbol_of(node));
-      case Op::sine: return names_.sine(graph_.angle_of(node));
-      case Op::cosine: return names_.cosine(graph_.angle_of(node));
+      case Op::sine: return constant_or(sine_literal(graph_.angle_of(node)), names_.sine, node);
+      case Op::cosine: return constant_or(cosine_literal(graph_.angle_of(node)), names_.cosine, node);
       case Op::sum: return sum(node);
       case Op::product: return product(node);
       case Op::quotient: return factor(node.operands[0]) + " / " + factor(node.operands[1], true);
@@ -59,6 +59,11 @@ class Writer {
       case Op::arctangent: return "atan2(" + signed_text(node.operands[0]) + ", " + signed_text(node.operands[1]) + ")";
     }
     return {};
+  }
+
+  template <class Name>
+  std::string constant_or(const std::string& literal, const Name& name, const dag::Node& node) const {
+    return literal.empty() ? name(graph_.angle_of(node)) : "Scalar(" + literal + ")";
   }
 
   bool is_inline(std::uint32_t id, Op op) const { return graph_.node(id).op == op && length_[id] > 0; }

@@ -98,4 +98,14 @@ cln::cl_RA radians(const CosineSine& value) {
       cln::cl_float(cln::atan(decimal(value.cosine), decimal(value.sine)), cln::float_format(40)));
 }
 
+std::optional<cln::cl_RA> radians(const Angle& angle) {
+  cln::cl_RA sum = angle.pi * cln::rational(cln::pi(cln::float_format(40)));
+  for (const auto& [name, coefficient] : angle.terms) {
+    const auto known = constant_angle(name);
+    if (!known) return std::nullopt;
+    sum = sum + coefficient * radians(*known);
+  }
+  return sum;
+}
+
 }  // namespace qvgen::exact

@@ -67,6 +67,7 @@ TEST_F(GraphTest, CountsByTheRule) {
   EXPECT_EQ(counts({g.sum({a, -b, c})}).additions, 2);
   EXPECT_EQ(counts({-a}), OperationCounts{});
   EXPECT_EQ(counts({g.product({s, c0})}).sine_cosines, 1);
+  EXPECT_EQ(counts({g.sine(Angle{{}, cln::cl_RA(5) / 18})}), OperationCounts{});
   EXPECT_EQ(counts({g.quotient(a, b), g.root(a), g.arctangent(a, b)}), (OperationCounts{0, 0, 1, 1, 0, 1}));
   const Edge shared = g.product({a, b});
   EXPECT_EQ(counts({g.sum({shared, c}), g.sum({shared, -c})}), (OperationCounts{1, 2, 0, 0, 0, 0}));

@@ -69,6 +69,13 @@ TEST_F(CodeTest, AnglesAreTheCallersText) {
   EXPECT_EQ(text_of(g.product({a, g.sine(dag::Angle{{{"theta1", cln::cl_RA(1) / 2}}, 0})})), "g.a * sin<theta1/2>");
 }
 
+/// A twist of 50 degrees is a number, though not an exact one.
+TEST_F(CodeTest, SinesOfNumbersAreNumbers) {
+  const dag::Angle twist{{}, cln::cl_RA(5) / 18};
+  EXPECT_EQ(text_of(g.product({a, g.sine(twist)})), "g.a * Scalar(0.766044443118978)");
+  EXPECT_EQ(text_of(g.sum({a, -g.cosine(twist)})), "g.a - Scalar(0.6427876096865394)");
+}
+
 TEST(Literal, IsTheShortestTextOfTheNearestDouble) {
   EXPECT_EQ(emit::literal(exact::Number(cln::cl_RA(4318) / 10000)), "0.4318");
   EXPECT_EQ(emit::literal(exact::Number(2)), "2");

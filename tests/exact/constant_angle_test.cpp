@@ -38,6 +38,10 @@ TEST(ConstantAngle, StandsBesideAVariableAtAPoint) {
 TEST(ConstantAngle, RadiansToTheLastDigit) {
   const Number angle(radians({ratio(-4, 5), ratio(3, 5)}));
   EXPECT_EQ(angle.to_double(), 2.498091544796509);  // pi - atan(3/4)
+  const auto sum = radians(Angle{{{constant_angle({ratio(-4, 5), ratio(3, 5)}), -1}}, 1});
+  ASSERT_TRUE(sum);
+  EXPECT_EQ(Number(*sum).to_double(), 0.6435011087932844);  // atan(3/4)
+  EXPECT_FALSE(radians(Angle{{{"theta1", 1}}, 1}));
 }
 
 }  // namespace

@@ -21,6 +21,7 @@ std::vector<Angle> angles_of(const dag::Function& function) {
     const dag::Node& node = function.graph.node(id);
     if (node.op != Op::sine && node.op != Op::cosine) continue;
     const Angle& angle = function.graph.angle_of(node);
+    if (exact::radians(angle)) continue;  // a number
     found.emplace(to_string(angle), angle);
   }
   std::vector<Angle> angles;
