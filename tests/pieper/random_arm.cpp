@@ -5,6 +5,7 @@
 #include <random>
 
 #include "sliding_arms.h"
+#include "twisted_arms.h"
 
 namespace qvgen::test {
 namespace {
@@ -194,6 +195,7 @@ std::string parallel_description(std::uint32_t seed) {
 
 std::string arm_description(const std::string& family, std::uint32_t seed) {
   if (family == "slides") return sliding_arm(arm_name(family, seed), seed);
+  if (family == "twists") return twisted_arm(arm_name(family, seed), seed);
   return family == "pieper" ? pieper_description(seed) : parallel_description(seed);
 }
 

@@ -10,7 +10,8 @@ namespace qvgen::derive::inverse {
 
 /// One attempt at a plan: a fresh scope, so that what a failed attempt has named is gone.
 struct Attempt {
-  explicit Attempt(const model::Robot& robot) : scope(robot), chain(chain_of(robot, scope, plan.target)), builder(robot, scope, plan) {}
+  explicit Attempt(const model::Robot& from) : robot(from), scope(robot), chain(chain_of(robot, scope, plan.target)), builder(robot, scope, plan) {}
+  const model::Robot& robot;
   Scope scope;
   Plan plan;
   Chain chain;

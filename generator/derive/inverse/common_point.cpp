@@ -31,8 +31,34 @@ std::optional<Vector> meeting_point(const Screw& a, const Screw& b, const Scope&
 
 namespace {
 
-std::optional<Vector> common_point(const std::vector<Screw>& screws, std::size_t k, const Scope& scope) {
-  if (!is_wrist(screws[k], screws[k + 1], screws[k + 2], scope)) return std::nullopt;
+/// The wrist's axes as numbers, in the base frame if they are that there.
+struct Wrist {
+  std::array<Screw, 3> axes;
+  bool own_frame = false;
+};
+
+std::optional<Wrist> wrist_of(const Attempt& attempt, std::size_t k) {
+  const auto& screws = attempt.chain.screws;
+  const auto serves = [&](const std::array<Screw, 3>& axes) { return is_wrist(axes[0], axes[1], axes[2], attempt.scope); };
+  const Wrist wrist{{screws[k], screws[k + 1], screws[k + 2]}};
+  if (serves(wrist.axes)) return wrist;
+  const Wrist own{in_own_frame(attempt.robot, k, attempt.scope), true};
+  if (serves(own.axes)) return own;
+  return std::nullopt;
+}
+
+/// The wrist's angles from the rotation that its joints have to make, in the base frame.
+void turn_wrist(Attempt& attempt, std::size_t k, const symbolic::Quaternion& rotation) {
+  const Wrist wrist = *wrist_of(attempt, k);
+  const symbolic::Quaternion& frame = attempt.chain.screws[k].frame;
+  solve_wrist(attempt.builder, wrist.axes[0], wrist.axes[1], wrist.axes[2],
+              wrist.own_frame ? symbolic::inverse(frame) * rotation * frame : rotation);
+}
+
+std::optional<Vector> common_point(const Attempt& attempt, std::size_t k) {
+  const auto& screws = attempt.chain.screws;
+  const Scope& scope = attempt.scope;
+  if (!wrist_of(attempt, k)) return std::nullopt;
   const auto point = meeting_point(screws[k], screws[k + 1], scope);
   if (!point || !scope.is_zero(cross(screws[k + 2].axis, *point - screws[k + 2].point))) return std::nullopt;
   return point;
@@ -79,7 +105,7 @@ std::string by_locked_joint(Attempt& attempt, Target& target, const Vector& cent
   if (!reason.empty()) return "with " + lock.variable + " given: " + reason;
   const std::vector<Screw> pre(screws.begin(), screws.begin() + static_cast<std::ptrdiff_t>(k));
   const symbolic::Quaternion rotation = without_first(attempt.builder, pre, target.orientation());
-  solve_wrist(attempt.builder, screws[k], screws[k + 1], screws[k + 2], rotation);
+  turn_wrist(attempt, k, rotation);
   attempt.plan.structure = "with " + lock.variable + " given, the axes of joints " + joint_range(k, 3) + " meet in one point";
   return "";
 }
@@ -88,8 +114,9 @@ std::string by_locked_joint(Attempt& attempt, Target& target, const Vector& cent
 
 std::string by_common_point(Attempt& attempt, std::size_t k, int locked) {
   const auto& screws = attempt.chain.screws;
-  const auto point = common_point(screws, k, attempt.scope);
+  auto point = common_point(attempt, k);
   if (!point) return "joints " + joint_range(k, 3) + ": their axes do not meet in one point";
+  if (wrist_of(attempt, k)->own_frame) point = attempt.scope.define(attempt.plan.target, "centre", *point);
   Target target(attempt.builder, attempt.chain.home);
   const std::vector<Screw> pre(screws.begin(), screws.begin() + static_cast<std::ptrdiff_t>(k));
   if (locked >= 0) return by_locked_joint(attempt, target, *point, k, static_cast<std::size_t>(locked));
@@ -119,7 +146,7 @@ std::string by_common_point(Attempt& attempt, std::size_t k, int locked) {
   if (!reason.empty()) return "joints " + joint_range(k, 3) + " meet in a point, but the others cannot place it: " + reason;
   const symbolic::Quaternion first = without_first(attempt.builder, pre, target.orientation());
   const symbolic::Quaternion rotation = without_last(attempt.builder, post, first);
-  solve_wrist(attempt.builder, screws[k], screws[k + 1], screws[k + 2], rotation);
+  turn_wrist(attempt, k, rotation);
   attempt.plan.structure = "the axes of joints " + joint_range(k, 3) + " meet in one point: position and orientation decouple";
   return "";
 }

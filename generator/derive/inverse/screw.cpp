@@ -35,15 +35,19 @@ void complete_frame(Screw& screw, const Scope& scope) {
 
 namespace {
 
-bool holds_function(const ex& value) {
+constexpr const char* named_part = "chain_";
+
+/// Whether the sine of a symbolic twist is in it, or a name that stands for such a thing.
+bool holds_twist(const ex& value) {
   if (GiNaC::is_a<GiNaC::function>(value)) return true;
+  if (GiNaC::is_a<GiNaC::symbol>(value)) return GiNaC::ex_to<GiNaC::symbol>(value).get_name().rfind(named_part, 0) == 0;
   for (std::size_t i = 0; i < value.nops(); ++i)
-    if (holds_function(value.op(i))) return true;
+    if (holds_twist(value.op(i))) return true;
   return false;
 }
 
-/// Accumulates the displacements of a chain. What holds the sine of a symbolic twist gets a name of its own: multiplied
-/// out over six joints such expressions have thousands of terms.
+/// Accumulates the displacements of a chain. What a symbolic twist is in gets a name of its own: multiplied out over six
+/// joints such expressions have thousands of terms.
 class Frames {
  public:
   Frames(Scope& scope, symbolic::Program& constants) : scope_(scope), constants_(constants) {}
@@ -61,8 +65,8 @@ class Frames {
  private:
   ex small(const ex& value, const char* part) {
     const ex cleaned = scope_.clean(value);
-    if (Scope::is_number(cleaned) || !holds_function(cleaned)) return cleaned;
-    return scope_.define(constants_, "chain_" + std::to_string(count_) + "_" + part, cleaned);
+    if (Scope::is_number(cleaned) || !holds_twist(cleaned)) return cleaned;
+    return scope_.define(constants_, named_part + std::to_string(count_) + "_" + part, cleaned);
   }
 
   Scope& scope_;
@@ -84,12 +88,32 @@ Chain chain_of(const model::Robot& robot, Scope& scope, symbolic::Program& const
     screw.point = frame.p;
     screw.variable = joint.variable;
     screw.joint = static_cast<int>(chain.screws.size());
+    screw.frame = frame.q;
     complete_frame(screw, scope);
+    screw.first = frames.clean(screw.first);
+    screw.second = frames.clean(screw.second);
     chain.screws.push_back(screw);
     frame = frames.clean(frame * symbolic::to_symbolic(joint.after));
   }
   chain.home = frames.clean(frame * symbolic::to_symbolic(robot.tool));
   return chain;
+}
+
+std::array<Screw, 3> in_own_frame(const model::Robot& robot, std::size_t first, const Scope& scope) {
+  std::array<Screw, 3> screws;
+  symbolic::Quaternion frame{1, 0, 0, 0};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const model::Joint& joint = robot.joints[first + i];
+    if (i > 0) frame = frame * symbolic::to_symbolic(joint.before).q;
+    Screw& screw = screws[i];
+    screw.revolute = joint.type == model::JointType::revolute;
+    screw.axis = scope.clean(symbolic::rotate(frame, symbolic::to_symbolic(joint.axis)));
+    screw.variable = joint.variable;
+    screw.joint = static_cast<int>(first + i);
+    complete_frame(screw, scope);
+    frame = frame * symbolic::to_symbolic(joint.after).q;
+  }
+  return screws;
 }
 
 Screw displaced(const symbolic::Pair& by, const Screw& screw, const Scope& scope) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct Screw {
   symbolic::Vector point;
   std::string variable;
   int joint = 0;
+  symbolic::Quaternion frame;  ///< orientation of the frame in which the model gives its axis
 };
 
 /// All joints and the tool at the zero pose, in the base frame.
@@ -25,6 +27,9 @@ struct Chain {
 
 /// What depends on symbolic twists is named in `constants`.
 Chain chain_of(const model::Robot& robot, Scope& scope, symbolic::Program& constants);
+
+/// The directions of three neighbouring joints in the first one's own frame: numbers, whatever symbolic twists come before.
+std::array<Screw, 3> in_own_frame(const model::Robot& robot, std::size_t first, const Scope& scope);
 
 /// The screw seen after a displacement of the whole axis.
 Screw displaced(const symbolic::Pair& by, const Screw& screw, const Scope& scope);
