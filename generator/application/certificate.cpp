@@ -14,7 +14,7 @@ void certify(const dag::Function& function, const symbolic::Program& definition,
     for (std::size_t i = 0; i < expected.size(); ++i) {
       const std::string& name = definition.outputs()[i].name;
       if (function.outputs.at(i).name != name) throw CertificateError(what + ": outputs are not those of the definition");
-      if (values[i] != expected[i]) throw CertificateError(what + ": output " + name + " differs from its definition");
+      if (!exact::agree(values[i], expected[i])) throw CertificateError(what + ": output " + name + " differs from its definition");
     }
   }
 }

@@ -146,7 +146,7 @@ void certify(DynamicsFunction& function, int points,
       leaves.constants[function.constants.outputs[i].name] = constants[i];
     const auto rest = residuals(point, dag::evaluate<Number>(function.function, leaves));
     for (std::size_t i = 0; i < rest.size(); ++i)
-      if (!rest[i].is_zero())
+      if (!exact::agree(rest[i], 0))
         throw CertificateError(function.name + ": output " + function.function.outputs.at(i).name +
                                " differs from the plain recursion");
   }

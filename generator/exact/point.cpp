@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "exact/point.h"
 
-#include <cln/integer.h>
+#include <cmath>
 #include <stdexcept>
+
+#include <cln/float.h>
+#include <cln/integer.h>
+#include <cln/real.h>
 
 #include "exact/hash.h"
 #include "exact/trigonometry.h"
 
 namespace qvgen::exact {
-
 
 namespace {
 
@@ -43,7 +46,14 @@ CosineSine ExactPoint::turn(const Angle& angle) const {
     result = then(result, times(quarter_of(name), cln::cl_I_to_long(cln::numerator(quarters))));
   }
   if (const auto sine = exact_sine(angle.pi)) return then(result, {*exact_sine(angle.pi + cln::cl_RA(1) / 2), *sine});
-  return then(result, times(quarter_of(to_string(Angle{{}, angle.pi})), 1));
+  const cln::float_format_t digits = cln::float_format(100);
+  const cln::cl_F radians = cln::cl_float(angle.pi, digits) * cln::pi(digits);
+  return then(result, {Number(cln::rational(cln::cos(radians))), Number(cln::rational(cln::sin(radians)))});
+}
+
+bool agree(const Number& a, const Number& b) {
+  if (a == b) return true;
+  return std::abs((a - b).to_double()) <= 1e-40 * (1 + std::abs(b.to_double()));
 }
 
 Number ExactPoint::root(const Number& value) const {

@@ -14,7 +14,8 @@ namespace qvgen::exact {
 /// it stands in an angle, a random rational point on the unit circle for the quarter of it (the rational tangent
 /// of an eighth). The two are independent, since a rational function identity in both holds for all values.
 ///
-/// Angles that are constants other than multiples of 15 degrees are random points of the circle too.
+/// Sine and cosine of constants other than multiples of 15 degrees have no exact value here: they are taken to 100 digits,
+/// so that what holds between them (a double angle, a sum that is a right angle) still does, to `agree`.
 class ExactPoint {
  public:
   explicit ExactPoint(std::uint64_t seed) : seed_(seed) {}
@@ -33,5 +34,8 @@ class ExactPoint {
 
   std::uint64_t seed_;
 };
+
+/// Whether two values at a point are equal: exactly, or to 40 digits where a constant angle was taken to 100.
+bool agree(const Number& a, const Number& b);
 
 }  // namespace qvgen::exact

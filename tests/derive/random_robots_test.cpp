@@ -10,6 +10,7 @@
 #include "application/singularities.h"
 #include "dag/evaluate.h"
 #include "derive/forward_kinematics.h"
+#include "derive/jacobian/quantities.h"
 #include "description/reader.h"
 #include "model/evaluate.h"
 #include "random_robot.h"
@@ -80,6 +81,18 @@ TEST(SlidesAtTheEnd, SingularityMeasuresAreTheDeterminant) {
     EXPECT_NE(measures.names, std::vector<std::string>{"determinant"}) << "factored, since no twist is a symbol";
     EXPECT_NO_THROW(application::optimise(measures.quantity)) << text;
   }
+}
+
+/// Twists whose sines are no roots of rational numbers, two of which add up to a right angle.
+TEST(AnyTwist, EveryFormIsItsDefinition) {
+  std::string text = "name = \"any_twist\"\ntitle = \"twists of any size\"\nconvention = \"standard\"\n";
+  const char* twists[] = {"50 deg", "40 deg", "7 deg", "-45 deg", "90 deg", "0"};
+  for (std::size_t i = 0; i < 6; ++i)
+    text += "[[dh]]\ntype = \"revolute\"\nvariable = \"q" + std::to_string(i + 1) + "\"\na = \"1/3\"\nd = \"1/5\"\nalpha = \"" + twists[i] + "\"\n";
+  const auto read = description::read_text(text, "any_twist.toml");
+  ASSERT_TRUE(read.robot) << text << (read.diagnostics.empty() ? "" : to_string(read.diagnostics.front()));
+  const auto jacobian = application::optimise(derive::jacobian(*read.robot));
+  EXPECT_LE(jacobian.counts.sine_cosines, 6) << "a constant's sine is a number";
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomRobots, testing::Range(1U, 41U));

@@ -72,6 +72,18 @@ TEST(ExactPoint, AnglesObeyTheAdditionTheorems) {
   }
 }
 
+/// The sine of 50 degrees is no root of rational numbers: what holds between such constants holds to `agree`.
+TEST(ExactPoint, ConstantsWithoutExactSinesObeyThemToo) {
+  const ExactPoint point(1);
+  const auto at = [](long degrees) { return Angle{{}, cln::cl_RA(degrees) / 180}; };
+  const Number twice = 2 * point.sine(at(25)) * point.cosine(at(25));
+  EXPECT_NE(twice, point.sine(at(50)));
+  EXPECT_TRUE(agree(twice, point.sine(at(50))));
+  EXPECT_TRUE(agree(point.sine(at(50)) * point.cosine(at(40)) + point.cosine(at(50)) * point.sine(at(40)), 1));
+  EXPECT_FALSE(agree(twice + Number(cln::cl_RA(1) / cln::expt_pos(cln::cl_I(10), 30)), point.sine(at(50))));
+  EXPECT_NEAR(point.sine(at(50)).to_double(), 0.766044443118978, 1e-16);
+}
+
 TEST(ExactPoint, DiffersFromSeedToSeed) {
   EXPECT_NE(ExactPoint(1).symbol("l1"), ExactPoint(2).symbol("l1"));
   EXPECT_NE(ExactPoint(1).symbol("l1"), ExactPoint(1).symbol("l2"));

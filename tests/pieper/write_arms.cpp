@@ -30,9 +30,6 @@ struct Folder {
 };
 
 constexpr const char* solved_arm = R"(#include "@SOURCE@"
-#if __has_include("@LANES@")
-#include "@LANES@"
-#endif
 namespace {
 namespace @NAME@ {
 namespace robot = qvgen::robots::@NAME@;
@@ -70,9 +67,16 @@ std::string registration(const Folder& folder, const std::string& name) {
   std::string text = solved ? solved_arm : unsolved_arm;
   text = replaced(text, "@NAME@", name);
   text = replaced(text, "@SOURCE@", folder.source(name).string());
-  text = replaced(text, "@LANES@", folder.lanes(name).string());
   text = replaced(text, "@DESCRIPTION@", folder.description(name).string());
   return replaced(text, "@REASONS@", solved ? "" : reasons(folder.header(name)));
+}
+
+/// The lanes of several arms, a file of its own, for it is compiled for AVX2.
+void write_lanes(const Folder& folder, std::ofstream file, const std::string& family, std::uint32_t first, std::uint32_t end) {
+  for (std::uint32_t i = first; i < end; ++i) {
+    const fs::path lanes = folder.lanes(arm_name(family, i));
+    if (fs::exists(lanes)) file << "#include \"" << lanes.string() << "\"\n";
+  }
 }
 
 }  // namespace
@@ -98,9 +102,12 @@ int main(int argc, char** argv) {
     return 1;
   }
   for (std::uint32_t first = 0; first < count; first += in_a_file) {
-    std::ofstream file(folder.root / ("arms_" + std::to_string(first / in_a_file) + ".cpp"));
+    const std::string number = std::to_string(first / in_a_file);
+    const std::uint32_t end = std::min(count, first + in_a_file);
+    write_lanes(folder, std::ofstream(folder.root / ("lanes_" + number + ".cpp")), family, first, end);
+    std::ofstream file(folder.root / ("arms_" + number + ".cpp"));
     file << "#include \"robot_under_test.h\"\n#include \"unsolved.h\"\n";
-    for (std::uint32_t i = first; i < std::min(count, first + in_a_file); ++i)
+    for (std::uint32_t i = first; i < end; ++i)
       file << registration(folder, arm_name(family, i));
   }
   return 0;
