@@ -19,6 +19,14 @@ Scalar dot(const Vector<Scalar, size>& a, const Vector<Scalar, size>& b) {
   return sum;
 }
 
+/// Takes a column's direction out of v and returns how much of the column that was.
+template <typename Scalar, std::size_t size>
+Scalar take_out(const Vector<Scalar, size>& column, const Scalar& square, Vector<Scalar, size>& v) {
+  const Scalar share = dot(column, v) / square;
+  for (std::size_t i = 0; i < size; ++i) v[i] -= share * column[i];
+  return share;
+}
+
 /// The x for which the columns' combination comes nearest to b, by modified Gram-Schmidt: normal equations would lose what
 /// hardly moves. A column that adds less than `nothing`, as a share of the longest, is left out: a free joint stays.
 template <typename Scalar, std::size_t columns, std::size_t rows>
@@ -31,13 +39,8 @@ Vector<Scalar, columns> least_squares(std::array<Vector<Scalar, rows>, columns> 
     const Scalar square = dot(a[i], a[i]);
     if (!(square > nothing * nothing * longest)) continue;
     r[i][i] = square;
-    const auto without = [&](Vector<Scalar, rows>& v) {
-      const Scalar share = dot(a[i], v) / square;
-      for (std::size_t row = 0; row < rows; ++row) v[row] -= share * a[i][row];
-      return share;
-    };
-    for (std::size_t j = i + 1; j < columns; ++j) r[i][j] = without(a[j]);
-    x[i] = without(b);
+    for (std::size_t j = i + 1; j < columns; ++j) r[i][j] = take_out(a[i], square, a[j]);
+    x[i] = take_out(a[i], square, b);
   }
   for (std::size_t i = columns; i-- > 0;)
     for (std::size_t j = i + 1; j < columns && r[i][i] > Scalar(0); ++j) x[i] -= r[i][j] * x[j];
@@ -65,10 +68,7 @@ Dependent<columns> dependent(std::array<Vector<Scalar, rows>, columns> a, const 
       least = square;
       result.least = i;
     }
-    for (std::size_t j = i + 1; j < columns && !result.is[i]; ++j) {
-      const Scalar share = dot(a[i], a[j]) / square;
-      for (std::size_t row = 0; row < rows; ++row) a[j][row] -= share * a[i][row];
-    }
+    for (std::size_t j = i + 1; j < columns && !result.is[i]; ++j) take_out(a[i], square, a[j]);
   }
   return result;
 }
