@@ -31,37 +31,32 @@ std::optional<Vector> meeting_point(const Screw& a, const Screw& b, const Scope&
 
 namespace {
 
-/// The wrist's axes as numbers, in the base frame if they are that there.
+/// Three revolute joints about a point, their axes as numbers: in the base frame if they are that there, else in the first
+/// one's own frame.
 struct Wrist {
   std::array<Screw, 3> axes;
   bool own_frame = false;
+  Vector centre;  ///< in the base frame
 };
 
-std::optional<Wrist> wrist_of(const Attempt& attempt, std::size_t k) {
+std::optional<Wrist> wrist_of(Attempt& attempt, std::size_t k) {
   const auto& screws = attempt.chain.screws;
-  const auto serves = [&](const std::array<Screw, 3>& axes) { return is_wrist(axes[0], axes[1], axes[2], attempt.scope); };
-  const Wrist wrist{{screws[k], screws[k + 1], screws[k + 2]}};
-  if (serves(wrist.axes)) return wrist;
-  const Wrist own{in_own_frame(attempt.robot, k, attempt.scope), true};
-  if (serves(own.axes)) return own;
-  return std::nullopt;
+  Scope& scope = attempt.scope;
+  const auto serves = [&](const std::array<Screw, 3>& axes) { return is_wrist(axes[0], axes[1], axes[2], scope); };
+  Wrist wrist{{screws[k], screws[k + 1], screws[k + 2]}, false, {}};
+  if (!serves(wrist.axes)) wrist = {in_own_frame(attempt.robot, k, scope), true, {}};
+  if (!serves(wrist.axes)) return std::nullopt;
+  const auto point = meeting_point(screws[k], screws[k + 1], scope);
+  if (!point || !scope.is_zero(cross(screws[k + 2].axis, *point - screws[k + 2].point))) return std::nullopt;
+  wrist.centre = wrist.own_frame ? scope.define(attempt.plan.target, "centre", *point) : *point;
+  return wrist;
 }
 
 /// The wrist's angles from the rotation that its joints have to make, in the base frame.
-void turn_wrist(Attempt& attempt, std::size_t k, const symbolic::Quaternion& rotation) {
-  const Wrist wrist = *wrist_of(attempt, k);
+void turn_wrist(Attempt& attempt, std::size_t k, const Wrist& wrist, const symbolic::Quaternion& rotation) {
   const symbolic::Quaternion& frame = attempt.chain.screws[k].frame;
   solve_wrist(attempt.builder, wrist.axes[0], wrist.axes[1], wrist.axes[2],
               wrist.own_frame ? symbolic::inverse(frame) * rotation * frame : rotation);
-}
-
-std::optional<Vector> common_point(const Attempt& attempt, std::size_t k) {
-  const auto& screws = attempt.chain.screws;
-  const Scope& scope = attempt.scope;
-  if (!wrist_of(attempt, k)) return std::nullopt;
-  const auto point = meeting_point(screws[k], screws[k + 1], scope);
-  if (!point || !scope.is_zero(cross(screws[k + 2].axis, *point - screws[k + 2].point))) return std::nullopt;
-  return point;
 }
 
 /// The screw as it stands after a locked joint has moved.
@@ -82,7 +77,7 @@ Screw carried(Attempt& attempt, const Screw& lock, const Screw& screw) {
 }
 
 /// Seven joints: the wrist last, one of the four others held; the joints beyond it are carried along.
-std::string by_locked_joint(Attempt& attempt, Target& target, const Vector& centre, std::size_t k, std::size_t locked) {
+std::string by_locked_joint(Attempt& attempt, Target& target, const Wrist& wrist, std::size_t k, std::size_t locked) {
   const auto& screws = attempt.chain.screws;
   if (k != 4 || locked >= k) return "the wrist is not last";
   const Screw& lock = screws[locked];
@@ -99,13 +94,13 @@ std::string by_locked_joint(Attempt& attempt, Target& target, const Vector& cent
   for (std::size_t i = 0; i < k; ++i)
     if (i != locked) arm.push_back(i < locked ? screws[i] : carried(attempt, lock, screws[i]));
   const Scope::Turn at = attempt.builder.value(lock);
-  const Vector start = attempt.scope.define(attempt.plan.target, "start", attempt.scope.clean(apply(lock, at.cosine, at.sine, centre)));
-  const Vector goal = attempt.scope.define(attempt.plan.target, "goal", attempt.scope.clean(target.image(centre)));
+  const Vector start = attempt.scope.define(attempt.plan.target, "start", attempt.scope.clean(apply(lock, at.cosine, at.sine, wrist.centre)));
+  const Vector goal = attempt.scope.define(attempt.plan.target, "goal", attempt.scope.clean(target.image(wrist.centre)));
   const std::string reason = solve_position(attempt.builder, arm[0], arm[1], arm[2], start, goal);
   if (!reason.empty()) return "with " + lock.variable + " given: " + reason;
   const std::vector<Screw> pre(screws.begin(), screws.begin() + static_cast<std::ptrdiff_t>(k));
   const symbolic::Quaternion rotation = without_first(attempt.builder, pre, target.orientation());
-  turn_wrist(attempt, k, rotation);
+  turn_wrist(attempt, k, wrist, rotation);
   attempt.plan.structure = "with " + lock.variable + " given, the axes of joints " + joint_range(k, 3) + " meet in one point";
   return "";
 }
@@ -114,20 +109,19 @@ std::string by_locked_joint(Attempt& attempt, Target& target, const Vector& cent
 
 std::string by_common_point(Attempt& attempt, std::size_t k, int locked) {
   const auto& screws = attempt.chain.screws;
-  auto point = common_point(attempt, k);
-  if (!point) return "joints " + joint_range(k, 3) + ": their axes do not meet in one point";
-  if (wrist_of(attempt, k)->own_frame) point = attempt.scope.define(attempt.plan.target, "centre", *point);
+  const auto wrist = wrist_of(attempt, k);
+  if (!wrist) return "joints " + joint_range(k, 3) + ": their axes do not meet in one point";
   Target target(attempt.builder, attempt.chain.home);
   const std::vector<Screw> pre(screws.begin(), screws.begin() + static_cast<std::ptrdiff_t>(k));
-  if (locked >= 0) return by_locked_joint(attempt, target, *point, k, static_cast<std::size_t>(locked));
+  if (locked >= 0) return by_locked_joint(attempt, target, *wrist, k, static_cast<std::size_t>(locked));
   const std::vector<Screw> post(screws.begin() + static_cast<std::ptrdiff_t>(k) + 3, screws.end());
   const auto named = [&](const Vector& v) { return attempt.scope.define(attempt.plan.target, "goal", attempt.scope.clean(v)); };
   std::string reason;
   if (k == 3) {
-    reason = solve_position(attempt.builder, pre[0], pre[1], pre[2], *point, named(target.image(*point)));
+    reason = solve_position(attempt.builder, pre[0], pre[1], pre[2], wrist->centre, named(target.image(wrist->centre)));
   } else if (k == 0) {
-    reason = solve_position(attempt.builder, reversed(post[2]), reversed(post[1]), reversed(post[0]), *point,
-                            named(target.source(*point)));
+    reason = solve_position(attempt.builder, reversed(post[2]), reversed(post[1]), reversed(post[0]), wrist->centre,
+                            named(target.source(wrist->centre)));
   } else {
     // post T^-1 pre carries the point to itself; the first joints are seen through T^-1.
     std::vector<Screw> loop = post;
@@ -141,12 +135,12 @@ std::string by_common_point(Attempt& attempt, std::size_t k, int locked) {
       seen.point = attempt.scope.define(program, name + "_point", target.source(pre[i].point));
       loop.push_back(seen);
     }
-    reason = solve_position(attempt.builder, loop[0], loop[1], loop[2], named(target.source(*point)), *point);
+    reason = solve_position(attempt.builder, loop[0], loop[1], loop[2], named(target.source(wrist->centre)), wrist->centre);
   }
   if (!reason.empty()) return "joints " + joint_range(k, 3) + " meet in a point, but the others cannot place it: " + reason;
   const symbolic::Quaternion first = without_first(attempt.builder, pre, target.orientation());
   const symbolic::Quaternion rotation = without_last(attempt.builder, post, first);
-  turn_wrist(attempt, k, rotation);
+  turn_wrist(attempt, k, *wrist, rotation);
   attempt.plan.structure = "the axes of joints " + joint_range(k, 3) + " meet in one point: position and orientation decouple";
   return "";
 }
