@@ -4,11 +4,10 @@
 #pragma once
 
 #include <qvgen/inverse/conic_circle.h>
+#include <qvgen/inverse/outlook.h>
 #include <qvgen/inverse/polish.h>
 #include <qvgen/inverse/roots.h>
-#include <qvgen/inverse/rows.h>
 #include <qvgen/inverse/slide_and_turn.h>
-#include <qvgen/inverse/target.h>
 #include <qvgen/inverse/wrist.h>
 
 // One function for each step of the derivation; `sign` chooses a branch. Values that later steps need stand in Work. No
@@ -32,6 +31,9 @@ struct Target : inverse::TargetBase<6> {
 };
 
 namespace {
+/// What the tool's distance from the base cannot exceed, m: no bound.
+constexpr double farthest = 1e150;
+
 /// Fills in what the pose says, for a first pass; `excess` is what its quaternion's square has beyond 1.
 inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
   using Scalar [[maybe_unused]] = double;
@@ -63,6 +65,26 @@ inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
   t.pose_q_z = pose_q_z;
   t.set_size(t.size_square);
   t.boundary = inverse::Boundary::plain(t.tolerance);
+}
+
+/// Whether theta3 has no solution on any branch, told without a root.
+/// From: distance from the axis of theta1: the same.
+inline bool is_out_of_reach(const Target& t) {
+  using Scalar = double;
+  const Scalar t0 = Scalar(t.geometry.d4) - Scalar(t.geometry.l1);
+  const Scalar t1 = Scalar(0.25) * (Scalar(t.square_theta3) - t0 * t0) / (Scalar(t.geometry.d4) * Scalar(t.geometry.l1));
+  const Scalar middle = t1;
+  const Scalar swing = Scalar(0);
+  return inverse::is_out_of_range(middle, swing, t.boundary);
+}
+
+/// What can be said before any branch is followed; aims at the pose if branches have to tell.
+[[gnu::always_inline]] inline inverse::Outlook look_at(const inverse::PoseNumbers& pose, Target& t) {
+  const double excess = inverse::unit_excess(pose);
+  const inverse::Outlook outlook = inverse::outlook(pose, excess, farthest, t.tolerance);
+  if (outlook != inverse::Outlook::open) return outlook;
+  aim(pose, excess, t);
+  return is_out_of_reach(t) ? inverse::Outlook::unreachable : inverse::Outlook::open;
 }
 
 template <typename Scalar>

@@ -4,11 +4,10 @@
 #pragma once
 
 #include <qvgen/inverse/conic_circle.h>
+#include <qvgen/inverse/outlook.h>
 #include <qvgen/inverse/polish.h>
 #include <qvgen/inverse/roots.h>
-#include <qvgen/inverse/rows.h>
 #include <qvgen/inverse/slide_and_turn.h>
-#include <qvgen/inverse/target.h>
 #include <qvgen/inverse/wrist.h>
 
 // One function for each step of the derivation; `sign` chooses a branch. Values that later steps need stand in Work. No
@@ -32,10 +31,13 @@ struct Target : inverse::TargetBase<6> {
 
 /// All branches, four at a time in the lanes of AVX2 registers; null if the compiler was not asked for it. Aims at the pose
 /// itself, which spares what it reads of it the way through memory.
-using LaneSolver = inverse::RowCount (*)(inverse::PoseNumbers, double excess, const Target& given, inverse::RowPlaces);
+using LaneSolver = inverse::RowCount (*)(inverse::PoseNumbers, const Target& given, inverse::RowPlaces);
 extern const LaneSolver solve_in_lanes;
 
 namespace {
+/// What the tool's distance from the base cannot exceed, m: no bound.
+constexpr double farthest = 1e150;
+
 /// Fills in what the pose says, for a first pass; `excess` is what its quaternion's square has beyond 1.
 inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
   using Scalar [[maybe_unused]] = double;
@@ -65,6 +67,25 @@ inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
   t.pose_q_z = pose_q_z;
   t.set_size(t.size_square);
   t.boundary = inverse::Boundary::plain(t.tolerance);
+}
+
+/// Whether theta3 has no solution on any branch, told without a root.
+/// From: perpendicular to d2, nothing changes.
+inline bool is_out_of_reach(const Target& t) {
+  using Scalar = double;
+  const Scalar t0 = Scalar(0.25) * (Scalar(t.pose_p_y) * Scalar(t.pose_p_y) + Scalar(t.pose_p_x) * Scalar(t.pose_p_x)) / (Scalar(t.geometry.d4) * Scalar(t.geometry.d4));
+  const Scalar middle = Scalar(0.5) * (Scalar(t.geometry.d4) - Scalar(t.geometry.l2)) / Scalar(t.geometry.d4);
+  const Scalar swing = t0;
+  return inverse::is_out_of_range(middle, swing, t.boundary);
+}
+
+/// What can be said before any branch is followed; aims at the pose if branches have to tell.
+[[gnu::always_inline]] inline inverse::Outlook look_at(const inverse::PoseNumbers& pose, Target& t) {
+  const double excess = inverse::unit_excess(pose);
+  const inverse::Outlook outlook = inverse::outlook(pose, excess, farthest, t.tolerance);
+  if (outlook != inverse::Outlook::open) return outlook;
+  aim(pose, excess, t);
+  return is_out_of_reach(t) ? inverse::Outlook::unreachable : inverse::Outlook::open;
 }
 
 template <typename Scalar>

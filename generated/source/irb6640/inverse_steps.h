@@ -4,11 +4,10 @@
 #pragma once
 
 #include <qvgen/inverse/conic_circle.h>
+#include <qvgen/inverse/outlook.h>
 #include <qvgen/inverse/polish.h>
 #include <qvgen/inverse/roots.h>
-#include <qvgen/inverse/rows.h>
 #include <qvgen/inverse/slide_and_turn.h>
-#include <qvgen/inverse/target.h>
 #include <qvgen/inverse/wrist.h>
 
 // One function for each step of the derivation; `sign` chooses a branch. Values that later steps need stand in Work. No
@@ -28,10 +27,13 @@ struct Target : inverse::TargetBase<6> {
 
 /// All branches, four at a time in the lanes of AVX2 registers; null if the compiler was not asked for it. Aims at the pose
 /// itself, which spares what it reads of it the way through memory.
-using LaneSolver = inverse::RowCount (*)(inverse::PoseNumbers, double excess, const Target& given, inverse::RowPlaces);
+using LaneSolver = inverse::RowCount (*)(inverse::PoseNumbers, const Target& given, inverse::RowPlaces);
 extern const LaneSolver solve_in_lanes;
 
 namespace {
+/// What the tool's distance from the base cannot exceed, m.
+constexpr double farthest = 3.277963;
+
 /// Fills in what the pose says, for a first pass; `excess` is what its quaternion's square has beyond 1.
 inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
   using Scalar [[maybe_unused]] = double;
@@ -63,6 +65,26 @@ inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
   t.pose_q_z = pose_q_z;
   t.set_size(t.size_square);
   t.boundary = inverse::Boundary::plain(t.tolerance);
+}
+
+/// Whether theta3 has no solution on any branch, told without a root.
+/// From: distance from the axis of theta2: the same.
+inline bool is_out_of_reach(const Target& t) {
+  using Scalar = double;
+  const Scalar t0 = Scalar(0.78) - Scalar(t.goal_z);
+  const Scalar t1 = Scalar(t.goal_x) * Scalar(t.goal_x) + Scalar(t.goal_y) * Scalar(t.goal_y);
+  const Scalar middle = Scalar(0.20050304128420945) * (Scalar(4.8922590099258905) - t0 * t0 - t1);
+  const Scalar swing = Scalar(0.016466521933503446) * t1;
+  return inverse::is_out_of_range(middle, swing, t.boundary);
+}
+
+/// What can be said before any branch is followed; aims at the pose if branches have to tell.
+[[gnu::always_inline]] inline inverse::Outlook look_at(const inverse::PoseNumbers& pose, Target& t) {
+  const double excess = inverse::unit_excess(pose);
+  const inverse::Outlook outlook = inverse::outlook(pose, excess, farthest, t.tolerance);
+  if (outlook != inverse::Outlook::open) return outlook;
+  aim(pose, excess, t);
+  return is_out_of_reach(t) ? inverse::Outlook::unreachable : inverse::Outlook::open;
 }
 
 template <typename Scalar>

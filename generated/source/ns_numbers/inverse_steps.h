@@ -4,11 +4,10 @@
 #pragma once
 
 #include <qvgen/inverse/conic_circle.h>
+#include <qvgen/inverse/outlook.h>
 #include <qvgen/inverse/polish.h>
 #include <qvgen/inverse/roots.h>
-#include <qvgen/inverse/rows.h>
 #include <qvgen/inverse/slide_and_turn.h>
-#include <qvgen/inverse/target.h>
 #include <qvgen/inverse/wrist.h>
 
 // One function for each step of the derivation; `sign` chooses a branch. Values that later steps need stand in Work. No
@@ -24,10 +23,13 @@ struct Target : inverse::TargetBase<3> {
 
 /// All branches, four at a time in the lanes of AVX2 registers; null if the compiler was not asked for it. Aims at the pose
 /// itself, which spares what it reads of it the way through memory.
-using LaneSolver = inverse::RowCount (*)(inverse::PoseNumbers, double excess, const Target& given, inverse::RowPlaces);
+using LaneSolver = inverse::RowCount (*)(inverse::PoseNumbers, const Target& given, inverse::RowPlaces);
 extern const LaneSolver solve_in_lanes;
 
 namespace {
+/// What the tool's distance from the base cannot exceed, m: no bound.
+constexpr double farthest = 1e150;
+
 /// Fills in what the pose says, for a first pass; `excess` is what its quaternion's square has beyond 1.
 inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
   using Scalar [[maybe_unused]] = double;
@@ -52,6 +54,15 @@ inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
   t.pose_p_z = pose_p_z;
   t.set_size(t.size_square);
   t.boundary = inverse::Boundary::plain(t.tolerance);
+}
+
+/// What can be said before any branch is followed; aims at the pose if branches have to tell.
+[[gnu::always_inline]] inline inverse::Outlook look_at(const inverse::PoseNumbers& pose, Target& t) {
+  const double excess = inverse::unit_excess(pose);
+  const inverse::Outlook outlook = inverse::outlook(pose, excess, farthest, t.tolerance);
+  if (outlook != inverse::Outlook::open) return outlook;
+  aim(pose, excess, t);
+  return inverse::Outlook::open;
 }
 
 template <typename Scalar>

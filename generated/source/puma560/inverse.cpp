@@ -21,10 +21,10 @@ Target given([[maybe_unused]] const Geometry& g, double tolerance, const inverse
   return t;
 }
 
-/// All branches, one after the other. Returns whether rounding has decided nothing.
-[[gnu::flatten, gnu::noinline]] bool solve_one_by_one(inverse::PoseNumbers pose, double excess, const Target& given, Solutions& found) {
+/// All branches, one after the other. Returns whether rounding has decided nothing, of a valid pose.
+[[gnu::flatten, gnu::noinline]] bool solve_one_by_one(inverse::PoseNumbers pose, const Target& given, Solutions& found) {
   Target t = given;
-  aim(pose, excess, t);
+  if (const inverse::Outlook outlook = look_at(pose, t); outlook != inverse::Outlook::open) return outlook == inverse::Outlook::unreachable;
   Work<double> w;
   JointVector<double> q;
   const inverse::Branch<double> above0 = w.branch;
@@ -101,11 +101,16 @@ using Visited = inverse::Visited<double, 3, 8>;
 
 [[gnu::noinline]] void solve_carefully(const Pose<double>& pose, const Target& given, Solutions& found) {
   const auto aimed = [&](const Pose<double>& at) {
+    const inverse::PoseNumbers numbers = inverse::numbers_of(at);
     Target t = given;
-    aim(inverse::numbers_of(at), inverse::unit_excess(at), t);
+    aim(numbers, inverse::unit_excess(numbers), t);
     return t;
   };
   found.clear();
+  if (inverse::outlook(pose, farthest, given.tolerance) != inverse::Outlook::open) {
+    found.status = inverse::status_beyond(pose);
+    return;
+  }
   inverse::solve_carefully(pose, aimed, Visited(), follow_carefully, found);
   found.conclude();
 }
@@ -113,9 +118,9 @@ using Visited = inverse::Visited<double, 3, 8>;
 [[gnu::always_inline]] inline void solve(const Pose<double>& pose, const Target& given, [[maybe_unused]] inverse::Form form, Solutions& found) {
   // Branches side by side where machine and compiler know AVX2.
   if (form == inverse::Form::fastest && solve_in_lanes != nullptr && inverse::machine_has_avx2()) {
-    const inverse::RowCount count = solve_in_lanes(inverse::numbers_of(pose), inverse::unit_excess(pose), given, inverse::row_places(found));
+    const inverse::RowCount count = solve_in_lanes(inverse::numbers_of(pose), given, inverse::row_places(found));
     if (count.rows >= 0) return inverse::conclude(found, count);
-  } else if (solve_one_by_one(inverse::numbers_of(pose), inverse::unit_excess(pose), given, found)) {
+  } else if (solve_one_by_one(inverse::numbers_of(pose), given, found)) {
     return found.conclude();
   }
 
@@ -128,11 +133,6 @@ using Visited = inverse::Visited<double, 3, 8>;
 Solutions inverse_kinematics(const Pose<double>& pose, const Geometry& g, double tolerance,
     inverse::Form form) {
   Solutions found;
-  if (!inverse::is_within(pose, 1.687017, tolerance)) {
-    found.status = inverse::status_beyond(pose);
-    return found;
-  }
-
   detail::all::solve(pose, detail::all::given(g, tolerance, inverse::zero_preference<dof>), form, found);
   return found;
 }
@@ -143,7 +143,6 @@ Solutions inverse_kinematics(const Pose<double>& pose, const JointVector<double>
     found.status = Status::invalid;
     return found;
   }
-  if (!inverse::is_within(pose, 1.687017, tolerance)) return found;
   const inverse::Preference<dof> preference = inverse::preference<dof>(seed);
   detail::all::solve(pose, detail::all::given(g, tolerance, preference), inverse::Form::fastest, found);
   sort_by_distance(found, seed, is_revolute);

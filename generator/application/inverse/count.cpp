@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "application/inverse/count.h"
 
+#include <qvgen/inverse/outlook.h>
 #include <qvgen/inverse/roots.h>
 #include <qvgen/inverse/slides.h>
 #include <qvgen/inverse/wrist.h>
@@ -125,6 +126,13 @@ OperationCounts count_of(const LoweredPlan& plan, std::size_t index) {
   return result;
 }
 
+OperationCounts count_of_range_test(const LoweredPlan& plan) {
+  if (!plan.plan.range_test.exists()) return {};
+  Counted::tally() = {};
+  qvgen::inverse::is_out_of_range<Counted>(0.5, 0.1, qvgen::inverse::Boundary::plain(qvgen::inverse::default_tolerance));
+  return dag::count(plan.range_test) + Counted::tally();
+}
+
 }  // namespace
 
 nlohmann::ordered_json inverse_counts(const LoweredPlan& plan) {
@@ -132,7 +140,9 @@ nlohmann::ordered_json inverse_counts(const LoweredPlan& plan) {
   OperationCounts target = dag::count(plan.target) + preparation();
   if (plan.plan.locked >= 0) ++target.sine_cosines;
   nlohmann::ordered_json steps{{"pose", to_json(target)}};
-  OperationCounts all = target;
+  const OperationCounts test = count_of_range_test(plan);
+  if (plan.plan.range_test.exists()) steps["out_of_reach"] = to_json(test);
+  OperationCounts all = target + test;
   int times = 1;
   for (const std::size_t i : derive::inverse::order(plan.plan, false)) {
     const Step& step = plan.plan.steps[i];

@@ -9,6 +9,7 @@
 #include <qvgen/inverse/slide_and_turn.h>
 #include <qvgen/inverse/wrist.h>
 
+#include "application/certificate.h"
 #include "dag/evaluate.h"
 #include "derive/inverse/inverse.h"
 
@@ -61,6 +62,7 @@ class Execution {
   std::vector<Row> run(Values values) {
     for (const auto& [name, value] : outputs(plan_.target, values)) values[name] = value;
     size_square_ = values.at(derive::inverse::size_square);
+    range_test_ = outputs(plan_.range_test, values);
     follow(0, values, Branch{}, 0);
     return std::move(rows_);
   }
@@ -82,6 +84,7 @@ class Execution {
     const std::size_t index = order_[place];
     const Step& step = plan_.plan.steps[index];
     const Values in = outputs(plan_.steps[index].before, values);
+    if (plan_.plan.range_test.exists() && step.unknown == plan_.plan.range_test.unknown && step.kind == Kind::circle) check_range_test(in);
     if (step.is_quartic()) return follow_quartic(place, values, in, branch, label);
     if (step.kind == Kind::polish) {
       if (polish(step, in, values)) follow(place + 1, std::move(values), branch, label);
@@ -99,6 +102,12 @@ class Execution {
       }
       if (next.exists) follow(place + 1, known, next, label * step.branches + k);
     }
+  }
+
+  /// On every branch the circle's share is what the test has told: middle + √swing or middle - √swing.
+  void check_range_test(const Values& in) const {
+    const Real off = in.at("low") * in.at("scale") - range_test_.at("middle");
+    if (abs(off * off - range_test_.at("swing")).to_double() > 1e-50) throw CertificateError("inverse kinematics: the range test is wrong");
   }
 
   [[nodiscard]] qvgen::inverse::SlideTurns<Real> quartic_roots(Kind kind, const Values& in) const {
@@ -293,6 +302,7 @@ class Execution {
   const LoweredPlan& plan_;
   std::vector<std::size_t> order_;
   Real size_square_;
+  Values range_test_;
   std::vector<Row> rows_;
 };
 

@@ -21,7 +21,7 @@ dag::Function optimised(const symbolic::Program& program, const std::vector<std:
 }  // namespace
 
 LoweredPlan lower(const derive::inverse::Plan& plan) {
-  LoweredPlan lowered{plan, optimised(plan.target, plan.target_kept), {}};
+  LoweredPlan lowered{plan, optimised(plan.target, plan.target_kept), optimised(plan.range_test.values), {}};
   for (const auto& step : plan.steps) lowered.steps.push_back({optimised(step.before), optimised(step.after, step.kept)});
   return lowered;
 }

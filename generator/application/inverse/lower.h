@@ -12,6 +12,7 @@ namespace qvgen::application {
 struct LoweredPlan {
   derive::inverse::Plan plan;
   dag::Function target;
+  dag::Function range_test;
   struct Step {
     dag::Function before;
     dag::Function after;

@@ -53,6 +53,8 @@ json values(const std::vector<emit::Code::Value>& list) {
   return result;
 }
 
+json to_json(const emit::Code& code) { return {{"temporaries", values(code.temporaries)}, {"outputs", values(code.outputs)}}; }
+
 std::string rotor(const std::string& x, const std::string& y) { return "inverse::Rotor<Scalar>{" + x + ", " + y + "}"; }
 
 std::string preferred_angle(int joint) { return "Scalar(t.preference->angle[" + std::to_string(joint) + "])"; }
@@ -256,7 +258,13 @@ json target_values(const model::Robot& robot, const LoweredPlan& plan) {
   const emit::Names plain{symbol, {}, {}};
   const auto function = [&](const std::string& name) { return [&, name](const dag::Angle& angle) { return name + "(" + angle_code(angle, plain) + ")"; }; };
   const emit::Code code = emit::cpp_code(plan.target, {symbol, function("std::sin"), function("std::cos")});
-  return {{"temporaries", values(code.temporaries)}, {"outputs", values(code.outputs)}};
+  return to_json(code);
+}
+
+json range_test_values(const model::Robot& robot, const LoweredPlan& plan) {
+  const derive::inverse::RangeTest& test = plan.plan.range_test;
+  if (!test.exists()) return false;
+  return {{"unknown", test.unknown}, {"equation", test.equation}, {"values", to_json(emit::cpp_code(plan.range_test, names_of(robot, plan, {})))}};
 }
 
 json step_values(const model::Robot& robot, const LoweredPlan& plan) {
@@ -289,8 +297,8 @@ json step_values(const model::Robot& robot, const LoweredPlan& plan) {
                      {"has_result", !type.empty() && !returns},
                      {"has_call", !call.empty() && type.empty()},
                      {"delta", oblique && ends(plan, step)},
-                     {"before", {{"temporaries", values(before.temporaries)}, {"outputs", values(before.outputs)}}},
-                     {"after", {{"temporaries", values(after.temporaries)}, {"outputs", values(after.outputs)}}},
+                     {"before", to_json(before)},
+                     {"after", to_json(after)},
                      {"lines", lines_of(extra)}});
   }
   return steps;

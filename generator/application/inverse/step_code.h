@@ -17,6 +17,9 @@ std::string step_name(const LoweredPlan& plan, std::size_t index);
 /// Template values of the function that computes a plan's target from pose and geometry.
 nlohmann::json target_values(const model::Robot& robot, const LoweredPlan& plan);
 
+/// Template values of the function that tells poses out of reach before any branch, false if there is none.
+nlohmann::json range_test_values(const model::Robot& robot, const LoweredPlan& plan);
+
 /// Template values of every step's function, in order.
 nlohmann::json step_values(const model::Robot& robot, const LoweredPlan& plan);
 

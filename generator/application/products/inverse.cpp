@@ -110,7 +110,7 @@ json variant(const model::Robot& robot, const derive::inverse::Plan& derived, nl
           {"locked_parameter", locked ? "double " + given + ", " : ""},
           {"locked_argument", locked ? ", " + given : ""},
           {"quartic", derived.quartic()},
-          {"reach", farthest},
+          {"reach", farthest.empty() ? "1e150" : farthest},
           {"has_reach", !farthest.empty()},
           {"capacity", derived.capacity},
           {"meaning", std::string(derived.position_only ? "its position; the orientation is not used" : "position and orientation") +
@@ -121,6 +121,7 @@ json variant(const model::Robot& robot, const derive::inverse::Plan& derived, nl
           {"target_fields", fields_of(derived.target_kept)},
           {"work_fields", fields_of(work_fields(plan))},
           {"target", target_values(robot, plan)},
+          {"range_test", range_test_values(robot, plan)},
           {"steps", step_values(robot, plan)},
           {"dof", robot.joints.size()},
           {"has_geometry", !constants.empty()},

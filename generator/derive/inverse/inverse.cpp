@@ -6,6 +6,7 @@
 #include "derive/inverse/attempt.h"
 #include "derive/inverse/freedom.h"
 #include "derive/inverse/lengths.h"
+#include "derive/inverse/range_test.h"
 #include "derive/inverse/results.h"
 #include "derive/inverse/schedule.h"
 #include "derive/inverse/target.h"
@@ -29,6 +30,7 @@ Derivation first_of(const model::Robot& robot, const std::vector<Method>& method
     schedule(attempt.plan);
     spare_lengths(attempt.plan, attempt.scope);
     read_results(attempt.plan, attempt.scope);
+    attempt.plan.range_test = range_test(attempt.plan, attempt.scope);
     if (attempt.plan.quartic()) read_unit_quaternion(attempt.plan.target);
     prune(attempt.plan);
     for (const Step& step : attempt.plan.steps) attempt.plan.capacity *= step.branches;

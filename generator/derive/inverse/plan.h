@@ -84,10 +84,20 @@ struct WristPlan {
   bool ends_the_plan = true;   ///< angles are the output; otherwise cosines and sines for further steps
 };
 
+/// Tells without a root, before any branch is followed, that none reaches a pose: `is_out_of_range` of the runtime.
+struct RangeTest {
+  symbolic::Program values;  ///< middle and swing, from the target; nothing if there is no such test
+  std::string unknown;       ///< of the step whose equation has no solution then
+  std::string equation;
+
+  [[nodiscard]] bool exists() const { return !values.outputs().empty(); }
+};
+
 struct Plan {
   std::string structure;            ///< "joints 4, 5, 6 meet in a point", ...
   symbolic::Program target;         ///< from the pose (and a locked joint) to what the steps need
   std::vector<std::string> target_kept;  ///< names of `target` that a step reads
+  RangeTest range_test;
   std::vector<Step> steps;
   std::vector<JointValue> joints;   ///< by joint
   WristPlan wrist;

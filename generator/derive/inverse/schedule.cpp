@@ -124,6 +124,7 @@ void prune(Plan& plan) {
     step->kept = kept(step->after);
     for (const std::string& name : reads(*step)) wanted.insert(name);
   }
+  collect(plan.range_test.values, wanted);
   plan.target_kept = kept(plan.target);
   // What steps read of the pose itself passes through the target under its own name.
   for (const std::string& name : wanted) {

@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <qvgen/quaternion.h>
+#include <qvgen/unit_tolerance.h>
 
 namespace qvgen {
 
@@ -84,13 +85,6 @@ Scalar angular_distance(const Pose<Scalar>& a, const Pose<Scalar>& b) {
 template <class Scalar>
 Scalar linear_distance(const Pose<Scalar>& a, const Pose<Scalar>& b) {
   return (a.position - b.position).norm();
-}
-
-/// How far |q|² of a valid pose may be from 1: 1e-6 for double, so that quaternions typed in with six digits
-/// or rounded to float pass, and a forgotten normalisation does not; for float 1e-4.
-template <class Scalar>
-constexpr Scalar unit_tolerance() {
-  return std::numeric_limits<Scalar>::digits > 30 ? Scalar(1e-6) : Scalar(1e-4);
 }
 
 /// True if every number is finite and the quaternion is unit to within `tolerance` (on its squared length).

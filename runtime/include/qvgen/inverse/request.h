@@ -3,8 +3,8 @@
 
 #include <Eigen/Geometry>
 
+#include <qvgen/inverse/outlook.h>
 #include <qvgen/inverse/solutions.h>
-#include <qvgen/inverse/target.h>
 #include <qvgen/pose.h>
 
 namespace qvgen::inverse {
@@ -22,22 +22,16 @@ Preference<dof> preference(const Eigen::Matrix<double, dof, 1>& seed) {
 }
 
 inline PoseNumbers numbers_of(const Pose<double>& pose) { return {pose.orientation.coeffs().data(), pose.position.data()}; }
-/// How far the square of a pose's quaternion is from 1.
-inline double unit_excess(const Pose<double>& pose) { return pose.orientation.squaredNorm() - 1; }
 
-/// Whether a pose is valid and no farther out than the sum of all lengths of the arm, rounding and tolerance (up to 1)
-/// allowed for: else nothing has to be solved.
-inline bool is_within(const Pose<double>& pose, double reach, double tolerance) {
-  const double square = reach * reach;
-  return std::abs(unit_excess(pose)) <= unit_tolerance<double>() &&
-         pose.position.squaredNorm() <= square * (1 + 1e-6) + 80 * square * tolerance;
+inline Outlook outlook(const Pose<double>& pose, double farthest, double tolerance) {
+  const PoseNumbers numbers = numbers_of(pose);
+  return outlook(numbers, unit_excess(numbers), farthest, tolerance);
 }
 
-/// Why a pose that is not within has no solutions.
+/// Why a pose whose outlook is not open has no solutions. A sum of squares is finite wherever they are; the opposite need not
+/// hold.
 inline Status status_beyond(const Pose<double>& pose) {
-  // A sum of squares is finite wherever they are; the opposite need not hold.
-  const bool finite = pose.position.squaredNorm() < std::numeric_limits<double>::infinity() || pose.position.allFinite();
-  return std::abs(unit_excess(pose)) <= unit_tolerance<double>() && finite ? Status::unreachable : Status::invalid;
+  return std::abs(unit_excess(numbers_of(pose))) <= unit_tolerance<double>() && pose.position.allFinite() ? Status::unreachable : Status::invalid;
 }
 
 /// A rotation matrix by its entries: orthogonal with determinant 1 to within the tolerance of a pose's quaternion.

@@ -13,7 +13,7 @@ struct RowPlaces {
 };
 
 struct RowCount {
-  int rows;        ///< -1: rounding may have decided what exists
+  int rows;        ///< -1: rounding may have decided what exists, or the pose is invalid
   bool continuum;  ///< one of them is marked
 };
 

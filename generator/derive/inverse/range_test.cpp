@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "derive/inverse/range_test.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "derive/inverse/schedule.h"
+#include "symbolic/model.h"
+
+namespace qvgen::derive::inverse {
+
+using GiNaC::ex;
+using GiNaC::exmap;
+using symbolic::Program;
+
+namespace {
+
+GiNaC::symbol k() { return symbolic::symbol("signed_root"); }
+
+/// A branching step's results by k = ±√square.
+struct Signed {
+  exmap results;
+  ex square;
+};
+
+/// What earlier steps have left, by k if one of them has branched.
+struct Known {
+  exmap values;
+  std::optional<Signed> sign;
+
+  /// An input of a step's block, written out.
+  [[nodiscard]] ex input(const Step& step, const std::string& name) const {
+    for (const Program::Output& output : step.before.expanded())
+      if (output.name == name) return output.value.subs(values);
+    return 0;
+  }
+};
+
+/// ±(x, y): k is the direction's length.
+Signed opposite(const Step& step, const ex& x, const ex& y, const ex& square) {
+  if (!step.unit) return {{{symbolic::symbol("result"), k()}}, square};
+  return {{{symbolic::symbol("cos_result"), k() * x / square}, {symbolic::symbol("sin_result"), k() * y / square}}, square};
+}
+
+/// cos φ = d / |(x, y)|, if low and high are |(x, y)| ∓ d: k is |(x, y)| sin φ.
+std::optional<Signed> line_angle(const ex& low, const ex& high, const ex& x, const ex& y, const ex& square, const Scope& scope) {
+  const ex d = scope.clean((high - low) / 2);
+  if (!scope.is_zero((high + low) * (high + low) - 4 * square)) return std::nullopt;
+  return Signed{{{symbolic::symbol("cos_result"), (d * x - k() * y) / square}, {symbolic::symbol("sin_result"), (k() * x + d * y) / square}},
+                square - d * d};
+}
+
+std::optional<Signed> by_sign(const Step& step, const Known& known, const Scope& scope) {
+  if (step.kind == Kind::root) return Signed{{{symbolic::symbol("result"), k()}}, known.input(step, "square")};
+  const ex x = known.input(step, "x");
+  const ex y = known.input(step, "y");
+  const ex square = x * x + y * y;
+  if (step.kind == Kind::opposite) return opposite(step, x, y, square);
+  if (step.kind == Kind::free_circle) return line_angle(known.input(step, "low"), known.input(step, "high"), x, y, square, scope);
+  return std::nullopt;
+}
+
+/// Takes over what a step leaves; whether that can be said by k. What does not depend on the sign is named.
+bool take(const Step& step, Known& known, Program& program, const Scope& scope) {
+  const bool solves = step.kind != Kind::linear && step.kind != Kind::require;
+  if (solves && known.sign) return false;
+  if (solves) known.sign = by_sign(step, known, scope);
+  if (solves && !known.sign) return false;
+  for (const Program::Step& value : step.after.steps()) {
+    ex written = value.value.subs(known.values);
+    if (solves) written = written.subs(known.sign->results);
+    known.values[value.name] = written.has(k()) ? written.normal() : program.let(written);
+  }
+  return true;
+}
+
+bool reads_any(const std::vector<std::string>& names, const std::vector<std::string>& of) {
+  return std::any_of(names.begin(), names.end(), [&](const std::string& name) { return std::find(of.begin(), of.end(), name) != of.end(); });
+}
+
+/// The steps before a circle whose values it reads, itself or by another, in order.
+std::vector<const Step*> steps_behind(const Plan& plan, std::size_t circle) {
+  std::vector<const Step*> found;
+  std::vector<std::string> names = reads(plan.steps[circle]);
+  for (std::size_t i = circle; i-- > 0;) {
+    if (!reads_any(names, writes(plan.steps[i]))) continue;
+    found.insert(found.begin(), &plan.steps[i]);
+    for (const std::string& name : reads(plan.steps[i])) names.push_back(name);
+  }
+  return found;
+}
+
+/// middle ± √swing of the share low * scale.
+void write(const Step& circle, const Known& known, Program& program) {
+  const ex low = known.input(circle, "low");
+  const ex scale = known.input(circle, "scale");
+  const ex expanded = low.expand();
+  if (scale.has(k()) || !expanded.is_polynomial(k()) || expanded.degree(k()) > 2) return;
+  const ex square = program.let(known.sign ? known.sign->square : ex(0));
+  const ex even = program.let(low.subs(k() == 0) + expanded.coeff(k(), 2) * square);
+  const ex odd = scale * expanded.coeff(k(), 1);
+  program.output("middle", scale * even);
+  program.output("swing", odd * odd * square);
+}
+
+}  // namespace
+
+RangeTest range_test(const Plan& plan, const Scope& scope) {
+  const auto circle = std::find_if(plan.steps.begin(), plan.steps.end(), [](const Step& step) { return step.kind == Kind::circle; });
+  if (circle == plan.steps.end() || plan.quartic()) return {};
+  RangeTest test{{}, circle->unknown, circle->equation};
+  Known known;
+  for (const Step* step : steps_behind(plan, static_cast<std::size_t>(circle - plan.steps.begin())))
+    if (!take(*step, known, test.values, scope)) return {};
+  write(*circle, known, test.values);
+  return test;
+}
+
+}  // namespace qvgen::derive::inverse

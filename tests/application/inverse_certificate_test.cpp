@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// What is derived of inverse kinematics is refused where it is wrong by little.
+#include <gtest/gtest.h>
+
+#include "application/certificate.h"
+#include "application/inverse/certify.h"
+#include "derive/inverse/inverse.h"
+#include "description/reader.h"
+
+namespace {
+
+using namespace qvgen;
+using derive::inverse::Plan;
+using symbolic::Program;
+
+model::Robot robot(const std::string& name) {
+  return description::read_file(QVGEN_SOURCE_DIR "/generator/robots/" + name + ".toml", {}).robot.value();
+}
+
+/// With one of its outputs off by a billionth.
+Program falsified(const Program& program, const std::string& name) {
+  Program result;
+  for (const Program::Step& step : program.steps()) result.append(step);
+  for (const Program::Output& output : program.outputs())
+    result.output(output.name, output.name == name ? output.value + GiNaC::numeric(1, 1000000000) : output.value);
+  return result;
+}
+
+void certify(const model::Robot& robot, const Plan& plan) { application::certify_inverse(robot, application::lower(plan), 2); }
+
+class InverseCertificate : public testing::TestWithParam<std::string> {};
+
+TEST_P(InverseCertificate, RefusesAWrongEquation) {
+  const model::Robot arm = robot(GetParam());
+  const Plan plan = derive::inverse::derive(arm).plan;
+  EXPECT_NO_THROW(certify(arm, plan));
+  Plan wrong = plan;
+  for (derive::inverse::Step& step : wrong.steps)
+    if (step.kind == derive::inverse::Kind::circle) step.before = falsified(step.before, "low");
+  EXPECT_THROW(certify(arm, wrong), application::CertificateError);
+}
+
+TEST_P(InverseCertificate, RefusesAWrongRangeTest) {
+  const model::Robot arm = robot(GetParam());
+  Plan plan = derive::inverse::derive(arm).plan;
+  ASSERT_TRUE(plan.range_test.exists());
+  const Program right = plan.range_test.values;
+  for (const char* output : {"middle", "swing"}) {
+    plan.range_test.values = falsified(right, output);
+    EXPECT_THROW(certify(arm, plan), application::CertificateError) << output;
+  }
+}
+
+// A direction of either sign with and without offset, one that is left as long as it is, and no direction at all.
+INSTANTIATE_TEST_SUITE_P(Robots, InverseCertificate, testing::Values("irb6640", "puma560", "nr", "rx90", "poe_6r", "rr_planar"),
+                         [](const auto& each) { return each.param; });
+
+/// A share that depends on an unknown other than one direction is left to the branches.
+TEST(RangeTest, IsLeftOutBehindAWrist) { EXPECT_FALSE(derive::inverse::derive(robot("ur5")).plan.range_test.exists()); }
+
+}  // namespace
