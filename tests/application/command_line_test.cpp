@@ -178,6 +178,8 @@ TEST_F(CommandLine, ShowsTheDerivationOfTheInverseKinematics) {
   const ToolRun latex = run("show ns --inverse --latex");
   EXPECT_TRUE(has(latex, "M_i &= Q_i Q_{i+1} \\dots Q_{6} = N_i"));
   EXPECT_TRUE(has(latex, "\\paragraph{$d_{3}$: foot of the perpendicular and square root, 2 values.}"));
+  EXPECT_FALSE(has(text, "Out of reach"));  // a slide reaches everything
+  EXPECT_TRUE(has(run("show irb6640 --inverse"), "Out of reach, before any branch: no theta3"));
   const ToolRun none = run("show general_6r --inverse");
   EXPECT_EQ(none.code, 1);
   EXPECT_TRUE(has(none, "their axes do not meet in one point"));

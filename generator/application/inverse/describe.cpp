@@ -124,6 +124,7 @@ class Description {
     std::vector<std::string> given = scheme();
     for (const std::string& line : formulas(plan_.target, {})) given.push_back(line);
     block(given);
+    if (plan_.plan.range_test.exists()) range_test();
     for (const std::size_t i : derive::inverse::order(plan_.plan, plan_.plan.quartic())) step(i);
     return std::move(lines_);
   }
@@ -148,6 +149,16 @@ class Description {
       if (left != right && right.size() <= readable) lines.push_back(left + " = " + right);
     }
     return lines;
+  }
+
+  /// What tells before any branch that a pose is out of reach.
+  void range_test() {
+    const derive::inverse::RangeTest& test = plan_.plan.range_test;
+    heading("Out of reach, before any branch: no " + test.unknown, test.equation);
+    std::vector<std::string> lines = formulas(plan_.range_test, {});
+    lines.emplace_back(latex_ ? "\\left| \\left| \\mathrm{middle} - \\tfrac12 \\right| - \\sqrt{\\mathrm{swing}} \\right| > \\tfrac12"
+                              : "||middle - 1/2| - sqrt(swing)| > 1/2");
+    block(lines);
   }
 
   void step(std::size_t i) {
