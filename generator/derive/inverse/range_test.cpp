@@ -2,6 +2,7 @@
 #include "derive/inverse/range_test.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <optional>
 
 #include "derive/inverse/schedule.h"
@@ -16,6 +17,15 @@ using symbolic::Program;
 namespace {
 
 GiNaC::symbol k() { return symbolic::symbol("signed_root"); }
+
+/// What takes longer to write out tells no sooner than a branch does.
+constexpr std::size_t short_enough = 150;
+
+std::size_t nodes(const ex& value) {
+  std::size_t sum = 1;
+  for (std::size_t i = 0; i < value.nops(); ++i) sum += nodes(value.op(i));
+  return sum;
+}
 
 /// A branching step's results by k = ±√square.
 struct Signed {
@@ -69,6 +79,7 @@ bool take(const Step& step, Known& known, Program& program, const Scope& scope) 
   for (const Program::Step& value : step.after.steps()) {
     ex written = value.value.subs(known.values);
     if (solves) written = written.subs(known.sign->results);
+    if (written.has(k()) && nodes(written) > short_enough) return false;
     known.values[value.name] = written.has(k()) ? written.normal() : program.let(written);
   }
   return true;
