@@ -98,6 +98,26 @@ TEST(Visited, AContinuumIsChosenAndNextToTheSeed) {
   EXPECT_FALSE(visited.settle(1, task, Boundary::choosing(0), &seed, again, other));
 }
 
+/// Where a choice leads a branch to what another one has found, its own place on a continuum is left to be taken.
+TEST(Visited, AChoiceThatLeadsElsewhereLeavesTheContinuum) {
+  const Arm arm;
+  const auto regular = arm.to(arm.reached({turn(0.4), turn(-0.3), Rotor<double>{0.7, 0}}));
+  const auto curve = links<3>({1.2, 0.7, 0});
+  Visited<double, 3, 4> visited;
+  const auto settle = [&](int label, const auto& task, const Boundary& boundary, JointValues<double, 3> values) {
+    Branch<double> branch;
+    return visited.settle(label, task, boundary, nullptr, values, branch);
+  };
+  const JointValues<double, 3> known = {turn(0.4), turn(-0.3), Rotor<double>{0.7, 0}};
+  const JointValues<double, 3> on_curve = {turn(0.1), turn(1.4), turn(-1.9)};
+  EXPECT_TRUE(settle(1, regular, Boundary::careful(0), known));
+  EXPECT_FALSE(settle(0, curve, Boundary::careful(0), on_curve));
+  EXPECT_FALSE(settle(0, regular, Boundary::choosing(0), known));
+  EXPECT_TRUE(visited.left_any());
+  EXPECT_TRUE(settle(0, curve, Boundary::taking(0), on_curve));
+  EXPECT_FALSE(visited.left_any());
+}
+
 TEST(Idling, TellsAContinuumFromSolutionsThatMeet) {
   const auto curve = links<3>({1.2, 0.7, 0});
   JointValues<double, 3> three = {turn(0.1), turn(1.4), turn(-1.9)};
@@ -107,6 +127,19 @@ TEST(Idling, TellsAContinuumFromSolutionsThatMeet) {
   EXPECT_FALSE((Idling<double, 2, 1>(stretched).is_continuum({turn(pi<double>() / 2), turn(0)})));
   const auto regular = links<2>({1, 1, 0});
   EXPECT_FALSE((Idling<double, 2, 1>(regular).is_continuum({turn(0), turn(pi<double>() / 2)})));
+}
+
+/// Three links, the first of them 2 mm long: the last joint moves by no more than 4 mrad where the first goes all the way round.
+TEST(Idling, TellsAContinuumByAJointThatMovesAlong) {
+  auto task = links<3>({0, 0, 0});
+  task.arm[1].point = {0.002, 0, 0};
+  task.arm[2].point = {1.002, 0, 0};
+  task.start[0] = {2.002, 0, 0};
+  const JointValues<double, 3> values = {turn(0.3), turn(0.5), turn(1.2)};
+  Triple<double> reached = task.start[0];
+  for (std::size_t i = 3; i-- > 0;) reached = moved(task.arm[i], values[i], reached);
+  task.goal[0] = reached;
+  EXPECT_TRUE((Idling<double, 3, 1>(task).is_continuum(values)));
 }
 
 /// A pointer tilted by so little that its direction about the first axis hardly shows: where only the tilt towards the goal
@@ -152,6 +185,61 @@ TEST(Displaced, AreNearAndAllDifferent) {
     EXPECT_LT(moved.orientation.angularDistance(pose.orientation), 4e-4);
     for (int other = 0; other < k; ++other) EXPECT_GT((displaced(pose, 4, other).position - moved.position).norm(), 1e-6);
   }
+}
+
+/// What `solve_carefully` asks of a target and of what has been visited.
+struct Aimed {
+  const Preference<1>* preference;
+  Boundary boundary;
+  double tolerance = default_tolerance;
+  double size_square = 1;
+};
+struct Open {
+  bool left = false;
+  [[nodiscard]] bool left_any() const { return left; }
+  [[nodiscard]] bool misses_any() const { return false; }
+  [[nodiscard]] bool strays_any() const { return false; }
+  [[nodiscard]] bool turned_back_any() const { return false; }
+};
+
+/// `follow(boundary, start's choice, goal's choice, visited)` in every pass, until it says true: a solution then.
+template <class Follow>
+int passes_until_found(const Follow& follow) {
+  Preference<1> seed;
+  seed.seeded = true;
+  seed.choose(0, turn(1));
+  Solutions<1, 8> found;
+  int passes = 0;
+  const auto pass = [&](const Aimed& start, const Aimed& goal, Open& visited, Solutions<1, 8>& rows) {
+    ++passes;
+    if (follow(start.boundary, start.preference->turn[0], goal.preference->turn[0], visited))
+      append(rows, Eigen::Matrix<double, 1, 1>(0), 0, true);
+    return true;
+  };
+  const auto aimed = [&](const Pose<double>&) { return Aimed{&seed, Boundary::plain(0)}; };
+  solve_carefully(Pose<double>{Eigen::Quaterniond(1, 0, 0, 0), {0, 0, 0}}, aimed, Open{}, pass, found);
+  return found.empty() ? 0 : passes;
+}
+
+TEST(Careful, WhatNoChoiceHasLedToIsTakenWhereItIs) {
+  const int passes = passes_until_found([](const Boundary& boundary, const auto&, const auto&, Open& visited) {
+    visited.left = visited.left || !boundary.take;
+    const bool taken = visited.left && boundary.take && !boundary.choose;
+    if (taken) visited.left = false;
+    return taken;
+  });
+  EXPECT_EQ(passes, 3);
+}
+
+TEST(Careful, ChoicesOutOfReachAreFollowedNextToTheSeed) {
+  int others = 0;
+  const int passes = passes_until_found([&](const Boundary& boundary, const auto& choice, const auto& seed, Open&) {
+    EXPECT_EQ(seed.cosine, std::cos(1.0));
+    others += choice.cosine == seed.cosine ? 0 : 1;
+    return boundary.accept > 1;
+  });
+  EXPECT_GT(passes, 0);
+  EXPECT_GT(others, 0);
 }
 
 }  // namespace

@@ -3,21 +3,13 @@
 #include <Eigen/SVD>
 
 #include "check.h"
-#include "known_gaps_of_arms.h"
 #include "search.h"
 #include "unsolved.h"
 
 namespace qvgen::test {
 namespace {
 
-class RandomArm : public Inverse {
- protected:
-  void SetUp() override {
-    if (is_known_gap_of_random_arms(testing::UnitTest::GetInstance()->current_test_info()->name()))
-      GTEST_SKIP() << "known gap";
-    Inverse::SetUp();
-  }
-};
+class RandomArm : public Inverse {};
 
 TEST_P(RandomArm, FindsTheSampledJoints) { EXPECT_GT(run("random", pose_count() / 5).poses, 0); }
 TEST_P(RandomArm, EveryJointAtZeroInTurn) { run("a joint at 0", pose_count() / 20); }

@@ -43,12 +43,12 @@ inline Pose<double> displaced(const Pose<double>& pose, double size, int k) {
 /// target, polished towards another; it returns whether it met something free, or nearly so: what that is told to be may be
 /// noise, and out of reach for the joints after it, so that branches without a solution are followed again with a choice in
 /// its place. What is then still missing is looked for from poses nearby, where nothing is free, and, where a wrist cannot follow
-/// to what has been chosen or there is nothing at all, with other choices. `aimed(pose)` is the target of a pose.
+/// to what has been chosen or there is nothing at all, with other choices. `aimed(pose)` is the target of a pose. Whatever is
+/// chosen on the way, the goal's preference stays the caller's: a continuum is to be left next to the seed.
 template <int dof, class Aim, class Visited, int capacity, class Follow>
 void solve_carefully(const Pose<double>& pose, const Aim& aimed, Visited visited, const Follow& follow, Solutions<dof, capacity>& found) {
   auto goal = aimed(pose);
   Preference<dof> preference = *goal.preference;
-  goal.preference = &preference;
   const auto pass_from = [&](auto start, const Boundary& boundary, const Boundary& at_goal) {
     start.boundary = boundary;
     start.preference = &preference;
@@ -61,16 +61,18 @@ void solve_carefully(const Pose<double>& pose, const Aim& aimed, Visited visited
   bool met_free = pass(careful);
   met_free = met_free || visited.left_any();
   if (met_free) pass(choosing);
+  if (visited.left_any()) pass(Boundary::taking(goal.tolerance));
   if (visited.misses_any()) pass(Boundary::apart(goal.tolerance));
   const bool strays = visited.strays_any();
   const auto from_nearby = [&](int k) { pass_from(aimed(displaced(pose, std::sqrt(goal.size_square), k)), careful, choosing); };
   for (int k = 0; visited.strays_any() && k < 12; ++k) from_nearby(k);
   if (visited.misses_any()) pass(Boundary::tolerant(goal.tolerance));
   const bool is_free = met_free || strays;
-  for (int k = 0; (is_free && found.empty() && k < 60) || (visited.turned_back_any() && k < 16); ++k) {
+  constexpr int choices = 16;
+  for (int k = 0; (is_free && found.empty() && k < 60) || (visited.turned_back_any() && k < choices); ++k) {
     preference = next_choice(preference);
     from_nearby(k);
-    pass(choosing);
+    pass(found.empty() && k < choices / 2 ? Boundary::reaching(goal.tolerance) : choosing);
   }
   sort_by_branch(found);
 }

@@ -14,9 +14,10 @@ class Idling {
 
   explicit Idling(const Carrying<Scalar, joints, points>& task) : task_(task), newton_(task) {}
 
-  /// Whether values that reach the goals can be moved on a little and still reach them, to rounding. Where two solutions
-  /// merely meet, what is missing then is as the square of the little.
-  [[nodiscard]] bool is_continuum(const Values& values) const { return goes_on(values, Scalar(0)); }
+  /// Whether values that reach the goals can be moved on a little and still reach them, to some more rounding: the pose itself
+  /// may be off the continuum by as much as these values are allowed to miss. Where two solutions merely meet, what is
+  /// missing then is as the square of the little.
+  [[nodiscard]] bool is_continuum(const Values& values) const { return goes_on(values, Scalar(Scalar(64) * epsilon<Scalar>())); }
 
   /// Whether values that miss the goals by very little can be moved on and miss them by not much more.
   [[nodiscard]] bool is_nearly_continuum(const Values& values) const {

@@ -47,29 +47,37 @@ Vector<Scalar, columns> least_squares(std::array<Vector<Scalar, rows>, columns> 
   return x;
 }
 
-/// The columns that add less than `nothing` of the longest to those before them, and the one that adds least.
+/// The columns that add less than `nothing` of the longest to the others, and the one that adds least.
 template <std::size_t columns>
 struct Dependent {
   std::array<bool, columns> is{};
   std::size_t least = columns;
 };
 
+/// Always takes the longest of what is left: of columns that depend on each other, one that has much to do with it is found.
+/// Exact numbers would allow any; but moving one with a share of a thousandth moves the others a thousandfold.
 template <typename Scalar, std::size_t columns, std::size_t rows>
 Dependent<columns> dependent(std::array<Vector<Scalar, rows>, columns> a, const Scalar& nothing) {
-  Scalar longest(0);
-  for (const Vector<Scalar, rows>& column : a) longest = larger(longest, dot(column, column));
-  const Scalar limit = nothing * nothing * longest;
-  Scalar least = limit;
   Dependent<columns> result;
-  for (std::size_t i = 0; i < columns; ++i) {
-    const Scalar square = dot(a[i], a[i]);
-    result.is[i] = square <= limit;
-    if (square <= least) {
-      least = square;
-      result.least = i;
+  result.is.fill(true);
+  Scalar limit(0);
+  for (std::size_t taken = 0; taken < columns; ++taken) {
+    std::size_t longest = columns;
+    std::array<Scalar, columns> square{};
+    result.least = columns;
+    for (std::size_t i = 0; i < columns; ++i) {
+      if (!result.is[i]) continue;
+      square[i] = dot(a[i], a[i]);
+      if (longest == columns || square[i] > square[longest]) longest = i;
+      if (result.least == columns || square[i] <= square[result.least]) result.least = i;
     }
-    for (std::size_t j = i + 1; j < columns && !result.is[i]; ++j) take_out(a[i], square, a[j]);
+    limit = larger(limit, Scalar(nothing * nothing * square[longest]));
+    if (!(square[longest] > limit)) return result;
+    result.is[longest] = false;
+    for (std::size_t i = 0; i < columns; ++i)
+      if (result.is[i]) take_out(a[longest], square[longest], a[i]);
   }
+  result.least = columns;
   return result;
 }
 

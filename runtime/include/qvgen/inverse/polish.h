@@ -68,7 +68,7 @@ class Newton {
     return least_squares(jacobian, off, nothing);
   }
 
-  /// The joints that move the points next to nothing beyond what the ones before them can do.
+  /// The joints that move the points next to nothing beyond what the others can do.
   Dependent<joints> idle(const Values& values) const {
     const Scalar next_to_nothing(1e-5);
     std::array<Column, joints> jacobian{};

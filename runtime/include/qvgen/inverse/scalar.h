@@ -103,22 +103,37 @@ struct Boundary {
   double floor;   ///< least share of the range: what is nearer to the end is moved away from it
   double near;    ///< a direction whose square is below this multiple of noise is nearly free: doubtful, and accepted at any share
   bool choose;    ///< what is nearly free is chosen as if it were free
+  bool take;      ///< places on a continuum are taken where nothing has been chosen, too
   double gap;     ///< a free direction's equation holds if the square of what is left is below this multiple of noise
   double miss;    ///< how far off the pose polished joints may leave the arm, as a share of its size
   double fold;    ///< so far outside a wrist at the end of the arm's joints still exists, folded
 
   static constexpr Boundary plain(double tolerance) {
-    return {0, 1e-7 + 100 * tolerance, 1e-10 + 100 * tolerance, 0, 1e18, false, 64, tolerance, tolerance};
+    return {0, 1e-7 + 100 * tolerance, 1e-10 + 100 * tolerance, 0, 1e18, false, false, 64, tolerance, tolerance};
   }
   /// From the ends of the ranges, taking no miss but rounding. What that leaves in the joints of an arm near a singular place
   /// of its own reaches the wrist magnified: half of the 1e-12 that no solution may miss its pose by.
   static constexpr Boundary careful(double tolerance) {
-    return {1e-3 + 100 * tolerance, 0, 0, 0, 1e18, false, 64e14, 0, tolerance > 5e-13 ? tolerance : 5e-13};
+    return {1e-3 + 100 * tolerance, 0, 0, 0, 1e18, false, false, 64e14, 0, tolerance > 5e-13 ? tolerance : 5e-13};
   }
   /// The same with a choice where an angle is nearly free.
   static constexpr Boundary choosing(double tolerance) {
     Boundary boundary = careful(tolerance);
     boundary.choose = true;
+    boundary.take = true;
+    return boundary;
+  }
+  /// The same where the choice leaves the joints after it out of reach: they are stretched to where it would be, and Newton's
+  /// steps turn the chosen joint until they reach.
+  static constexpr Boundary reaching(double tolerance) {
+    Boundary boundary = choosing(tolerance);
+    boundary.accept = 1e3;
+    return boundary;
+  }
+  /// From the ends once more, for places on a continuum to which no choice has led.
+  static constexpr Boundary taking(double tolerance) {
+    Boundary boundary = careful(tolerance);
+    boundary.take = true;
     return boundary;
   }
   /// From two places apart.
@@ -129,7 +144,7 @@ struct Boundary {
   }
   /// From the ends again, for poses that are out of reach by no more than the tolerance.
   static constexpr Boundary tolerant(double tolerance) {
-    Boundary boundary = careful(tolerance);
+    Boundary boundary = taking(tolerance);
     boundary.miss = tolerance;
     return boundary;
   }

@@ -46,14 +46,14 @@ class Visited {
     missed_[at] = missed_[at] || !reached;
     if (!reached) return false;
     if (idling.is_continuum(values)) {
-      left_[at] = !branch.continuum && !boundary.choose;
+      left_[at] = !branch.continuum && !boundary.take;
       if (left_[at]) return false;
       branch.continuum = true;
       if (seed != nullptr) near_seed(task, *seed, values);
     }
     const bool known = is_known(idling, values);
-    // Near a continuum two branches may have been led to the one solution and left another.
-    settled_[at] = !(known && strays);
+    // Near a continuum two branches may have been led to the one solution and left another; and so may a choice lead.
+    settled_[at] = !(known && (strays || left_[at]));
     if (known) return false;
     rows_[count_++] = values;
     return true;
