@@ -107,6 +107,8 @@ void write(const Step& circle, const Known& known, Program& program) {
   const ex scale = known.input(circle, "scale");
   const ex expanded = low.expand();
   if (scale.has(k()) || !expanded.is_polynomial(k()) || expanded.degree(k()) > 2) return;
+  // Divided by a direction's length it would be as uncertain as the direction is where it is nearly free.
+  if (!Scope::is_number(low.denom())) return;
   const ex square = program.let(known.sign ? known.sign->square : ex(0));
   const ex even = program.let(low.subs(k() == 0) + expanded.coeff(k(), 2) * square);
   const ex odd = scale * expanded.coeff(k(), 1);
