@@ -58,4 +58,48 @@ INSTANTIATE_TEST_SUITE_P(Robots, InverseCertificate, testing::Values("irb6640", 
 /// A share that depends on an unknown other than one direction is left to the branches.
 TEST(RangeTest, IsLeftOutBehindAWrist) { EXPECT_FALSE(derive::inverse::derive(robot("ur5")).plan.range_test.exists()); }
 
+/// Three parallel axes behind a first one across: its direction is the orientation's and may be nearly free at poses that
+/// are within reach, while the share of q5 depends on the position as well.
+constexpr const char* first_joint_by_orientation = R"(
+name = "first_by_orientation"
+title = "three parallel axes behind a first one across"
+[[joint]]
+type = "revolute"
+axis = [0, 1, 0]
+variable = "q1"
+[[joint]]
+type = "revolute"
+axis = [0, 0, 1]
+variable = "q2"
+origin = [1, 0, 0]
+[[joint]]
+type = "revolute"
+axis = [0, 0, 1]
+variable = "q3"
+origin = [2, 0, 0]
+[[joint]]
+type = "revolute"
+axis = [0, 0, 1]
+variable = "q4"
+origin = [3, 0, 0]
+[[joint]]
+type = "revolute"
+axis = [0, -1, 0]
+variable = "q5"
+origin = ["1/2", 0, "1/3"]
+[[joint]]
+type = "revolute"
+axis = [0, -1, 0]
+variable = "q6"
+origin = ["3/4", "1/5", "2/5"]
+)";
+
+TEST(RangeTest, DividesByNoDirection) {
+  const auto read = description::read_text(first_joint_by_orientation, "first_by_orientation.toml");
+  const auto derivation = derive::inverse::derive(read.robot.value());
+  ASSERT_TRUE(derivation.found);
+  ASSERT_EQ(derivation.plan.steps.front().kind, derive::inverse::Kind::opposite);
+  EXPECT_FALSE(derivation.plan.range_test.exists());
+}
+
 }  // namespace
