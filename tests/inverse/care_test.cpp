@@ -142,6 +142,19 @@ TEST(Idling, TellsAContinuumByAJointThatMovesAlong) {
   EXPECT_TRUE((Idling<double, 3, 1>(task).is_continuum(values)));
 }
 
+/// A pose is rounded: all of its continuum may lie off it by more than joints that are to reach it may miss.
+TEST(Idling, TellsAContinuumBesideAPose) {
+  auto task = links<3>({1.2, 0.7, 0});
+  const JointValues<double, 3> values = {turn(0.1), turn(1.4), turn(-1.9)};
+  Triple<double> reached = task.start[0];
+  for (std::size_t i = 3; i-- > 0;) reached = moved(task.arm[i], values[i], reached);
+  for (const double off : {0.0, 30.0, 1000.0}) {
+    task.goal[0] = reached;
+    task.goal[0][2] += off * epsilon<double>() * std::sqrt(task.size_square);
+    EXPECT_EQ((Idling<double, 3, 1>(task).is_continuum(values)), off < 100) << off;
+  }
+}
+
 /// A pointer tilted by so little that its direction about the first axis hardly shows: where only the tilt towards the goal
 /// is right, the way about the axis is nearly a continuum, and leads to the goal.
 TEST(Idling, MovesOnToWhereANearlyFreeJointMeetsTheGoal) {

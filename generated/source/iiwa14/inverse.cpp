@@ -146,7 +146,7 @@ SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Pose<double>& pose, 
 
 SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Pose<double>& pose, double theta3, const JointVector<double>& seed, const Geometry& g, double tolerance) {
   SolutionsGiven_theta3 found;
-  if (!is_valid(pose) || !seed.allFinite()) {
+  if (!seed.allFinite()) {
     found.status = Status::invalid;
     return found;
   }

@@ -143,7 +143,7 @@ Solutions inverse_kinematics(const Pose<double>& pose, const Geometry& g, double
 
 Solutions inverse_kinematics(const Pose<double>& pose, const JointVector<double>& seed, const Geometry& g, double tolerance) {
   Solutions found;
-  if (!is_valid(pose) || !seed.allFinite()) {
+  if (!seed.allFinite()) {
     found.status = Status::invalid;
     return found;
   }

@@ -110,8 +110,6 @@ Values target(const model::Bindings& geometry, const Pair& pose) {
   return values;
 }
 
-constexpr double fifty_digits = 1e-50;
-
 }  // namespace
 
 std::string InverseCertificate::text() const {

@@ -127,7 +127,6 @@ OperationCounts count_of(const LoweredPlan& plan, std::size_t index) {
 }
 
 OperationCounts count_of_range_test(const LoweredPlan& plan) {
-  if (!plan.plan.range_test.exists()) return {};
   Counted::tally() = {};
   qvgen::inverse::is_out_of_range<Counted>(0.5, 0.1, qvgen::inverse::Boundary::plain(qvgen::inverse::default_tolerance));
   return dag::count(plan.range_test) + Counted::tally();
@@ -140,9 +139,12 @@ nlohmann::ordered_json inverse_counts(const LoweredPlan& plan) {
   OperationCounts target = dag::count(plan.target) + preparation();
   if (plan.plan.locked >= 0) ++target.sine_cosines;
   nlohmann::ordered_json steps{{"pose", to_json(target)}};
-  const OperationCounts test = count_of_range_test(plan);
-  if (plan.plan.range_test.exists()) steps["out_of_reach"] = to_json(test);
-  OperationCounts all = target + test;
+  OperationCounts all = target;
+  if (plan.plan.range_test.exists()) {
+    const OperationCounts test = count_of_range_test(plan);
+    steps["out_of_reach"] = to_json(test);
+    all = all + test;
+  }
   int times = 1;
   for (const std::size_t i : derive::inverse::order(plan.plan, false)) {
     const Step& step = plan.plan.steps[i];

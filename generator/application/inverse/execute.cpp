@@ -84,7 +84,7 @@ class Execution {
     const std::size_t index = order_[place];
     const Step& step = plan_.plan.steps[index];
     const Values in = outputs(plan_.steps[index].before, values);
-    if (plan_.plan.range_test.exists() && step.unknown == plan_.plan.range_test.unknown && step.kind == Kind::circle) check_range_test(in);
+    if (plan_.plan.range_test.is_of(step)) check_range_test(in);
     if (step.is_quartic()) return follow_quartic(place, values, in, branch, label);
     if (step.kind == Kind::polish) {
       if (polish(step, in, values)) follow(place + 1, std::move(values), branch, label);
@@ -107,7 +107,7 @@ class Execution {
   /// On every branch the circle's share is what the test has told: middle + √swing or middle - √swing.
   void check_range_test(const Values& in) const {
     const Real off = in.at("low") * in.at("scale") - range_test_.at("middle");
-    if (abs(off * off - range_test_.at("swing")).to_double() > 1e-50) throw CertificateError("inverse kinematics: the range test is wrong");
+    if (abs(off * off - range_test_.at("swing")).to_double() > fifty_digits) throw CertificateError("inverse kinematics: the range test is wrong");
   }
 
   [[nodiscard]] qvgen::inverse::SlideTurns<Real> quartic_roots(Kind kind, const Values& in) const {

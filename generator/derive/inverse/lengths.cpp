@@ -30,12 +30,6 @@ struct Names {
   GiNaC::symbol cosine, sine;
 };
 
-ex input(const Step& step, const std::string& name) {
-  for (const Program::Output& output : step.before.outputs())
-    if (output.name == name) return output.value;
-  return 0;
-}
-
 /// A value that is linear in cos φ and sin φ and reads them as r alone, if it does.
 std::optional<ex> by_length(const ex& value, const Step& step, const Names& names, const Scope& scope) {
   const ex expanded = value.expand();
@@ -43,8 +37,8 @@ std::optional<ex> by_length(const ex& value, const Step& step, const Names& name
   const ex b = expanded.coeff(names.sine, 1);
   const ex rest = (expanded - a * names.cosine - b * names.sine).expand();
   if (names.in(rest) || names.in(a) || names.in(b)) return std::nullopt;
-  const ex x = input(step, "x");
-  const ex y = input(step, "y");
+  const ex x = step.input("x");
+  const ex y = step.input("y");
   if (scope.is_zero(a * x + b * y)) return rest;
   const ex factor = (x.is_zero() ? b / y : a / x).normal();
   if (!Scope::is_number(factor) || !scope.is_zero(a - factor * x) || !scope.is_zero(b - factor * y))

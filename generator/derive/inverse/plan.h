@@ -61,6 +61,12 @@ struct Step {
 
   /// A block that gives all of its solutions at once, as many as there happen to be.
   [[nodiscard]] bool is_quartic() const { return kind == Kind::conic || kind == Kind::slide_turn; }
+  /// An input of the block, written out; 0 if it has none of that name.
+  [[nodiscard]] GiNaC::ex input(const std::string& name) const {
+    for (const auto& output : before.expanded())
+      if (output.name == name) return output.value;
+    return 0;
+  }
   [[nodiscard]] bool has_input(const std::string& name) const {
     for (const auto& output : before.outputs())
       if (output.name == name) return true;
@@ -91,6 +97,7 @@ struct RangeTest {
   std::string equation;
 
   [[nodiscard]] bool exists() const { return !values.outputs().empty(); }
+  [[nodiscard]] bool is_of(const Step& step) const { return exists() && step.kind == Kind::circle && step.unknown == unknown; }
 };
 
 struct Plan {

@@ -38,12 +38,7 @@ struct Known {
   exmap values;
   std::optional<Signed> sign;
 
-  /// An input of a step's block, written out.
-  [[nodiscard]] ex input(const Step& step, const std::string& name) const {
-    for (const Program::Output& output : step.before.expanded())
-      if (output.name == name) return output.value.subs(values);
-    return 0;
-  }
+  [[nodiscard]] ex input(const Step& step, const std::string& name) const { return step.input(name).subs(values); }
 };
 
 /// ±(x, y): k is the direction's length.
@@ -83,22 +78,6 @@ bool take(const Step& step, Known& known, Program& program, const Scope& scope) 
     known.values[value.name] = written.has(k()) ? written.normal() : program.let(written);
   }
   return true;
-}
-
-bool reads_any(const std::vector<std::string>& names, const std::vector<std::string>& of) {
-  return std::any_of(names.begin(), names.end(), [&](const std::string& name) { return std::find(of.begin(), of.end(), name) != of.end(); });
-}
-
-/// The steps before a circle whose values it reads, itself or by another, in order.
-std::vector<const Step*> steps_behind(const Plan& plan, std::size_t circle) {
-  std::vector<const Step*> found;
-  std::vector<std::string> names = reads(plan.steps[circle]);
-  for (std::size_t i = circle; i-- > 0;) {
-    if (!reads_any(names, writes(plan.steps[i]))) continue;
-    found.insert(found.begin(), &plan.steps[i]);
-    for (const std::string& name : reads(plan.steps[i])) names.push_back(name);
-  }
-  return found;
 }
 
 /// middle ± √swing of the share low * scale.

@@ -95,6 +95,18 @@ std::size_t polish_of(const Plan& plan) {
 
 }  // namespace
 
+std::vector<const Step*> steps_behind(const Plan& plan, std::size_t index) {
+  std::vector<const Step*> found;
+  const std::vector<std::string> read = reads(plan.steps[index]);
+  std::set<std::string> wanted(read.begin(), read.end());
+  for (std::size_t i = index; i-- > 0;) {
+    if (!any_of(writes(plan.steps[i]), wanted)) continue;
+    found.insert(found.begin(), &plan.steps[i]);
+    for (const std::string& name : reads(plan.steps[i])) wanted.insert(name);
+  }
+  return found;
+}
+
 std::vector<std::size_t> order(const Plan& plan, bool careful) {
   const std::size_t polish = polish_of(plan);
   const std::vector<bool> needed = needed_before(plan, polish);

@@ -16,4 +16,7 @@ void prune(Plan& plan);
 std::vector<std::string> reads(const Step& step);
 std::vector<std::string> writes(const Step& step);
 
+/// The steps before one whose values it reads, itself or by another, in order.
+std::vector<const Step*> steps_behind(const Plan& plan, std::size_t index);
+
 }  // namespace qvgen::derive::inverse
