@@ -2,9 +2,10 @@
 #include "application/accuracy.h"
 
 #include <algorithm>
-#include <cln/float.h>
 #include <cmath>
 #include <limits>
+
+#include <cln/float.h>
 
 #include "dag/evaluate.h"
 #include "exact/point.h"
@@ -18,7 +19,9 @@ using exact::Number;
 class DoublePoint {
  public:
   explicit DoublePoint(std::uint64_t seed) : point_(seed) {}
-  Number symbol(const std::string& name) const { return Number(cln::rational(cln::cl_float(point_.symbol(name).to_double()))); }
+  Number symbol(const std::string& name) const {
+    return Number(cln::rational(cln::cl_float(point_.symbol(name).to_double())));
+  }
   Number constant(const Number& value) const { return value; }
   Number sine(const exact::Angle& angle) const { return point_.sine(angle); }
   Number cosine(const exact::Angle& angle) const { return point_.cosine(angle); }
@@ -45,7 +48,8 @@ double ulp(double value) {
 
 }  // namespace
 
-double largest_error_in_ulps(const dag::Function& function, const std::vector<OutputGroup>& groups, int points) {
+double largest_error_in_ulps(const dag::Function& function, const std::vector<OutputGroup>& groups,
+                             int points) {
   double largest = 0;
   for (int k = 0; k < points; ++k) {
     const DoublePoint point(1000 + static_cast<std::uint64_t>(k));

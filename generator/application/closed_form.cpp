@@ -17,7 +17,8 @@ std::size_t last_break(const std::string& text) {
   for (std::size_t i = 0; i < text.size() && i <= comment_width; ++i) {
     if (text[i] == '(') ++depth;
     if (text[i] == ')') --depth;
-    const bool term = depth == 0 && i > 8 && text[i] == ' ' && (text.compare(i, 3, " + ") == 0 || text.compare(i, 3, " - ") == 0);
+    const bool term = depth == 0 && i > 8 && text[i] == ' ' &&
+                      (text.compare(i, 3, " + ") == 0 || text.compare(i, 3, " - ") == 0);
     if (term) best = i;
   }
   return best;
@@ -46,10 +47,14 @@ std::vector<std::string> closed_form_lines(const model::Robot& robot, emit::Nota
   certify(function, derive::forward_kinematics(robot).definition, 2, robot.name + ": closed form");
   std::vector<std::string> lines;
   for (const dag::Output& output : function.outputs) {
-    const std::string name = output.name.size() == 2 && notation == emit::Notation::latex ? "p_" + output.name.substr(1) : output.name;
+    const std::string name = output.name.size() == 2 && notation == emit::Notation::latex
+                                 ? "p_" + output.name.substr(1)
+                                 : output.name;
     const std::string line = name + " = " + emit::formula(function.graph, output.value, notation);
-    if (notation == emit::Notation::latex) lines.push_back(line);
-    else for (const std::string& part : wrapped(line)) lines.push_back(part);
+    if (notation == emit::Notation::latex)
+      lines.push_back(line);
+    else
+      for (const std::string& part : wrapped(line)) lines.push_back(part);
   }
   return lines;
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "application/commands.h"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <fmt/format.h>
 #include <fstream>
+
+#include <fmt/format.h>
+#include <unistd.h>
 
 #include "application/closed_form.h"
 #include "application/dynamics_closed_form.h"
@@ -28,8 +28,9 @@ void print_diagnostics(const std::vector<description::Diagnostic>& diagnostics) 
 }
 
 bool has_error(const std::vector<description::Diagnostic>& diagnostics) {
-  return std::any_of(diagnostics.begin(), diagnostics.end(),
-                     [](const auto& diagnostic) { return diagnostic.severity == description::Diagnostic::error; });
+  return std::any_of(diagnostics.begin(), diagnostics.end(), [](const auto& diagnostic) {
+    return diagnostic.severity == description::Diagnostic::error;
+  });
 }
 
 /// Reads all files and reports all their mistakes; nothing if there is an error in any.
@@ -80,7 +81,9 @@ class ProgressLine {
 ordered_json only(const ordered_json& counts, const std::vector<model::Robot>& robots) {
   ordered_json result = ordered_json::object();
   for (const auto& [name, entry] : counts.items())
-    if (std::any_of(robots.begin(), robots.end(), [&, key = name](const auto& robot) { return robot.name == key; })) result[name] = entry;
+    if (std::any_of(robots.begin(), robots.end(),
+                    [&, key = name](const auto& robot) { return robot.name == key; }))
+      result[name] = entry;
   return result;
 }
 
@@ -101,23 +104,26 @@ int run_generate(const GenerateArguments& arguments) {
   std::vector<std::string> missing;
   {
     ProgressLine line(robots->size());
-    files = generate(*robots, arguments.parts, read_counts(arguments.output / "operation_counts.json"),
-                     [&](const std::string& robot) { line.finished(robot); }, &missing);
+    files = generate(
+        *robots, arguments.parts, read_counts(arguments.output / "operation_counts.json"),
+        [&](const std::string& robot) { line.finished(robot); }, &missing);
   }
   bool lacking = false;
   for (const std::string& reason : missing) {
     fmt::print(stderr, "{}\n", reason);
-    for (const std::string& required : arguments.required) lacking = lacking || reason.find(": no " + required) != std::string::npos;
+    for (const std::string& required : arguments.required)
+      lacking = lacking || reason.find(": no " + required) != std::string::npos;
   }
   if (lacking) {
     fmt::print(stderr, "qvgen: required and not derived, nothing written\n");
     return failure;
   }
   const int changed = write_files(arguments.output, files);
-  fmt::print("{}", report(only(read_counts(arguments.output / "operation_counts.json"), *robots), ReportFormat::table));
+  fmt::print("{}", report(only(read_counts(arguments.output / "operation_counts.json"), *robots),
+                          ReportFormat::table));
   std::fflush(stdout);
-  fmt::print(stderr, "{} {}, {} files in {}, {} changed\n", robots->size(), robots->size() == 1 ? "robot" : "robots", files.size(),
-             arguments.output.string(), changed);
+  fmt::print(stderr, "{} {}, {} files in {}, {} changed\n", robots->size(),
+             robots->size() == 1 ? "robot" : "robots", files.size(), arguments.output.string(), changed);
   return success;
 }
 
@@ -126,8 +132,10 @@ int run_check(const std::vector<fs::path>& descriptions, bool strict) {
   if (!robots) return bad_description;
   for (const model::Robot& robot : *robots) {
     std::string structure;
-    for (const model::Joint& joint : robot.joints) structure += joint.type == model::JointType::revolute ? 'R' : 'P';
-    fmt::print("{}: {} ({}), {} geometric parameters\n", robot.name, robot.title, structure, robot.geometry.size());
+    for (const model::Joint& joint : robot.joints)
+      structure += joint.type == model::JointType::revolute ? 'R' : 'P';
+    fmt::print("{}: {} ({}), {} geometric parameters\n", robot.name, robot.title, structure,
+               robot.geometry.size());
   }
   return success;
 }
@@ -136,7 +144,9 @@ namespace {
 
 int show_dynamics(const model::Robot& robot) {
   if (!has_inertia(robot) || robot.joints.size() > 3) {
-    fmt::print(stderr, "qvgen: {} has {}\n", robot.name, has_inertia(robot) ? "more than three joints: its closed form is too long to read" : "no inertia");
+    fmt::print(
+        stderr, "qvgen: {} has {}\n", robot.name,
+        has_inertia(robot) ? "more than three joints: its closed form is too long to read" : "no inertia");
     return failure;
   }
   for (const std::string& line : dynamics_closed_form_lines(robot)) fmt::print("{}\n", line);
@@ -148,10 +158,12 @@ int show_inverse(const model::Robot& robot, emit::Notation notation) {
   std::vector<std::string> variables;
   for (const model::Joint& joint : robot.joints) variables.push_back(joint.variable);
   for (const auto& derivation : {derive::inverse::derive(robot), derive::inverse::derive_locked(robot)}) {
-    for (const std::string& reason : derivation.reasons) fmt::print(stderr, "{}: no inverse kinematics: {}\n", robot.name, reason);
+    for (const std::string& reason : derivation.reasons)
+      fmt::print(stderr, "{}: no inverse kinematics: {}\n", robot.name, reason);
     if (!derivation.found) continue;
     found = true;
-    for (const std::string& line : describe(lower(derivation.plan), variables, notation)) fmt::print("{}\n", line);
+    for (const std::string& line : describe(lower(derivation.plan), variables, notation))
+      fmt::print("{}\n", line);
   }
   return found ? success : failure;
 }
@@ -170,7 +182,9 @@ int run_show(const ShowArguments& arguments) {
   if (arguments.inverse) return show_inverse(robots->front(), notation);
   const auto lines = closed_form_lines(robots->front(), notation);
   if (lines.empty()) {
-    fmt::print(stderr, "qvgen: {} has a constant rotation by a symbolic angle: no closed form in half-angle sums\n", robots->front().name);
+    fmt::print(stderr,
+               "qvgen: {} has a constant rotation by a symbolic angle: no closed form in half-angle sums\n",
+               robots->front().name);
     return failure;
   }
   if (arguments.latex) {

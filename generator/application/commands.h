@@ -16,7 +16,7 @@ struct GenerateArguments {
   std::vector<std::filesystem::path> descriptions;
   std::filesystem::path output;
   bool strict = false;
-  std::vector<std::string> parts;  ///< see pipeline.h
+  std::vector<std::string> parts;     ///< see pipeline.h
   std::vector<std::string> required;  ///< products without which a robot is an error
 };
 
@@ -25,7 +25,7 @@ struct ShowArguments {
   bool latex = false;
   bool singularities = false;
   bool dynamics = false;  ///< the joint forces in place of the pose
-  bool inverse = false;  ///< the derivation of inverse kinematics instead of the closed form of the pose
+  bool inverse = false;   ///< the derivation of inverse kinematics instead of the closed form of the pose
 };
 
 /// Each command prints its results to stdout and messages to stderr, and returns an ExitCode.

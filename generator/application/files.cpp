@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "application/files.h"
 
-#include <unistd.h>
-
 #include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
+
+#include <unistd.h>
 
 namespace qvgen::application {
 namespace {

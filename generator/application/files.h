@@ -8,8 +8,8 @@
 
 namespace qvgen::application {
 
-/// Writes the files below a folder, each atomically (a temporary file, then a rename) and only if its content differs.
-/// Returns how many changed. Throws std::runtime_error with the path and the system's reason.
+/// Writes the files below a folder, each atomically (a temporary file, then a rename) and only if its content
+/// differs. Returns how many changed. Throws std::runtime_error with the path and the system's reason.
 int write_files(const std::filesystem::path& folder, const std::vector<OutputFile>& files);
 
 }  // namespace qvgen::application

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <map>
+
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
-#include <map>
 
 #include "application/commands.h"
 
@@ -42,10 +43,15 @@ int main(int argc, char** argv) {
   std::vector<std::string> generate_files;
   std::string output = (source / "generated").string();
   auto* generate_command = app.add_subcommand("generate", "derive, certify and emit C++ for robots");
-  generate_command->add_option("FILES", generate_files, "robot descriptions or names of known robots; all known ones without");
+  generate_command->add_option("FILES", generate_files,
+                               "robot descriptions or names of known robots; all known ones without");
   generate_command->add_option("-o,--output", output, "folder to write to")->capture_default_str();
-  generate_command->add_option("--only", generate.parts, "parts to generate: kinematics, jacobian, ...; all without")->allow_extra_args(false)->delimiter(',');
-  generate_command->add_option("--require", generate.required, "a product (inverse) that every robot must get, else an error");
+  generate_command
+      ->add_option("--only", generate.parts, "parts to generate: kinematics, jacobian, ...; all without")
+      ->allow_extra_args(false)
+      ->delimiter(',');
+  generate_command->add_option("--require", generate.required,
+                               "a product (inverse) that every robot must get, else an error");
   generate_command->add_flag("--strict", generate.strict, "warnings about a description are errors");
 
   std::string shown;
@@ -54,13 +60,19 @@ int main(int argc, char** argv) {
   show_command->add_option("ROBOT", shown, "name of a known robot, or a description")->required();
   show_command->add_flag("--dynamics", show.dynamics, "the joint forces of up to three joints, written out");
   show_command->add_flag("--latex", show.latex, "as LaTeX");
-  show_command->add_flag("--singularities", show.singularities, "the factored determinant of the Jacobian instead");
+  show_command->add_flag("--singularities", show.singularities,
+                         "the factored determinant of the Jacobian instead");
   show_command->add_flag("--inverse", show.inverse, "the derivation of inverse kinematics");
 
   ReportFormat format = ReportFormat::table;
-  const std::map<std::string, ReportFormat> formats{{"table", ReportFormat::table}, {"csv", ReportFormat::csv}, {"json", ReportFormat::json}, {"markdown", ReportFormat::markdown}};
-  auto* counts_command = app.add_subcommand("counts", "print the operation counts of the generated functions");
-  counts_command->add_option("--format", format, "table, csv, json or markdown")->transform(CLI::CheckedTransformer(formats).description(""));
+  const std::map<std::string, ReportFormat> formats{{"table", ReportFormat::table},
+                                                    {"csv", ReportFormat::csv},
+                                                    {"json", ReportFormat::json},
+                                                    {"markdown", ReportFormat::markdown}};
+  auto* counts_command =
+      app.add_subcommand("counts", "print the operation counts of the generated functions");
+  counts_command->add_option("--format", format, "table, csv, json or markdown")
+      ->transform(CLI::CheckedTransformer(formats).description(""));
   bool forms = false;
   counts_command->add_flag("--forms", forms, "also the forms that competed for each function");
   counts_command->add_option("-o,--output", output, "folder that was generated")->capture_default_str();
@@ -82,7 +94,8 @@ int main(int argc, char** argv) {
   try {
     if (*generate_command) {
       generate.output = output;
-      for (const std::string& file : generate_files) generate.descriptions.push_back(description_of(file, robots));
+      for (const std::string& file : generate_files)
+        generate.descriptions.push_back(description_of(file, robots));
       if (generate_files.empty()) generate.descriptions = descriptions_in(robots);
       return run_generate(generate);
     }

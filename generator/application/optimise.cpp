@@ -8,8 +8,8 @@
 namespace qvgen::application {
 namespace {
 
-/// Sines and cosines for nothing: what is left are multiplications and additions. The trifle keeps the search from
-/// taking angles that it does not need.
+/// Sines and cosines for nothing: what is left are multiplications and additions. The trifle keeps the search
+/// from taking angles that it does not need.
 passes::CostModel operations_only(passes::CostModel cost) {
   cost.sine_cosine = 1e-3;
   return cost;
@@ -17,7 +17,8 @@ passes::CostModel operations_only(passes::CostModel cost) {
 
 /// Without the outputs that are only suggestions to the search.
 dag::Function results_only(dag::Function function) {
-  std::erase_if(function.outputs, [](const dag::Output& output) { return output.name.front() == passes::suggestion; });
+  std::erase_if(function.outputs,
+                [](const dag::Output& output) { return output.name.front() == passes::suggestion; });
   return function;
 }
 
@@ -30,7 +31,8 @@ Optimised optimise(const derive::Quantity& quantity, const OptimiseOptions& opti
   for (const derive::Form& form : quantity.forms) {
     forms.push_back(dag::import(form.program));
     if (options.simplify_forms) forms.back() = passes::simplify(forms.back());
-    result.forms.push_back({form.name, dag::count(results_only(forms.back()), options.search.is_free_symbol)});
+    result.forms.push_back(
+        {form.name, dag::count(results_only(forms.back()), options.search.is_free_symbol)});
   }
   result.function = passes::search(forms, options.cost, options.search);
   result.counts = dag::count(result.function, options.search.is_free_symbol);

@@ -13,16 +13,16 @@ namespace qvgen::application {
 /// A quantity after derivation, passes and choice, certified.
 struct Optimised {
   std::string name;
-  dag::Function function;          ///< the cheapest by the cost model: what is emitted
-  dag::OperationCounts counts;     ///< of `function`
-  dag::OperationCounts fewest;     ///< fewest multiplications and additions, sines and cosines given
+  dag::Function function;       ///< the cheapest by the cost model: what is emitted
+  dag::OperationCounts counts;  ///< of `function`
+  dag::OperationCounts fewest;  ///< fewest multiplications and additions, sines and cosines given
   struct FormCounts {
     std::string name;
     dag::OperationCounts counts;
   };
-  std::vector<FormCounts> forms;   ///< each competing form by itself, after the passes
-  int certified_points = 0;        ///< exact points at which `function` equals the definition
-  double largest_error = 0;        ///< see accuracy.h
+  std::vector<FormCounts> forms;  ///< each competing form by itself, after the passes
+  int certified_points = 0;       ///< exact points at which `function` equals the definition
+  double largest_error = 0;       ///< see accuracy.h
 };
 
 /// Annealing steps for functions of some dozen operations. Ten times as many gain less than one percent.
@@ -36,10 +36,12 @@ struct OptimiseOptions {
   passes::CostModel cost;
   passes::SearchOptions search = small_function_search();
   int certificate_points = 4;
-  /// Look also for the fewest multiplications and additions with sines and cosines for nothing (a second search).
+  /// Look also for the fewest multiplications and additions with sines and cosines for nothing (a second
+  /// search).
   bool also_fewest = true;
-  /// Run the passes on each form by itself before the search: counts of the forms mean something, and forms that
-  /// share little gain by it. For large functions whose forms share much the search does as well without.
+  /// Run the passes on each form by itself before the search: counts of the forms mean something, and forms
+  /// that share little gain by it. For large functions whose forms share much the search does as well
+  /// without.
   bool simplify_forms = true;
 };
 

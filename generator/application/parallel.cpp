@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "application/parallel.h"
 
-#include <poll.h>
-#include <sys/mman.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cstdint>
@@ -13,6 +8,11 @@
 #include <new>
 #include <stdexcept>
 #include <thread>
+
+#include <poll.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace qvgen::application {
 namespace {
@@ -54,7 +54,9 @@ void write_all(int file, const char* data, std::size_t size) {
 /// The workers' common counter of the next piece of work.
 class SharedCounter {
  public:
-  SharedCounter() : memory_(::mmap(nullptr, sizeof(std::atomic<std::uint64_t>), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0)) {
+  SharedCounter()
+      : memory_(::mmap(nullptr, sizeof(std::atomic<std::uint64_t>), PROT_READ | PROT_WRITE,
+                       MAP_SHARED | MAP_ANONYMOUS, -1, 0)) {
     if (memory_ == MAP_FAILED) throw std::runtime_error("no shared memory for the workers");
     new (memory_) std::atomic<std::uint64_t>(0);
   }
@@ -73,7 +75,8 @@ struct Worker {
   std::string received;
 };
 
-Worker start_worker(SharedCounter& counter, std::size_t count, const std::function<std::string(std::size_t)>& work) {
+Worker start_worker(SharedCounter& counter, std::size_t count,
+                    const std::function<std::string(std::size_t)>& work) {
   int ends[2];
   if (::pipe(ends) != 0) throw std::runtime_error("no pipe for a worker");
   const pid_t process = ::fork();
@@ -114,14 +117,17 @@ std::vector<std::string> in_processes(std::size_t count, const std::function<std
   const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
   SharedCounter counter;
   std::vector<Worker> workers;
-  for (std::size_t i = 0; i < std::min(cores, count); ++i) workers.push_back(start_worker(counter, count, work));
+  for (std::size_t i = 0; i < std::min(cores, count); ++i)
+    workers.push_back(start_worker(counter, count, work));
 
   std::vector<std::string> results(count);
   std::vector<bool> finished(count, false);
   std::string failure;
   const auto take = [&](const Header& header, std::string text) {
-    if (header.failed != 0) failure = failure.empty() ? text : failure;
-    else results.at(header.index) = std::move(text);
+    if (header.failed != 0)
+      failure = failure.empty() ? text : failure;
+    else
+      results.at(header.index) = std::move(text);
     finished.at(header.index) = true;
     if (progress) progress(header.index);
   };
@@ -143,7 +149,8 @@ std::vector<std::string> in_processes(std::size_t count, const std::function<std
   }
   for (const Worker& worker : workers) ::waitpid(worker.process, nullptr, 0);
   if (!failure.empty()) throw std::runtime_error(failure);
-  if (std::find(finished.begin(), finished.end(), false) != finished.end()) throw std::runtime_error("a worker process died");
+  if (std::find(finished.begin(), finished.end(), false) != finished.end())
+    throw std::runtime_error("a worker process died");
   return results;
 }
 

@@ -23,7 +23,8 @@ OutputFile umbrella_header(const model::Robot& robot, const std::vector<OutputFi
     const auto is_header = [&](const OutputFile& file) { return file.path == header; };
     if (std::any_of(files.begin(), files.end(), is_header)) parts.push_back({{"part", product.part}});
   }
-  return {"include/qvgen/robots/" + robot.name + ".h", emit::render("robot.h", {{"name", robot.name}, {"parts", parts}})};
+  return {"include/qvgen/robots/" + robot.name + ".h",
+          emit::render("robot.h", {{"name", robot.name}, {"parts", parts}})};
 }
 
 void check_parts(const Parts& parts) {
@@ -56,11 +57,15 @@ RobotOutput generate_robot(const model::Robot& robot, const Parts& parts) {
   return output;
 }
 
-std::vector<OutputFile> generate(const std::vector<model::Robot>& robots, const Parts& parts, const ordered_json& earlier,
-                                 const std::function<void(const std::string&)>& progress, std::vector<std::string>* missing) {
+std::vector<OutputFile> generate(const std::vector<model::Robot>& robots, const Parts& parts,
+                                 const ordered_json& earlier,
+                                 const std::function<void(const std::string&)>& progress,
+                                 std::vector<std::string>* missing) {
   check_parts(parts);
   const auto work = [&](std::size_t i) { return to_text(generate_robot(robots[i], parts)); };
-  const auto done = [&](std::size_t i) { if (progress) progress(robots[i].name); };
+  const auto done = [&](std::size_t i) {
+    if (progress) progress(robots[i].name);
+  };
   std::vector<OutputFile> files;
   std::map<std::string, ordered_json> entries;
   for (const auto& [robot, entry] : earlier.items()) entries[robot] = entry;

@@ -2,8 +2,9 @@
 #include "application/report.h"
 
 #include <algorithm>
-#include <fmt/format.h>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "application/products/counts_json.h"
 
@@ -13,12 +14,14 @@ namespace {
 using nlohmann::ordered_json;
 using Row = std::vector<std::string>;
 
-const Row header{"robot", "function", "mul", "add", "div", "sqrt", "sincos", "atan2", "fewest mul+add", "(sincos)", "error/ulp"};
+const Row header{"robot", "function",       "mul",      "add",      "div", "sqrt", "sincos",
+                 "atan2", "fewest mul+add", "(sincos)", "error/ulp"};
 
 Row row_of(const std::string& robot, const std::string& function, const ordered_json& entry) {
   const dag::OperationCounts c = counts_from_json(entry.at("emitted"));
   Row row{robot, function};
-  for (const int n : {c.multiplications, c.additions, c.divisions, c.roots, c.sine_cosines, c.arctangents}) row.push_back(std::to_string(n));
+  for (const int n : {c.multiplications, c.additions, c.divisions, c.roots, c.sine_cosines, c.arctangents})
+    row.push_back(std::to_string(n));
   if (entry.contains("fewest_operations")) {
     const dag::OperationCounts f = counts_from_json(entry.at("fewest_operations"));
     row.push_back(std::to_string(f.multiplications + f.additions));
@@ -64,17 +67,20 @@ std::vector<std::size_t> widths(const std::vector<Row>& rows) {
 }
 
 /// Columns aligned: names to the left, numbers to the right.
-std::string aligned(const std::vector<Row>& rows, const std::string& edge, const std::string& separator, bool rule) {
+std::string aligned(const std::vector<Row>& rows, const std::string& edge, const std::string& separator,
+                    bool rule) {
   const auto width = widths(rows);
   std::string text;
   for (std::size_t r = 0; r < rows.size(); ++r) {
     Row cells;
     for (std::size_t i = 0; i < rows[r].size(); ++i)
-      cells.push_back(i < 2 ? fmt::format("{:<{}}", rows[r][i], width[i]) : fmt::format("{:>{}}", rows[r][i], width[i]));
+      cells.push_back(i < 2 ? fmt::format("{:<{}}", rows[r][i], width[i])
+                            : fmt::format("{:>{}}", rows[r][i], width[i]));
     text += edge + fmt::format("{}", fmt::join(cells, separator)) + edge + "\n";
     if (r == 0 && rule) {
       Row dashes;
-      for (std::size_t i = 0; i < width.size(); ++i) dashes.push_back(std::string(width[i] - (i < 2 ? 0 : 1), '-') + (i < 2 ? "" : ":"));
+      for (std::size_t i = 0; i < width.size(); ++i)
+        dashes.push_back(std::string(width[i] - (i < 2 ? 0 : 1), '-') + (i < 2 ? "" : ":"));
       text += edge + fmt::format("{}", fmt::join(dashes, separator)) + edge + "\n";
     }
   }
@@ -88,9 +94,12 @@ std::string report(const ordered_json& counts, ReportFormat format, bool forms) 
   std::vector<Row> rows = rows_of(counts, forms);
   rows.insert(rows.begin(), header);
   switch (format) {
-    case ReportFormat::csv: return separated(rows, ",");
-    case ReportFormat::markdown: return aligned(rows, "|", "|", true);
-    default: return aligned(rows, "", "  ", false);
+    case ReportFormat::csv:
+      return separated(rows, ",");
+    case ReportFormat::markdown:
+      return aligned(rows, "|", "|", true);
+    default:
+      return aligned(rows, "", "  ", false);
   }
 }
 

@@ -7,8 +7,11 @@ using nlohmann::ordered_json;
 
 std::string to_text(const RobotOutput& output) {
   ordered_json files = ordered_json::array();
-  for (const OutputFile& file : output.files) files.push_back({{"path", file.path}, {"content", file.content}});
-  return ordered_json{{"robot", output.robot}, {"files", files}, {"counts", output.counts}, {"missing", output.missing}}.dump();
+  for (const OutputFile& file : output.files)
+    files.push_back({{"path", file.path}, {"content", file.content}});
+  return ordered_json{
+      {"robot", output.robot}, {"files", files}, {"counts", output.counts}, {"missing", output.missing}}
+      .dump();
 }
 
 RobotOutput robot_output_from_text(const std::string& text) {

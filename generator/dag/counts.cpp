@@ -18,12 +18,18 @@ std::vector<bool> free_nodes(const Function& function, const IsFree& is_free) {
     const Node& node = graph.node(id);
     const auto angle_is_free = [&] {
       const Angle& angle = graph.angle_of(node);
-      return std::all_of(angle.terms.begin(), angle.terms.end(), [&](const auto& term) { return is_free(term.first); });
+      return std::all_of(angle.terms.begin(), angle.terms.end(),
+                         [&](const auto& term) { return is_free(term.first); });
     };
-    if (node.op == Op::constant) free[id] = true;
-    else if (node.op == Op::symbol) free[id] = is_free(graph.symbol_of(node));
-    else if (node.op == Op::sine || node.op == Op::cosine) free[id] = angle_is_free();
-    else free[id] = std::all_of(node.operands.begin(), node.operands.end(), [&](Edge e) { return free[e.node]; });
+    if (node.op == Op::constant)
+      free[id] = true;
+    else if (node.op == Op::symbol)
+      free[id] = is_free(graph.symbol_of(node));
+    else if (node.op == Op::sine || node.op == Op::cosine)
+      free[id] = angle_is_free();
+    else
+      free[id] =
+          std::all_of(node.operands.begin(), node.operands.end(), [&](Edge e) { return free[e.node]; });
   }
   return free;
 }
@@ -40,16 +46,28 @@ OperationCounts count(const Function& function, const IsFree& is_free) {
     const int terms = static_cast<int>(node.operands.size());
     switch (node.op) {
       case Op::constant:
-      case Op::symbol: break;
+      case Op::symbol:
+        break;
       case Op::sine:
       case Op::cosine:
-        if (!exact::radians(function.graph.angle_of(node))) angles.insert(to_string(function.graph.angle_of(node)));
+        if (!exact::radians(function.graph.angle_of(node)))
+          angles.insert(to_string(function.graph.angle_of(node)));
         break;
-      case Op::sum: counts.additions += terms - 1; break;
-      case Op::product: counts.multiplications += terms - 1; break;
-      case Op::quotient: ++counts.divisions; break;
-      case Op::root: ++counts.roots; break;
-      case Op::arctangent: ++counts.arctangents; break;
+      case Op::sum:
+        counts.additions += terms - 1;
+        break;
+      case Op::product:
+        counts.multiplications += terms - 1;
+        break;
+      case Op::quotient:
+        ++counts.divisions;
+        break;
+      case Op::root:
+        ++counts.roots;
+        break;
+      case Op::arctangent:
+        ++counts.arctangents;
+        break;
     }
   }
   counts.sine_cosines = static_cast<int>(angles.size());

@@ -8,9 +8,9 @@
 
 namespace qvgen::dag {
 
-/// Operations of a function by the one counting rule of the project: an n-term product is n-1 multiplications, a
-/// square is one, an n-term sum n-1 additions; sign changes are free; the pair (sin, cos) of an angle is one
-/// sine_cosine, and sums and halvings inside the angle are not counted.
+/// Operations of a function by the one counting rule of the project: an n-term product is n-1
+/// multiplications, a square is one, an n-term sum n-1 additions; sign changes are free; the pair (sin, cos)
+/// of an angle is one sine_cosine, and sums and halvings inside the angle are not counted.
 struct OperationCounts {
   int multiplications = 0;
   int additions = 0;
@@ -25,7 +25,8 @@ struct OperationCounts {
 /// Tells the symbols on which arithmetic is done once, in a set-up function, and therefore not counted.
 using IsFree = std::function<bool(const std::string& symbol)>;
 
-/// Counts what the outputs reach; with `is_free`, nodes that depend on free symbols and constants alone cost nothing.
+/// Counts what the outputs reach; with `is_free`, nodes that depend on free symbols and constants alone cost
+/// nothing.
 OperationCounts count(const Function& function, const IsFree& is_free = {});
 
 }  // namespace qvgen::dag

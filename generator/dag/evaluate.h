@@ -9,8 +9,8 @@ namespace qvgen::dag {
 
 /// Values of the outputs of a function over any number-like type.
 ///
-/// Leaves: `constant(Number)`, `symbol(name)`, `sine(Angle)`, `cosine(Angle)` -> Value; inner nodes beyond the four
-/// rules: `root(Value)`, `arctangent(Value y, Value x)`. Value needs + * / and unary minus.
+/// Leaves: `constant(Number)`, `symbol(name)`, `sine(Angle)`, `cosine(Angle)` -> Value; inner nodes beyond
+/// the four rules: `root(Value)`, `arctangent(Value y, Value x)`. Value needs + * / and unary minus.
 template <class Value, class Leaves>
 std::vector<Value> evaluate(const Function& function, Leaves&& leaves) {
   const Graph& graph = function.graph;
@@ -24,15 +24,24 @@ std::vector<Value> evaluate(const Function& function, Leaves&& leaves) {
   };
   const auto value_of = [&](const Node& node) -> Value {
     switch (node.op) {
-      case Op::constant: return leaves.constant(graph.constant_of(node));
-      case Op::symbol: return leaves.symbol(graph.symbol_of(node));
-      case Op::sine: return leaves.sine(graph.angle_of(node));
-      case Op::cosine: return leaves.cosine(graph.angle_of(node));
-      case Op::sum: return fold(node, [](const Value& a, const Value& b) { return Value(a + b); });
-      case Op::product: return fold(node, [](const Value& a, const Value& b) { return Value(a * b); });
-      case Op::quotient: return fold(node, [](const Value& a, const Value& b) { return Value(a / b); });
-      case Op::root: return leaves.root(at(node.operands[0]));
-      case Op::arctangent: return leaves.arctangent(at(node.operands[0]), at(node.operands[1]));
+      case Op::constant:
+        return leaves.constant(graph.constant_of(node));
+      case Op::symbol:
+        return leaves.symbol(graph.symbol_of(node));
+      case Op::sine:
+        return leaves.sine(graph.angle_of(node));
+      case Op::cosine:
+        return leaves.cosine(graph.angle_of(node));
+      case Op::sum:
+        return fold(node, [](const Value& a, const Value& b) { return Value(a + b); });
+      case Op::product:
+        return fold(node, [](const Value& a, const Value& b) { return Value(a * b); });
+      case Op::quotient:
+        return fold(node, [](const Value& a, const Value& b) { return Value(a / b); });
+      case Op::root:
+        return leaves.root(at(node.operands[0]));
+      case Op::arctangent:
+        return leaves.arctangent(at(node.operands[0]), at(node.operands[1]));
     }
     return Value{};
   };

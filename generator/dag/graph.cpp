@@ -14,17 +14,21 @@ using exact::combine;
 using exact::hash;
 using exact::Number;
 
-
 namespace {
 
 /// Leaves come first, in an order a reader expects; inner nodes follow by structural hash.
 int rank(Op op) {
   switch (op) {
-    case Op::constant: return 0;
-    case Op::symbol: return 1;
-    case Op::cosine: return 2;
-    case Op::sine: return 3;
-    default: return 4;
+    case Op::constant:
+      return 0;
+    case Op::symbol:
+      return 1;
+    case Op::cosine:
+      return 2;
+    case Op::sine:
+      return 3;
+    default:
+      return 4;
   }
 }
 
@@ -43,7 +47,8 @@ bool Graph::precedes(Edge a, Edge b) const {
 
 Edge Graph::intern(Op op, std::uint32_t payload, std::uint64_t payload_key, std::vector<Edge> operands) {
   std::uint64_t key = combine(static_cast<std::uint64_t>(op) + 1, payload_key);
-  for (const Edge& operand : operands) key = combine(key, nodes_[operand.node].key + (operand.negative ? 1 : 0));
+  for (const Edge& operand : operands)
+    key = combine(key, nodes_[operand.node].key + (operand.negative ? 1 : 0));
   auto& candidates = index_[key];
   for (const std::uint32_t id : candidates) {
     const Node& known = nodes_[id];
@@ -113,7 +118,8 @@ Edge Graph::sum(std::vector<Edge> operands) {
     }
     const Term term = term_of(operand);
     const Edge base = term.factors.empty() ? term.base : product(term.factors);
-    coefficients[base.node] = coefficients[base.node] + (base.negative ? -term.coefficient : term.coefficient);
+    coefficients[base.node] =
+        coefficients[base.node] + (base.negative ? -term.coefficient : term.coefficient);
   }
   std::vector<Edge> kept;
   if (!fixed.is_zero()) kept.push_back(constant(fixed));

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "dag/angle.h"
-#include "exact/trigonometry.h"
 #include "exact/number.h"
+#include "exact/trigonometry.h"
 
 namespace qvgen::dag {
 
@@ -43,8 +43,9 @@ class Graph {
   Edge cosine(const Angle& angle);
   Edge sum(std::vector<Edge> operands);
   Edge product(std::vector<Edge> operands);
-  /// A sum or product of exactly these operands: put in order and signs pulled out, but nothing folded, collected
-  /// or flattened. For a pass that has decided what is shared (the builders would turn (2 x) y into 2 x y).
+  /// A sum or product of exactly these operands: put in order and signs pulled out, but nothing folded,
+  /// collected or flattened. For a pass that has decided what is shared (the builders would turn (2 x) y into
+  /// 2 x y).
   Edge as_is(Op op, std::vector<Edge> operands);
   Edge quotient(Edge numerator, Edge denominator);
   Edge root(Edge radicand);

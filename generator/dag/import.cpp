@@ -57,28 +57,34 @@ class Importer {
     std::vector<Edge> above;
     std::vector<Edge> below;
     for (const ex& factor : e) {
-      const bool divides = GiNaC::is_a<GiNaC::power>(factor) && factor.op(1).info(GiNaC::info_flags::negative);
-      if (divides) below.push_back(power(factor.op(0), -factor.op(1)));
-      else above.push_back(edge(factor));
+      const bool divides =
+          GiNaC::is_a<GiNaC::power>(factor) && factor.op(1).info(GiNaC::info_flags::negative);
+      if (divides)
+        below.push_back(power(factor.op(0), -factor.op(1)));
+      else
+        above.push_back(edge(factor));
     }
     const Edge numerator = graph_.product(std::move(above));
     return below.empty() ? numerator : graph_.quotient(numerator, graph_.product(std::move(below)));
   }
 
   Edge power(const ex& base, const ex& exponent) {
-    if (!GiNaC::is_a<GiNaC::numeric>(exponent)) refuse("exponent is not a number", GiNaC::pow(base, exponent));
+    if (!GiNaC::is_a<GiNaC::numeric>(exponent))
+      refuse("exponent is not a number", GiNaC::pow(base, exponent));
     const GiNaC::numeric n = GiNaC::ex_to<GiNaC::numeric>(exponent);
     if (n.is_negative()) return graph_.quotient(graph_.constant(1), power(base, -exponent));
     const GiNaC::numeric doubled = n * 2;
     if (!doubled.is_integer()) refuse("exponent is neither whole nor half", GiNaC::pow(base, exponent));
     const Edge root = n.is_integer() ? edge(base) : graph_.root(edge(base));
-    return graph_.product(std::vector<Edge>(static_cast<std::size_t>((n.is_integer() ? n : doubled).to_int()), root));
+    return graph_.product(
+        std::vector<Edge>(static_cast<std::size_t>((n.is_integer() ? n : doubled).to_int()), root));
   }
 
   Edge function(const ex& e) {
     if (GiNaC::is_the_function<GiNaC::sin_SERIAL>(e)) return graph_.sine(symbolic::to_angle(e.op(0)));
     if (GiNaC::is_the_function<GiNaC::cos_SERIAL>(e)) return graph_.cosine(symbolic::to_angle(e.op(0)));
-    if (GiNaC::is_the_function<GiNaC::atan2_SERIAL>(e)) return graph_.arctangent(edge(e.op(0)), edge(e.op(1)));
+    if (GiNaC::is_the_function<GiNaC::atan2_SERIAL>(e))
+      return graph_.arctangent(edge(e.op(0)), edge(e.op(1)));
     refuse("function cannot be generated", e);
   }
 
@@ -92,7 +98,8 @@ Function import(const symbolic::Program& program) {
   Function function;
   Importer importer(function.graph);
   for (const auto& step : program.steps()) importer.bind(step.name, importer.edge(step.value));
-  for (const auto& output : program.outputs()) function.outputs.push_back({output.name, importer.edge(output.value)});
+  for (const auto& output : program.outputs())
+    function.outputs.push_back({output.name, importer.edge(output.value)});
   return rebuild(function);
 }
 

@@ -30,15 +30,24 @@ std::vector<std::uint32_t> reachable(const Function& function) {
 
 Edge copy_node(const Graph& from, const Node& node, const std::vector<Edge>& operands, Graph& to) {
   switch (node.op) {
-    case Op::constant: return to.constant(from.constant_of(node));
-    case Op::symbol: return to.symbol(from.symbol_of(node));
-    case Op::sine: return to.sine(from.angle_of(node));
-    case Op::cosine: return to.cosine(from.angle_of(node));
-    case Op::sum: return to.sum(operands);
-    case Op::product: return to.product(operands);
-    case Op::quotient: return to.quotient(operands[0], operands[1]);
-    case Op::root: return to.root(operands[0]);
-    case Op::arctangent: return to.arctangent(operands[0], operands[1]);
+    case Op::constant:
+      return to.constant(from.constant_of(node));
+    case Op::symbol:
+      return to.symbol(from.symbol_of(node));
+    case Op::sine:
+      return to.sine(from.angle_of(node));
+    case Op::cosine:
+      return to.cosine(from.angle_of(node));
+    case Op::sum:
+      return to.sum(operands);
+    case Op::product:
+      return to.product(operands);
+    case Op::quotient:
+      return to.quotient(operands[0], operands[1]);
+    case Op::root:
+      return to.root(operands[0]);
+    case Op::arctangent:
+      return to.arctangent(operands[0], operands[1]);
   }
   return {};
 }

@@ -12,10 +12,11 @@ namespace qvgen::dag {
 Edge copy_node(const Graph& from, const Node& node, const std::vector<Edge>& operands, Graph& to);
 
 /// Makes a node of the new graph out of an old node and its already rebuilt operands.
-using Rewrite = std::function<Edge(const Graph& from, const Node& node, const std::vector<Edge>& operands, Graph& to)>;
+using Rewrite =
+    std::function<Edge(const Graph& from, const Node& node, const std::vector<Edge>& operands, Graph& to)>;
 
-/// Rebuilds bottom-up what the outputs reach, in an order that depends on structure alone: dead code goes, the
-/// builders normalise again, and node numbers no longer remember how the old graph came about.
+/// Rebuilds bottom-up what the outputs reach, in an order that depends on structure alone: dead code goes,
+/// the builders normalise again, and node numbers no longer remember how the old graph came about.
 Function rebuild(const Function& function, const Rewrite& rewrite = copy_node);
 
 /// Nodes that the outputs reach, operands before users.

@@ -63,9 +63,9 @@ Quantity forward_kinematics(const model::Robot& robot) {
   Quantity quantity{"forward_kinematics", {{"pair product", plain_pose(robot)}}, plain_pose(robot)};
   const auto chain = zero_reference_chain(robot);
   if (!chain) return quantity;
-  // Orientation and position share little but the angles: each orientation is joined with the position in full angles,
-  // which has the fewest operations, and with the one in half angles, which needs no further sines; the other forms of
-  // the position with the first orientation.
+  // Orientation and position share little but the angles: each orientation is joined with the position in
+  // full angles, which has the fewest operations, and with the one in half angles, which needs no further
+  // sines; the other forms of the position with the first orientation.
   const auto orientations = orientation_forms(*chain);
   const auto positions = position_forms(*chain);
   const auto add = [&](const OrientationForm& orientation, const PositionForm& position) {
@@ -81,7 +81,8 @@ Quantity forward_kinematics(const model::Robot& robot) {
 }
 
 Quantity homogeneous_transform(const model::Robot& robot) {
-  Quantity quantity{"homogeneous_transform", {{"pair product", plain_transform(robot)}}, plain_transform(robot)};
+  Quantity quantity{
+      "homogeneous_transform", {{"pair product", plain_transform(robot)}}, plain_transform(robot)};
   const auto chain = zero_reference_chain(robot);
   if (!chain) return quantity;
   const PositionForm position = position_forms(*chain).front();

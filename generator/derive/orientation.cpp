@@ -172,7 +172,8 @@ std::vector<MatrixForm> matrix_forms(const ZeroReferenceChain& chain) {
 Quaternion written_out_orientation(const ZeroReferenceChain& chain) {
   const TurnSequence sequence = turn_sequence(chain);
   Quaternion product;
-  for (const Quaternion& factor : factors(sequence, partitions(sequence.turns, 0).front())) product = product * factor;
+  for (const Quaternion& factor : factors(sequence, partitions(sequence.turns, 0).front()))
+    product = product * factor;
   return {product.w.expand(), product.x.expand(), product.y.expand(), product.z.expand()};
 }
 

@@ -15,8 +15,8 @@ struct OrientationForm {
   std::function<symbolic::Quaternion(symbolic::Program&)> build;
 };
 
-/// Ways to multiply the joints' half-angle quaternions: every choice of disjoint Euler triples taken in closed form,
-/// multiplied from the left and from the right.
+/// Ways to multiply the joints' half-angle quaternions: every choice of disjoint Euler triples taken in
+/// closed form, multiplied from the left and from the right.
 std::vector<OrientationForm> orientation_forms(const ZeroReferenceChain& chain);
 
 struct MatrixForm {
@@ -24,8 +24,8 @@ struct MatrixForm {
   std::function<symbolic::Matrix3(symbolic::Program&)> build;
 };
 
-/// Ways to multiply the joints' rotation matrices in full angles: from the left, from the right, split at each joint;
-/// and each with one column as the cross product of the other two.
+/// Ways to multiply the joints' rotation matrices in full angles: from the left, from the right, split at
+/// each joint; and each with one column as the cross product of the other two.
 std::vector<MatrixForm> matrix_forms(const ZeroReferenceChain& chain);
 
 /// The orientation multiplied out without names, Euler triples merged from the left.

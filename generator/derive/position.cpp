@@ -17,7 +17,8 @@ namespace {
 using Name = std::function<Vector(const Vector&)>;
 using Rotate = std::function<Vector(const Turn&, const Vector&)>;
 
-/// A revolute joint and all that lies between the one before it and itself: constant offsets and prismatic joints.
+/// A revolute joint and all that lies between the one before it and itself: constant offsets and prismatic
+/// joints.
 struct Pivot {
   Vector before;
   Vector axis;
@@ -49,10 +50,10 @@ bool extends_group(const std::vector<Pivot>& joints, std::size_t i) {
   return i > 0 && parallel(joints[i - 1].axis, joints[i].axis) != 0;
 }
 
-/// sum over the group's joints m of R(phi_m) v_m, phi_m the sum of the angles up to m; v_m leads to the next joint, and
-/// for the last one it is what comes beyond the group.
-Vector group_motion(const std::vector<Pivot>& joints, std::size_t first, std::size_t last, const Vector& beyond,
-                    const Rotate& rotate_by) {
+/// sum over the group's joints m of R(phi_m) v_m, phi_m the sum of the angles up to m; v_m leads to the next
+/// joint, and for the last one it is what comes beyond the group.
+Vector group_motion(const std::vector<Pivot>& joints, std::size_t first, std::size_t last,
+                    const Vector& beyond, const Rotate& rotate_by) {
   Vector sum;
   ex angle = 0;
   for (std::size_t m = first; m <= last; ++m) {
@@ -73,7 +74,8 @@ Vector nested(const ZeroReferenceChain& chain, const Rotate& rotate_by, const Na
   return v;
 }
 
-/// The turn with sin = 2 s c and cos = 1 - 2 s^2 of the half angle: no second sine and cosine. Each angle once.
+/// The turn with sin = 2 s c and cos = 1 - 2 s^2 of the half angle: no second sine and cosine. Each angle
+/// once.
 class HalfAngleTurn {
  public:
   explicit HalfAngleTurn(Program& program) : program_(program) {}
@@ -128,9 +130,10 @@ std::vector<PositionForm> position_forms(const ZeroReferenceChain& chain) {
                                    [&](const Vector& v) { return program.let(v); });
                    }});
   if (!is_zero(chain.tool_offset))
-    forms.push_back({"tool offset by the quaternion", true, [=](Program& program, const Quaternion& orientation) {
-                       return by_orientation(chain, program, orientation);
-                     }});
+    forms.push_back(
+        {"tool offset by the quaternion", true, [=](Program& program, const Quaternion& orientation) {
+           return by_orientation(chain, program, orientation);
+         }});
   return forms;
 }
 

@@ -17,8 +17,8 @@ struct PositionForm {
   std::function<symbolic::Vector(symbolic::Program&, const symbolic::Quaternion&)> build;
 };
 
-/// Ways to compute the tool's position from the tip to the base, parallel neighbours merged: in full angles, in full
-/// angles made of half angles, and with the last offset turned by the orientation quaternion.
+/// Ways to compute the tool's position from the tip to the base, parallel neighbours merged: in full angles,
+/// in full angles made of half angles, and with the last offset turned by the orientation quaternion.
 std::vector<PositionForm> position_forms(const ZeroReferenceChain& chain);
 
 /// The position in full angles without names, multiplied out.

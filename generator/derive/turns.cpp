@@ -35,8 +35,10 @@ TurnSequence turn_sequence(const ZeroReferenceChain& chain) {
     if (joint.type != model::JointType::revolute) continue;
     const ex variable = symbol(joint.variable);
     const int sign = sequence.turns.empty() ? 0 : parallel(sequence.turns.back().axis, joint.axis);
-    if (sign != 0) sequence.turns.back().angle += sign * variable;
-    else sequence.turns.push_back({joint.axis, variable});
+    if (sign != 0)
+      sequence.turns.back().angle += sign * variable;
+    else
+      sequence.turns.push_back({joint.axis, variable});
   }
   if (sequence.turns.empty() || is_identity(chain.home)) return sequence;
   if (const auto angle = angle_about(chain.home, sequence.turns.back().axis)) {
@@ -59,17 +61,20 @@ Quaternion euler_triple(const Turn& first, const Turn& second, const Turn& third
   const ex s = GiNaC::sin(second.angle / 2);
   const ex sum = (first.angle + gamma) / 2;
   const ex difference = (gamma - first.angle) / 2;
-  const Vector vector = (c * GiNaC::sin(sum)) * a + (s * GiNaC::cos(difference)) * b + (s * GiNaC::sin(difference)) * cross(b, a);
+  const Vector vector = (c * GiNaC::sin(sum)) * a + (s * GiNaC::cos(difference)) * b +
+                        (s * GiNaC::sin(difference)) * cross(b, a);
   return {c * GiNaC::cos(sum), vector.x, vector.y, vector.z};
 }
 
 namespace {
 
-Quaternion plus(const Quaternion& a, const Quaternion& b) { return {a.w + b.w, a.x + b.x, a.y + b.y, a.z + b.z}; }
+Quaternion plus(const Quaternion& a, const Quaternion& b) {
+  return {a.w + b.w, a.x + b.x, a.y + b.y, a.z + b.z};
+}
 Quaternion times(const ex& s, const Quaternion& q) { return {s * q.w, s * q.x, s * q.y, s * q.z}; }
 
-/// One choice (bit k of `sines`: the k-th perpendicular turn gives its sine). q_a(x) b = b q_a(-x) carries all
-/// rotations about the axis to the end.
+/// One choice (bit k of `sines`: the k-th perpendicular turn gives its sine). q_a(x) b = b q_a(-x) carries
+/// all rotations about the axis to the end.
 Quaternion angle_sum_term(const std::vector<Turn>& turns, const Vector& axis, unsigned sines) {
   ex coefficient = 1;
   ex angle = 0;
@@ -94,7 +99,8 @@ Quaternion angle_sum_term(const std::vector<Turn>& turns, const Vector& axis, un
 
 }  // namespace
 
-std::optional<Quaternion> angle_sum_product(const std::vector<Turn>& turns, const Vector& axis, std::size_t most) {
+std::optional<Quaternion> angle_sum_product(const std::vector<Turn>& turns, const Vector& axis,
+                                            std::size_t most) {
   std::size_t across = 0;
   for (const Turn& turn : turns) {
     if (parallel(axis, turn.axis) != 0) continue;
@@ -103,7 +109,8 @@ std::optional<Quaternion> angle_sum_product(const std::vector<Turn>& turns, cons
   }
   if (across > most) return std::nullopt;
   Quaternion sum{0, 0, 0, 0};
-  for (unsigned choice = 0; choice < (1U << across); ++choice) sum = plus(sum, angle_sum_term(turns, axis, choice));
+  for (unsigned choice = 0; choice < (1U << across); ++choice)
+    sum = plus(sum, angle_sum_term(turns, axis, choice));
   return sum;
 }
 

@@ -10,8 +10,8 @@
 
 namespace qvgen::derive {
 
-/// The chain with all frames parallel to the world frame at the zero configuration: constant rotations are carried
-/// through to the end, so that axes of right-angled arms become coordinate axes.
+/// The chain with all frames parallel to the world frame at the zero configuration: constant rotations are
+/// carried through to the end, so that axes of right-angled arms become coordinate axes.
 ///
 /// tool position = offset_0 + M_1 (offset_1 + M_2 (... M_n tool_offset)), orientation = R_1 ... R_n home.
 struct ZeroReferenceChain {

@@ -18,7 +18,11 @@ constexpr int longest_inline = 4;
 class Writer {
  public:
   Writer(const dag::Function& function, const Names& names)
-      : graph_(function.graph), names_(names), uses_(graph_.size(), 0), text_(graph_.size()), length_(graph_.size(), 0) {
+      : graph_(function.graph),
+        names_(names),
+        uses_(graph_.size(), 0),
+        text_(graph_.size()),
+        length_(graph_.size(), 0) {
     for (const std::uint32_t id : dag::reachable(function))
       for (const Edge& operand : graph_.node(id).operands) ++uses_[operand.node];
     for (const dag::Output& output : function.outputs) ++uses_[output.value.node];
@@ -26,12 +30,15 @@ class Writer {
 
   Code write(const dag::Function& function) {
     for (const std::uint32_t id : dag::reachable(function)) write_node(id);
-    for (const dag::Output& output : function.outputs) code_.outputs.push_back({output.name, signed_text(output.value)});
+    for (const dag::Output& output : function.outputs)
+      code_.outputs.push_back({output.name, signed_text(output.value)});
     return std::move(code_);
   }
 
  private:
-  static bool is_leaf(Op op) { return op == Op::constant || op == Op::symbol || op == Op::sine || op == Op::cosine; }
+  static bool is_leaf(Op op) {
+    return op == Op::constant || op == Op::symbol || op == Op::sine || op == Op::cosine;
+  }
 
   void write_node(std::uint32_t id) {
     const dag::Node& node = graph_.node(id);
@@ -48,15 +55,24 @@ class Writer {
 
   std::string expression(const dag::Node& node) const {
     switch (node.op) {
-      case Op::constant: return "Scalar(" + literal(graph_.constant_of(node)) + ")";
-      case Op::symbol: return names_.symbol(graph_.symbol_of(node));
-      case Op::sine: return constant_or(sine_literal(graph_.angle_of(node)), names_.sine, node);
-      case Op::cosine: return constant_or(cosine_literal(graph_.angle_of(node)), names_.cosine, node);
-      case Op::sum: return sum(node);
-      case Op::product: return product(node);
-      case Op::quotient: return factor(node.operands[0]) + " / " + factor(node.operands[1], true);
-      case Op::root: return "sqrt(" + signed_text(node.operands[0]) + ")";
-      case Op::arctangent: return "atan2(" + signed_text(node.operands[0]) + ", " + signed_text(node.operands[1]) + ")";
+      case Op::constant:
+        return "Scalar(" + literal(graph_.constant_of(node)) + ")";
+      case Op::symbol:
+        return names_.symbol(graph_.symbol_of(node));
+      case Op::sine:
+        return constant_or(sine_literal(graph_.angle_of(node)), names_.sine, node);
+      case Op::cosine:
+        return constant_or(cosine_literal(graph_.angle_of(node)), names_.cosine, node);
+      case Op::sum:
+        return sum(node);
+      case Op::product:
+        return product(node);
+      case Op::quotient:
+        return factor(node.operands[0]) + " / " + factor(node.operands[1], true);
+      case Op::root:
+        return "sqrt(" + signed_text(node.operands[0]) + ")";
+      case Op::arctangent:
+        return "atan2(" + signed_text(node.operands[0]) + ", " + signed_text(node.operands[1]) + ")";
     }
     return {};
   }
@@ -70,8 +86,9 @@ class Writer {
 
   /// An operand as a factor: sums get parentheses, and products and quotients too where they divide.
   std::string factor(Edge edge, bool divides = false) const {
-    const bool compound = is_inline(edge.node, Op::sum) ||
-                          (divides && (is_inline(edge.node, Op::product) || is_inline(edge.node, Op::quotient)));
+    const bool compound =
+        is_inline(edge.node, Op::sum) ||
+        (divides && (is_inline(edge.node, Op::product) || is_inline(edge.node, Op::quotient)));
     const std::string text = compound ? "(" + text_[edge.node] + ")" : text_[edge.node];
     return edge.negative ? "-" + text : text;
   }
@@ -109,6 +126,8 @@ class Writer {
 
 }  // namespace
 
-Code cpp_code(const dag::Function& function, const Names& names) { return Writer(function, names).write(function); }
+Code cpp_code(const dag::Function& function, const Names& names) {
+  return Writer(function, names).write(function);
+}
 
 }  // namespace qvgen::emit

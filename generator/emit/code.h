@@ -27,8 +27,8 @@ struct Code {
   std::vector<Value> outputs;
 };
 
-/// Writes a function down. A value used more than once, or too long to read inline, becomes a temporary `t0, t1, ...`;
-/// sums are written with a positive term first. The text depends on the graph's structure alone.
+/// Writes a function down. A value used more than once, or too long to read inline, becomes a temporary `t0,
+/// t1, ...`; sums are written with a positive term first. The text depends on the graph's structure alone.
 Code cpp_code(const dag::Function& function, const Names& names);
 
 }  // namespace qvgen::emit

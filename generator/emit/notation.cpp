@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+
 #include <fmt/format.h>
 
 namespace qvgen::emit {
@@ -13,7 +14,7 @@ using dag::Edge;
 using dag::Op;
 
 bool is_greek(const std::string& word) {
-  static constexpr std::array<const char*, 12> greek{"alpha", "beta", "gamma", "delta",  "theta", "phi",
+  static constexpr std::array<const char*, 12> greek{"alpha", "beta",  "gamma", "delta",  "theta", "phi",
                                                      "psi",   "omega", "tau",   "lambda", "mu",    "rho"};
   return std::find(greek.begin(), greek.end(), word) != greek.end();
 }
@@ -23,7 +24,8 @@ std::string latex_name(const std::string& name) {
   const std::string word = name.substr(0, end);
   std::string index = end == std::string::npos ? "" : name.substr(end);
   index.erase(std::remove(index.begin(), index.end(), '_'), index.end());
-  const std::string letters = is_greek(word) ? "\\" + word : (word.size() > 1 ? "\\mathrm{" + word + "}" : word);
+  const std::string letters =
+      is_greek(word) ? "\\" + word : (word.size() > 1 ? "\\mathrm{" + word + "}" : word);
   return index.empty() ? letters : letters + "_{" + index + "}";
 }
 
@@ -61,7 +63,8 @@ std::string latex_number(const exact::Number& number) {
 
 class Formula {
  public:
-  Formula(const dag::Graph& graph, Notation notation, const std::function<std::string(const std::string&)>& name)
+  Formula(const dag::Graph& graph, Notation notation,
+          const std::function<std::string(const std::string&)>& name)
       : graph_(graph), latex_(notation == Notation::latex), notation_(notation), name_(name) {}
 
   std::string signed_text(Edge edge) const {
@@ -73,15 +76,25 @@ class Formula {
   std::string text(std::uint32_t id) const {
     const dag::Node& node = graph_.node(id);
     switch (node.op) {
-      case Op::constant: return latex_ ? latex_number(graph_.constant_of(node)) : exact::to_string(graph_.constant_of(node));
-      case Op::symbol: return name_(graph_.symbol_of(node));
-      case Op::sine: return call("sin", graph_.angle_of(node));
-      case Op::cosine: return call("cos", graph_.angle_of(node));
-      case Op::sum: return sum(node);
-      case Op::product: return product(node);
-      case Op::quotient: return quotient(node);
-      case Op::root: return latex_ ? "\\sqrt{" + signed_text(node.operands[0]) + "}" : "sqrt(" + signed_text(node.operands[0]) + ")";
-      case Op::arctangent: return "atan2(" + signed_text(node.operands[0]) + ", " + signed_text(node.operands[1]) + ")";
+      case Op::constant:
+        return latex_ ? latex_number(graph_.constant_of(node)) : exact::to_string(graph_.constant_of(node));
+      case Op::symbol:
+        return name_(graph_.symbol_of(node));
+      case Op::sine:
+        return call("sin", graph_.angle_of(node));
+      case Op::cosine:
+        return call("cos", graph_.angle_of(node));
+      case Op::sum:
+        return sum(node);
+      case Op::product:
+        return product(node);
+      case Op::quotient:
+        return quotient(node);
+      case Op::root:
+        return latex_ ? "\\sqrt{" + signed_text(node.operands[0]) + "}"
+                      : "sqrt(" + signed_text(node.operands[0]) + ")";
+      case Op::arctangent:
+        return "atan2(" + signed_text(node.operands[0]) + ", " + signed_text(node.operands[1]) + ")";
     }
     return {};
   }
@@ -111,7 +124,8 @@ class Formula {
     const auto positive = std::find_if(terms.begin(), terms.end(), [](Edge e) { return !e.negative; });
     if (positive != terms.end()) std::rotate(terms.begin(), positive, positive + 1);
     std::string result = (terms.front().negative ? "-" : "") + factor(terms.front().node);
-    for (std::size_t i = 1; i < terms.size(); ++i) result += (terms[i].negative ? " - " : " + ") + factor(terms[i].node);
+    for (std::size_t i = 1; i < terms.size(); ++i)
+      result += (terms[i].negative ? " - " : " + ") + factor(terms[i].node);
     return result;
   }
 
@@ -159,7 +173,8 @@ std::string formula(const dag::Angle& angle, Notation notation) {
 }
 
 std::string formula(const dag::Graph& graph, Edge value, Notation notation) {
-  return formula(graph, value, notation, [notation](const std::string& name) { return formula(name, notation); });
+  return formula(graph, value, notation,
+                 [notation](const std::string& name) { return formula(name, notation); });
 }
 
 std::string formula(const dag::Graph& graph, Edge value, Notation notation,

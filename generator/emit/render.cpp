@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "emit/render.h"
 
-#include <kainjow/mustache.hpp>
 #include <stdexcept>
+
+#include <kainjow/mustache.hpp>
 
 #include "emit/builtin_templates.h"
 
@@ -51,7 +52,8 @@ std::string render(const std::string& template_name, const nlohmann::json& value
   const auto place = known.find(template_name);
   if (place == known.end()) throw std::invalid_argument("no template " + template_name);
   mustache::mustache text(place->second);
-  if (!text.is_valid()) throw std::invalid_argument("template " + template_name + ": " + text.error_message());
+  if (!text.is_valid())
+    throw std::invalid_argument("template " + template_name + ": " + text.error_message());
   text.set_custom_escape([](const std::string& plain) { return plain; });
   mustache::data data = to_data(values);
   for (const auto& [name, part] : known)

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "exact/angle.h"
 
+#include <sstream>
+
 #include <cln/integer.h>
 #include <cln/rational_io.h>
-#include <sstream>
 
 namespace qvgen::exact {
 
@@ -39,7 +40,8 @@ void append_term(std::ostringstream& text, const cln::cl_RA& coefficient, const 
 
 cln::cl_I common_denominator(const Angle& angle) {
   cln::cl_I common = cln::denominator(angle.pi);
-  for (const auto& [symbol, coefficient] : angle.terms) common = cln::lcm(common, cln::denominator(coefficient));
+  for (const auto& [symbol, coefficient] : angle.terms)
+    common = cln::lcm(common, cln::denominator(coefficient));
   return common;
 }
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cln/rational.h>
 #include <map>
 #include <string>
+
+#include <cln/rational.h>
 
 namespace qvgen::exact {
 

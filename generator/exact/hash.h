@@ -9,7 +9,8 @@ namespace qvgen::exact {
 /// FNV-1a: the same number on every machine, which std::hash does not promise.
 constexpr std::uint64_t hash(std::string_view text) {
   std::uint64_t value = 0xcbf29ce484222325ULL;
-  for (const char character : text) value = (value ^ static_cast<unsigned char>(character)) * 0x100000001b3ULL;
+  for (const char character : text)
+    value = (value ^ static_cast<unsigned char>(character)) * 0x100000001b3ULL;
   return value;
 }
 

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "exact/number.h"
 
+#include <numeric>
+#include <sstream>
+#include <stdexcept>
+
 #include <cln/float.h>
 #include <cln/integer.h>
 #include <cln/lfloat.h>
 #include <cln/rational_io.h>
 #include <cln/real.h>
 #include <cln/real_io.h>
-#include <numeric>
-#include <sstream>
-#include <stdexcept>
 
 namespace qvgen::exact {
 namespace {
@@ -43,7 +44,8 @@ Square split_square(cln::cl_I n) {
   } else {
     free = free * n;
   }
-  if (cln::integer_length(free) > 62) throw std::domain_error("square root of a number with a too large squarefree part");
+  if (cln::integer_length(free) > 62)
+    throw std::domain_error("square root of a number with a too large squarefree part");
   return {root, cln::cl_I_to_ulong(free)};
 }
 
@@ -82,7 +84,9 @@ Number Number::root(const cln::cl_RA& radicand) {
 
 bool Number::is_one() const { return is_rational() && !is_zero() && terms_.begin()->second == 1; }
 
-bool Number::is_rational() const { return terms_.empty() || (terms_.size() == 1 && terms_.begin()->first == 1); }
+bool Number::is_rational() const {
+  return terms_.empty() || (terms_.size() == 1 && terms_.begin()->first == 1);
+}
 
 cln::cl_RA Number::rational() const {
   const auto place = terms_.find(1);
@@ -159,8 +163,10 @@ std::string to_string(const Number& number) {
     if (radicand == 1) {
       text << coefficient;
     } else {
-      if (coefficient == -1) text << '-';
-      else if (coefficient != 1) text << coefficient << '*';
+      if (coefficient == -1)
+        text << '-';
+      else if (coefficient != 1)
+        text << coefficient << '*';
       text << "sqrt(" << radicand << ')';
     }
   }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cln/rational.h>
 #include <map>
 #include <string>
+
+#include <cln/rational.h>
 
 namespace qvgen::exact {
 
@@ -14,9 +15,10 @@ namespace qvgen::exact {
 class Number {
  public:
   Number() = default;
-  Number(long value) : Number(cln::cl_RA(value)) {}          // NOLINT(google-explicit-constructor)
-  Number(const cln::cl_RA& value);                            // NOLINT(google-explicit-constructor)
-  /// Exact square root of a rational >= 0 whose squarefree part fits 62 bits; throws std::domain_error otherwise.
+  Number(long value) : Number(cln::cl_RA(value)) {}  // NOLINT(google-explicit-constructor)
+  Number(const cln::cl_RA& value);                   // NOLINT(google-explicit-constructor)
+  /// Exact square root of a rational >= 0 whose squarefree part fits 62 bits; throws std::domain_error
+  /// otherwise.
   static Number root(const cln::cl_RA& radicand);
 
   [[nodiscard]] bool is_zero() const { return terms_.empty(); }

@@ -24,12 +24,15 @@ cln::cl_RA small_rational(std::uint64_t bits) {
 
 }  // namespace
 
-Number ExactPoint::symbol(const std::string& name) const { return small_rational(combine(seed_, hash(name))); }
+Number ExactPoint::symbol(const std::string& name) const {
+  return small_rational(combine(seed_, hash(name)));
+}
 
 CosineSine ExactPoint::quarter_of(const std::string& name) const {
   // tan(angle/8) within +-tan(pi/8), so that the angle covers (-pi, pi)
   const std::uint64_t bits = combine(seed_, hash("tan(" + name + "/8)"));
-  const cln::cl_RA t = cln::cl_RA(static_cast<long>(bits % 835) - 417) / (1009 + static_cast<long>((bits >> 20) % 61));
+  const cln::cl_RA t =
+      cln::cl_RA(static_cast<long>(bits % 835) - 417) / (1009 + static_cast<long>((bits >> 20) % 61));
   const cln::cl_RA n = 1 + t * t;
   return {Number((1 - t * t) / n), Number(2 * t / n)};
 }
@@ -42,10 +45,12 @@ CosineSine ExactPoint::turn(const Angle& angle) const {
       continue;
     }
     const cln::cl_RA quarters = coefficient * 4;
-    if (cln::denominator(quarters) != 1) throw std::domain_error("angle " + to_string(angle) + " is no multiple of a quarter");
+    if (cln::denominator(quarters) != 1)
+      throw std::domain_error("angle " + to_string(angle) + " is no multiple of a quarter");
     result = then(result, times(quarter_of(name), cln::cl_I_to_long(cln::numerator(quarters))));
   }
-  if (const auto sine = exact_sine(angle.pi)) return then(result, {*exact_sine(angle.pi + cln::cl_RA(1) / 2), *sine});
+  if (const auto sine = exact_sine(angle.pi))
+    return then(result, {*exact_sine(angle.pi + cln::cl_RA(1) / 2), *sine});
   const cln::float_format_t digits = cln::float_format(100);
   const cln::cl_F radians = cln::cl_float(angle.pi, digits) * cln::pi(digits);
   return then(result, {Number(cln::rational(cln::cos(radians))), Number(cln::rational(cln::sin(radians)))});

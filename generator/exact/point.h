@@ -10,12 +10,14 @@
 
 namespace qvgen::exact {
 
-/// A random point at which every sine and cosine is rational: each symbol has a random rational value, and, where
-/// it stands in an angle, a random rational point on the unit circle for the quarter of it (the rational tangent
-/// of an eighth). The two are independent, since a rational function identity in both holds for all values.
+/// A random point at which every sine and cosine is rational: each symbol has a random rational value, and,
+/// where it stands in an angle, a random rational point on the unit circle for the quarter of it (the
+/// rational tangent of an eighth). The two are independent, since a rational function identity in both holds
+/// for all values.
 ///
-/// Sine and cosine of constants other than multiples of 15 degrees have no exact value here: they are taken to 100 digits,
-/// so that what holds between them (a double angle, a sum that is a right angle) still does, to `agree`.
+/// Sine and cosine of constants other than multiples of 15 degrees have no exact value here: they are taken
+/// to 100 digits, so that what holds between them (a double angle, a sum that is a right angle) still does,
+/// to `agree`.
 class ExactPoint {
  public:
   explicit ExactPoint(std::uint64_t seed) : seed_(seed) {}

@@ -2,10 +2,10 @@
 #include "exact/trigonometry.h"
 
 #include <array>
+
 #include <cln/integer.h>
 
 namespace qvgen::exact {
-
 
 namespace {
 
@@ -14,20 +14,27 @@ Number sine_of_fifteenths(long k) {
   const auto half_root = [](long n) { return Number::root(cln::cl_RA(n) / 4); };
   const auto quarter_root = [](long n) { return Number::root(cln::cl_RA(n) / 16); };
   switch (k) {
-    case 0: return 0;
-    case 1: return quarter_root(6) - quarter_root(2);
-    case 2: return Number(cln::cl_RA(1) / 2);
-    case 3: return half_root(2);
-    case 4: return half_root(3);
-    case 5: return quarter_root(6) + quarter_root(2);
-    default: return 1;
+    case 0:
+      return 0;
+    case 1:
+      return quarter_root(6) - quarter_root(2);
+    case 2:
+      return Number(cln::cl_RA(1) / 2);
+    case 3:
+      return half_root(2);
+    case 4:
+      return half_root(3);
+    case 5:
+      return quarter_root(6) + quarter_root(2);
+    default:
+      return 1;
   }
 }
 
 struct Reduced {
-  bool mirrored;     ///< the angle's sign was changed
-  long quarter;      ///< quarter turns taken out, 0 .. 3
-  Angle rest;        ///< angle = (mirrored ? -1 : 1) * (rest + quarter * pi/2), canonical
+  bool mirrored;  ///< the angle's sign was changed
+  long quarter;   ///< quarter turns taken out, 0 .. 3
+  Angle rest;     ///< angle = (mirrored ? -1 : 1) * (rest + quarter * pi/2), canonical
 };
 
 Reduced reduce(const Angle& angle) {

@@ -16,8 +16,8 @@ struct TrigonometricValue {
   std::optional<Number> number;
 };
 
-/// sin and cos with the sign of the angle and whole quarter turns taken out; the remaining multiple of pi lies
-/// in [-1/4, 1/4], and a remaining constant angle that is a multiple of 15 degrees has become a number.
+/// sin and cos with the sign of the angle and whole quarter turns taken out; the remaining multiple of pi
+/// lies in [-1/4, 1/4], and a remaining constant angle that is a multiple of 15 degrees has become a number.
 TrigonometricValue normalised_sine(const Angle& angle);
 TrigonometricValue normalised_cosine(const Angle& angle);
 

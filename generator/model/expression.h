@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cln/rational.h>
 #include <memory>
 #include <string>
 #include <vector>
+
+#include <cln/rational.h>
 
 namespace qvgen::model {
 
@@ -29,7 +30,8 @@ class Expression {
   [[nodiscard]] const std::string& name() const { return node_->name; }
   [[nodiscard]] long exponent() const { return node_->exponent; }
   [[nodiscard]] const std::vector<Expression>& operands() const { return node_->operands; }
-  /// True only for the number 0 itself; an expression that happens to vanish is the symbolic stage's business.
+  /// True only for the number 0 itself; an expression that happens to vanish is the symbolic stage's
+  /// business.
   [[nodiscard]] bool is_literal_zero() const;
 
  private:

@@ -67,14 +67,14 @@ struct Parameter {
 
 /// A validated kinematic chain, base to tool. Immutable once a reader has built it.
 struct Robot {
-  std::string name;    ///< a C++ identifier, lower case: the namespace of the generated code
+  std::string name;  ///< a C++ identifier, lower case: the namespace of the generated code
   std::string title;
-  std::string source;  ///< where the data come from; may be empty
+  std::string source;               ///< where the data come from; may be empty
   std::vector<Parameter> geometry;  ///< in order of first appearance
   std::vector<Parameter> inertia_parameters;
-  Displacement base;   ///< world -> base of the first joint
+  Displacement base;  ///< world -> base of the first joint
   std::vector<Joint> joints;
-  Displacement tool;   ///< last link frame -> tool
+  Displacement tool;  ///< last link frame -> tool
 };
 
 }  // namespace qvgen::model

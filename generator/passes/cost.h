@@ -5,10 +5,10 @@ namespace qvgen::passes {
 
 /// What an operation of the emitted graph costs. Only the ratios matter; a sign change is free.
 ///
-/// Between latency and throughput of a scalar double on current x86-64 cores, in multiples of one multiplication:
-/// additions and multiplications alike, a division about four, a square root about five of them. A sine with its
-/// cosine takes some 10 ns of libm or 12 cycles of a vector pass, an arctangent 25 ns: high enough that a function
-/// never asks for more angles than it has joints.
+/// Between latency and throughput of a scalar double on current x86-64 cores, in multiples of one
+/// multiplication: additions and multiplications alike, a division about four, a square root about five of
+/// them. A sine with its cosine takes some 10 ns of libm or 12 cycles of a vector pass, an arctangent 25 ns:
+/// high enough that a function never asks for more angles than it has joints.
 struct CostModel {
   double multiplication = 1;
   double addition = 1;

@@ -27,7 +27,8 @@ Choice most_frequent(const Graph& graph, const std::vector<Term>& terms) {
   }
   Choice best;
   for (const auto& [factor, count] : frequency) {
-    const bool better = count > best.terms || (count == best.terms && graph.node(factor).key < graph.node(best.factor).key);
+    const bool better =
+        count > best.terms || (count == best.terms && graph.node(factor).key < graph.node(best.factor).key);
     if (better) best = {factor, count};
   }
   return best;
@@ -55,7 +56,8 @@ Edge factored(Graph& graph, std::vector<Term> terms) {
 }  // namespace
 
 dag::Function factor(const dag::Function& function) {
-  const auto rewrite = [](const Graph& from, const dag::Node& node, const std::vector<Edge>& operands, Graph& to) {
+  const auto rewrite = [](const Graph& from, const dag::Node& node, const std::vector<Edge>& operands,
+                          Graph& to) {
     if (node.op != dag::Op::sum) return dag::copy_node(from, node, operands, to);
     return factored(to, terms_of_sum(to, operands));
   };

@@ -13,8 +13,10 @@ dag::Function fold(const dag::Function& function) { return dag::rebuild(function
 dag::Function flatten(const dag::Function& function) {
   const std::vector<int> uses = use_counts(function);
   // An inner node used once is opened; its operands stand in the new graph already. Which old node an operand
-  // came from is not known to a rewrite, so the decision is taken on the old node's operands, position by position.
-  const auto rewrite = [&](const dag::Graph& from, const dag::Node& node, const std::vector<Edge>& operands, dag::Graph& to) {
+  // came from is not known to a rewrite, so the decision is taken on the old node's operands, position by
+  // position.
+  const auto rewrite = [&](const dag::Graph& from, const dag::Node& node, const std::vector<Edge>& operands,
+                           dag::Graph& to) {
     if (node.op != Op::sum && node.op != Op::product) return dag::copy_node(from, node, operands, to);
     std::vector<Edge> flat;
     for (std::size_t i = 0; i < operands.size(); ++i) {

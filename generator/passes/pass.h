@@ -16,7 +16,8 @@ struct Pass {
 
 /// Constants folded, like terms collected, dead code gone.
 dag::Function fold(const dag::Function& function);
-/// Sums inside sums and products inside products, where nobody else uses the inner one, become one n-ary node.
+/// Sums inside sums and products inside products, where nobody else uses the inner one, become one n-ary
+/// node.
 dag::Function flatten(const dag::Function& function);
 /// x sin^2 + x cos^2 -> x and k - k sin^2 -> k cos^2 (and the mirror image) inside sums.
 dag::Function trig(const dag::Function& function);

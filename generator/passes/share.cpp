@@ -29,8 +29,8 @@ OperandPair make_pair(Op op, Edge a, Edge b) {
   return {op, {a.node, false}, {b.node, a.negative != b.negative}};
 }
 
-/// The pair that most n-ary nodes share, if at least two do. Node numbers follow structure (rebuild), and so does
-/// the choice among equals.
+/// The pair that most n-ary nodes share, if at least two do. Node numbers follow structure (rebuild), and so
+/// does the choice among equals.
 std::pair<OperandPair, int> most_frequent_pair(const dag::Function& function) {
   std::map<OperandPair, int> frequency;
   for (const std::uint32_t id : dag::reachable(function)) {
@@ -38,7 +38,8 @@ std::pair<OperandPair, int> most_frequent_pair(const dag::Function& function) {
     if (node.op != Op::sum && node.op != Op::product) continue;
     std::map<OperandPair, bool> here;
     for (std::size_t i = 0; i < node.operands.size(); ++i)
-      for (std::size_t j = i + 1; j < node.operands.size(); ++j) here[make_pair(node.op, node.operands[i], node.operands[j])] = true;
+      for (std::size_t j = i + 1; j < node.operands.size(); ++j)
+        here[make_pair(node.op, node.operands[i], node.operands[j])] = true;
     for (const auto& [pair, present] : here) ++frequency[pair];
   }
   std::pair<OperandPair, int> best{{}, 1};
@@ -56,7 +57,8 @@ std::pair<std::size_t, std::size_t> positions(const dag::Node& node, const Opera
 }
 
 dag::Function extract(const dag::Function& function, const OperandPair& pair) {
-  const auto rewrite = [&](const Graph& from, const dag::Node& node, const std::vector<Edge>& operands, Graph& to) {
+  const auto rewrite = [&](const Graph& from, const dag::Node& node, const std::vector<Edge>& operands,
+                           Graph& to) {
     if (node.op != pair.op || node.operands.size() < 3) return dag::copy_node(from, node, operands, to);
     const auto [i, j] = positions(node, pair);
     if (i == j) return dag::copy_node(from, node, operands, to);

@@ -25,8 +25,10 @@ Term term_of(const Graph& graph, Edge edge) {
     return term;
   }
   for (const Edge& operand : node.operands) {
-    if (graph.is_constant(operand)) term.coefficient = term.coefficient * graph.value_of(operand);
-    else term.factors.push_back(operand.node);
+    if (graph.is_constant(operand))
+      term.coefficient = term.coefficient * graph.value_of(operand);
+    else
+      term.factors.push_back(operand.node);
   }
   std::sort(term.factors.begin(), term.factors.end());
   return term;

@@ -28,8 +28,10 @@ Factors without_square(const Factors& factors, std::uint32_t square) {
   Factors rest;
   int dropped = 0;
   for (const std::uint32_t factor : factors)
-    if (factor == square && dropped < 2) ++dropped;
-    else rest.push_back(factor);
+    if (factor == square && dropped < 2)
+      ++dropped;
+    else
+      rest.push_back(factor);
   return rest;
 }
 
@@ -46,7 +48,8 @@ std::vector<std::uint32_t> squares_in(const Graph& graph, const Factors& factors
   return squares;
 }
 
-std::optional<std::size_t> find(const std::vector<Term>& terms, const Factors& factors, const exact::Number& coefficient) {
+std::optional<std::size_t> find(const std::vector<Term>& terms, const Factors& factors,
+                                const exact::Number& coefficient) {
   for (std::size_t i = 0; i < terms.size(); ++i)
     if (terms[i].factors == factors && terms[i].coefficient == coefficient) return i;
   return std::nullopt;
@@ -78,7 +81,8 @@ bool reduce_once(Graph& graph, std::vector<Term>& terms) {
 }  // namespace
 
 dag::Function trig(const dag::Function& function) {
-  const auto rewrite = [](const Graph& from, const dag::Node& node, const std::vector<Edge>& operands, Graph& to) {
+  const auto rewrite = [](const Graph& from, const dag::Node& node, const std::vector<Edge>& operands,
+                          Graph& to) {
     if (node.op != Op::sum) return dag::copy_node(from, node, operands, to);
     std::vector<Term> terms = terms_of_sum(to, operands);
     bool changed = false;

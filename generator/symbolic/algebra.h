@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+
 #include <ginac/ginac.h>
 
 namespace qvgen::symbolic {
@@ -20,15 +21,16 @@ Vector cross(const Vector& a, const Vector& b);
 struct Quaternion {
   GiNaC::ex w = 1, x = 0, y = 0, z = 0;
 };
-Quaternion operator*(const Quaternion& a, const Quaternion& b);  ///< (1.11), with the sign of v1 x v2 corrected
-Quaternion inverse(const Quaternion& q);                         ///< of a unit quaternion (1.13)
-Vector rotate(const Quaternion& q, const Vector& v);             ///< q v q^-1, as in (1.12)
+Quaternion operator*(const Quaternion& a,
+                     const Quaternion& b);            ///< (1.11), with the sign of v1 x v2 corrected
+Quaternion inverse(const Quaternion& q);              ///< of a unit quaternion (1.13)
+Vector rotate(const Quaternion& q, const Vector& v);  ///< q v q^-1, as in (1.12)
 /// [cos(angle/2), sin(angle/2) axis], axis a unit vector (1.1).
 Quaternion rotation(const Vector& axis, const GiNaC::ex& angle);
 
 using Matrix3 = std::array<std::array<GiNaC::ex, 3>, 3>;
-Matrix3 to_matrix(const Quaternion& q);        ///< (1.3)
-Quaternion from_matrix(const Matrix3& r);      ///< (1.5)-(1.8): valid where the scalar part is positive
+Matrix3 to_matrix(const Quaternion& q);    ///< (1.3)
+Quaternion from_matrix(const Matrix3& r);  ///< (1.5)-(1.8): valid where the scalar part is positive
 Vector operator*(const Matrix3& m, const Vector& v);
 Matrix3 operator*(const Matrix3& a, const Matrix3& b);
 Matrix3 transpose(const Matrix3& m);

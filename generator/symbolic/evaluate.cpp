@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "symbolic/evaluate.h"
 
-#include <cln/complex.h>
 #include <sstream>
 #include <stdexcept>
+
+#include <cln/complex.h>
 
 namespace qvgen::symbolic {
 
@@ -28,9 +29,12 @@ void add_angle_term(exact::Angle& angle, const ex& term) {
     base = term;
   }
   const cln::cl_RA factor = to_rational(coefficient);
-  if (base.is_equal(GiNaC::Pi)) angle = angle + exact::Angle{{}, factor};
-  else if (GiNaC::is_a<GiNaC::symbol>(base)) angle = angle + exact::Angle{{{GiNaC::ex_to<GiNaC::symbol>(base).get_name(), factor}}, 0};
-  else if (!base.is_zero()) refuse("angle is not linear in symbols and pi", base);
+  if (base.is_equal(GiNaC::Pi))
+    angle = angle + exact::Angle{{}, factor};
+  else if (GiNaC::is_a<GiNaC::symbol>(base))
+    angle = angle + exact::Angle{{{GiNaC::ex_to<GiNaC::symbol>(base).get_name(), factor}}, 0};
+  else if (!base.is_zero())
+    refuse("angle is not linear in symbols and pi", base);
 }
 
 ex to_ex(const Number& number) {
@@ -74,7 +78,8 @@ class AtPoint : public GiNaC::map_function {
     if (GiNaC::is_a<GiNaC::numeric>(e)) return e;
     if (GiNaC::is_a<GiNaC::symbol>(e)) {
       const auto place = known_.find(e);
-      return place != known_.end() ? place->second : to_ex(point_.symbol(GiNaC::ex_to<GiNaC::symbol>(e).get_name()));
+      return place != known_.end() ? place->second
+                                   : to_ex(point_.symbol(GiNaC::ex_to<GiNaC::symbol>(e).get_name()));
     }
     if (e.is_equal(GiNaC::Pi)) return to_ex(point_.symbol("pi"));
     if (GiNaC::is_the_function<GiNaC::sin_SERIAL>(e)) return to_ex(point_.sine(to_angle(e.op(0))));

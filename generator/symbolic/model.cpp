@@ -35,17 +35,28 @@ ex product_of(const std::vector<Expression>& operands) {
 ex to_symbolic(const Expression& expression) {
   const auto operand = [&](std::size_t i) { return to_symbolic(expression.operands()[i]); };
   switch (expression.kind()) {
-    case Expression::Kind::number: return GiNaC::numeric(expression.number());
-    case Expression::Kind::pi: return GiNaC::Pi;
-    case Expression::Kind::symbol: return symbol(expression.name());
-    case Expression::Kind::negate: return -operand(0);
-    case Expression::Kind::sum: return sum_of(expression.operands());
-    case Expression::Kind::product: return product_of(expression.operands());
-    case Expression::Kind::quotient: return operand(0) / operand(1);
-    case Expression::Kind::power: return GiNaC::pow(operand(0), static_cast<int>(expression.exponent()));
-    case Expression::Kind::root: return GiNaC::sqrt(operand(0));
-    case Expression::Kind::sine: return GiNaC::sin(operand(0));
-    case Expression::Kind::cosine: return GiNaC::cos(operand(0));
+    case Expression::Kind::number:
+      return GiNaC::numeric(expression.number());
+    case Expression::Kind::pi:
+      return GiNaC::Pi;
+    case Expression::Kind::symbol:
+      return symbol(expression.name());
+    case Expression::Kind::negate:
+      return -operand(0);
+    case Expression::Kind::sum:
+      return sum_of(expression.operands());
+    case Expression::Kind::product:
+      return product_of(expression.operands());
+    case Expression::Kind::quotient:
+      return operand(0) / operand(1);
+    case Expression::Kind::power:
+      return GiNaC::pow(operand(0), static_cast<int>(expression.exponent()));
+    case Expression::Kind::root:
+      return GiNaC::sqrt(operand(0));
+    case Expression::Kind::sine:
+      return GiNaC::sin(operand(0));
+    case Expression::Kind::cosine:
+      return GiNaC::cos(operand(0));
   }
   throw std::logic_error("unknown kind of expression");
 }

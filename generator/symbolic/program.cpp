@@ -8,7 +8,8 @@ using GiNaC::ex;
 namespace {
 
 bool is_atom(const ex& value) {
-  return GiNaC::is_a<GiNaC::numeric>(value) || GiNaC::is_a<GiNaC::symbol>(value) || GiNaC::is_a<GiNaC::symbol>(-value);
+  return GiNaC::is_a<GiNaC::numeric>(value) || GiNaC::is_a<GiNaC::symbol>(value) ||
+         GiNaC::is_a<GiNaC::symbol>(-value);
 }
 
 }  // namespace
@@ -35,7 +36,8 @@ void Program::output(const GiNaC::symbol& name, const ex& value) {
 
 std::vector<Program::Output> Program::expanded() const {
   GiNaC::exmap values;
-  for (const Step& step : steps_) values[step.name] = step.value.subs(values, GiNaC::subs_options::no_pattern);
+  for (const Step& step : steps_)
+    values[step.name] = step.value.subs(values, GiNaC::subs_options::no_pattern);
   std::vector<Output> result;
   for (const Output& output : outputs_)
     result.push_back({output.name, output.value.subs(values, GiNaC::subs_options::no_pattern)});

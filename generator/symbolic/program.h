@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <ginac/ginac.h>
 #include <string>
 #include <vector>
+
+#include <ginac/ginac.h>
 
 #include "symbolic/algebra.h"
 
 namespace qvgen::symbolic {
 
-/// A straight-line derivation: named intermediate results, each in terms of the model's symbols and of earlier
-/// names, and the results. GiNaC flattens nested sums, so whatever is to stay shared must be named.
+/// A straight-line derivation: named intermediate results, each in terms of the model's symbols and of
+/// earlier names, and the results. GiNaC flattens nested sums, so whatever is to stay shared must be named.
 class Program {
  public:
   struct Step {
@@ -22,7 +23,8 @@ class Program {
     GiNaC::ex value;
   };
 
-  /// Names a value and returns its symbol; atoms (numbers, symbols, and their negatives) are returned unnamed.
+  /// Names a value and returns its symbol; atoms (numbers, symbols, and their negatives) are returned
+  /// unnamed.
   GiNaC::ex let(const GiNaC::ex& value);
   Quaternion let(const Quaternion& value);
   Vector let(const Vector& value);

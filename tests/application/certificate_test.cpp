@@ -25,20 +25,25 @@ const GiNaC::ex t = symbol("t");
 
 TEST(Certificate, AcceptsAnIdentity) {
   const Program definition = program_of(GiNaC::pow(GiNaC::sin(t / 2), 2) * 2 * a);
-  EXPECT_NO_THROW(application::certify(dag::import(program_of(a - a * GiNaC::cos(t))), definition, 4, "test"));
+  EXPECT_NO_THROW(
+      application::certify(dag::import(program_of(a - a * GiNaC::cos(t))), definition, 4, "test"));
 }
 
 TEST(Certificate, RefusesASmallDifference) {
   const Program definition = program_of(a * GiNaC::cos(t));
   const GiNaC::ex wrong = a * GiNaC::cos(t) + GiNaC::numeric(1, 1000000007) * a;
-  EXPECT_THROW(application::certify(dag::import(program_of(wrong)), definition, 1, "test"), application::CertificateError);
-  EXPECT_THROW(application::certify(dag::import(program_of(-a * GiNaC::cos(t))), definition, 1, "test"), application::CertificateError);
+  EXPECT_THROW(application::certify(dag::import(program_of(wrong)), definition, 1, "test"),
+               application::CertificateError);
+  EXPECT_THROW(application::certify(dag::import(program_of(-a * GiNaC::cos(t))), definition, 1, "test"),
+               application::CertificateError);
 }
 
 TEST(Optimise, PicksTheCheapestFormAndCertifiesIt) {
   const GiNaC::ex b = symbol("b");
   const GiNaC::ex c = symbol("c");
-  derive::Quantity quantity{"q", {{"expanded", program_of(a * b + a * c)}, {"factored", program_of(a * (b + c))}}, program_of(a * b + a * c)};
+  derive::Quantity quantity{"q",
+                            {{"expanded", program_of(a * b + a * c)}, {"factored", program_of(a * (b + c))}},
+                            program_of(a * b + a * c)};
   const application::Optimised result = application::optimise(quantity);
   EXPECT_EQ(result.counts, (dag::OperationCounts{1, 1, 0, 0, 0, 0}));
   EXPECT_EQ(result.forms.size(), 2U);
@@ -53,7 +58,8 @@ TEST(Optimise, RefusesFormsThatAreNotTheDefinition) {
 TEST(Accuracy, SeesRoundingAndCancellation) {
   const dag::Function exact = dag::import(program_of(a + a));
   EXPECT_EQ(application::largest_error_in_ulps(exact, {{"o"}}, 50), 0);
-  const dag::Function cancelling = dag::import(program_of((a + 1000000) * (a - 1000000) + GiNaC::numeric("1000000000000")));
+  const dag::Function cancelling =
+      dag::import(program_of((a + 1000000) * (a - 1000000) + GiNaC::numeric("1000000000000")));
   EXPECT_GT(application::largest_error_in_ulps(cancelling, {{"o"}}, 50), 1000);
 }
 

@@ -218,7 +218,8 @@ TEST_F(CommandLine, CountsAreThoseOfTheReadme) {
   for (std::string line; std::getline(output, line);) {
     std::istringstream stream(line);
     std::string robot, function;
-    if (line.find("  ") != std::string::npos && stream >> robot >> function) lines[robot + " " + function] = words(line);
+    if (line.find("  ") != std::string::npos && stream >> robot >> function)
+      lines[robot + " " + function] = words(line);
   }
   std::ifstream readme(std::string(QVGEN_SOURCE_DIR) + "/README.md");
   int found = 0;
@@ -236,13 +237,18 @@ TEST_F(CommandLine, CountsAreThoseOfTheReadme) {
 
 TEST_F(CommandLine, SaysWhatHappensWhereAFactorVanishes) {
   const std::map<std::string, std::vector<std::string>> expected{
-      {"rr_planar", {"theta2 = 0, arm stretched: workspace boundary; theta2 = pi, arm folded: inner boundary"}},
+      {"rr_planar",
+       {"theta2 = 0, arm stretched: workspace boundary; theta2 = pi, arm folded: inner boundary"}},
       {"irb6640", {"the wrist centre on the axis of joint 1", "the axes of joints 4 and 6 in line"}},
       {"puma560", {"the wrist centre in the plane of the axes of joints 1 and 2"}},
       {"rx90", {"theta3 = pi/2, arm folded", "theta3 = -pi/2, arm stretched"}},
-      {"rr", {"workspace boundary: f2 = cos(theta3) = 0 (joint 3 moves the wrist centre along the slide of joint 2)"}},
+      {"rr",
+       {"workspace boundary: f2 = cos(theta3) = 0 (joint 3 moves the wrist centre along the slide of joint "
+        "2)"}},
       {"rn", {"workspace boundary: f2 = sin(theta3) = 0 (the wrist centre as far along"}},
-      {"ur5", {"the axes of joints 2, 3 and 4 in one plane; theta3 = 0, arm stretched", "the axes of joints 4 and 6 parallel"}}};
+      {"ur5",
+       {"the axes of joints 2, 3 and 4 in one plane; theta3 = 0, arm stretched",
+        "the axes of joints 4 and 6 parallel"}}};
   for (const auto& [robot, texts] : expected) {
     const ToolRun shown = run("show " + robot + " --singularities");
     for (const std::string& text : texts) EXPECT_TRUE(has(shown, text)) << text << "\n" << shown.output;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "application/files.h"
 
-#include <gtest/gtest.h>
-
 #include <fstream>
+
+#include <gtest/gtest.h>
 
 namespace {
 

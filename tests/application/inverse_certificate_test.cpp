@@ -22,11 +22,14 @@ Program falsified(const Program& program, const std::string& name) {
   Program result;
   for (const Program::Step& step : program.steps()) result.append(step);
   for (const Program::Output& output : program.outputs())
-    result.output(output.name, output.name == name ? output.value + GiNaC::numeric(1, 1000000000) : output.value);
+    result.output(output.name,
+                  output.name == name ? output.value + GiNaC::numeric(1, 1000000000) : output.value);
   return result;
 }
 
-void certify(const model::Robot& robot, const Plan& plan) { application::certify_inverse(robot, application::lower(plan), 2); }
+void certify(const model::Robot& robot, const Plan& plan) {
+  application::certify_inverse(robot, application::lower(plan), 2);
+}
 
 class InverseCertificate : public testing::TestWithParam<std::string> {};
 
@@ -51,15 +54,19 @@ TEST_P(InverseCertificate, RefusesAWrongRangeTest) {
   }
 }
 
-// A direction of either sign with and without offset, one that is left as long as it is, and no direction at all.
-INSTANTIATE_TEST_SUITE_P(Robots, InverseCertificate, testing::Values("irb6640", "puma560", "nr", "rx90", "poe_6r", "rr_planar"),
+// A direction of either sign with and without offset, one that is left as long as it is, and no direction at
+// all.
+INSTANTIATE_TEST_SUITE_P(Robots, InverseCertificate,
+                         testing::Values("irb6640", "puma560", "nr", "rx90", "poe_6r", "rr_planar"),
                          [](const auto& each) { return each.param; });
 
 /// A share that depends on an unknown other than one direction is left to the branches.
-TEST(RangeTest, IsLeftOutBehindAWrist) { EXPECT_FALSE(derive::inverse::derive(robot("ur5")).plan.range_test.exists()); }
+TEST(RangeTest, IsLeftOutBehindAWrist) {
+  EXPECT_FALSE(derive::inverse::derive(robot("ur5")).plan.range_test.exists());
+}
 
-/// Three parallel axes behind a first one across: its direction is the orientation's and may be nearly free at poses that
-/// are within reach, while the share of q5 depends on the position as well.
+/// Three parallel axes behind a first one across: its direction is the orientation's and may be nearly free
+/// at poses that are within reach, while the share of q5 depends on the position as well.
 constexpr const char* first_joint_by_orientation = R"(
 name = "first_by_orientation"
 title = "three parallel axes behind a first one across"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "application/parallel.h"
 
+#include <stdexcept>
+
 #include <gtest/gtest.h>
 #include <unistd.h>
-
-#include <stdexcept>
 
 namespace {
 
@@ -13,13 +13,17 @@ using qvgen::application::in_processes;
 TEST(Parallel, KeepsTheOrder) {
   std::size_t reported = 0;
   const auto results = in_processes(
-      50, [](std::size_t i) { return std::string(i * 1000, static_cast<char>('a' + i % 26)); }, [&](std::size_t) { ++reported; });
+      50, [](std::size_t i) { return std::string(i * 1000, static_cast<char>('a' + i % 26)); },
+      [&](std::size_t) { ++reported; });
   ASSERT_EQ(results.size(), 50U);
-  for (std::size_t i = 0; i < results.size(); ++i) EXPECT_EQ(results[i], std::string(i * 1000, static_cast<char>('a' + i % 26)));
+  for (std::size_t i = 0; i < results.size(); ++i)
+    EXPECT_EQ(results[i], std::string(i * 1000, static_cast<char>('a' + i % 26)));
   EXPECT_EQ(reported, 50U);
 }
 
-TEST(Parallel, NothingToDo) { EXPECT_TRUE(in_processes(0, [](std::size_t) { return ""; }).empty()); }
+TEST(Parallel, NothingToDo) {
+  EXPECT_TRUE(in_processes(0, [](std::size_t) { return ""; }).empty());
+}
 
 TEST(Parallel, ErrorsComeBack) {
   const auto work = [](std::size_t i) -> std::string {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Inverse kinematics of the irb6640 at random poses, to be counted by inverse_instructions.sh: `qvgen_inverse_instructions
-// FORM POSES`, FORM one of lanes, scalar, unreachable, scalar_unreachable.
+// Inverse kinematics of the irb6640 at random poses, to be counted by inverse_instructions.sh:
+// `qvgen_inverse_instructions FORM POSES`, FORM one of lanes, scalar, unreachable, scalar_unreachable.
 #include <cstdio>
 #include <cstdlib>
 #include <random>

@@ -20,7 +20,8 @@ class GraphTest : public testing::Test {
 
   OperationCounts counts(std::vector<Edge> values) {
     Function function{g, {}};
-    for (std::size_t i = 0; i < values.size(); ++i) function.outputs.push_back({"o" + std::to_string(i), values[i]});
+    for (std::size_t i = 0; i < values.size(); ++i)
+      function.outputs.push_back({"o" + std::to_string(i), values[i]});
     return count(function);
   }
 };

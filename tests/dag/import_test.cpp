@@ -22,7 +22,9 @@ dag::Function import_one(const ex& value) {
 }
 
 /// The structural hash of the first output, which must not depend on GiNaC's order of terms.
-std::uint64_t key(const dag::Function& function) { return function.graph.node(function.outputs[0].value).key; }
+std::uint64_t key(const dag::Function& function) {
+  return function.graph.node(function.outputs[0].value).key;
+}
 
 TEST(Import, KeepsTheValue) {
   const ex a = symbol("a");

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Random arms through the pipeline: every form is certified by `optimise`; here the result is compared once more, in
-// double, with the independent chain that reads the same description by itself.
-#include <gtest/gtest.h>
-
+// Random arms through the pipeline: every form is certified by `optimise`; here the result is compared once
+// more, in double, with the independent chain that reads the same description by itself.
 #include <cmath>
 #include <random>
+
+#include <gtest/gtest.h>
 
 #include "application/optimise.h"
 #include "application/singularities.h"
@@ -27,7 +27,8 @@ struct Leaves {
   double symbol(const std::string& name) const { return values.at(name); }
   double angle(const exact::Angle& angle) const {
     double sum = cln::double_approx(angle.pi) * M_PI;
-    for (const auto& [name, coefficient] : angle.terms) sum += cln::double_approx(coefficient) * values.at(name);
+    for (const auto& [name, coefficient] : angle.terms)
+      sum += cln::double_approx(coefficient) * values.at(name);
     return sum;
   }
   double sine(const exact::Angle& a) const { return std::sin(angle(a)); }
@@ -49,7 +50,8 @@ TEST_P(RandomRobots, DeriveToTheReferencePose) {
   const auto transform = application::optimise(derive::homogeneous_transform(*read.robot), quick);
 
   Leaves leaves;
-  for (const auto& [name, value] : model::default_bindings(*read.robot)) leaves.values[name] = model::to_double(value);
+  for (const auto& [name, value] : model::default_bindings(*read.robot))
+    leaves.values[name] = model::to_double(value);
   std::mt19937 random(GetParam());
   Eigen::VectorXd q(chain.size());
   for (Eigen::Index i = 0; i < q.size(); ++i) {
@@ -63,22 +65,28 @@ TEST_P(RandomRobots, DeriveToTheReferencePose) {
   EXPECT_LT((Eigen::Vector3d(p[4], p[5], p[6]) - expected.translation()).norm(), 1e-12) << text;
   const auto m = dag::evaluate<double>(transform.function, leaves);
   for (std::size_t i = 0; i < 9; ++i)
-    EXPECT_NEAR(m[i], expected.linear()(static_cast<Eigen::Index>(i / 3), static_cast<Eigen::Index>(i % 3)), 1e-13) << text;
+    EXPECT_NEAR(m[i], expected.linear()(static_cast<Eigen::Index>(i / 3), static_cast<Eigen::Index>(i % 3)),
+                1e-13)
+        << text;
 }
 
-/// Six joints whose last ones slide: the determinant's point of reference moves with them, its value does not.
+/// Six joints whose last ones slide: the determinant's point of reference moves with them, its value does
+/// not.
 TEST(SlidesAtTheEnd, SingularityMeasuresAreTheDeterminant) {
   const std::string revolute = "[[joint]]\ntype = \"revolute\"\norigin = [\"1/3\", 0, \"2/5\"]\naxis = ";
   const std::string slide = "[[joint]]\ntype = \"prismatic\"\naxis = ";
-  const std::string axes[] = {"\"z\"\n", "[\"3/5\", 0, \"4/5\"]\n", "\"x\"\n", "\"y\"\n", "\"z\"\n", "[\"5/13\", 0, \"12/13\"]\n"};
+  const std::string axes[] = {"\"z\"\n", "[\"3/5\", 0, \"4/5\"]\n",   "\"x\"\n", "\"y\"\n",
+                              "\"z\"\n", "[\"5/13\", 0, \"12/13\"]\n"};
   for (std::size_t slides = 1; slides <= 3; ++slides) {
     std::string text = "name = \"slides_at_the_end\"\ntitle = \"an arm with slides at its end\"\n";
     for (std::size_t i = 0; i < 6; ++i)
-      text += (i + slides < 6 ? revolute : slide) + axes[i] + "variable = \"q" + std::to_string(i + 1) + "\"\n";
+      text +=
+          (i + slides < 6 ? revolute : slide) + axes[i] + "variable = \"q" + std::to_string(i + 1) + "\"\n";
     const auto read = description::read_text(text, "slides.toml");
     ASSERT_TRUE(read.robot) << text << (read.diagnostics.empty() ? "" : to_string(read.diagnostics.front()));
     const auto measures = application::singularity_measures(*read.robot);
-    EXPECT_NE(measures.names, std::vector<std::string>{"determinant"}) << "factored, since no twist is a symbol";
+    EXPECT_NE(measures.names, std::vector<std::string>{"determinant"})
+        << "factored, since no twist is a symbol";
     EXPECT_NO_THROW(application::optimise(measures.quantity)) << text;
   }
 }
@@ -88,7 +96,8 @@ TEST(AnyTwist, EveryFormIsItsDefinition) {
   std::string text = "name = \"any_twist\"\ntitle = \"twists of any size\"\nconvention = \"standard\"\n";
   const char* twists[] = {"50 deg", "40 deg", "7 deg", "-45 deg", "90 deg", "0"};
   for (std::size_t i = 0; i < 6; ++i)
-    text += "[[dh]]\ntype = \"revolute\"\nvariable = \"q" + std::to_string(i + 1) + "\"\na = \"1/3\"\nd = \"1/5\"\nalpha = \"" + twists[i] + "\"\n";
+    text += "[[dh]]\ntype = \"revolute\"\nvariable = \"q" + std::to_string(i + 1) +
+            "\"\na = \"1/3\"\nd = \"1/5\"\nalpha = \"" + twists[i] + "\"\n";
   const auto read = description::read_text(text, "any_twist.toml");
   ASSERT_TRUE(read.robot) << text << (read.diagnostics.empty() ? "" : to_string(read.diagnostics.front()));
   const auto jacobian = application::optimise(derive::jacobian(*read.robot));

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Bounds on the committed operation counts: what common subexpression elimination on the thesis's corrected formulas
-// gives (multiplications + additions, symbolic constants), sympy's counts of the matrix form, and the rule that a
-// function never computes more sines and cosines than there are revolute joints left after merging parallel neighbours.
-#include <gtest/gtest.h>
-
+// Bounds on the committed operation counts: what common subexpression elimination on the thesis's corrected
+// formulas gives (multiplications + additions, symbolic constants), sympy's counts of the matrix form, and
+// the rule that a function never computes more sines and cosines than there are revolute joints left after
+// merging parallel neighbours.
 #include <fstream>
+
+#include <gtest/gtest.h>
 
 #include "application/commands.h"
 #include "application/products/counts_json.h"
@@ -26,40 +27,48 @@ int operations(const nlohmann::ordered_json& counts) {
 }
 
 TEST(Targets, FewestOperationsOfThePose) {
-  const std::map<std::string, int> most{{"ss", 4},  {"sc", 21}, {"sn", 28}, {"cs", 23}, {"cc", 23}, {"cr", 22}, {"ns", 27}, {"nn", 64},
-                                        {"nr", 33}, {"rc", 52}, {"rn", 30}, {"rr", 43}, {"rs", 11}, {"sr", 24}, {"cn", 26}, {"nc", 35}};
+  const std::map<std::string, int> most{
+      {"ss", 4},  {"sc", 21}, {"sn", 28}, {"cs", 23}, {"cc", 23}, {"cr", 22}, {"ns", 27}, {"nn", 64},
+      {"nr", 33}, {"rc", 52}, {"rn", 30}, {"rr", 43}, {"rs", 11}, {"sr", 24}, {"cn", 26}, {"nc", 35}};
   const auto counts = committed();
   for (const auto& [robot, bound] : most)
     EXPECT_LE(operations(counts.at(robot).at("forward_kinematics").at("fewest_operations")), bound) << robot;
 }
 
 TEST(Targets, MatrixFormIsBelowSympy) {
-  const std::map<std::string, int> sympy{{"puma560", 71 + 36}, {"stanford", 50 + 25}, {"ur5", 84 + 42}, {"iiwa14", 77 + 41}};
+  const std::map<std::string, int> sympy{
+      {"puma560", 71 + 36}, {"stanford", 50 + 25}, {"ur5", 84 + 42}, {"iiwa14", 77 + 41}};
   const auto counts = committed();
   for (const auto& [robot, bound] : sympy)
     EXPECT_LT(operations(counts.at(robot).at("homogeneous_transform").at("emitted")), bound) << robot;
 }
 
 TEST(Targets, JacobianIsBelowItsThreeMethodsAndSympy) {
-  const std::map<std::string, int> sympy{{"puma560", 91 + 46}, {"stanford", 76 + 36}, {"ur5", 114 + 57}, {"iiwa14", 113 + 57}};
+  const std::map<std::string, int> sympy{
+      {"puma560", 91 + 46}, {"stanford", 76 + 36}, {"ur5", 114 + 57}, {"iiwa14", 113 + 57}};
   const auto counts = committed();
   for (const auto& [robot, bound] : sympy)
-    EXPECT_LT(operations(counts.at(robot).at("forward_kinematics_and_jacobian").at("emitted")), bound) << robot;
+    EXPECT_LT(operations(counts.at(robot).at("forward_kinematics_and_jacobian").at("emitted")), bound)
+        << robot;
   for (const auto& [robot, functions] : counts.items()) {
     const int jacobian = operations(functions.at("jacobian").at("emitted"));
     const int transform = operations(functions.at("homogeneous_transform").at("emitted"));
-    EXPECT_LE(operations(functions.at("forward_kinematics_and_jacobian").at("emitted")), jacobian + transform) << robot;
+    EXPECT_LE(operations(functions.at("forward_kinematics_and_jacobian").at("emitted")), jacobian + transform)
+        << robot;
     ASSERT_EQ(functions.at("jacobian").at("forms").size(), 3U) << robot;
     for (const auto& [method, method_counts] : functions.at("jacobian").at("forms").items())
       EXPECT_LE(jacobian, operations(method_counts)) << robot << ", " << method;
   }
 }
 
-/// What axes and vectors with their derivatives in one frame give; columns differentiated on their way through the
-/// frames cost half as much again.
+/// What axes and vectors with their derivatives in one frame give; columns differentiated on their way
+/// through the frames cost half as much again.
 TEST(Targets, DerivativesOfTheJacobian) {
-  const std::map<std::string, std::pair<int, int>> most{
-      {"iiwa14", {291, 188}}, {"general_6r", {483, 303}}, {"puma560", {93, 89}}, {"ur5", {103, 97}}, {"stanford", {77, 74}}};
+  const std::map<std::string, std::pair<int, int>> most{{"iiwa14", {291, 188}},
+                                                        {"general_6r", {483, 303}},
+                                                        {"puma560", {93, 89}},
+                                                        {"ur5", {103, 97}},
+                                                        {"stanford", {77, 74}}};
   const auto counts = committed();
   for (const auto& [robot, bounds] : most) {
     EXPECT_LE(operations(counts.at(robot).at("jacobian_dot").at("emitted")), bounds.first) << robot;
@@ -77,7 +86,8 @@ TEST(Targets, NoMoreSinesThanMergedJoints) {
     for (const auto& joint : chain->joints) revolute += joint.type == model::JointType::revolute ? 1 : 0;
     const int merged = static_cast<int>(derive::turn_sequence(*chain).turns.size());
     for (const char* function : {"forward_kinematics", "homogeneous_transform"}) {
-      const int used = application::counts_from_json(counts.at(read.robot->name).at(function).at("emitted")).sine_cosines;
+      const int used =
+          application::counts_from_json(counts.at(read.robot->name).at(function).at("emitted")).sine_cosines;
       EXPECT_LE(used, revolute) << read.robot->name << " " << function;
       EXPECT_GE(used, merged) << read.robot->name << " " << function << ": too few to be right";
     }

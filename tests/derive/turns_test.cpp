@@ -26,7 +26,8 @@ void expect_equal(const Quaternion& a, const Quaternion& b) {
   program.output("z", a.z - b.z);
   const dag::Function difference = dag::import(program);
   for (std::uint64_t seed = 1; seed < 6; ++seed)
-    for (const exact::Number& value : dag::evaluate<exact::Number>(difference, exact::ExactPoint(seed))) EXPECT_TRUE(value.is_zero());
+    for (const exact::Number& value : dag::evaluate<exact::Number>(difference, exact::ExactPoint(seed)))
+      EXPECT_TRUE(value.is_zero());
 }
 
 Quaternion product(const std::vector<Turn>& turns) {
@@ -49,7 +50,8 @@ TEST(EulerTriple, IsTheProductOfItsTurns) {
 
 TEST(EulerTriple, NeedsAPerpendicularMiddle) {
   EXPECT_FALSE(is_euler_triple({turn(z, "a"), turn(y, "b"), turn(x, "c")}, 0));
-  EXPECT_FALSE(is_euler_triple({turn(z, "a"), turn({0, GiNaC::numeric(3, 5), GiNaC::numeric(4, 5)}, "b"), turn(z, "c")}, 0));
+  EXPECT_FALSE(is_euler_triple(
+      {turn(z, "a"), turn({0, GiNaC::numeric(3, 5), GiNaC::numeric(4, 5)}, "b"), turn(z, "c")}, 0));
   EXPECT_FALSE(is_euler_triple({turn(z, "a"), turn(y, "b")}, 0));
 }
 
@@ -64,11 +66,14 @@ TEST(AngleSumProduct, IsTheProductOfItsTurns) {
 
 TEST(TurnSequence, MergesParallelNeighboursAndTheHomeRotation) {
   ZeroReferenceChain chain;
-  chain.joints = {{model::JointType::revolute, "a", {}, z}, {model::JointType::prismatic, "d", {}, x}, {model::JointType::revolute, "b", {}, -z}};
+  chain.joints = {{model::JointType::revolute, "a", {}, z},
+                  {model::JointType::prismatic, "d", {}, x},
+                  {model::JointType::revolute, "b", {}, -z}};
   chain.home = symbolic::rotation(z, GiNaC::Pi / 2);
   const TurnSequence sequence = turn_sequence(chain);
   ASSERT_EQ(sequence.turns.size(), 1U);
-  EXPECT_TRUE(sequence.turns[0].angle.is_equal(symbolic::symbol("a") - symbolic::symbol("b") + GiNaC::Pi / 2));
+  EXPECT_TRUE(
+      sequence.turns[0].angle.is_equal(symbolic::symbol("a") - symbolic::symbol("b") + GiNaC::Pi / 2));
   EXPECT_TRUE(sequence.home.w.is_equal(1));
 }
 

@@ -10,7 +10,8 @@ namespace {
 using namespace qvgen;
 
 std::optional<derive::ZeroReferenceChain> chain_of(const char* robot) {
-  const auto read = description::read_file(std::string(QVGEN_SOURCE_DIR) + "/generator/robots/" + robot + ".toml");
+  const auto read =
+      description::read_file(std::string(QVGEN_SOURCE_DIR) + "/generator/robots/" + robot + ".toml");
   return derive::zero_reference_chain(*read.robot);
 }
 

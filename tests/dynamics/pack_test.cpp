@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Four configurations at once: each lane is the function of doubles.
-#include <qvgen/pack.h>
-#include <qvgen/robots/iiwa14/dynamics_definitions.h>
-#include <qvgen/robots/puma560/dynamics_definitions.h>
-
 #include <random>
 
 #include <gtest/gtest.h>
+#include <qvgen/pack.h>
+#include <qvgen/robots/iiwa14/dynamics_definitions.h>
+#include <qvgen/robots/puma560/dynamics_definitions.h>
 
 namespace {
 

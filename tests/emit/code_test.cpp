@@ -66,7 +66,8 @@ TEST_F(CodeTest, LongExpressionsAreCut) {
 }
 
 TEST_F(CodeTest, AnglesAreTheCallersText) {
-  EXPECT_EQ(text_of(g.product({a, g.sine(dag::Angle{{{"theta1", cln::cl_RA(1) / 2}}, 0})})), "g.a * sin<theta1/2>");
+  EXPECT_EQ(text_of(g.product({a, g.sine(dag::Angle{{{"theta1", cln::cl_RA(1) / 2}}, 0})})),
+            "g.a * sin<theta1/2>");
 }
 
 /// A twist of 50 degrees is a number, though not an exact one.

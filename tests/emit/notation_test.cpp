@@ -23,7 +23,8 @@ TEST(Notation, NamesAndNumbers) {
   dag::Graph g;
   const exact::Number number = exact::Number(cln::cl_RA(1) / 2) * exact::Number::root(2);
   EXPECT_EQ(emit::formula(g, g.constant(number), Notation::latex), "1/2*\\sqrt{2}");
-  EXPECT_EQ(emit::formula(g, g.constant(exact::Number(cln::cl_RA(-3) / 2)), Notation::latex), "-\\tfrac{3}{2}");
+  EXPECT_EQ(emit::formula(g, g.constant(exact::Number(cln::cl_RA(-3) / 2)), Notation::latex),
+            "-\\tfrac{3}{2}");
 }
 
 TEST(Notation, SumsAndProducts) {
@@ -31,12 +32,14 @@ TEST(Notation, SumsAndProducts) {
   const dag::Edge a = g.symbol("a1");
   const dag::Edge b = g.symbol("b");
   const dag::Edge s = g.sine(half_sum());
-  EXPECT_EQ(emit::formula(g, g.sum({-g.product({a, s}), b}), Notation::text), "b - a1*sin((theta4 - theta6)/2)");
+  EXPECT_EQ(emit::formula(g, g.sum({-g.product({a, s}), b}), Notation::text),
+            "b - a1*sin((theta4 - theta6)/2)");
   EXPECT_EQ(emit::formula(g, -g.sum({a, b}), Notation::text), "-a1 - b");
   EXPECT_EQ(emit::formula(g, g.product({a, g.sum({b, g.constant(1)})}), Notation::latex), "a_{1} (1 + b)");
   EXPECT_EQ(emit::formula(g, g.quotient(a, b), Notation::latex), "\\frac{a_{1}}{b}");
   EXPECT_EQ(emit::formula(g, g.product({a, a, b}), Notation::text), "a1^2*b");
-  EXPECT_EQ(emit::formula(g, g.product({s, s}), Notation::latex), "{\\sin(\\bar{\\theta_{4}}-\\bar{\\theta_{6}})}^2");
+  EXPECT_EQ(emit::formula(g, g.product({s, s}), Notation::latex),
+            "{\\sin(\\bar{\\theta_{4}}-\\bar{\\theta_{6}})}^2");
   const dag::Edge two_terms = g.constant(exact::Number(1) + exact::Number::root(2));
   EXPECT_EQ(emit::formula(g, g.sum({a, -two_terms}), Notation::text), "a1 - (1+sqrt(2))");
   const auto capital = [](const std::string& name) { return "<" + name + ">"; };

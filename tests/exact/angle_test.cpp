@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "exact/point.h"
 #include "exact/trigonometry.h"
@@ -79,7 +79,8 @@ TEST(ExactPoint, ConstantsWithoutExactSinesObeyThemToo) {
   const Number twice = 2 * point.sine(at(25)) * point.cosine(at(25));
   EXPECT_NE(twice, point.sine(at(50)));
   EXPECT_TRUE(agree(twice, point.sine(at(50))));
-  EXPECT_TRUE(agree(point.sine(at(50)) * point.cosine(at(40)) + point.cosine(at(50)) * point.sine(at(40)), 1));
+  EXPECT_TRUE(
+      agree(point.sine(at(50)) * point.cosine(at(40)) + point.cosine(at(50)) * point.sine(at(40)), 1));
   EXPECT_FALSE(agree(twice + Number(cln::cl_RA(1) / cln::expt_pos(cln::cl_I(10), 30)), point.sine(at(50))));
   EXPECT_NEAR(point.sine(at(50)).to_double(), 0.766044443118978, 1e-16);
 }

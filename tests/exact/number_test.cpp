@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "exact/number.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <random>
 #include <stdexcept>
+
+#include <gtest/gtest.h>
 
 namespace {
 

@@ -38,14 +38,18 @@ TEST(Arctangent, OfKnownLengthWithinFourUlps) {
   std::mt19937_64 random(11);
   std::uniform_real_distribution<double> unit(-1, 1);
   const auto error = [](double y, double x) {
-    return ulps(y, x, arctangent(y, x, static_cast<double>(std::hypot(static_cast<long double>(y), static_cast<long double>(x)))));
+    return ulps(
+        y, x,
+        arctangent(
+            y, x, static_cast<double>(std::hypot(static_cast<long double>(y), static_cast<long double>(x)))));
   };
   double worst = 0;
   for (int i = 0; i < 1000000; ++i) {
     const double x = unit(random), y = unit(random);
     const double far = std::exp(40 * unit(random));
     const double diagonal = 1 + 0.1 * unit(random);
-    worst = std::max({worst, error(y, x), error(y * far, x), error(x * diagonal, x), error(-x * diagonal, x)});
+    worst =
+        std::max({worst, error(y, x), error(y * far, x), error(x * diagonal, x), error(-x * diagonal, x)});
   }
   EXPECT_LT(worst, 4);
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The building blocks of inverse kinematics by themselves.
 #include <gtest/gtest.h>
-
 #include <qvgen/inverse/conic_circle.h>
 #include <qvgen/inverse/roots.h>
 #include <qvgen/inverse/wrist.h>
@@ -27,11 +26,13 @@ TEST(CircleAngle, SolvesALine) {
     const double d = amplitude * std::cos(angle);
     for (const double sign : {1.0, -1.0}) {
       Branch<double> branch;
-      const Rotor<double> found = circle_angle(amplitude - d, amplitude + d, 0.5 / amplitude, sign, plain, branch);
+      const Rotor<double> found =
+          circle_angle(amplitude - d, amplitude + d, 0.5 / amplitude, sign, plain, branch);
       ASSERT_TRUE(branch.exists || branch.doubtful);
       // cos φ carries the rounding of d; near 0 and pi the angle magnifies it by 1/sin φ.
       if (branch.exists) {
-        ASSERT_NEAR(std::atan2(found.sine, found.cosine), sign * angle, 8 * eps / std::max(std::sin(angle), 1e-7));
+        ASSERT_NEAR(std::atan2(found.sine, found.cosine), sign * angle,
+                    8 * eps / std::max(std::sin(angle), 1e-7));
       }
     }
   }
@@ -130,7 +131,8 @@ TEST(Span, MakesALengthGood) {
   }
   Branch<double> branch;
   double length;
-  EXPECT_EQ(span_of_length<double>({1e-20, 0}, 1e-20, 1e-30, {0, brief_length}, length, branch).sine, brief_length);
+  EXPECT_EQ(span_of_length<double>({1e-20, 0}, 1e-20, 1e-30, {0, brief_length}, length, branch).sine,
+            brief_length);
   EXPECT_EQ(length, brief_length);
   EXPECT_TRUE(branch.continuum);
 }
@@ -165,8 +167,8 @@ TEST(ConicCircle, FindsTheRootsAndNothingElse) {
     for (int k = 0; k < found.count; ++k) {
       const auto& u = found.root[static_cast<std::size_t>(k)];
       nearest = std::min(nearest, std::hypot(u.cosine - c, u.sine - s));
-      const double value = conic.xx * u.cosine * u.cosine + conic.xy * u.cosine * u.sine + conic.yy * u.sine * u.sine +
-                           conic.x * u.cosine + conic.y * u.sine + conic.one;
+      const double value = conic.xx * u.cosine * u.cosine + conic.xy * u.cosine * u.sine +
+                           conic.yy * u.sine * u.sine + conic.x * u.cosine + conic.y * u.sine + conic.one;
       ASSERT_LT(std::abs(value), 2e-14);
     }
     // Near a double root the angle is known to the root of the rounding only.
@@ -179,13 +181,15 @@ TEST(ConicCircle, AsManyRootsAsThereAreChangesOfSign) {
   for (int i = 0; i < 500; ++i) {
     const Conic<double> conic{random(), random(), random(), random(), random(), random()};
     const auto value = [&](double t) {
-      return conic.xx * std::cos(t) * std::cos(t) + conic.xy * std::cos(t) * std::sin(t) + conic.yy * std::sin(t) * std::sin(t) +
-             conic.x * std::cos(t) + conic.y * std::sin(t) + conic.one;
+      return conic.xx * std::cos(t) * std::cos(t) + conic.xy * std::cos(t) * std::sin(t) +
+             conic.yy * std::sin(t) * std::sin(t) + conic.x * std::cos(t) + conic.y * std::sin(t) + conic.one;
     };
     int changes = 0;
     constexpr int steps = 20000;
     for (int k = 0; k < steps; ++k)
-      changes += (value(2 * pi<double>() * k / steps) < 0) != (value(2 * pi<double>() * (k + 1) / steps) < 0) ? 1 : 0;
+      changes += (value(2 * pi<double>() * k / steps) < 0) != (value(2 * pi<double>() * (k + 1) / steps) < 0)
+                     ? 1
+                     : 0;
     ASSERT_EQ(conic_circle(conic, careful, pi<double>()).count, changes);
   }
 }
@@ -193,8 +197,10 @@ TEST(ConicCircle, AsManyRootsAsThereAreChangesOfSign) {
 TEST(ObliqueWrist, ItsTurnsAreItsAngles) {
   Random random;
   for (int i = 0; i < 1000; ++i) {
-    const double a = random(0.1, 3) / 2, b = random(0.1, 3) / 2, delta = random(-3, 3), s = random(0, 1), c = std::sqrt(1 - s * s);
-    const WristShape<double> shape{std::cos(a + b), std::sin(a + b), std::cos(a - b), std::sin(b - a), std::sin(2 * a) * std::sin(2 * b)};
+    const double a = random(0.1, 3) / 2, b = random(0.1, 3) / 2, delta = random(-3, 3), s = random(0, 1),
+                 c = std::sqrt(1 - s * s);
+    const WristShape<double> shape{std::cos(a + b), std::sin(a + b), std::cos(a - b), std::sin(b - a),
+                                   std::sin(2 * a) * std::sin(2 * b)};
     const double u = std::hypot(shape.cosine_sum * c, shape.cosine_difference * s);
     const double v = std::hypot(shape.sine_difference * s, shape.sine_sum * c);
     const Rotor<double> along_u{std::cos(random(-3, 3)), 0.6}, along_v{0.3, random()};
@@ -203,7 +209,8 @@ TEST(ObliqueWrist, ItsTurnsAreItsAngles) {
     for (const double sign : {1.0, -1.0}) {
       Branch<double> branch, other;
       const auto angles = oblique_wrist(u11, u12, shape, sign, 0.0, plain, 3.14159265358979323846, branch);
-      const auto turns = oblique_wrist_turns(u11, u12, shape, {std::cos(delta), std::sin(delta)}, {1, 0}, sign, Boundary::plain(0), other);
+      const auto turns = oblique_wrist_turns(u11, u12, shape, {std::cos(delta), std::sin(delta)}, {1, 0},
+                                             sign, Boundary::plain(0), other);
       ASSERT_EQ(branch.exists, other.exists);
       ASSERT_EQ(branch.continuum, other.continuum);
       EXPECT_NEAR(std::remainder(angle(turns.first) - angles.first, 6.283185307179586), 0, 1e-14);
@@ -217,17 +224,23 @@ TEST(ObliqueWrist, ItsTurnsAreItsAngles) {
 Conic<double> through(const std::array<double, 4>& angles) {
   const Rotor<double> m = turn((angles[0] + angles[1]) / 2), n = turn((angles[2] + angles[3]) / 2);
   const double d = std::cos((angles[0] - angles[1]) / 2), e = std::cos((angles[2] - angles[3]) / 2);
-  return {m.cosine * n.cosine, m.cosine * n.sine + m.sine * n.cosine, m.sine * n.sine, -(d * n.cosine + e * m.cosine),
-          -(d * n.sine + e * m.sine), d * e};
+  return {m.cosine * n.cosine,
+          m.cosine * n.sine + m.sine * n.cosine,
+          m.sine * n.sine,
+          -(d * n.cosine + e * m.cosine),
+          -(d * n.sine + e * m.sine),
+          d * e};
 }
 
-/// A double root with a simple one close beside it, where the extremum is flat: neither is taken for the other.
+/// A double root with a simple one close beside it, where the extremum is flat: neither is taken for the
+/// other.
 TEST(ConicCircle, ADoubleRootNextToASimpleOne) {
   Random random;
   for (const double beside : {1e-2, 6e-3, 3e-3}) {
     for (int i = 0; i < 1000; ++i) {
       const double twice = random(-3, 3);
-      const auto found = conic_circle(through({twice, twice, twice + beside, twice + random(0.1, 6)}), careful, pi<double>());
+      const auto found = conic_circle(through({twice, twice, twice + beside, twice + random(0.1, 6)}),
+                                      careful, pi<double>());
       const auto closest = [&](double wanted) {
         double least = 1;
         for (int k = 0; k < found.count; ++k) {
@@ -242,7 +255,8 @@ TEST(ConicCircle, ADoubleRootNextToASimpleOne) {
   }
 }
 
-/// |(3, 0) + turned (1, 0)| may be between 2.5 and 3.5: some angle between what is too near and too far, not at the ends.
+/// |(3, 0) + turned (1, 0)| may be between 2.5 and 3.5: some angle between what is too near and too far, not
+/// at the ends.
 TEST(ReachableDirection, IsTheChoiceOrWellInside) {
   const Rotor<double> point{3, 0}, offset{1, 0};
   const auto length = [&](double choice) {

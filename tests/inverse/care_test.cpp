@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What is done near singular poses: Newton steps, continua, what has been visited.
 #include <gtest/gtest.h>
-
 #include <qvgen/inverse/care.h>
 
 #include "random.h"
@@ -13,14 +12,17 @@ using namespace qvgen::inverse;
 using qvgen::test::Random;
 
 struct Arm {
-  std::array<Screw<double>, 3> screws = {Screw<double>{true, {0, 0, 1}, {0, 0, 0}}, Screw<double>{true, {0, 1, 0}, {0.3, 0, 0.5}},
+  std::array<Screw<double>, 3> screws = {Screw<double>{true, {0, 0, 1}, {0, 0, 0}},
+                                         Screw<double>{true, {0, 1, 0}, {0.3, 0, 0.5}},
                                          Screw<double>{false, {1, 0, 0}, {0, 0, 0}}};
   Triple<double> start = {0.4, 0.2, 0.9};
 
   [[nodiscard]] Triple<double> reached(const JointValues<double, 3>& q) const {
     return moved(screws[0], q[0], moved(screws[1], q[1], moved(screws[2], q[2], start)));
   }
-  [[nodiscard]] Carrying<double, 3, 1> to(const Triple<double>& goal) const { return {screws, {start}, {goal}, 1}; }
+  [[nodiscard]] Carrying<double, 3, 1> to(const Triple<double>& goal) const {
+    return {screws, {start}, {goal}, 1};
+  }
 };
 
 Rotor<double> turn(double angle) { return {std::cos(angle), std::sin(angle)}; }
@@ -46,7 +48,8 @@ TEST(Polish, SaysWhatIsOutOfReachOrNoNumber) {
   JointValues<double, 3> values = {turn(0.3), turn(0.1), Rotor<double>{0.5, 0}};
   EXPECT_FALSE(polish(arm.to({0, 0.1, 0.7}), default_tolerance, values));
   values[1].cosine = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_FALSE(polish(arm.to(arm.reached({turn(0), turn(0), Rotor<double>{1, 0}})), default_tolerance, values));
+  EXPECT_FALSE(
+      polish(arm.to(arm.reached({turn(0), turn(0), Rotor<double>{1, 0}})), default_tolerance, values));
 }
 
 /// Links of 1 m about parallel axes, from the origin along x.
@@ -64,7 +67,8 @@ TEST(Visited, DoubleRootsFromBothSidesAreOne) {
   for (const double sign : {1.0, -1.0}) {
     JointValues<double, 2> values = {turn(pi<double>() / 2 - sign * 1e-5), turn(sign * 2e-5)};
     Branch<double> branch;
-    EXPECT_EQ(visited.settle(sign > 0 ? 0 : 1, stretched, Boundary::careful(0), nullptr, values, branch), sign > 0);
+    EXPECT_EQ(visited.settle(sign > 0 ? 0 : 1, stretched, Boundary::careful(0), nullptr, values, branch),
+              sign > 0);
     EXPECT_NEAR(values[1].sine, 0, 1e-7);
     EXPECT_FALSE(branch.continuum);
   }
@@ -79,8 +83,8 @@ TEST(Visited, WhatIsOutOfReachIsMissed) {
   EXPECT_TRUE(visited.misses_any() && !visited.settled(2) && !visited.strays_any());
 }
 
-/// Three links reach a point on a curve of joint values: a pass that does not choose leaves it to one that does, and a seed
-/// says which place on the curve it shall be.
+/// Three links reach a point on a curve of joint values: a pass that does not choose leaves it to one that
+/// does, and a seed says which place on the curve it shall be.
 TEST(Visited, AContinuumIsChosenAndNextToTheSeed) {
   const auto task = links<3>({1.2, 0.7, 0});
   Visited<double, 3, 4> visited;
@@ -98,13 +102,15 @@ TEST(Visited, AContinuumIsChosenAndNextToTheSeed) {
   EXPECT_FALSE(visited.settle(1, task, Boundary::choosing(0), &seed, again, other));
 }
 
-/// Where a choice leads a branch to what another one has found, its own place on a continuum is left to be taken.
+/// Where a choice leads a branch to what another one has found, its own place on a continuum is left to be
+/// taken.
 TEST(Visited, AChoiceThatLeadsElsewhereLeavesTheContinuum) {
   const Arm arm;
   const auto regular = arm.to(arm.reached({turn(0.4), turn(-0.3), Rotor<double>{0.7, 0}}));
   const auto curve = links<3>({1.2, 0.7, 0});
   Visited<double, 3, 4> visited;
-  const auto settle = [&](int label, const auto& task, const Boundary& boundary, JointValues<double, 3> values) {
+  const auto settle = [&](int label, const auto& task, const Boundary& boundary,
+                          JointValues<double, 3> values) {
     Branch<double> branch;
     return visited.settle(label, task, boundary, nullptr, values, branch);
   };
@@ -129,7 +135,8 @@ TEST(Idling, TellsAContinuumFromSolutionsThatMeet) {
   EXPECT_FALSE((Idling<double, 2, 1>(regular).is_continuum({turn(0), turn(pi<double>() / 2)})));
 }
 
-/// Three links, the first of them 2 mm long: the last joint moves by no more than 4 mrad where the first goes all the way round.
+/// Three links, the first of them 2 mm long: the last joint moves by no more than 4 mrad where the first goes
+/// all the way round.
 TEST(Idling, TellsAContinuumByAJointThatMovesAlong) {
   auto task = links<3>({0, 0, 0});
   task.arm[1].point = {0.002, 0, 0};
@@ -155,15 +162,16 @@ TEST(Idling, TellsAContinuumBesideAPose) {
   }
 }
 
-/// A pointer tilted by so little that its direction about the first axis hardly shows: where only the tilt towards the goal
-/// is right, the way about the axis is nearly a continuum, and leads to the goal.
+/// A pointer tilted by so little that its direction about the first axis hardly shows: where only the tilt
+/// towards the goal is right, the way about the axis is nearly a continuum, and leads to the goal.
 TEST(Idling, MovesOnToWhereANearlyFreeJointMeetsTheGoal) {
   constexpr double tilt = 1e-9;
   constexpr double direction = 2;
-  const Carrying<double, 2, 1> pointer{{Screw<double>{true, {0, 0, 1}, {0, 0, 0}}, Screw<double>{true, {0, 1, 0}, {0, 0, 0}}},
-                                       {Triple<double>{0, 0, 1}},
-                                       {Triple<double>{tilt * std::cos(direction), tilt * std::sin(direction), 1}},
-                                       1};
+  const Carrying<double, 2, 1> pointer{
+      {Screw<double>{true, {0, 0, 1}, {0, 0, 0}}, Screw<double>{true, {0, 1, 0}, {0, 0, 0}}},
+      {Triple<double>{0, 0, 1}},
+      {Triple<double>{tilt * std::cos(direction), tilt * std::sin(direction), 1}},
+      1};
   const Idling<double, 2, 1> idling(pointer);
   for (const double off : {-1.4, -0.1, 0.8}) {
     JointValues<double, 2> values = {turn(direction + off), turn(tilt * std::cos(off))};
@@ -175,7 +183,8 @@ TEST(Idling, MovesOnToWhereANearlyFreeJointMeetsTheGoal) {
   }
 }
 
-/// What cannot be told apart along a nearly free joint is one solution; what merely is near each other is not.
+/// What cannot be told apart along a nearly free joint is one solution; what merely is near each other is
+/// not.
 TEST(Idling, JoinsWhatRoundingCannotTellApart) {
   const auto nearly = links<2>({0, 2 - 1e-8, 0});
   JointValues<double, 2> left = {turn(pi<double>() / 2 - 1e-4), turn(2e-4)};
@@ -196,7 +205,8 @@ TEST(Displaced, AreNearAndAllDifferent) {
     EXPECT_NEAR(moved.orientation.norm(), 1, 1e-15);
     EXPECT_LT((moved.position - pose.position).cwiseAbs().maxCoeff(), 4e-4);
     EXPECT_LT(moved.orientation.angularDistance(pose.orientation), 4e-4);
-    for (int other = 0; other < k; ++other) EXPECT_GT((displaced(pose, 4, other).position - moved.position).norm(), 1e-6);
+    for (int other = 0; other < k; ++other)
+      EXPECT_GT((displaced(pose, 4, other).position - moved.position).norm(), 1e-6);
   }
 }
 
@@ -215,7 +225,8 @@ struct Open {
   [[nodiscard]] bool turned_back_any() const { return false; }
 };
 
-/// `follow(boundary, start's choice, goal's choice, visited)` in every pass, until it says true: a solution then.
+/// `follow(boundary, start's choice, goal's choice, visited)` in every pass, until it says true: a solution
+/// then.
 template <class Follow>
 int passes_until_found(const Follow& follow) {
   Preference<1> seed;
@@ -235,22 +246,24 @@ int passes_until_found(const Follow& follow) {
 }
 
 TEST(Careful, WhatNoChoiceHasLedToIsTakenWhereItIs) {
-  const int passes = passes_until_found([](const Boundary& boundary, const auto&, const auto&, Open& visited) {
-    visited.left = visited.left || !boundary.take;
-    const bool taken = visited.left && boundary.take && !boundary.choose;
-    if (taken) visited.left = false;
-    return taken;
-  });
+  const int passes =
+      passes_until_found([](const Boundary& boundary, const auto&, const auto&, Open& visited) {
+        visited.left = visited.left || !boundary.take;
+        const bool taken = visited.left && boundary.take && !boundary.choose;
+        if (taken) visited.left = false;
+        return taken;
+      });
   EXPECT_EQ(passes, 3);
 }
 
 TEST(Careful, ChoicesOutOfReachAreFollowedNextToTheSeed) {
   int others = 0;
-  const int passes = passes_until_found([&](const Boundary& boundary, const auto& choice, const auto& seed, Open&) {
-    EXPECT_EQ(seed.cosine, std::cos(1.0));
-    others += choice.cosine == seed.cosine ? 0 : 1;
-    return boundary.accept > 1;
-  });
+  const int passes =
+      passes_until_found([&](const Boundary& boundary, const auto& choice, const auto& seed, Open&) {
+        EXPECT_EQ(seed.cosine, std::cos(1.0));
+        others += choice.cosine == seed.cosine ? 0 : 1;
+        return boundary.accept > 1;
+      });
   EXPECT_GT(passes, 0);
   EXPECT_GT(others, 0);
 }

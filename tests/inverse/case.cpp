@@ -5,7 +5,8 @@
 
 namespace qvgen::test {
 
-Case::Case(const InverseUnderTest& robot) : robot_(robot), chain_(reference::load(robot.description, robot.geometry)) {}
+Case::Case(const InverseUnderTest& robot)
+    : robot_(robot), chain_(reference::load(robot.description, robot.geometry)) {}
 
 Eigen::VectorXd Case::joints() {
   return Eigen::VectorXd::NullaryExpr(robot_.dof, [this] { return uniform(-pi, pi); });

@@ -10,7 +10,8 @@ namespace qvgen::test {
 
 inline constexpr double pi = 3.14159265358979323846;
 
-/// One robot with its reference chain, which shares no code with the generator: samples joints, measures rows.
+/// One robot with its reference chain, which shares no code with the generator: samples joints, measures
+/// rows.
 class Case {
  public:
   explicit Case(const InverseUnderTest& robot);
@@ -18,13 +19,17 @@ class Case {
   [[nodiscard]] const InverseUnderTest& robot() const { return robot_; }
   [[nodiscard]] const reference::Chain& chain() const { return chain_; }
   [[nodiscard]] int dof() const { return robot_.dof; }
-  [[nodiscard]] bool revolute(int joint) const { return chain_.joints[static_cast<std::size_t>(joint)].revolute; }
+  [[nodiscard]] bool revolute(int joint) const {
+    return chain_.joints[static_cast<std::size_t>(joint)].revolute;
+  }
 
   void seed(unsigned number) { random_.seed(number); }
 
   /// Uniform in [-pi, pi), metres for slides.
   Eigen::VectorXd joints();
-  double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
+  double uniform(double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random_);
+  }
 
   [[nodiscard]] Eigen::Isometry3d tool(const Eigen::VectorXd& q) const {
     return reference::forward_kinematics(chain_, q);

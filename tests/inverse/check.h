@@ -10,7 +10,8 @@
 
 namespace qvgen::test {
 
-/// Poses of a set: a quick run by default; the environment variable QVGEN_POSES=100000 asks for the full size.
+/// Poses of a set: a quick run by default; the environment variable QVGEN_POSES=100000 asks for the full
+/// size.
 inline int pose_count() {
   const char* text = std::getenv("QVGEN_POSES");
   return text == nullptr ? 1000 : std::atoi(text);
@@ -42,7 +43,8 @@ class Inverse : public testing::TestWithParam<InverseUnderTest> {
     for (int i = 0; i < count && !HasFailure(); ++i) {
       const std::optional<Sample> sample = set.draw(test(), i);
       if (!sample) continue;
-      const Found found = test().robot().solve(sample->pose, test().given(sample->q), inverse::default_tolerance);
+      const Found found =
+          test().robot().solve(sample->pose, test().given(sample->q), inverse::default_tolerance);
       ++tally.poses;
       tally.empty += found.rows.empty() ? 1 : 0;
       const Verdict verdict = judge(test(), *sample, found);

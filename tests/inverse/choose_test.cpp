@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
-
 #include <qvgen/inverse/choose.h>
 
 namespace {
@@ -47,7 +46,8 @@ TEST(Choose, LimitsCountWholeTurns) {
   EXPECT_NEAR(found[0].q[0], 0.5 - 2 * pi, 1e-15);
   EXPECT_EQ(found[1].q[0], 0.5);
   EXPECT_TRUE(found.complete);
-  EXPECT_EQ(qvgen::within_limits(set, qvgen::JointLimits<2>{{1.0, 0.0}, {2.0, 2.0}}, kinds).status, qvgen::Status::unreachable);
+  EXPECT_EQ(qvgen::within_limits(set, qvgen::JointLimits<2>{{1.0, 0.0}, {2.0, 2.0}}, kinds).status,
+            qvgen::Status::unreachable);
 }
 
 TEST(Choose, TooManyTurnsAreSaid) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Compiled inverse kinematics of every robot on sets of poses, against an independent chain of homogeneous matrices.
+// Compiled inverse kinematics of every robot on sets of poses, against an independent chain of homogeneous
+// matrices.
 #include "check.h"
 
 namespace qvgen::test {
@@ -28,14 +29,16 @@ TEST_P(Inverse, InvalidInputIsSaid) { run("invalid", 240); }
 
 TEST_P(Inverse, PosesRoundedToFloat) {
   const Tally tally = run("float32");
-  // A rounded pose of a planar arm leaves its plane; others are lost only within 1e-7 of the boundary of reach.
+  // A rounded pose of a planar arm leaves its plane; others are lost only within 1e-7 of the boundary of
+  // reach.
   const bool planar = GetParam().info.uses_orientation && GetParam().dof < 6;
   if (!planar) {
     EXPECT_LE(tally.empty, pose_count() / 200) << GetParam().name;
   }
 }
 
-/// Moves a pose outwards until it is lost; there the boundary is found by bisection and looked at from inside.
+/// Moves a pose outwards until it is lost; there the boundary is found by bisection and looked at from
+/// inside.
 TEST_P(Inverse, BoundaryOfReach) {
   for (int i = 0; i < pose_count() / 20 && !HasFailure(); ++i) {
     const Sample start = sample_at(test(), test().joints());
@@ -46,7 +49,9 @@ TEST_P(Inverse, BoundaryOfReach) {
       sample.expect = Expect::clean;
       return sample;
     };
-    const auto solve = [&](double s) { return GetParam().solve(at(s).pose, test().given(start.q), inverse::default_tolerance); };
+    const auto solve = [&](double s) {
+      return GetParam().solve(at(s).pose, test().given(start.q), inverse::default_tolerance);
+    };
     double inside = 0;
     double outside = 100;
     if (!solve(outside).rows.empty() || solve(inside).rows.empty()) continue;
@@ -58,7 +63,8 @@ TEST_P(Inverse, BoundaryOfReach) {
   }
 }
 
-/// What is a billionth beyond reach is solved by the nearest joints where that much is tolerated, and nothing is farther off.
+/// What is a billionth beyond reach is solved by the nearest joints where that much is tolerated, and nothing
+/// is farther off.
 TEST_P(Inverse, ToleranceBringsBackWhatIsBeyondReach) {
   constexpr double tolerance = 1e-6;
   for (int i = 0; i < pose_count() / 50 && !HasFailure(); ++i) {
@@ -67,7 +73,8 @@ TEST_P(Inverse, ToleranceBringsBackWhatIsBeyondReach) {
     const Found found = GetParam().solve(sample->pose, test().given(sample->q), tolerance);
     EXPECT_FALSE(found.rows.empty()) << GetParam().name << ", pose " << i;
     for (const Row& row : found.rows)
-      EXPECT_LT(test().miss(row.q, sample->target).largest(), 4 * tolerance * (1 + sample->target.translation().norm()));
+      EXPECT_LT(test().miss(row.q, sample->target).largest(),
+                4 * tolerance * (1 + sample->target.translation().norm()));
   }
 }
 

@@ -15,7 +15,8 @@ double allowed(const Sample& sample) { return 1e-12 * (1 + sample.target.transla
 
 class Judge {
  public:
-  Judge(const Case& test, const Sample& sample, const Found& found) : test_(test), sample_(sample), found_(found) {}
+  Judge(const Case& test, const Sample& sample, const Found& found)
+      : test_(test), sample_(sample), found_(found) {}
 
   Verdict result() {
     verdict_.rows = static_cast<int>(found_.rows.size());
@@ -34,8 +35,8 @@ class Judge {
     if (!verdict_.fault.empty()) return;
     std::ostringstream text;
     text.precision(17);
-    text << test_.robot().name << ": " << what << "; sampled " << sample_.q.transpose() << "; " << found_.rows.size()
-         << " rows";
+    text << test_.robot().name << ": " << what << "; sampled " << sample_.q.transpose() << "; "
+         << found_.rows.size() << " rows";
     for (const Row& r : found_.rows) text << "\n  " << r.q.transpose() << (r.continuum ? " (continuum)" : "");
     verdict_.fault = text.str();
   }
@@ -47,7 +48,8 @@ class Judge {
     verdict_.miss.orientation = std::max(verdict_.miss.orientation, miss.orientation);
     if (!(miss.largest() < allowed(sample_))) {
       ++verdict_.bad;
-      blame("row " + std::to_string(i) + " misses the pose by " + std::to_string(miss.largest() * 1e12) + "e-12");
+      blame("row " + std::to_string(i) + " misses the pose by " + std::to_string(miss.largest() * 1e12) +
+            "e-12");
     }
     for (int k = 0; k < test_.dof(); ++k)
       if (test_.revolute(k) && k != test_.robot().info.given_joint && !(own.q[k] > -pi && own.q[k] <= pi))
@@ -69,7 +71,8 @@ class Judge {
     if (!none && (status == Status::singular) != continuum) blame("status and marks of a continuum disagree");
     if (sample_.expect == Expect::invalid && status != Status::invalid) blame("should be invalid");
     if (sample_.expect != Expect::invalid && status == Status::invalid) blame("should not be invalid");
-    if (sample_.expect == Expect::unreachable && status != Status::unreachable) blame("should be unreachable");
+    if (sample_.expect == Expect::unreachable && status != Status::unreachable)
+      blame("should be unreachable");
   }
 
   const Case& test_;
@@ -89,15 +92,17 @@ Eigen::VectorXd projected(const Case& test, const Sample& sample, Eigen::VectorX
   return q;
 }
 
-/// Whether a curve of joints that all reach the pose leads from the sample to a row: it is followed in steps. Between
-/// two separate solutions there is none: the steps fall back to the first, and a jump is left over at the end.
+/// Whether a curve of joints that all reach the pose leads from the sample to a row: it is followed in steps.
+/// Between two separate solutions there is none: the steps fall back to the first, and a jump is left over at
+/// the end.
 bool joined(const Case& test, const Sample& sample, const Eigen::VectorXd& row) {
   constexpr int steps = 40;
   const double longest = 4 * test.distance(sample.q, row) / steps;
   Eigen::VectorXd q = sample.q;
   for (int left = steps; left > 0; --left) {
     const Eigen::VectorXd next = projected(test, sample, q + test.difference(q, row) / left);
-    if (test.miss(next, sample.target).largest() >= allowed(sample) || test.distance(q, next) > longest) return false;
+    if (test.miss(next, sample.target).largest() >= allowed(sample) || test.distance(q, next) > longest)
+      return false;
     q = next;
   }
   return test.distance(q, row) < 1e-6;

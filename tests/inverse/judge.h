@@ -19,8 +19,9 @@ struct Verdict {
 
 Verdict judge(const Case& test, const Sample& sample, const Found& found);
 
-/// Whether joints that reach a pose stand in its set: as a row (no further off than `close`), joined to one by a curve all of whose points reach the
-/// pose, or, on a marked continuum, as the row that a seed brings out.
+/// Whether joints that reach a pose stand in its set: as a row (no further off than `close`), joined to one
+/// by a curve all of whose points reach the pose, or, on a marked continuum, as the row that a seed brings
+/// out.
 bool contains(const Case& test, const Found& found, const Sample& sample, double close = 1e-6);
 
 }  // namespace qvgen::test

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What is told of a pose before any branch is followed.
 #include <gtest/gtest.h>
-
 #include <qvgen/inverse/outlook.h>
 #include <qvgen/inverse/roots.h>
 

@@ -55,7 +55,8 @@ Drawn with_joint(Case& test, int i, double value) {
   return sample_at(test, q);
 }
 
-/// Where the last three axes meet, in the frame of the last link before them, as offset from axis 1: two components.
+/// Where the last three axes meet, in the frame of the last link before them, as offset from axis 1: two
+/// components.
 std::optional<Eigen::Vector2d> offset_from_first_axis(const Case& test, const Eigen::VectorXd& q) {
   const auto places = reference::joint_places(test.chain(), q);
   const auto& axis = places[places.size() - 3];
@@ -66,7 +67,8 @@ std::optional<Eigen::Vector2d> offset_from_first_axis(const Case& test, const Ei
   const Eigen::Vector3d between = next.point - axis.point;
   const double along = between.cross(next.axis).dot(normal) / normal.squaredNorm();
   const Eigen::Vector3d centre = axis.point + along * axis.axis;
-  const double gap = (centre - next.point).cross(next.axis).norm() + (centre - last.point).cross(last.axis).norm();
+  const double gap =
+      (centre - next.point).cross(next.axis).norm() + (centre - last.point).cross(last.axis).norm();
   if (normal.norm() < 0.1 || gap > 1e-9) return std::nullopt;
   const Eigen::Vector3d side = places[0].axis.unitOrthogonal();
   const Eigen::Vector3d arm = centre - places[0].point;
@@ -103,15 +105,17 @@ class Singularity {
     const Eigen::JacobiSVD<Eigen::MatrixXd> parts(test.jacobian(test.joints()), Eigen::ComputeFullU);
     space_ = parts.matrixU().leftCols(parts.singularValues().size());
   }
-  double operator()(const Eigen::VectorXd& q) const { return (space_.transpose() * test_.jacobian(q)).determinant(); }
+  double operator()(const Eigen::VectorXd& q) const {
+    return (space_.transpose() * test_.jacobian(q)).determinant();
+  }
 
  private:
   Case& test_;
   Eigen::MatrixXd space_;
 };
 
-/// Joints at which two branches meet: the boundary of what a branch reaches, found by turning one joint until the
-/// determinant changes its sign.
+/// Joints at which two branches meet: the boundary of what a branch reaches, found by turning one joint until
+/// the determinant changes its sign.
 Drawn at_a_boundary(Case& test, int i) {
   const Singularity determinant(test);
   const int joint = joint_in_turn(test, i);

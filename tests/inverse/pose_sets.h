@@ -28,7 +28,8 @@ struct Sample {
 /// One of the ten sets of poses, at ordinary places and at those where solvers fail.
 struct PoseSet {
   std::string name;
-  /// The i-th pose; nothing if the arm has no such pose (then it has none for any i) or the search for it failed.
+  /// The i-th pose; nothing if the arm has no such pose (then it has none for any i) or the search for it
+  /// failed.
   std::function<std::optional<Sample>(Case&, int i)> draw;
 };
 

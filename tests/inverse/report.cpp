@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tables of solutions, errors and faults of the generated inverse kinematics: one line per set of poses, or one per
-// robot over all sets.
+// Tables of solutions, errors and faults of the generated inverse kinematics: one line per set of poses, or
+// one per robot over all sets.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -18,7 +18,8 @@ constexpr const char* help =
     "One line per robot over all sets of poses; with --sets one per set. N poses a set, 1000 unless told;\n"
     "--faults names every fault.\n"
     "  solutions  rows a pose (of the random set in the short table)\n"
-    "  error      largest position (m, a share of the distance beyond 1 m) and orientation (rad) error of a row\n"
+    "  error      largest position (m, a share of the distance beyond 1 m) and orientation (rad) error of a "
+    "row\n"
     "  missing    poses whose sampled joints are not among the solutions\n"
     "  lost       poses of reachable joints that were given no solution at all\n"
     "  repeated   rows that equal another one\n"
@@ -43,7 +44,8 @@ struct Line {
     missing += verdict.missing ? 1 : 0;
     lost += sample.expect == Expect::joints && verdict.rows == 0 ? 1 : 0;
     repeated += verdict.repeated;
-    const bool otherwise = !verdict.fault.empty() && verdict.bad == 0 && verdict.repeated == 0 && !verdict.missing;
+    const bool otherwise =
+        !verdict.fault.empty() && verdict.bad == 0 && verdict.repeated == 0 && !verdict.missing;
     bad += verdict.bad + (otherwise ? 1 : 0);
   }
   void add(const Line& other) {
@@ -66,7 +68,9 @@ Line measure(Case& test, const PoseSet& set, int count, bool faults) {
     if (line.poses == 0 && tried++ > 100) break;
     const std::optional<Sample> sample = set.draw(test, i);
     if (!sample) continue;
-    const Verdict verdict = judge(test, *sample, test.robot().solve(sample->pose, test.given(sample->q), qvgen::inverse::default_tolerance));
+    const Verdict verdict =
+        judge(test, *sample,
+              test.robot().solve(sample->pose, test.given(sample->q), qvgen::inverse::default_tolerance));
     if (faults && !verdict.fault.empty())
       std::fprintf(stderr, "%s, pose %d: %s\n", set.name.c_str(), i, verdict.fault.c_str());
     line.add(*sample, verdict);
@@ -82,7 +86,9 @@ void print(const std::string& name, const Line& line, double solutions) {
 double a_pose(const Line& line) { return line.poses == 0 ? 0 : static_cast<double>(line.rows) / line.poses; }
 
 void heading(const char* first) {
-  std::printf("| %s | poses | solutions a pose | largest error (m / rad) | missing | lost | repeated | bad |\n", first);
+  std::printf(
+      "| %s | poses | solutions a pose | largest error (m / rad) | missing | lost | repeated | bad |\n",
+      first);
   std::printf("|---|---|---|---|---|---|---|---|\n");
 }
 
@@ -132,6 +138,7 @@ int main(int argc, char** argv) {
   }
   if (!options.by_set) heading("robot");
   for (const InverseUnderTest& robot : inverses())
-    if (names.empty() || std::find(names.begin(), names.end(), robot.name) != names.end()) report(robot, options);
+    if (names.empty() || std::find(names.begin(), names.end(), robot.name) != names.end())
+      report(robot, options);
   return 0;
 }

@@ -33,16 +33,19 @@ Found copy(const SolutionSet& set) {
   return found;
 }
 
-/// The compiled functions of one robot, whatever its types; the values are those of geometric constants by name, the
-/// defaults for others.
+/// The compiled functions of one robot, whatever its types; the values are those of geometric constants by
+/// name, the defaults for others.
 struct InverseFunctions {
   std::function<Found(const Pose<double>&, double given, double tolerance, const reference::Values&)> solve;
-  std::function<Found(const Pose<double>&, double given, const Eigen::VectorXd& seed, const reference::Values&)>
+  std::function<Found(const Pose<double>&, double given, const Eigen::VectorXd& seed,
+                      const reference::Values&)>
       solve_from;
   std::function<Found(const Eigen::Matrix3d&, const Eigen::Vector3d&, double given)> solve_matrix;
-  std::function<Found(const Pose<double>&, double given, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper)>
+  std::function<Found(const Pose<double>&, double given, const Eigen::VectorXd& lower,
+                      const Eigen::VectorXd& upper)>
       solve_within;
-  std::function<Found(const Pose<double>&, double given, double tolerance, const reference::Values&)> solve_scalar = {};
+  std::function<Found(const Pose<double>&, double given, double tolerance, const reference::Values&)>
+      solve_scalar = {};
 };
 
 /// The generated inverse kinematics of one robot behind one type.

@@ -8,8 +8,8 @@
 
 namespace qvgen::test {
 
-/// Levenberg-Marquardt, to rounding, since near a double root the joints are known to its root only; true if it ends on
-/// the pose.
+/// Levenberg-Marquardt, to rounding, since near a double root the joints are known to its root only; true if
+/// it ends on the pose.
 bool descend(const Case& test, Eigen::VectorXd& q, const Eigen::Isometry3d& target);
 
 /// The distinct ends of a search that goes on until it has as many as were returned, and for a while beyond.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Completeness: a numerical search from random starts, which knows nothing of branches, finds exactly the solutions
-// that the generated code returns, and as many as the derivation claims.
+// Completeness: a numerical search from random starts, which knows nothing of branches, finds exactly the
+// solutions that the generated code returns, and as many as the derivation claims.
 #include "search.h"
 
 #include <algorithm>
@@ -69,7 +69,9 @@ void InverseSearch::expect_nothing_new(const std::string& set, int poses) {
 }
 
 TEST_P(InverseSearch, FindsNothingNewWhereTheta5IsZero) { expect_nothing_new("theta5 = 0", 3); }
-TEST_P(InverseSearch, FindsNothingNewWithTheCentreOnTheFirstAxis) { expect_nothing_new("centre on axis 1", 3); }
+TEST_P(InverseSearch, FindsNothingNewWithTheCentreOnTheFirstAxis) {
+  expect_nothing_new("centre on axis 1", 3);
+}
 TEST_P(InverseSearch, FindsNothingNewWithAJointAtZero) { expect_nothing_new("a joint at 0", 6); }
 TEST_P(InverseSearch, FindsNothingJustOutside) { expect_nothing_new("just outside", 3); }
 

@@ -11,7 +11,8 @@ TEST_P(InverseSeed, NearestComesFirst) {
   for (int i = 0; i < 100; ++i) {
     const Eigen::VectorXd q = test().joints();
     const Eigen::VectorXd seed = q + 1e-3 * test().joints();
-    const Found found = GetParam().solve_from(Pose<double>::from_isometry(test().tool(q)), test().given(q), seed);
+    const Found found =
+        GetParam().solve_from(Pose<double>::from_isometry(test().tool(q)), test().given(q), seed);
     ASSERT_FALSE(found.rows.empty());
     double last = 0;
     for (const Row& row : found.rows) {
@@ -31,12 +32,15 @@ TEST_P(InverseSeed, FreeAngleIsTakenFromTheSeed) {
     q[GetParam().dof - 2] = 0;
     const Eigen::Isometry3d target = test().tool(q);
     const Found found = GetParam().solve_from(Pose<double>::from_isometry(target), test().given(q), q);
-    for (const Row& row : found.rows) EXPECT_LT(test().miss(row.q, target).largest(), 1e-12 * (1 + target.translation().norm()));
+    for (const Row& row : found.rows)
+      EXPECT_LT(test().miss(row.q, target).largest(), 1e-12 * (1 + target.translation().norm()));
     if (found.status != Status::singular) continue;
     ++singular;
     ASSERT_FALSE(found.rows.empty());
     // Seeded with the sampled joints, the representative of the continuum is the sample itself.
-    EXPECT_LT(test().distance(found.rows.front().q, q), 1e-6) << GetParam().name << ": " << q.transpose() << "\n" << found.rows.front().q.transpose();
+    EXPECT_LT(test().distance(found.rows.front().q, q), 1e-6)
+        << GetParam().name << ": " << q.transpose() << "\n"
+        << found.rows.front().q.transpose();
   }
   EXPECT_GT(singular, 150);
 }
@@ -54,7 +58,8 @@ TEST_P(InverseSeed, LimitsKeepWhatIsInsideWithWholeTurns) {
     }
     const Found all = test().solve(q);
     const Found wide = GetParam().solve_within(pose, test().given(q), lower, upper);
-    EXPECT_EQ(wide.rows.size(), all.rows.size() * (test().revolute(0) && GetParam().info.given_joint != 0 ? 2 : 1));
+    EXPECT_EQ(wide.rows.size(),
+              all.rows.size() * (test().revolute(0) && GetParam().info.given_joint != 0 ? 2 : 1));
     lower[0] = q[0] - 1e-6;
     upper[0] = q[0] + 1e-6;
     const Found narrow = GetParam().solve_within(pose, test().given(q), lower, upper);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Compiled forward kinematics of every robot against an independent chain of homogeneous matrices, which is fed from
-// the descriptions by a reader of its own.
-#include <gtest/gtest.h>
-
+// Compiled forward kinematics of every robot against an independent chain of homogeneous matrices, which is
+// fed from the descriptions by a reader of its own.
 #include <limits>
 #include <random>
+
+#include <gtest/gtest.h>
 
 #include "reference/load.h"
 #include "robot_under_test.h"
@@ -38,7 +38,9 @@ class Configurations {
 
 class Kinematics : public testing::TestWithParam<RobotUnderTest> {};
 
-double reach(const Eigen::VectorXd& q, const Eigen::Isometry3d& tool) { return 1 + q.cwiseAbs().maxCoeff() + tool.translation().norm(); }
+double reach(const Eigen::VectorXd& q, const Eigen::Isometry3d& tool) {
+  return 1 + q.cwiseAbs().maxCoeff() + tool.translation().norm();
+}
 
 TEST_P(Kinematics, PoseIsThatOfTheReferenceChain) {
   const reference::Chain chain = chain_of(GetParam());
@@ -50,7 +52,8 @@ TEST_P(Kinematics, PoseIsThatOfTheReferenceChain) {
     const qvgen::Pose<double> pose = GetParam().pose(q);
     const double tolerance = few_roundings * reach(q, expected);
     ASSERT_NEAR(pose.orientation.norm(), 1, few_roundings);
-    ASSERT_LT((pose.orientation.toRotationMatrix() - expected.linear()).cwiseAbs().maxCoeff(), few_roundings) << q.transpose();
+    ASSERT_LT((pose.orientation.toRotationMatrix() - expected.linear()).cwiseAbs().maxCoeff(), few_roundings)
+        << q.transpose();
     ASSERT_LT((pose.position - expected.translation()).norm(), tolerance) << q.transpose();
   }
 }
@@ -63,7 +66,8 @@ TEST_P(Kinematics, TransformIsThatOfTheReferenceChain) {
     const Eigen::Isometry3d expected = reference::forward_kinematics(chain, q);
     const Eigen::Isometry3d tool = GetParam().transform(q);
     ASSERT_LT((tool.linear() - expected.linear()).cwiseAbs().maxCoeff(), few_roundings) << q.transpose();
-    ASSERT_LT((tool.translation() - expected.translation()).norm(), few_roundings * reach(q, expected)) << q.transpose();
+    ASSERT_LT((tool.translation() - expected.translation()).norm(), few_roundings * reach(q, expected))
+        << q.transpose();
     ASSERT_EQ(tool.matrix().row(3), Eigen::RowVector4d(0, 0, 0, 1));
   }
 }
@@ -76,7 +80,8 @@ TEST_P(Kinematics, FloatDiffersByFloatRounding) {
     const qvgen::Pose<double> exact = GetParam().pose(q);
     const qvgen::Pose<float> rounded = GetParam().pose_in_float(q);
     ASSERT_LT((rounded.orientation.coeffs().cast<double>() - exact.orientation.coeffs()).norm(), tolerance);
-    ASSERT_LT((rounded.position.cast<double>() - exact.position).norm(), tolerance * (1 + q.cwiseAbs().maxCoeff()));
+    ASSERT_LT((rounded.position.cast<double>() - exact.position).norm(),
+              tolerance * (1 + q.cwiseAbs().maxCoeff()));
   }
 }
 
@@ -86,8 +91,10 @@ TEST_P(Kinematics, OtherScalarsInstantiate) {
     const Eigen::VectorXd q = random.next();
     const qvgen::Pose<double> rounded = GetParam().pose(q);
     const qvgen::Pose<long double> exact = GetParam().pose_in_long_double(q);
-    ASSERT_LT((exact.orientation.coeffs().cast<double>() - rounded.orientation.coeffs()).norm(), few_roundings);
-    ASSERT_LT((exact.position.cast<double>() - rounded.position).norm(), few_roundings * (1 + q.cwiseAbs().maxCoeff()));
+    ASSERT_LT((exact.orientation.coeffs().cast<double>() - rounded.orientation.coeffs()).norm(),
+              few_roundings);
+    ASSERT_LT((exact.position.cast<double>() - rounded.position).norm(),
+              few_roundings * (1 + q.cwiseAbs().maxCoeff()));
   }
 }
 
@@ -97,8 +104,10 @@ TEST_P(Kinematics, GivenSinesAndCosinesGiveTheSame) {
   for (int i = 0; i < 100; ++i) {
     const Eigen::VectorXd q = random.next();
     const double tolerance = few_roundings * (1 + q.cwiseAbs().maxCoeff());
-    ASSERT_TRUE(GetParam().pose(q).position.isApprox(GetParam().pose_with_angles_given(q).position, tolerance));
-    ASSERT_TRUE(GetParam().pose(q).orientation.isApprox(GetParam().pose_with_angles_given(q).orientation, tolerance));
+    ASSERT_TRUE(
+        GetParam().pose(q).position.isApprox(GetParam().pose_with_angles_given(q).position, tolerance));
+    ASSERT_TRUE(
+        GetParam().pose(q).orientation.isApprox(GetParam().pose_with_angles_given(q).orientation, tolerance));
     ASSERT_TRUE(GetParam().transform(q).isApprox(GetParam().transform_with_angles_given(q), tolerance));
   }
 }
@@ -110,7 +119,8 @@ TEST_P(Kinematics, ZeroConfigurationIsHome) {
 }
 
 TEST_P(Kinematics, NotANumberStaysNotANumber) {
-  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     for (int joint = 0; joint < GetParam().dof; ++joint) {
       Eigen::VectorXd q = Eigen::VectorXd::Constant(GetParam().dof, 0.5);
       q[joint] = bad;

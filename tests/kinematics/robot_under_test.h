@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <qvgen/pose.h>
-
-#include <Eigen/Geometry>
 #include <functional>
 #include <string>
 #include <vector>
+
+#include <Eigen/Geometry>
+#include <qvgen/pose.h>
 
 namespace qvgen::test {
 

@@ -78,7 +78,8 @@ TEST_F(PassTest, ShareLeavesSumAndDifferenceApart) {
   output(g.sum({a, b, c}));
   output(g.sum({a, -b, d}));
   const dag::Function shared = passes::share(f);
-  for (const dag::Output& result : shared.outputs) EXPECT_EQ(shared.graph.node(result.value).operands.size(), 3U);
+  for (const dag::Output& result : shared.outputs)
+    EXPECT_EQ(shared.graph.node(result.value).operands.size(), 3U);
 }
 
 TEST_F(PassTest, SimplifyReachesAFixedPoint) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The law of every pass: outputs keep their names and exact values, and nothing depends on the order of construction.
-#include <gtest/gtest.h>
-
+// The law of every pass: outputs keep their names and exact values, and nothing depends on the order of
+// construction.
 #include <algorithm>
+
+#include <gtest/gtest.h>
 
 #include "dag/counts.h"
 #include "dag/evaluate.h"
@@ -23,8 +24,10 @@ TEST_P(EveryPass, KeepsExactValues) {
     const dag::Function after = GetParam().run(before);
     const exact::ExactPoint point(seed);
     ASSERT_EQ(after.outputs.size(), before.outputs.size());
-    for (std::size_t i = 0; i < after.outputs.size(); ++i) EXPECT_EQ(after.outputs[i].name, before.outputs[i].name);
-    EXPECT_EQ(dag::evaluate<exact::Number>(after, point), dag::evaluate<exact::Number>(before, point)) << "seed " << seed;
+    for (std::size_t i = 0; i < after.outputs.size(); ++i)
+      EXPECT_EQ(after.outputs[i].name, before.outputs[i].name);
+    EXPECT_EQ(dag::evaluate<exact::Number>(after, point), dag::evaluate<exact::Number>(before, point))
+        << "seed " << seed;
   }
 }
 
@@ -39,7 +42,8 @@ TEST_P(EveryPass, DependsOnStructureAlone) {
     const dag::Function a = GetParam().run(before);
     const dag::Function b = GetParam().run(reordered);
     for (std::size_t i = 0; i < a.outputs.size(); ++i)
-      EXPECT_EQ(a.graph.node(a.outputs[i].value).key, b.graph.node(b.outputs[i].value).key) << "seed " << seed;
+      EXPECT_EQ(a.graph.node(a.outputs[i].value).key, b.graph.node(b.outputs[i].value).key)
+          << "seed " << seed;
   }
 }
 
@@ -51,8 +55,11 @@ TEST(Simplify, KeepsExactValuesAndNeverAddsOperations) {
     const dag::Function before = test::random_function(seed, 25);
     const dag::Function after = passes::simplify(before);
     const exact::ExactPoint point(seed);
-    EXPECT_EQ(dag::evaluate<exact::Number>(after, point), dag::evaluate<exact::Number>(before, point)) << "seed " << seed;
-    const auto total = [](const dag::OperationCounts& c) { return c.multiplications + c.additions + c.divisions; };
+    EXPECT_EQ(dag::evaluate<exact::Number>(after, point), dag::evaluate<exact::Number>(before, point))
+        << "seed " << seed;
+    const auto total = [](const dag::OperationCounts& c) {
+      return c.multiplications + c.additions + c.divisions;
+    };
     EXPECT_LE(total(dag::count(after)), total(dag::count(before))) << "seed " << seed;
   }
 }

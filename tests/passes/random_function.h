@@ -7,7 +7,8 @@
 
 namespace qvgen::test {
 
-/// A random function over a few symbols and angles: sums, products, squares, shared parts, constants, quotients.
+/// A random function over a few symbols and angles: sums, products, squares, shared parts, constants,
+/// quotients.
 dag::Function random_function(std::uint32_t seed, int operations);
 
 }  // namespace qvgen::test

@@ -22,16 +22,20 @@ TEST_P(RandomArm, TheSearchFindsNothingElse) {
     const Found found = test().robot().solve(sample.pose, 0, 1e-12);
     const auto ends = search(test(), sample, 0, [this] { return test().joints(); });
     for (const Eigen::VectorXd& q : ends)
-      EXPECT_TRUE(contains(test(), found, sample_at(test(), q))) << GetParam().name << " lacks " << q.transpose();
+      EXPECT_TRUE(contains(test(), found, sample_at(test(), q)))
+          << GetParam().name << " lacks " << q.transpose();
   }
 }
 
 std::string name_of(const testing::TestParamInfo<InverseUnderTest>& info) { return info.param.name; }
 INSTANTIATE_TEST_SUITE_P(Arms, RandomArm, testing::ValuesIn(inverses()), name_of);
 
-TEST(RandomArms, NoneIsLeftOut) { EXPECT_EQ(inverses().size() + unsolved().size(), std::size_t{QVGEN_RANDOM_ARMS}); }
+TEST(RandomArms, NoneIsLeftOut) {
+  EXPECT_EQ(inverses().size() + unsolved().size(), std::size_t{QVGEN_RANDOM_ARMS});
+}
 
-/// What is not solved cannot be: some joints move without moving the tool, wherever the arm stands; and that is said.
+/// What is not solved cannot be: some joints move without moving the tool, wherever the arm stands; and that
+/// is said.
 TEST(RandomArms, TheUnsolvedOnesAreSingularEverywhere) {
   for (const Unsolved& arm : unsolved()) {
     EXPECT_FALSE(arm.reasons.empty()) << arm.name;

@@ -61,15 +61,17 @@ inline constexpr std::array<std::array<TableRow, 6>, 6> twisted_tables{{
 }};
 
 inline std::string twisted_arm(const std::string& name, std::size_t which) {
-  std::string text = "name = \"" + name + "\"\ntitle = \"arm with symbolic twists\"\nconvention = \"standard\"\n[defaults]\n" +
+  std::string text = "name = \"" + name +
+                     "\"\ntitle = \"arm with symbolic twists\"\nconvention = \"standard\"\n[defaults]\n" +
                      "s = -1.4\nt = 1.2\nl1 = 0.6\nl2 = 0.43\nl3 = 0.15\n";
   for (const TableRow& row : twisted_tables.at(which))
     if (std::string(row.alpha) == "u") text += "u = 0.7\n";
   for (std::size_t i = 0; i < 6; ++i) {
     const TableRow& row = twisted_tables.at(which)[i];
     const bool slides = std::string(row.type) == "prismatic";
-    text += std::string("[[dh]]\ntype = \"") + row.type + "\"\nvariable = \"q" + std::to_string(i + 1) + "\"\na = \"" + row.a +
-            "\"\nalpha = \"" + row.alpha + "\"\n" + (slides ? "theta = \"" : "d = \"") + row.d + "\"\n";
+    text += std::string("[[dh]]\ntype = \"") + row.type + "\"\nvariable = \"q" + std::to_string(i + 1) +
+            "\"\na = \"" + row.a + "\"\nalpha = \"" + row.alpha + "\"\n" +
+            (slides ? "theta = \"" : "d = \"") + row.d + "\"\n";
   }
   return text;
 }

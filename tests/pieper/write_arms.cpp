@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// write_random_arms TOOL FAMILY FOLDER COUNT ARMS_IN_A_FILE: descriptions of random arms, what the tool generates from them,
-// and C++ files that register all of it with the test.
+// write_random_arms TOOL FAMILY FOLDER COUNT ARMS_IN_A_FILE: descriptions of random arms, what the tool
+// generates from them, and C++ files that register all of it with the test.
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <algorithm>
 #include <string>
 
 #include "random_arm.h"
@@ -72,7 +72,8 @@ std::string registration(const Folder& folder, const std::string& name) {
 }
 
 /// The lanes of several arms, a file of its own, for it is compiled for AVX2.
-void write_lanes(const Folder& folder, std::ofstream file, const std::string& family, std::uint32_t first, std::uint32_t end) {
+void write_lanes(const Folder& folder, std::ofstream file, const std::string& family, std::uint32_t first,
+                 std::uint32_t end) {
   for (std::uint32_t i = first; i < end; ++i) {
     const fs::path lanes = folder.lanes(arm_name(family, i));
     if (fs::exists(lanes)) file << "#include \"" << lanes.string() << "\"\n";
@@ -107,8 +108,7 @@ int main(int argc, char** argv) {
     write_lanes(folder, std::ofstream(folder.root / ("lanes_" + number + ".cpp")), family, first, end);
     std::ofstream file(folder.root / ("arms_" + number + ".cpp"));
     file << "#include \"robot_under_test.h\"\n#include \"unsolved.h\"\n";
-    for (std::uint32_t i = first; i < end; ++i)
-      file << registration(folder, arm_name(family, i));
+    for (std::uint32_t i = first; i < end; ++i) file << registration(folder, arm_name(family, i));
   }
   return 0;
 }

@@ -27,7 +27,8 @@ TEST(Expression, FollowsTheFormat) {
 }
 
 TEST(Expression, TakesOtherFunctions) {
-  const reference::Functions functions{{"less", [](const std::vector<double>& x) { return x.at(0) - x.at(1); }}};
+  const reference::Functions functions{
+      {"less", [](const std::vector<double>& x) { return x.at(0) - x.at(1); }}};
   EXPECT_EQ(evaluate("2*less(3, 1 - a)", {{"a", 2}}, functions), 8);
   EXPECT_THROW(evaluate("sin(1)", {}, functions), std::runtime_error);
 }

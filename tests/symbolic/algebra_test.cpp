@@ -2,9 +2,8 @@
 // The laws of the pair algebra (thesis 1.1-1.14), symbolically, and its conventions against Eigen.
 #include "symbolic/algebra.h"
 
-#include <gtest/gtest.h>
-
 #include <Eigen/Geometry>
+#include <gtest/gtest.h>
 
 namespace {
 

@@ -46,7 +46,9 @@ TEST(Model, ExpressionsAreTranslatedExactly) {
   const Expression a = Expression::symbol("a");
   const Expression half(cln::cl_RA(1) / 2);
   const Expression sum = Expression::make(Expression::Kind::sum, {a, half});
-  const Expression whole = Expression::make(Expression::Kind::quotient, {Expression::power(sum, 2), Expression::make(Expression::Kind::root, {Expression(2)})});
+  const Expression whole = Expression::make(
+      Expression::Kind::quotient,
+      {Expression::power(sum, 2), Expression::make(Expression::Kind::root, {Expression(2)})});
   const GiNaC::ex expected = GiNaC::pow(symbol("a") + GiNaC::numeric(1, 2), 2) / GiNaC::sqrt(GiNaC::ex(2));
   EXPECT_TRUE((symbolic::to_symbolic(whole) - expected).expand().is_zero());
 }

@@ -18,8 +18,10 @@ struct Pair {
 };
 
 Quaternion product(const Quaternion& a, const Quaternion& b) {
-  return {a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3], a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2],
-          a[0] * b[2] - a[1] * b[3] + a[2] * b[0] + a[3] * b[1], a[0] * b[3] + a[1] * b[2] - a[2] * b[1] + a[3] * b[0]};
+  return {a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3],
+          a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2],
+          a[0] * b[2] - a[1] * b[3] + a[2] * b[0] + a[3] * b[1],
+          a[0] * b[3] + a[1] * b[2] - a[2] * b[1] + a[3] * b[0]};
 }
 
 Quaternion conjugate(const Quaternion& q) { return {q[0], -q[1], -q[2], -q[3]}; }
@@ -31,7 +33,8 @@ Pair operator*(const Pair& a, const Pair& b) {
 
 class Definition {
  public:
-  Definition(const model::Robot& robot, const model::Bindings& geometry) : robot_(robot), geometry_(geometry) {}
+  Definition(const model::Robot& robot, const model::Bindings& geometry)
+      : robot_(robot), geometry_(geometry) {}
 
   [[nodiscard]] Pair pose(const std::vector<Real>& q) const {
     Pair pose = pair(robot_.base);
@@ -39,8 +42,10 @@ class Definition {
       const model::Joint& joint = robot_.joints[i];
       const Vector axis = vector(joint.axis);
       Pair motion;
-      if (joint.type == model::JointType::revolute) motion.q = turn(axis, q[i]);
-      else motion.p = {axis[0] * q[i], axis[1] * q[i], axis[2] * q[i]};
+      if (joint.type == model::JointType::revolute)
+        motion.q = turn(axis, q[i]);
+      else
+        motion.p = {axis[0] * q[i], axis[1] * q[i], axis[2] * q[i]};
       pose = pose * pair(joint.before) * motion * pair(joint.after);
     }
     return pose * pair(robot_.tool);
@@ -48,7 +53,9 @@ class Definition {
 
  private:
   [[nodiscard]] Real value(const model::Expression& e) const { return Real(model::evaluate(e, geometry_)); }
-  [[nodiscard]] Vector vector(const model::Vector3& v) const { return {value(v[0]), value(v[1]), value(v[2])}; }
+  [[nodiscard]] Vector vector(const model::Vector3& v) const {
+    return {value(v[0]), value(v[1]), value(v[2])};
+  }
   static Quaternion turn(const Vector& axis, const Real& angle) {
     const Real half = angle / Real(2);
     const Real s = sin(half);
@@ -56,7 +63,8 @@ class Definition {
   }
   [[nodiscard]] Pair pair(const model::Displacement& displacement) const {
     Pair result;
-    for (const model::Turn& each : displacement.turns) result.q = product(result.q, turn(vector(each.axis), value(each.angle)));
+    for (const model::Turn& each : displacement.turns)
+      result.q = product(result.q, turn(vector(each.axis), value(each.angle)));
     result.p = vector(displacement.translation);
     return result;
   }
@@ -83,7 +91,8 @@ double difference(const Pair& a, const Pair& b, bool orientation) {
   Real worst(0);
   for (std::size_t i = 0; i < 3; ++i) worst = abs(a.p[i] - b.p[i]) > worst ? abs(a.p[i] - b.p[i]) : worst;
   const Quaternion between = product(conjugate(a.q), b.q);
-  for (std::size_t i = 1; orientation && i < 4; ++i) worst = abs(between[i]) > worst ? abs(between[i]) : worst;
+  for (std::size_t i = 1; orientation && i < 4; ++i)
+    worst = abs(between[i]) > worst ? abs(between[i]) : worst;
   return worst.to_double();
 }
 
@@ -106,14 +115,16 @@ Values target(const model::Bindings& geometry, const Pair& pose) {
     values[derive::inverse::pose_given + std::string(parts[i])] = pose.q[i];
   }
   values[derive::inverse::pose_scale] = Real(1);
-  for (std::size_t i = 0; i < 3; ++i) values[derive::inverse::pose_position + std::string(parts[i + 1])] = pose.p[i];
+  for (std::size_t i = 0; i < 3; ++i)
+    values[derive::inverse::pose_position + std::string(parts[i + 1])] = pose.p[i];
   return values;
 }
 
 }  // namespace
 
 std::string InverseCertificate::text() const {
-  return "Checked in 60 digits at " + std::to_string(poses) + " random poses: the " + std::to_string(solutions) +
+  return "Checked in 60 digits at " + std::to_string(poses) + " random poses: the " +
+         std::to_string(solutions) +
          " solutions give the pose back to 50 digits,\n/// the sampled joints among them.";
 }
 
@@ -141,7 +152,8 @@ InverseCertificate certify_inverse(const model::Robot& robot, const LoweredPlan&
         throw CertificateError("inverse kinematics: a solution does not give the pose back");
       sampled = sampled || difference(robot, row.q, q) < fifty_digits;
     }
-    if (!sampled) throw CertificateError("inverse kinematics: the sampled joints are not among the solutions");
+    if (!sampled)
+      throw CertificateError("inverse kinematics: the sampled joints are not among the solutions");
     ++certificate.poses;
     certificate.solutions += static_cast<int>(rows.size());
   }

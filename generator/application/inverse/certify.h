@@ -14,9 +14,9 @@ struct InverseCertificate {
   [[nodiscard]] std::string text() const;
 };
 
-/// Runs a plan in sixty digits at random joints and geometry: the sampled joints must be among its solutions and every
-/// solution must give the pose back, both to fifty digits, by a forward kinematics that multiplies the description's
-/// displacements and shares nothing with the derivation. Throws CertificateError otherwise.
+/// Runs a plan in sixty digits at random joints and geometry: the sampled joints must be among its solutions
+/// and every solution must give the pose back, both to fifty digits, by a forward kinematics that multiplies
+/// the description's displacements and shares nothing with the derivation. Throws CertificateError otherwise.
 InverseCertificate certify_inverse(const model::Robot& robot, const LoweredPlan& plan, int poses);
 
 }  // namespace qvgen::application

@@ -20,8 +20,12 @@ using derive::inverse::Step;
 using Rotor = qvgen::inverse::Rotor<Counted>;
 
 OperationCounts operator+(const OperationCounts& a, const OperationCounts& b) {
-  return {a.multiplications + b.multiplications, a.additions + b.additions,       a.divisions + b.divisions,
-          a.roots + b.roots,                     a.sine_cosines + b.sine_cosines, a.arctangents + b.arctangents};
+  return {a.multiplications + b.multiplications,
+          a.additions + b.additions,
+          a.divisions + b.divisions,
+          a.roots + b.roots,
+          a.sine_cosines + b.sine_cosines,
+          a.arctangents + b.arctangents};
 }
 
 OperationCounts operator*(int times, const OperationCounts& a) {
@@ -48,24 +52,30 @@ void wrist(const LoweredPlan& plan, const Step& step) {
   Branch<Counted> branch;
   const qvgen::inverse::WristShape<Counted> shape{0.1, 0.9, 0.9, 0.1, 0.5};
   if (step.kind == Kind::oblique_wrist && !plan.plan.wrist.ends_the_plan) {
-    oblique_wrist_turns<Counted>(u, v, shape, {0.8, 0.6}, {1, 0}, 1, Boundary::plain(default_tolerance), branch);
+    oblique_wrist_turns<Counted>(u, v, shape, {0.8, 0.6}, {1, 0}, 1, Boundary::plain(default_tolerance),
+                                 branch);
   } else if (step.kind == Kind::oblique_wrist) {
-    const auto angles = oblique_wrist<Counted>(u, v, shape, 1, 0, Boundary::plain(default_tolerance), pi, branch);
+    const auto angles =
+        oblique_wrist<Counted>(u, v, shape, 1, 0, Boundary::plain(default_tolerance), pi, branch);
     wrapped(Counted(angles.middle - arctangent(Counted(0.1), Counted(0.9))), pi);
   } else if (plan.plan.wrist.ends_the_plan) {
     right_wrist<Counted>(u, v, plan.plan.wrist.middle_swapped, 0, pi, branch);
   } else {
-    right_wrist_turns<Counted>(u, v, plan.plan.wrist.middle_swapped, {1, 0}, 1, Boundary::plain(default_tolerance), branch);
+    right_wrist_turns<Counted>(u, v, plan.plan.wrist.middle_swapped, {1, 0}, 1,
+                               Boundary::plain(default_tolerance), branch);
   }
 }
 
-Rotor directed(const Step& step, const Rotor& turn, const Counted& tiny, qvgen::inverse::Branch<Counted>& branch) {
+Rotor directed(const Step& step, const Rotor& turn, const Counted& tiny,
+               qvgen::inverse::Branch<Counted>& branch) {
   Counted length;
   using namespace qvgen::inverse;
-  if (step.joint < 0) return chosen_direction<Counted>(turn, {1, 0}, Boundary::plain(default_tolerance), branch);
+  if (step.joint < 0)
+    return chosen_direction<Counted>(turn, {1, 0}, Boundary::plain(default_tolerance), branch);
   if (step.unit) return direction<Counted>(turn, tiny, {1, 0}, branch);
   const Rotor brief{qvgen::inverse::brief_length, 0};
-  return step.length_known ? span_of_length<Counted>(turn, 1, tiny, brief, length, branch) : span<Counted>(turn, tiny, brief, length, branch);
+  return step.length_known ? span_of_length<Counted>(turn, 1, tiny, brief, length, branch)
+                           : span<Counted>(turn, tiny, brief, length, branch);
 }
 
 Counted length_of(const Step& step) {
@@ -89,23 +99,48 @@ void block(const LoweredPlan& plan, const Step& step) {
   const Rotor turn{0.6, 0.8};
   Branch<Counted> branch;
   switch (step.kind) {
-    case Kind::circle: circle_angle<Counted>(1, 2, 0.3, sign, boundary, branch); return;
-    case Kind::free_circle: free_circle_angle<Counted>(1, 2, turn, tiny, {1, 0}, sign, boundary, branch); return;
-    case Kind::factored: factored_line_angle<Counted>(turn, 1, 1, 2, tiny, {1, 0}, sign, boundary, branch); return;
-    case Kind::opposite: sign * directed(step, turn, tiny, branch); return;
-    case Kind::pair: directed(step, turn, tiny, branch); return;
-    case Kind::reach: reachable_direction<Counted>(turn, turn, 0, 4, {1, 0}); return;
-    case Kind::half: plan.plan.wrist.right ? half_direction(turn, length_of(step)) : half(turn); return;
-    case Kind::root: signed_root<Counted>(1, 1, tiny, sign, boundary, branch); return;
-    case Kind::line: slide_on_line<Counted>(turn, turn, tiny, slide_choice(step), boundary, branch); return;
-    case Kind::slides: two_slides<Counted>({0.6, 0.7}, 0.1, {0.1, 0.2}, 0.3, tiny, 1, 0, {1, 0}, sign, boundary, branch); return;
-    case Kind::require: require_zero<Counted>(0, 1, tolerance, branch); return;
+    case Kind::circle:
+      circle_angle<Counted>(1, 2, 0.3, sign, boundary, branch);
+      return;
+    case Kind::free_circle:
+      free_circle_angle<Counted>(1, 2, turn, tiny, {1, 0}, sign, boundary, branch);
+      return;
+    case Kind::factored:
+      factored_line_angle<Counted>(turn, 1, 1, 2, tiny, {1, 0}, sign, boundary, branch);
+      return;
+    case Kind::opposite:
+      sign* directed(step, turn, tiny, branch);
+      return;
+    case Kind::pair:
+      directed(step, turn, tiny, branch);
+      return;
+    case Kind::reach:
+      reachable_direction<Counted>(turn, turn, 0, 4, {1, 0});
+      return;
+    case Kind::half:
+      plan.plan.wrist.right ? half_direction(turn, length_of(step)) : half(turn);
+      return;
+    case Kind::root:
+      signed_root<Counted>(1, 1, tiny, sign, boundary, branch);
+      return;
+    case Kind::line:
+      slide_on_line<Counted>(turn, turn, tiny, slide_choice(step), boundary, branch);
+      return;
+    case Kind::slides:
+      two_slides<Counted>({0.6, 0.7}, 0.1, {0.1, 0.2}, 0.3, tiny, 1, 0, {1, 0}, sign, boundary, branch);
+      return;
+    case Kind::require:
+      require_zero<Counted>(0, 1, tolerance, branch);
+      return;
     case Kind::right_wrist:
-    case Kind::oblique_wrist: wrist(plan, step); return;
+    case Kind::oblique_wrist:
+      wrist(plan, step);
+      return;
     case Kind::linear:
     case Kind::conic:
     case Kind::slide_turn:
-    case Kind::polish: return;
+    case Kind::polish:
+      return;
   }
 }
 
@@ -121,14 +156,16 @@ OperationCounts count_of(const LoweredPlan& plan, std::size_t index) {
   const Step& step = plan.plan.steps[index];
   Counted::tally() = {};
   block(plan, step);
-  OperationCounts result = dag::count(plan.steps[index].before) + Counted::tally() + dag::count(plan.steps[index].after);
+  OperationCounts result =
+      dag::count(plan.steps[index].before) + Counted::tally() + dag::count(plan.steps[index].after);
   result.arctangents += angles(plan, step);
   return result;
 }
 
 OperationCounts count_of_range_test(const LoweredPlan& plan) {
   Counted::tally() = {};
-  qvgen::inverse::is_out_of_range<Counted>(0.5, 0.1, qvgen::inverse::Boundary::plain(qvgen::inverse::default_tolerance));
+  qvgen::inverse::is_out_of_range<Counted>(
+      0.5, 0.1, qvgen::inverse::Boundary::plain(qvgen::inverse::default_tolerance));
   return dag::count(plan.range_test) + Counted::tally();
 }
 

@@ -9,7 +9,8 @@
 
 namespace qvgen::application {
 
-/// A number that counts what is done with it, by the project's rule: sign changes, comparisons and selections are free.
+/// A number that counts what is done with it, by the project's rule: sign changes, comparisons and selections
+/// are free.
 class Counted {
  public:
   Counted() = default;
@@ -21,10 +22,18 @@ class Counted {
   }
 
   Counted operator-() const { return {-value_}; }
-  friend Counted operator+(const Counted& a, const Counted& b) { return ++tally().additions, a.value_ + b.value_; }
-  friend Counted operator-(const Counted& a, const Counted& b) { return ++tally().additions, a.value_ - b.value_; }
-  friend Counted operator*(const Counted& a, const Counted& b) { return ++tally().multiplications, a.value_ * b.value_; }
-  friend Counted operator/(const Counted& a, const Counted& b) { return ++tally().divisions, a.value_ / b.value_; }
+  friend Counted operator+(const Counted& a, const Counted& b) {
+    return ++tally().additions, a.value_ + b.value_;
+  }
+  friend Counted operator-(const Counted& a, const Counted& b) {
+    return ++tally().additions, a.value_ - b.value_;
+  }
+  friend Counted operator*(const Counted& a, const Counted& b) {
+    return ++tally().multiplications, a.value_ * b.value_;
+  }
+  friend Counted operator/(const Counted& a, const Counted& b) {
+    return ++tally().divisions, a.value_ / b.value_;
+  }
   friend bool operator<(const Counted& a, const Counted& b) { return a.value_ < b.value_; }
   friend bool operator>(const Counted& a, const Counted& b) { return a.value_ > b.value_; }
   friend bool operator<=(const Counted& a, const Counted& b) { return a.value_ <= b.value_; }
@@ -32,7 +41,9 @@ class Counted {
   friend bool operator==(const Counted& a, const Counted& b) { return a.value_ == b.value_; }
   friend bool operator!=(const Counted& a, const Counted& b) { return a.value_ != b.value_; }
   friend Counted sqrt(const Counted& x) { return ++tally().roots, std::sqrt(x.value_); }
-  friend Counted atan2(const Counted& y, const Counted& x) { return ++tally().arctangents, std::atan2(y.value_, x.value_); }
+  friend Counted atan2(const Counted& y, const Counted& x) {
+    return ++tally().arctangents, std::atan2(y.value_, x.value_);
+  }
 
  private:
   double value_ = 0;

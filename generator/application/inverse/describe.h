@@ -9,9 +9,11 @@
 
 namespace qvgen::application {
 
-/// The derivation as a tree for people: structure, then each unknown with its equation, kind, branches, formulas and
-/// degenerate condition, indented by the branches it stands under. `variables` are the joints', base first.
-std::vector<std::string> describe(const LoweredPlan& plan, const std::vector<std::string>& variables, emit::Notation notation);
+/// The derivation as a tree for people: structure, then each unknown with its equation, kind, branches,
+/// formulas and degenerate condition, indented by the branches it stands under. `variables` are the joints',
+/// base first.
+std::vector<std::string> describe(const LoweredPlan& plan, const std::vector<std::string>& variables,
+                                  emit::Notation notation);
 
 /// One step, as the comment above its function.
 std::vector<std::string> step_comment(const LoweredPlan& plan, std::size_t index);

@@ -57,7 +57,8 @@ Values outputs(const dag::Function& function, const Values& values) {
 
 class Execution {
  public:
-  explicit Execution(const LoweredPlan& plan) : plan_(plan), order_(derive::inverse::order(plan.plan, plan.plan.quartic())) {}
+  explicit Execution(const LoweredPlan& plan)
+      : plan_(plan), order_(derive::inverse::order(plan.plan, plan.plan.quartic())) {}
 
   std::vector<Row> run(Values values) {
     for (const auto& [name, value] : outputs(plan_.target, values)) values[name] = value;
@@ -69,7 +70,9 @@ class Execution {
 
  private:
   static Real tolerance() { return Real(qvgen::inverse::default_tolerance); }
-  static qvgen::inverse::Boundary boundary() { return qvgen::inverse::Boundary::plain(qvgen::inverse::default_tolerance); }
+  static qvgen::inverse::Boundary boundary() {
+    return qvgen::inverse::Boundary::plain(qvgen::inverse::default_tolerance);
+  }
 
   Real tiny(int degree) const {
     const Real noise = Real(16) * qvgen::inverse::epsilon<Real>();
@@ -107,14 +110,20 @@ class Execution {
   /// On every branch the circle's share is what the test has told: middle + √swing or middle - √swing.
   void check_range_test(const Values& in) const {
     const Real off = in.at("low") * in.at("scale") - range_test_.at("middle");
-    if (abs(off * off - range_test_.at("swing")).to_double() > fifty_digits) throw CertificateError("inverse kinematics: the range test is wrong");
+    if (abs(off * off - range_test_.at("swing")).to_double() > fifty_digits)
+      throw CertificateError("inverse kinematics: the range test is wrong");
   }
 
   [[nodiscard]] qvgen::inverse::SlideTurns<Real> quartic_roots(Kind kind, const Values& in) const {
     using namespace qvgen::inverse;
     const Boundary careful = Boundary::careful(default_tolerance);
     if (kind == Kind::slide_turn)
-      return slide_and_turn<Real>({in.at("divisor"), in.at("h"), in.at("level"), {in.at("l_x"), in.at("l_y")}, in.at("mean"), {in.at("m_x"), in.at("m_y")}},
+      return slide_and_turn<Real>({in.at("divisor"),
+                                   in.at("h"),
+                                   in.at("level"),
+                                   {in.at("l_x"), in.at("l_y")},
+                                   in.at("mean"),
+                                   {in.at("m_x"), in.at("m_y")}},
                                   tiny(1), size_square_, Real(0), {Real(1), Real(0)}, careful, Real::pi());
     const Conic<Real> conic{in.at("xx"), in.at("xy"), in.at("yy"), in.at("x"), in.at("y"), in.at("one")};
     SlideTurns<Real> roots;
@@ -123,7 +132,8 @@ class Execution {
     return roots;
   }
 
-  void follow_quartic(std::size_t place, const Values& values, const Values& in, const Branch& branch, int label) {
+  void follow_quartic(std::size_t place, const Values& values, const Values& in, const Branch& branch,
+                      int label) {
     const auto roots = quartic_roots(plan_.plan.steps[order_[place]].kind, in);
     for (int k = 0; k < roots.count; ++k) {
       Values known = values;
@@ -144,18 +154,23 @@ class Execution {
     const Rotor choice{Real(1), Real(0)};
     switch (step.kind) {
       case Kind::circle:
-        return set(known, circle_angle(in.at("low"), in.at("high"), in.at("scale"), sign, boundary(), branch));
+        return set(known,
+                   circle_angle(in.at("low"), in.at("high"), in.at("scale"), sign, boundary(), branch));
       case Kind::free_circle:
-        return set(known, free_circle_angle(in.at("low"), in.at("high"), Rotor{in.at("x"), in.at("y")}, tiny(step.degree), choice,
-                                            sign, boundary(), branch));
+        return set(known, free_circle_angle(in.at("low"), in.at("high"), Rotor{in.at("x"), in.at("y")},
+                                            tiny(step.degree), choice, sign, boundary(), branch));
       case Kind::factored:
-        return set(known, factored_line_angle(Rotor{in.at("x"), in.at("y")}, in.at("rhs"), in.at("low"), in.at("high"),
-                                              tiny(step.degree), choice, sign, boundary(), branch));
+        return set(known,
+                   factored_line_angle(Rotor{in.at("x"), in.at("y")}, in.at("rhs"), in.at("low"),
+                                       in.at("high"), tiny(step.degree), choice, sign, boundary(), branch));
       case Kind::reach:
-        return set(known, reachable_direction(Rotor{in.at("point_x"), in.at("point_y")}, Rotor{in.at("offset_x"), in.at("offset_y")},
-                                              in.at("inner"), in.at("outer"), choice));
-      case Kind::opposite: return directed(step, in, sign, known, branch);
-      case Kind::pair: return directed(step, in, Real(1), known, branch);
+        return set(known, reachable_direction(Rotor{in.at("point_x"), in.at("point_y")},
+                                              Rotor{in.at("offset_x"), in.at("offset_y")}, in.at("inner"),
+                                              in.at("outer"), choice));
+      case Kind::opposite:
+        return directed(step, in, sign, known, branch);
+      case Kind::pair:
+        return directed(step, in, Real(1), known, branch);
       case Kind::half: {
         const Rotor turn{in.at("cosine"), in.at("sine")};
         Real length(1);
@@ -169,15 +184,18 @@ class Execution {
         known["result"] = slide(in, branch);
         return;
       case Kind::slides: {
-        const Rotor both = two_slides(Rotor{in.at("a"), in.at("b")}, in.at("k"), Rotor{in.at("g"), in.at("f")}, in.at("gap"), tiny(1),
-                                      size_square_, Real(0), Rotor{Real(1), Real(0)}, step.branches == 1 ? Real(0) : sign, boundary(), branch);
+        const Rotor both =
+            two_slides(Rotor{in.at("a"), in.at("b")}, in.at("k"), Rotor{in.at("g"), in.at("f")}, in.at("gap"),
+                       tiny(1), size_square_, Real(0), Rotor{Real(1), Real(0)},
+                       step.branches == 1 ? Real(0) : sign, boundary(), branch);
         known["result_1"] = both.cosine;
         known["result_2"] = both.sine;
         return;
       }
       case Kind::require:
         return require_zero(in.at("residual"), in.at("scale"), tolerance(), branch);
-      default: return;
+      default:
+        return;
     }
   }
 
@@ -195,7 +213,8 @@ class Execution {
     if (in.count("inner") == 0) return zero;
     const Rotor point{in.at("point_x"), in.at("point_y")};
     const Rotor along{in.at("along_x"), in.at("along_y")};
-    if (in.count("outer") > 0) return slide_between(point, along, in.at("inner"), in.at("outer"), zero, not_spread);
+    if (in.count("outer") > 0)
+      return slide_between(point, along, in.at("inner"), in.at("outer"), zero, not_spread);
     return slide_beyond(point, along, in.at("inner"), size_square_, zero, not_spread);
   }
 
@@ -207,8 +226,9 @@ class Execution {
     if (step.unit) return set(known, sign * direction(v, tiny(step.degree), choice, branch));
     Real length;
     const Rotor brief = Real(brief_length) * choice;
-    set(known, sign * (step.length_known ? span_of_length(v, in.at("length"), tiny(step.degree), brief, length, branch)
-                                         : span(v, tiny(step.degree), brief, length, branch)));
+    set(known, sign * (step.length_known
+                           ? span_of_length(v, in.at("length"), tiny(step.degree), brief, length, branch)
+                           : span(v, tiny(step.degree), brief, length, branch)));
     known["length_" + step.unknown] = length;
     known["result"] = sign * length;
   }
@@ -217,7 +237,8 @@ class Execution {
     if (step.points == 1 && step.turns.size() == 2) return polish<2, 1>(step, in, known);
     if (step.points == 1 && step.turns.size() == 3) return polish<3, 1>(step, in, known);
     if (step.points == 3 && step.turns.size() == 6) return polish<6, 3>(step, in, known);
-    throw std::logic_error("inverse kinematics: Newton steps for " + std::to_string(step.turns.size()) + " joints");
+    throw std::logic_error("inverse kinematics: Newton steps for " + std::to_string(step.turns.size()) +
+                           " joints");
   }
 
   template <std::size_t joints, std::size_t points>
@@ -233,7 +254,8 @@ class Execution {
       const auto& turn = step.turns[i];
       const bool revolute = known.count("cos_" + turn) > 0;
       task.arm[i] = {revolute, triple("axis", i), triple("point", i)};
-      values[i] = revolute ? Rotor{known.at("cos_" + turn), known.at("sin_" + turn)} : Rotor{known.at(turn), Real(0)};
+      values[i] =
+          revolute ? Rotor{known.at("cos_" + turn), known.at("sin_" + turn)} : Rotor{known.at(turn), Real(0)};
     }
     for (std::size_t i = 0; i < points; ++i) {
       task.start[i] = triple("start", i);
@@ -256,8 +278,11 @@ class Execution {
     const Rotor choice{in.at("choice_x"), in.at("choice_y")};
     const Real sign(k == 0 ? 1 : -1);
     WristTurns<Real> turns;
-    if (step.kind == Kind::right_wrist) turns = right_wrist_turns(u, v, plan_.plan.wrist.middle_swapped, choice, sign, boundary(), branch);
-    else turns = oblique_wrist_turns(u, v, shape(in), Rotor{in.at("cosine_delta"), in.at("sine_delta")}, choice, sign, boundary(), branch);
+    if (step.kind == Kind::right_wrist)
+      turns = right_wrist_turns(u, v, plan_.plan.wrist.middle_swapped, choice, sign, boundary(), branch);
+    else
+      turns = oblique_wrist_turns(u, v, shape(in), Rotor{in.at("cosine_delta"), in.at("sine_delta")}, choice,
+                                  sign, boundary(), branch);
     const std::array<Rotor, 3> values = {turns.first, turns.middle, turns.last};
     for (std::size_t i = 0; i < 3; ++i) {
       known["cos_" + step.turns[i]] = values[i].cosine;
@@ -266,7 +291,8 @@ class Execution {
   }
 
   static qvgen::inverse::WristShape<Real> shape(const Values& in) {
-    return {in.at("cosine_sum"), in.at("sine_sum"), in.at("cosine_difference"), in.at("sine_difference"), in.at("product")};
+    return {in.at("cosine_sum"), in.at("sine_sum"), in.at("cosine_difference"), in.at("sine_difference"),
+            in.at("product")};
   }
 
   void wrist(const Step& step, const Values& in, Values& known, int k, Branch& branch) const {
@@ -293,7 +319,8 @@ class Execution {
   void finish(const Values& values, const Branch& branch, int label) {
     Row row;
     for (const auto& joint : plan_.plan.joints)
-      row.q.push_back(joint.revolute ? atan2(values.at(joint.sine), values.at(joint.cosine)) : values.at(joint.cosine));
+      row.q.push_back(joint.revolute ? atan2(values.at(joint.sine), values.at(joint.cosine))
+                                     : values.at(joint.cosine));
     row.branch = label;
     row.continuum = branch.continuum;
     rows_.push_back(std::move(row));
@@ -308,6 +335,8 @@ class Execution {
 
 }  // namespace
 
-std::vector<Row> execute(const LoweredPlan& plan, Values values) { return Execution(plan).run(std::move(values)); }
+std::vector<Row> execute(const LoweredPlan& plan, Values values) {
+  return Execution(plan).run(std::move(values));
+}
 
 }  // namespace qvgen::application

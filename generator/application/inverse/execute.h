@@ -23,8 +23,8 @@ struct Row {
 /// What certificates of inverse kinematics allow of the sixty digits that they compute with.
 inline constexpr double fifty_digits = 1e-50;
 
-/// Runs a lowered plan step by step in sixty digits, with the building blocks of the runtime: all solutions. Throws
-/// CertificateError if the range test says something else of a circle than its step.
+/// Runs a lowered plan step by step in sixty digits, with the building blocks of the runtime: all solutions.
+/// Throws CertificateError if the range test says something else of a circle than its step.
 std::vector<Row> execute(const LoweredPlan& plan, Values values);
 
 }  // namespace qvgen::application

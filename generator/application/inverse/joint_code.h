@@ -13,11 +13,11 @@ namespace qvgen::application {
 std::string joint_place(int joint);
 
 /// Assignments of the joints' values that a step leaves in `work`, angles by their arctangent.
-std::vector<std::string> joint_lines(const model::Robot& robot, const LoweredPlan& plan, const derive::inverse::Step& step,
-                                     const std::string& work = "w");
+std::vector<std::string> joint_lines(const model::Robot& robot, const LoweredPlan& plan,
+                                     const derive::inverse::Step& step, const std::string& work = "w");
 
 /// Call of a step's function; `sign` is empty for a step with one branch.
-std::string step_call(const LoweredPlan& plan, std::size_t index, const std::string& sign, const std::string& work = "w",
-                      const std::string& target = "t");
+std::string step_call(const LoweredPlan& plan, std::size_t index, const std::string& sign,
+                      const std::string& work = "w", const std::string& target = "t");
 
 }  // namespace qvgen::application

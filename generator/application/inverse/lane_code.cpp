@@ -12,18 +12,21 @@ namespace {
 using derive::inverse::Kind;
 using derive::inverse::Step;
 
-bool is_last_wrist(const LoweredPlan& plan, const Step& step) { return step.is_wrist() && plan.plan.wrist.ends_the_plan; }
+bool is_last_wrist(const LoweredPlan& plan, const Step& step) {
+  return step.is_wrist() && plan.plan.wrist.ends_the_plan;
+}
 
 /// Branching steps before a wrist that ends the plan.
 int branchings(const LoweredPlan& plan) {
-  return static_cast<int>(std::count_if(plan.plan.steps.begin(), plan.plan.steps.end(), [&](const Step& step) {
-    return step.branches == 2 && !is_last_wrist(plan, step);
-  }));
+  return static_cast<int>(
+      std::count_if(plan.plan.steps.begin(), plan.plan.steps.end(),
+                    [&](const Step& step) { return step.branches == 2 && !is_last_wrist(plan, step); }));
 }
 
 class Lanes {
  public:
-  Lanes(const model::Robot& robot, const LoweredPlan& plan) : robot_(robot), plan_(plan), loops_left_(branchings(plan) - 2) {}
+  Lanes(const model::Robot& robot, const LoweredPlan& plan)
+      : robot_(robot), plan_(plan), loops_left_(branchings(plan) - 2) {}
 
   std::vector<std::string> write() {
     line("inverse::avx2::LaneRows<" + dof() + "> rows(places);");
@@ -45,20 +48,28 @@ class Lanes {
 
  private:
   std::string dof() const { return std::to_string(robot_.joints.size()); }
-  void line(const std::string& text) { lines_.push_back(std::string(static_cast<std::size_t>(2 * depth_), ' ') + text); }
+  void line(const std::string& text) {
+    lines_.push_back(std::string(static_cast<std::size_t>(2 * depth_), ' ') + text);
+  }
   std::string call(std::size_t i, const std::string& sign = "") const { return step_call(plan_, i, sign); }
 
   /// Label of the first lane's first row.
   std::string label(int rows_of_a_lane) const {
-    return labels_.empty() ? "0" : std::to_string(4 * rows_of_a_lane) + " * " + (labels_.find(' ') == std::string::npos ? labels_ : "(" + labels_ + ")");
+    return labels_.empty() ? "0"
+                           : std::to_string(4 * rows_of_a_lane) + " * " +
+                                 (labels_.find(' ') == std::string::npos ? labels_ : "(" + labels_ + ")");
   }
 
-  void leave_if_none() { line(std::string("if (!any(w.branch.exists)) ") + (depth_ == 0 ? "return rows.count(w.branch);" : "continue;")); }
+  void leave_if_none() {
+    line(std::string("if (!any(w.branch.exists)) ") +
+         (depth_ == 0 ? "return rows.count(w.branch);" : "continue;"));
+  }
 
   void step(std::size_t i) {
     const Step& step = plan_.plan.steps[i];
     if (is_last_wrist(plan_, step)) return wrist(i);
-    if (step.kind == Kind::half) return ended_leaving_ ? line(call(i) + ";") : halves_.push_back(call(i) + ";");
+    if (step.kind == Kind::half)
+      return ended_leaving_ ? line(call(i) + ";") : halves_.push_back(call(i) + ";");
     if (step.is_wrist()) flush_halves();
     if (step.branches == 2 && loops_left_ > 0) {
       loop(i);
@@ -74,13 +85,15 @@ class Lanes {
     for (const std::string& text : joint_lines(robot_, plan_, step)) deferred_.push_back(text);
   }
 
-  /// Whether a later step may find that no branch is left: angles that nobody will read wait until then. Beyond, a joint's
-  /// arctangent stands one step behind, where it fills the time that the next step waits for its root.
+  /// Whether a later step may find that no branch is left: angles that nobody will read wait until then.
+  /// Beyond, a joint's arctangent stands one step behind, where it fills the time that the next step waits
+  /// for its root.
   bool leaves_after(std::size_t i) const {
     const auto& steps = plan_.plan.steps;
-    return std::any_of(steps.begin() + static_cast<std::ptrdiff_t>(i) + 1, steps.end(), [&](const Step& step) {
-      return (step.branches == 2 && !is_last_wrist(plan_, step)) || step.kind == Kind::require;
-    });
+    return std::any_of(
+        steps.begin() + static_cast<std::ptrdiff_t>(i) + 1, steps.end(), [&](const Step& step) {
+          return (step.branches == 2 && !is_last_wrist(plan_, step)) || step.kind == Kind::require;
+        });
   }
 
   void loop(std::size_t i) {
@@ -93,7 +106,10 @@ class Lanes {
     line("w.branch.resume(" + above + ");");
     line(call(i, "Pack(" + k + " == 0 ? 1.0 : -1.0)") + ";");
     line("if (!any(w.branch.exists)) break;");
-    labels_ = labels_.empty() ? k : "2 * " + (labels_.find(' ') == std::string::npos ? labels_ : "(" + labels_ + ")") + " + " + k;
+    labels_ =
+        labels_.empty()
+            ? k
+            : "2 * " + (labels_.find(' ') == std::string::npos ? labels_ : "(" + labels_ + ")") + " + " + k;
   }
 
   void flush_halves() {
@@ -111,9 +127,11 @@ class Lanes {
     const auto& joints = plan_.plan.wrist.joints;
     ended_ = true;
     flush();
-    const auto set = [&](const std::string& array, const std::string& first, const std::string& middle, const std::string& last) {
+    const auto set = [&](const std::string& array, const std::string& first, const std::string& middle,
+                         const std::string& last) {
       const std::array<std::string, 3> values = {first, middle, last};
-      for (std::size_t k = 0; k < 3; ++k) line(array + "[" + std::to_string(joints[k]) + "] = " + values[k] + ";");
+      for (std::size_t k = 0; k < 3; ++k)
+        line(array + "[" + std::to_string(joints[k]) + "] = " + values[k] + ";");
     };
     const auto copy = [&] {
       line("Pack twin[" + dof() + "];");
@@ -158,6 +176,8 @@ class Lanes {
 
 bool has_lanes(const LoweredPlan& plan) { return !plan.plan.quartic() && branchings(plan) >= 2; }
 
-std::vector<std::string> lane_lines(const model::Robot& robot, const LoweredPlan& plan) { return Lanes(robot, plan).write(); }
+std::vector<std::string> lane_lines(const model::Robot& robot, const LoweredPlan& plan) {
+  return Lanes(robot, plan).write();
+}
 
 }  // namespace qvgen::application

@@ -9,12 +9,13 @@
 
 namespace qvgen::application {
 
-/// Whether four branches or more lead to the wrist (or the end), all by blocks without jumps: then they can be followed
-/// side by side.
+/// Whether four branches or more lead to the wrist (or the end), all by blocks without jumps: then they can
+/// be followed side by side.
 bool has_lanes(const LoweredPlan& plan);
 
-/// Body of the function that follows four branches in the lanes of packs: the last two branching steps take their signs
-/// from the lanes, those before them are loops. An angle is taken once a branch is known to exist.
+/// Body of the function that follows four branches in the lanes of packs: the last two branching steps take
+/// their signs from the lanes, those before them are loops. An angle is taken once a branch is known to
+/// exist.
 std::vector<std::string> lane_lines(const model::Robot& robot, const LoweredPlan& plan);
 
 }  // namespace qvgen::application

@@ -14,7 +14,9 @@ dag::Function optimised(const symbolic::Program& program) { return passes::simpl
 
 dag::Function optimised(const symbolic::Program& program, const std::vector<std::string>& kept) {
   dag::Function function = dag::import(program);
-  std::erase_if(function.outputs, [&](const dag::Output& output) { return std::find(kept.begin(), kept.end(), output.name) == kept.end(); });
+  std::erase_if(function.outputs, [&](const dag::Output& output) {
+    return std::find(kept.begin(), kept.end(), output.name) == kept.end();
+  });
   return passes::simplify(function);
 }
 
@@ -22,7 +24,8 @@ dag::Function optimised(const symbolic::Program& program, const std::vector<std:
 
 LoweredPlan lower(const derive::inverse::Plan& plan) {
   LoweredPlan lowered{plan, optimised(plan.target, plan.target_kept), optimised(plan.range_test.values), {}};
-  for (const auto& step : plan.steps) lowered.steps.push_back({optimised(step.before), optimised(step.after, step.kept)});
+  for (const auto& step : plan.steps)
+    lowered.steps.push_back({optimised(step.before), optimised(step.after, step.kept)});
   return lowered;
 }
 

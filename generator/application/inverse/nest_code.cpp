@@ -12,7 +12,8 @@ using derive::inverse::Step;
 
 class Nest {
  public:
-  Nest(const model::Robot& robot, const LoweredPlan& plan, Pass pass) : robot_(robot), plan_(plan), careful_(pass == Pass::careful) {}
+  Nest(const model::Robot& robot, const LoweredPlan& plan, Pass pass)
+      : robot_(robot), plan_(plan), careful_(pass == Pass::careful) {}
 
   std::vector<std::string> write() {
     line("Work<double> w;");
@@ -32,15 +33,24 @@ class Nest {
   }
 
  private:
-  [[nodiscard]] std::string call(std::size_t i, const std::string& sign = "") const { return step_call(plan_, i, sign, work_, target_); }
+  [[nodiscard]] std::string call(std::size_t i, const std::string& sign = "") const {
+    return step_call(plan_, i, sign, work_, target_);
+  }
   [[nodiscard]] std::string branch() const { return work_ + ".branch"; }
-  [[nodiscard]] std::string leave() const { return careful_ ? "return w.branch.doubtful;" : "return !w.branch.doubtful;"; }
+  [[nodiscard]] std::string leave() const {
+    return careful_ ? "return w.branch.doubtful;" : "return !w.branch.doubtful;";
+  }
   [[nodiscard]] std::string label() const { return labels_.empty() ? "0" : labels_; }
-  void line(const std::string& text) { lines_.push_back(std::string(static_cast<std::size_t>(2 * depth_), ' ') + text); }
+  void line(const std::string& text) {
+    lines_.push_back(std::string(static_cast<std::size_t>(2 * depth_), ' ') + text);
+  }
 
-  void leave_unless(const std::string& condition) { line("if (!" + condition + ") " + (depth_ == 0 ? leave() : "continue;")); }
+  void leave_unless(const std::string& condition) {
+    line("if (!" + condition + ") " + (depth_ == 0 ? leave() : "continue;"));
+  }
 
-  /// Loop variable k0, k1, ... of a branching step, with the state of the branch above it put back in every round.
+  /// Loop variable k0, k1, ... of a branching step, with the state of the branch above it put back in every
+  /// round.
   std::string open(const Step& step, const std::string& count) {
     const std::string k = "k" + std::to_string(loops_);
     const std::string above = "above" + std::to_string(loops_++);
@@ -73,7 +83,8 @@ class Nest {
     angles(step);
   }
 
-  /// From here on the joints are those of a copy, for the goal: the next branch starts from what the closed form has found.
+  /// From here on the joints are those of a copy, for the goal: the next branch starts from what the closed
+  /// form has found.
   void polished(std::size_t i) {
     line("if (visited.settled(" + label() + ")) " + (depth_ == 0 ? leave() : "continue;"));
     line("Work<double> p = w;");
@@ -137,7 +148,8 @@ class Nest {
       append("q", label());
       --depth_;
       line("}");
-      if (careful_) line("if (found.size() == before) visited.reopen(" + arm + ", " + branch() + ".continuum);");
+      if (careful_)
+        line("if (found.size() == before) visited.reopen(" + arm + ", " + branch() + ".continuum);");
       return;
     }
     line("const auto angles = " + call(i) + ";");
@@ -163,6 +175,8 @@ class Nest {
 
 }  // namespace
 
-std::vector<std::string> nest_lines(const model::Robot& robot, const LoweredPlan& plan, Pass pass) { return Nest(robot, plan, pass).write(); }
+std::vector<std::string> nest_lines(const model::Robot& robot, const LoweredPlan& plan, Pass pass) {
+  return Nest(robot, plan, pass).write();
+}
 
 }  // namespace qvgen::application

@@ -4,17 +4,17 @@
 #include <cln/float.h>
 #include <cln/lfloat.h>
 #include <cln/real.h>
-
 #include <qvgen/inverse/scalar.h>
 
 namespace qvgen::application {
 
-/// A real number of sixty decimal digits that the runtime's building blocks accept as their scalar, so that a plan is
-/// certified with the very code that users run.
+/// A real number of sixty decimal digits that the runtime's building blocks accept as their scalar, so that a
+/// plan is certified with the very code that users run.
 class Real {
  public:
   Real() : Real(0) {}
-  Real(int value) : value_(cln::cl_float(cln::cl_I(value), format())) {}  // NOLINT(google-explicit-constructor)
+  Real(int value)
+      : value_(cln::cl_float(cln::cl_I(value), format())) {}  // NOLINT(google-explicit-constructor)
   explicit Real(double value) : value_(cln::cl_float(value, format())) {}
   explicit Real(const cln::cl_R& value) : value_(cln::cl_float(value, format())) {}
 

@@ -17,14 +17,17 @@ std::string after(const std::string& text, const std::string& start) { return te
 std::vector<std::string> parts_of(const std::string& name) {
   std::vector<std::string> parts{""};
   for (const char letter : name)
-    if (letter == '_') parts.emplace_back();
-    else parts.back() += letter;
+    if (letter == '_')
+      parts.emplace_back();
+    else
+      parts.back() += letter;
   return parts;
 }
 
 }  // namespace
 
-Vocabulary::Vocabulary(const derive::inverse::Plan& plan, std::vector<std::string> variables, emit::Notation notation)
+Vocabulary::Vocabulary(const derive::inverse::Plan& plan, std::vector<std::string> variables,
+                       emit::Notation notation)
     : variables_(std::move(variables)), latex_(notation == emit::Notation::latex), notation_(notation) {
   for (const std::string& variable : variables_)
     for (const Step& step : plan.steps)
@@ -44,7 +47,9 @@ std::string Vocabulary::function(const std::string& name, const std::string& of,
   if (of == "phi") return latex_ ? "\\" + name + " \\varphi" : name + "(phi)";
   // Parallel neighbours come as the sum of their angles.
   std::vector<std::string> terms = parts_of(of);
-  const auto is_joint = [&](const std::string& term) { return std::find(variables_.begin(), variables_.end(), term) != variables_.end(); };
+  const auto is_joint = [&](const std::string& term) {
+    return std::find(variables_.begin(), variables_.end(), term) != variables_.end();
+  };
   if (!std::all_of(terms.begin(), terms.end(), is_joint)) terms = {of};
   std::string sum;
   for (const std::string& term : terms)
@@ -54,7 +59,8 @@ std::string Vocabulary::function(const std::string& name, const std::string& of,
   return name + "(" + (half && !single ? "(" + sum + ")" : sum) + (half ? "/2)" : ")");
 }
 
-/// cos_result and the like: the angle φ or the length r that the step solves; for a half angle the very angle.
+/// cos_result and the like: the angle φ or the length r that the step solves; for a half angle the very
+/// angle.
 std::string Vocabulary::solved(const std::string& name, const Step& step) const {
   if (name == "result") return "r";
   if (begins(name, "result_")) return symbol("r", after(name, "result_"));
@@ -63,8 +69,12 @@ std::string Vocabulary::solved(const std::string& name, const Step& step) const 
 }
 
 std::string Vocabulary::part_of_pose(const std::string& name) const {
-  static const std::array<std::array<const char*, 2>, 7> parts{{{"pose_q_w", "w"}, {"pose_q_x", "a"}, {"pose_q_y", "b"},
-                                                                {"pose_q_z", "c"}, {"pose_p_x", "x"}, {"pose_p_y", "y"},
+  static const std::array<std::array<const char*, 2>, 7> parts{{{"pose_q_w", "w"},
+                                                                {"pose_q_x", "a"},
+                                                                {"pose_q_y", "b"},
+                                                                {"pose_q_z", "c"},
+                                                                {"pose_p_x", "x"},
+                                                                {"pose_p_y", "y"},
                                                                 {"pose_p_z", "z"}}};
   for (const auto& [own, theirs] : parts)
     if (name == own) return begins(name, "pose_p") ? symbol("p", theirs) : theirs;
@@ -83,7 +93,8 @@ std::string Vocabulary::without_joints(const std::string& name) const {
 std::string Vocabulary::other(const std::string& name) const {
   std::vector<std::string> parts = parts_of(name);
   std::string index;
-  for (std::size_t i = 1; i < parts.size(); ++i) index += (i == 1 ? "" : latex_ ? "," : "_") + variable(parts[i]);
+  for (std::size_t i = 1; i < parts.size(); ++i)
+    index += (i == 1 ? "" : latex_ ? "," : "_") + variable(parts[i]);
   const std::vector<std::string>& known = variables_;
   if (parts.size() == 1 || std::find(known.begin(), known.end(), name) != known.end()) return variable(name);
   return symbol(parts[0], index);
@@ -100,7 +111,8 @@ std::string Vocabulary::operator()(const std::string& name, const Step& step) co
     return function(trigonometric, after(name, start + (half ? "half_" : "")), half);
   }
   for (std::size_t i = 0; i < planes_.size(); ++i)
-    if (begins(name, "plane_" + planes_[i] + "_")) return symbol(i == 0 ? "N" : "M", name.substr(name.size() - 1));
+    if (begins(name, "plane_" + planes_[i] + "_"))
+      return symbol(i == 0 ? "N" : "M", name.substr(name.size() - 1));
   return other(name);
 }
 

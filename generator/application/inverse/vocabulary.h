@@ -9,8 +9,9 @@
 
 namespace qvgen::application {
 
-/// How the names of a plan read for people: the thesis's ([w, <a, b, c>], <p_x, p_y, p_z>) for the pose, N_i for the
-/// pose with the joints before i taken off, M and N for the two sides of a position equation, bars for half angles.
+/// How the names of a plan read for people: the thesis's ([w, <a, b, c>], <p_x, p_y, p_z>) for the pose, N_i
+/// for the pose with the joints before i taken off, M and N for the two sides of a position equation, bars
+/// for half angles.
 class Vocabulary {
  public:
   Vocabulary(const derive::inverse::Plan& plan, std::vector<std::string> variables, emit::Notation notation);
@@ -30,7 +31,8 @@ class Vocabulary {
   [[nodiscard]] std::string other(const std::string& name) const;
 
   std::vector<std::string> variables_;
-  std::vector<std::string> planes_;  ///< variables with plane coordinates, base first: the first is N's, the other M's
+  std::vector<std::string>
+      planes_;  ///< variables with plane coordinates, base first: the first is N's, the other M's
   bool latex_;
   emit::Notation notation_;
 };

@@ -8,12 +8,13 @@ namespace qvgen::application {
 using nlohmann::ordered_json;
 
 ordered_json to_json(const dag::OperationCounts& c) {
-  return {{"mul", c.multiplications}, {"add", c.additions},     {"div", c.divisions},
+  return {{"mul", c.multiplications}, {"add", c.additions},       {"div", c.divisions},
           {"sqrt", c.roots},          {"sincos", c.sine_cosines}, {"atan2", c.arctangents}};
 }
 
 dag::OperationCounts counts_from_json(const ordered_json& json) {
-  return {json.at("mul"), json.at("add"), json.at("div"), json.at("sqrt"), json.at("sincos"), json.at("atan2")};
+  return {json.at("mul"),  json.at("add"),    json.at("div"),
+          json.at("sqrt"), json.at("sincos"), json.at("atan2")};
 }
 
 ordered_json to_json(const Optimised& optimised) {

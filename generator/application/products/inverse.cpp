@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+
 #include <fmt/format.h>
 
 #include "application/inverse/certify.h"
@@ -37,7 +38,8 @@ std::string tidy(const std::string& text) {
     const std::string line = text.substr(start, end - start);
     start = end + 1;
     const bool spare = line.empty() && (last.empty() || last.back() == '{');
-    const bool closes = line.find_first_not_of(' ') != std::string::npos && line[line.find_first_not_of(' ')] == '}';
+    const bool closes =
+        line.find_first_not_of(' ') != std::string::npos && line[line.find_first_not_of(' ')] == '}';
     if (spare) continue;
     if (closes && last.empty() && result.size() > 1 && line.size() == line.find('}') + 1) result.pop_back();
     result += line + "\n";
@@ -50,12 +52,14 @@ std::string tidy(const std::string& text) {
 std::vector<std::string> summary(const LoweredPlan& plan) {
   std::vector<std::string> lines;
   for (const std::size_t i : derive::inverse::order(plan.plan, plan.plan.quartic()))
-    if (!plan.plan.steps[i].unknown.empty() && plan.plan.steps[i].kind != derive::inverse::Kind::half) lines.push_back("- " + step_comment(plan, i).front());
+    if (!plan.plan.steps[i].unknown.empty() && plan.plan.steps[i].kind != derive::inverse::Kind::half)
+      lines.push_back("- " + step_comment(plan, i).front());
   return lines;
 }
 
 bool is_number(const model::Vector3& v) {
-  return std::all_of(v.begin(), v.end(), [](const model::Expression& x) { return model::symbols(x).empty(); });
+  return std::all_of(v.begin(), v.end(),
+                     [](const model::Expression& x) { return model::symbols(x).empty(); });
 }
 
 double length(const model::Vector3& v) {
@@ -67,8 +71,8 @@ double length(const model::Vector3& v) {
   return std::sqrt(square);
 }
 
-/// What the tool's distance from the origin cannot exceed, as text: the sum of all lengths, if they are numbers and no
-/// joint slides; else empty.
+/// What the tool's distance from the origin cannot exceed, as text: the sum of all lengths, if they are
+/// numbers and no joint slides; else empty.
 std::string reach(const model::Robot& robot) {
   std::vector<const model::Vector3*> offsets{&robot.base.translation, &robot.tool.translation};
   for (const model::Joint& joint : robot.joints) {
@@ -89,7 +93,8 @@ std::size_t polished_joints(const derive::inverse::Plan& plan) {
   throw std::logic_error("inverse kinematics: a plan without Newton steps");
 }
 
-json variant(const model::Robot& robot, const derive::inverse::Plan& derived, nlohmann::ordered_json& all_counts) {
+json variant(const model::Robot& robot, const derive::inverse::Plan& derived,
+             nlohmann::ordered_json& all_counts) {
   const LoweredPlan plan = lower(derived);
   const InverseCertificate certificate = certify_inverse(robot, plan, certificate_poses);
   const bool locked = derived.locked >= 0;
@@ -113,7 +118,8 @@ json variant(const model::Robot& robot, const derive::inverse::Plan& derived, nl
           {"reach", farthest.empty() ? "1e150" : farthest},
           {"has_reach", !farthest.empty()},
           {"capacity", derived.capacity},
-          {"meaning", std::string(derived.position_only ? "its position; the orientation is not used" : "position and orientation") +
+          {"meaning", std::string(derived.position_only ? "its position; the orientation is not used"
+                                                        : "position and orientation") +
                           (locked ? "; " + given + ", rad, is given" : "")},
           {"structure", derived.structure},
           {"summary", lines_of(summary(plan))},
@@ -126,7 +132,8 @@ json variant(const model::Robot& robot, const derive::inverse::Plan& derived, nl
           {"dof", robot.joints.size()},
           {"has_geometry", !constants.empty()},
           {"geometry", fields_of(constants)},
-          {"first_pass", derived.quartic() ? json(false) : json{{"lines", lines_of(nest_lines(robot, plan, Pass::first))}}},
+          {"first_pass",
+           derived.quartic() ? json(false) : json{{"lines", lines_of(nest_lines(robot, plan, Pass::first))}}},
           {"polished_joints", std::to_string(polished_joints(derived))},
           {"careful_pass", lines_of(nest_lines(robot, plan, Pass::careful))},
           {"has_lanes", lanes ? "true" : "false"},
@@ -145,7 +152,8 @@ void generate_inverse(const model::Robot& robot, RobotOutput& output) {
   const bool found = !values["variants"].empty();
   values["found"] = found;
   values["reasons"] = lines_of(reasons);
-  output.files.push_back({"include/qvgen/robots/" + robot.name + "/inverse.h", tidy(emit::render("inverse.h", values))});
+  output.files.push_back(
+      {"include/qvgen/robots/" + robot.name + "/inverse.h", tidy(emit::render("inverse.h", values))});
   if (!found) {
     for (const std::string& reason : reasons) output.missing.push_back("no inverse kinematics: " + reason);
     return;

@@ -18,7 +18,8 @@ constexpr int accuracy_points = 200;
 
 json temporaries(const emit::Code& code) {
   json list = json::array();
-  for (const auto& value : code.temporaries) list.push_back({{"name", value.name}, {"expression", value.expression}});
+  for (const auto& value : code.temporaries)
+    list.push_back({{"name", value.name}, {"expression", value.expression}});
   return list;
 }
 
@@ -26,8 +27,8 @@ json temporaries(const emit::Code& code) {
 std::string notes(const Optimised& optimised) {
   return "/// " + describe(optimised.counts) + ". Equal to the plain product of the joints' pairs at " +
          std::to_string(optimised.certified_points) +
-         " random\n/// exact points, tolerance zero; largest rounding error found " + to_json(optimised).at("largest_error_ulp").dump() +
-         " ulp.\n///";
+         " random\n/// exact points, tolerance zero; largest rounding error found " +
+         to_json(optimised).at("largest_error_ulp").dump() + " ulp.\n///";
 }
 
 Optimised optimise_with_accuracy(const derive::Quantity& quantity, const std::vector<OutputGroup>& groups) {
@@ -59,25 +60,32 @@ void add_transform(const model::Robot& robot, const Optimised& transform, json& 
   values["transform_temporaries"] = temporaries(code);
   values["transform_entries"] = json::array();
   for (std::size_t i = 0; i < code.outputs.size(); ++i)
-    values["transform_entries"].push_back({{"row", i < 9 ? i / 3 : i - 9}, {"column", i < 9 ? i % 3 : 3}, {"expression", code.outputs[i].expression}});
+    values["transform_entries"].push_back({{"row", i < 9 ? i / 3 : i - 9},
+                                           {"column", i < 9 ? i % 3 : 3},
+                                           {"expression", code.outputs[i].expression}});
 }
 
 }  // namespace
 
 void generate_kinematics(const model::Robot& robot, RobotOutput& output) {
   const OutputGroup position{"px", "py", "pz"};
-  const Optimised pose = optimise_with_accuracy(derive::forward_kinematics(robot), {{"w", "x", "y", "z"}, position});
-  const Optimised transform = optimise_with_accuracy(
-      derive::homogeneous_transform(robot), {{"r11", "r12", "r13", "r21", "r22", "r23", "r31", "r32", "r33"}, position});
+  const Optimised pose =
+      optimise_with_accuracy(derive::forward_kinematics(robot), {{"w", "x", "y", "z"}, position});
+  const Optimised transform =
+      optimise_with_accuracy(derive::homogeneous_transform(robot),
+                             {{"r11", "r12", "r13", "r21", "r22", "r23", "r31", "r32", "r33"}, position});
   json values{{"name", robot.name}, {"scalars", {{{"scalar", "double"}}, {{"scalar", "float"}}}}};
   add_pose(robot, pose, values);
   add_transform(robot, transform, values);
   values["closed_form"] = json::array();
-  for (const std::string& line : closed_form_lines(robot, emit::Notation::text)) values["closed_form"].push_back({{"line", line}});
+  for (const std::string& line : closed_form_lines(robot, emit::Notation::text))
+    values["closed_form"].push_back({{"line", line}});
   const std::string headers = "include/qvgen/robots/" + robot.name + "/";
   output.files.push_back({headers + "kinematics.h", emit::render("kinematics.h", values)});
-  output.files.push_back({headers + "kinematics_definitions.h", emit::render("kinematics_definitions.h", values)});
-  output.files.push_back({"source/" + robot.name + "/kinematics.cpp", emit::render("kinematics.cpp", values)});
+  output.files.push_back(
+      {headers + "kinematics_definitions.h", emit::render("kinematics_definitions.h", values)});
+  output.files.push_back(
+      {"source/" + robot.name + "/kinematics.cpp", emit::render("kinematics.cpp", values)});
   output.counts[pose.name] = to_json(pose);
   output.counts[transform.name] = to_json(transform);
 }

@@ -2,9 +2,10 @@
 #include "application/products/leaf_names.h"
 
 #include <algorithm>
-#include <cln/integer.h>
 #include <map>
 #include <stdexcept>
+
+#include <cln/integer.h>
 
 #include "dag/rebuild.h"
 #include "emit/literal.h"
@@ -27,7 +28,8 @@ std::vector<Angle> angles_of(const dag::Function& function) {
   std::vector<Angle> angles;
   for (const auto& [text, angle] : found) angles.push_back(angle);
   // Single joints first: theta1/2, theta2/2, then the sums.
-  std::stable_sort(angles.begin(), angles.end(), [](const Angle& a, const Angle& b) { return a.terms.size() < b.terms.size(); });
+  std::stable_sort(angles.begin(), angles.end(),
+                   [](const Angle& a, const Angle& b) { return a.terms.size() < b.terms.size(); });
   return angles;
 }
 
@@ -41,7 +43,8 @@ std::string place_of(const std::vector<Angle>& angles, const Angle& angle) {
 
 cln::cl_I common_denominator(const Angle& angle) {
   cln::cl_I common = 1;
-  for (const auto& [name, coefficient] : angle.terms) common = cln::lcm(common, cln::denominator(coefficient));
+  for (const auto& [name, coefficient] : angle.terms)
+    common = cln::lcm(common, cln::denominator(coefficient));
   return common;
 }
 
@@ -59,10 +62,12 @@ std::string radians(const cln::cl_RA& turns) {
 emit::Names leaf_names(const model::Robot& robot, const std::vector<Angle>& angles,
                        const std::function<std::string(const std::string&)>& others) {
   std::map<std::string, std::string> known{{"pi", radians(1)}};
-  for (std::size_t i = 0; i < robot.joints.size(); ++i) known[robot.joints[i].variable] = "q[" + std::to_string(i) + "]";
+  for (std::size_t i = 0; i < robot.joints.size(); ++i)
+    known[robot.joints[i].variable] = "q[" + std::to_string(i) + "]";
   for (const model::Parameter& parameter : robot.geometry) known[parameter.name] = "g." + parameter.name;
   const auto symbol = [known, others](const std::string& name) {
-    if (const auto constant = exact::constant_angle(name)) return scalar(exact::Number(exact::radians(*constant)));
+    if (const auto constant = exact::constant_angle(name))
+      return scalar(exact::Number(exact::radians(*constant)));
     const auto place = known.find(name);
     if (place != known.end()) return place->second;
     if (!others) throw std::logic_error("symbol " + name + " has no place in the generated code");
@@ -82,7 +87,8 @@ std::string angle_code(const Angle& angle, const emit::Names& names) {
     sum += (size == 1 ? "" : scalar(exact::Number(size)) + " * ") + names.symbol(name);
   }
   const bool compound = angle.terms.size() > 1;
-  if (common != 1) sum = scalar(exact::Number(cln::recip(cln::cl_RA(common)))) + " * " + (compound ? "(" + sum + ")" : sum);
+  if (common != 1)
+    sum = scalar(exact::Number(cln::recip(cln::cl_RA(common)))) + " * " + (compound ? "(" + sum + ")" : sum);
   if (cln::zerop(angle.pi)) return sum;
   if (sum.empty()) return radians(angle.pi);
   return sum + (cln::minusp(angle.pi) ? " - " : " + ") + radians(cln::abs(angle.pi));
@@ -91,11 +97,15 @@ std::string angle_code(const Angle& angle, const emit::Names& names) {
 nlohmann::json angle_values(const std::vector<Angle>& angles, const emit::Names& names) {
   nlohmann::json values = nlohmann::json::array();
   for (std::size_t i = 0; i < angles.size(); ++i)
-    values.push_back({{"text", to_string(angles[i])}, {"code", angle_code(angles[i], names)}, {"index", i}, {"last", i + 1 == angles.size()}});
+    values.push_back({{"text", to_string(angles[i])},
+                      {"code", angle_code(angles[i], names)},
+                      {"index", i},
+                      {"last", i + 1 == angles.size()}});
   return values;
 }
 
-std::string sines_cosines_code(const std::vector<Angle>& angles, const emit::Names& names, const std::string& empty) {
+std::string sines_cosines_code(const std::vector<Angle>& angles, const emit::Names& names,
+                               const std::string& empty) {
   if (angles.empty()) return empty + "<Scalar>{}";
   std::string arguments;
   for (const Angle& angle : angles) arguments += (arguments.empty() ? "" : ", ") + angle_code(angle, names);

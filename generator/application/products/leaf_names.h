@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
+
+#include <nlohmann/json.hpp>
 
 #include "dag/graph.h"
 #include "emit/code.h"
@@ -14,8 +15,8 @@ namespace qvgen::application {
 /// The angles whose sines and cosines a function uses, in a fixed order: what its Angles struct holds.
 std::vector<dag::Angle> angles_of(const dag::Function& function);
 
-/// How generated functions write their leaves: joint variables are q[i], geometric constants g.name, sines and cosines
-/// s[k] and c[k] with k the angle's place in `angles`. `others` maps further symbols.
+/// How generated functions write their leaves: joint variables are q[i], geometric constants g.name, sines
+/// and cosines s[k] and c[k] with k the angle's place in `angles`. `others` maps further symbols.
 emit::Names leaf_names(const model::Robot& robot, const std::vector<dag::Angle>& angles,
                        const std::function<std::string(const std::string&)>& others = {});
 
@@ -25,7 +26,9 @@ std::string angle_code(const dag::Angle& angle, const emit::Names& names);
 /// Template values for a list of angles: text, code, index, last.
 nlohmann::json angle_values(const std::vector<dag::Angle>& angles, const emit::Names& names);
 
-/// Code that computes the sines and cosines of the angles: a call of the runtime, or an empty struct of that type.
-std::string sines_cosines_code(const std::vector<dag::Angle>& angles, const emit::Names& names, const std::string& empty);
+/// Code that computes the sines and cosines of the angles: a call of the runtime, or an empty struct of that
+/// type.
+std::string sines_cosines_code(const std::vector<dag::Angle>& angles, const emit::Names& names,
+                               const std::string& empty);
 
 }  // namespace qvgen::application

@@ -28,19 +28,23 @@ json joint(const model::Joint& joint, const model::Robot& robot, bool last) {
 }  // namespace
 
 void generate_model_header(const model::Robot& robot, RobotOutput& output) {
-  json values{{"name", robot.name}, {"title", robot.title}, {"source", robot.source}, {"dof", robot.joints.size()}};
+  json values{
+      {"name", robot.name}, {"title", robot.title}, {"source", robot.source}, {"dof", robot.joints.size()}};
   values["joints"] = json::array();
-  for (const model::Joint& each : robot.joints) values["joints"].push_back(joint(each, robot, &each == &robot.joints.back()));
+  for (const model::Joint& each : robot.joints)
+    values["joints"].push_back(joint(each, robot, &each == &robot.joints.back()));
   values["parameters"] = json::array();
   bool has_defaults = false;
   for (const model::Parameter& parameter : robot.geometry) {
     has_defaults = has_defaults || parameter.default_value.has_value();
     values["parameters"].push_back(
-        {{"name", parameter.name}, {"default", parameter.default_value ? number(*parameter.default_value, robot) : "0"}});
+        {{"name", parameter.name},
+         {"default", parameter.default_value ? number(*parameter.default_value, robot) : "0"}});
   }
   values["has_parameters"] = !robot.geometry.empty();
   values["has_defaults"] = has_defaults;
-  output.files.push_back({"include/qvgen/robots/" + robot.name + "/model.h", emit::render("model.h", values)});
+  output.files.push_back(
+      {"include/qvgen/robots/" + robot.name + "/model.h", emit::render("model.h", values)});
 }
 
 }  // namespace qvgen::application

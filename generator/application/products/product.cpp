@@ -2,8 +2,8 @@
 #include "application/products/product.h"
 
 #include "application/products/dynamics.h"
-#include "application/products/jacobian.h"
 #include "application/products/inverse.h"
+#include "application/products/jacobian.h"
 #include "application/products/kinematics.h"
 #include "application/products/model_header.h"
 

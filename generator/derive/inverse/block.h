@@ -5,8 +5,9 @@
 
 namespace qvgen::derive::inverse {
 
-/// The point that one outer joint moves: base + first x1 + second x2 with (x1, x2) = Rot(sign q) x0 for a revolute
-/// joint, base + sign axis q for a prismatic one. sign is -1 for joint a, which is brought to the other side.
+/// The point that one outer joint moves: base + first x1 + second x2 with (x1, x2) = Rot(sign q) x0 for a
+/// revolute joint, base + sign axis q for a prismatic one. sign is -1 for joint a, which is brought to the
+/// other side.
 struct Block {
   Screw screw;
   int sign = 1;

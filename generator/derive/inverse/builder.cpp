@@ -44,8 +44,10 @@ Step& Builder::add(Kind kind, const Screw* screw, int branches, const std::strin
     value.revolute = screw->revolute;
     value.cosine = screw->revolute ? "cos_" + screw->variable : screw->variable;
     value.sine = screw->revolute ? "sin_" + screw->variable : "";
-    if (screw->revolute) scope_.turn(screw->variable);
-    else scope_.length(screw->variable);
+    if (screw->revolute)
+      scope_.turn(screw->variable);
+    else
+      scope_.length(screw->variable);
   }
   plan_.steps.push_back(std::move(step));
   return plan_.steps.back();
@@ -57,15 +59,19 @@ Scope::Turn Builder::value(const Screw& screw) {
 }
 
 ex Builder::without_foot(const ex& value) const {
-  if (roots_.empty() || plan_.steps.empty() || symbolic::symbol(plan_.steps.back().unknown) != roots_.back().value) return value;
+  if (roots_.empty() || plan_.steps.empty() ||
+      symbolic::symbol(plan_.steps.back().unknown) != roots_.back().value)
+    return value;
   if (GiNaC::is_a<GiNaC::symbol>(value) || roots_.back().foot.is_zero()) return value;
   return value.subs(roots_.back().value == roots_.back().foot + symbolic::symbol("result")).expand();
 }
 
 ex Builder::keep(const std::string& name, const ex& wanted) {
-  symbolic::Program& program = plan_.steps.empty() || is_constant(wanted) ? plan_.target : plan_.steps.back().after;
+  symbolic::Program& program =
+      plan_.steps.empty() || is_constant(wanted) ? plan_.target : plan_.steps.back().after;
   const ex value = without_foot(wanted);
-  const ex symbol = value.is_equal(wanted) ? scope_.define(program, name, wanted) : scope_.rename(program, name, value);
+  const ex symbol =
+      value.is_equal(wanted) ? scope_.define(program, name, wanted) : scope_.rename(program, name, value);
   if (!symbol.is_equal(wanted)) named_[symbol] = wanted;
   return symbol;
 }
@@ -100,10 +106,13 @@ std::optional<Flat> Builder::without_root(const Flat& k, const ex& rhs) const {
     std::vector<ex> parts;
     ex number = 1;
     for (const ex& factor : factors) {
-      if (GiNaC::is_a<GiNaC::numeric>(factor)) number *= factor;
-      else parts.push_back(factor);
+      if (GiNaC::is_a<GiNaC::numeric>(factor))
+        number *= factor;
+      else
+        parts.push_back(factor);
     }
-    if (parts.size() != 2 || GiNaC::is_a<GiNaC::power>(parts[0]) || GiNaC::is_a<GiNaC::power>(parts[1])) continue;
+    if (parts.size() != 2 || GiNaC::is_a<GiNaC::power>(parts[0]) || GiNaC::is_a<GiNaC::power>(parts[1]))
+      continue;
     for (ex& part : parts) {
       if (scope_.sample(part) >= 0) continue;
       part = -part;
@@ -115,7 +124,8 @@ std::optional<Flat> Builder::without_root(const Flat& k, const ex& rhs) const {
   return std::nullopt;
 }
 
-void Builder::turn_by_line(const Screw& screw, const Flat& k, const ex& rhs, const std::string& equation, int degree) {
+void Builder::turn_by_line(const Screw& screw, const Flat& k, const ex& rhs, const std::string& equation,
+                           int degree) {
   if (scope_.is_zero(rhs)) {
     Step& step = add(Kind::opposite, &screw, 2, equation);
     step.degree = degree;
@@ -143,7 +153,9 @@ void Builder::turn_by_line(const Screw& screw, const Flat& k, const ex& rhs, con
     step.before.output("rhs", rhs);
     step.before.output("low", factors->x);
     step.before.output("high", factors->y);
-    step.degenerate = "boundary of reach: the two solutions coincide; the point on the axis: " + screw.variable + " is free";
+    step.degenerate =
+        "boundary of reach: the two solutions coincide; the point on the axis: " + screw.variable +
+        " is free";
     set_turn(step, screw, result_turn());
     return;
   }
@@ -154,7 +166,8 @@ void Builder::turn_by_line(const Screw& screw, const Flat& k, const ex& rhs, con
   step.before.output("y", k.y);
   step.before.output("low", amplitude - rhs);
   step.before.output("high", amplitude + rhs);
-  step.degenerate = "boundary of reach: the two solutions coincide; the point on the axis: " + screw.variable + " is free";
+  step.degenerate =
+      "boundary of reach: the two solutions coincide; the point on the axis: " + screw.variable + " is free";
   set_turn(step, screw, result_turn());
 }
 
@@ -164,8 +177,10 @@ Ring Builder::ring(const Flat& v, const Flat& x0) const {
   const auto varying = [](const Flat& w) { return Polar{GiNaC::sqrt(w.x * w.x + w.y * w.y), w}; };
   const Polar base = v_fixed ? polar(v, scope_) : varying(v);
   const Polar arm = x_fixed ? polar(x0, scope_) : varying(x0);
-  const ex inner = scope_.is_zero(base.length - arm.length) ? ex(0) : ex(GiNaC::pow(base.length - arm.length, 2));
-  const ex outer = scope_.is_zero(base.length + arm.length) ? ex(0) : ex(GiNaC::pow(base.length + arm.length, 2));
+  const ex inner =
+      scope_.is_zero(base.length - arm.length) ? ex(0) : ex(GiNaC::pow(base.length - arm.length, 2));
+  const ex outer =
+      scope_.is_zero(base.length + arm.length) ? ex(0) : ex(GiNaC::pow(base.length + arm.length, 2));
   return {base, arm, v_fixed, x_fixed, inner, outer};
 }
 
@@ -192,11 +207,14 @@ void Builder::turn_by_distance(const Screw& screw, int sign, const Flat& v, cons
   step.before.output("y", sign * direction.y);
   step.before.output("low", low);
   step.before.output("high", high);
-  step.degenerate = "stretched or folded: the two solutions coincide; the point on the axis: " + screw.variable + " is free";
+  step.degenerate =
+      "stretched or folded: the two solutions coincide; the point on the axis: " + screw.variable +
+      " is free";
   set_turn(step, screw, result_turn());
 }
 
-void Builder::turn_by_pair(const Screw& screw, const Flat& direction, const std::string& equation, const ex& length) {
+void Builder::turn_by_pair(const Screw& screw, const Flat& direction, const std::string& equation,
+                           const ex& length) {
   Step& step = add(Kind::pair, &screw, 1, equation);
   step.length = length;
   step.degree = 4;
@@ -206,7 +224,8 @@ void Builder::turn_by_pair(const Screw& screw, const Flat& direction, const std:
   set_turn(step, screw, result_turn());
 }
 
-Scope::Turn Builder::turn_by_pair(const std::string& name, const Flat& direction, const Scope::Turn& choice, const std::string& equation) {
+Scope::Turn Builder::turn_by_pair(const std::string& name, const Flat& direction, const Scope::Turn& choice,
+                                  const std::string& equation) {
   Step& step = add(Kind::pair, nullptr, 1, equation);
   step.unknown = name;
   step.degree = 0;
@@ -234,8 +253,8 @@ void Builder::slide_by_value(const Screw& screw, const ex& value, const std::str
   set_length(add(Kind::linear, &screw, 1, equation), screw, value);
 }
 
-void Builder::slide_by_line(const Screw& screw, const Flat& along, const Flat& rhs, const std::optional<Reach>& reach,
-                            const std::string& equation) {
+void Builder::slide_by_line(const Screw& screw, const Flat& along, const Flat& rhs,
+                            const std::optional<Reach>& reach, const std::string& equation) {
   const bool flat = !along.y.is_zero();
   if (!flat && is_constant(along.x)) return slide_by_value(screw, rhs.x / along.x, equation);
   Step& step = add(Kind::line, &screw, 1, equation);
@@ -256,7 +275,8 @@ void Builder::slide_by_line(const Screw& screw, const Flat& along, const Flat& r
     step.before.output("inner", reach->inner);
     if (reach->outer) step.before.output("outer", *reach->outer);
   }
-  step.degenerate = std::string(flat ? "(x, y)" : "divisor") + " = 0, the equation does not see " + screw.variable + ": it is free" +
+  step.degenerate = std::string(flat ? "(x, y)" : "divisor") + " = 0, the equation does not see " +
+                    screw.variable + ": it is free" +
                     (reach ? " as far as the joint after it can follow" : "");
   set_length(step, screw, result_length());
 }
@@ -270,8 +290,10 @@ void Builder::two_slides(const Screw& s, const Screw& t, const Slides& slides, c
   step.before.output("g", slides.g);
   step.before.output("f", slides.f);
   step.before.output("gap", slides.gap);
-  step.degenerate = "boundary of reach: the two solutions coincide; a = b or a = -b: one of them is infinitely far away; a = b = 0: " +
-                    s.variable + " is free as far as " + t.variable + " can follow";
+  step.degenerate =
+      "boundary of reach: the two solutions coincide; a = b or a = -b: one of them is infinitely far away; a "
+      "= b = 0: " +
+      s.variable + " is free as far as " + t.variable + " can follow";
   set_length(step, s, symbolic::symbol("result_1"));
   const ex other = scope_.rename(step.after, "offset_" + t.variable, symbolic::symbol("result_2"));
   slide_by_value(t, other, "the same two equations");
@@ -285,7 +307,8 @@ void Builder::turn_by_conic(const Screw& screw, const std::array<ex, 6>& conic, 
   set_turn(step, screw, result_turn());
 }
 
-void Builder::slide_and_turn(const Screw& slide, const Screw& turn, const SlideAndTurn& equations, const std::string& equation) {
+void Builder::slide_and_turn(const Screw& slide, const Screw& turn, const SlideAndTurn& equations,
+                             const std::string& equation) {
   Step& step = add(Kind::slide_turn, &turn, 4, equation);
   step.slide = slide.joint;
   step.before.output("divisor", equations.divisor);
@@ -296,15 +319,16 @@ void Builder::slide_and_turn(const Screw& slide, const Screw& turn, const SlideA
   step.before.output("mean", equations.mean);
   step.before.output("m_x", equations.m.x);
   step.before.output("m_y", equations.m.y);
-  step.degenerate = "boundary of reach: solutions coincide; divisor = 0 and (l_x, l_y) = 0: " + slide.variable + " is free as far as " +
-                    turn.variable + " can follow";
+  step.degenerate =
+      "boundary of reach: solutions coincide; divisor = 0 and (l_x, l_y) = 0: " + slide.variable +
+      " is free as far as " + turn.variable + " can follow";
   set_turn(step, turn, result_turn());
   const ex offset = scope_.rename(step.after, "offset_" + slide.variable, result_length());
   slide_by_value(slide, offset, "the same two equations");
 }
 
-Scope::Turn Builder::reachable(const std::string& name, const std::vector<Step::Seed>& seeds, const Flat& point,
-                               const Flat& offset, const ex& inner, const ex& outer) {
+Scope::Turn Builder::reachable(const std::string& name, const std::vector<Step::Seed>& seeds,
+                               const Flat& point, const Flat& offset, const ex& inner, const ex& outer) {
   Step& step = add(Kind::reach, nullptr, 1, "the distance that the two links between leave open");
   step.unknown = name;
   step.seeds = seeds;
@@ -327,7 +351,8 @@ void Builder::require_zero(const ex& residual, const ex& scale, const std::strin
 
 void Builder::polish(const std::vector<Screw>& arm, const std::vector<symbolic::Vector>& start,
                      const std::vector<symbolic::Vector>& goal) {
-  Step& step = add(Kind::polish, nullptr, 1, "Newton steps: near a singular place, and after a quartic, closed forms lose digits");
+  Step& step = add(Kind::polish, nullptr, 1,
+                   "Newton steps: near a singular place, and after a quartic, closed forms lose digits");
   step.unknown = "arm";
   step.points = static_cast<int>(start.size());
   const auto input = [&](const std::string& name, std::size_t i, const symbolic::Vector& v) {

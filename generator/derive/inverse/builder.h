@@ -37,7 +37,8 @@ struct Ring {
   GiNaC::ex inner, outer;
 };
 
-/// The values t of a slide with inner <= |point + t along|² <= outer: those with which the joint after it can follow.
+/// The values t of a slide with inner <= |point + t along|² <= outer: those with which the joint after it can
+/// follow.
 struct Reach {
   Flat point, along;
   GiNaC::ex inner = 0;
@@ -57,19 +58,24 @@ class Builder {
   [[nodiscard]] Ring ring(const Flat& v, const Flat& x0) const;
 
   /// alpha cos q + beta sin q = rhs; `degree` as in Step.
-  void turn_by_line(const Screw& screw, const Flat& coefficients, const GiNaC::ex& rhs, const std::string& equation, int degree = 1);
+  void turn_by_line(const Screw& screw, const Flat& coefficients, const GiNaC::ex& rhs,
+                    const std::string& equation, int degree = 1);
   /// The angle φ between direction and q: |v + x| = δ, given squares; (cos q, sign sin q) = φ * direction.
   void turn_by_distance(const Screw& screw, int sign, const Flat& v, const Flat& x0, const GiNaC::ex& square,
                         const std::string& equation);
   /// (cos q, sin q) along the direction.
   /// `length`: the direction's, if it is known without a root.
-  void turn_by_pair(const Screw& screw, const Flat& direction, const std::string& equation, const GiNaC::ex& length = 0);
-  /// The same for a sum of angles, which is `choice` where it is free: names cos_NAME, sin_NAME. The direction is a number.
-  Scope::Turn turn_by_pair(const std::string& name, const Flat& direction, const Scope::Turn& choice, const std::string& equation);
-  void slide_by_root(const Screw& screw, const GiNaC::ex& foot, const GiNaC::ex& square, const GiNaC::ex& height_square,
-                     const std::string& equation);
+  void turn_by_pair(const Screw& screw, const Flat& direction, const std::string& equation,
+                    const GiNaC::ex& length = 0);
+  /// The same for a sum of angles, which is `choice` where it is free: names cos_NAME, sin_NAME. The
+  /// direction is a number.
+  Scope::Turn turn_by_pair(const std::string& name, const Flat& direction, const Scope::Turn& choice,
+                           const std::string& equation);
+  void slide_by_root(const Screw& screw, const GiNaC::ex& foot, const GiNaC::ex& square,
+                     const GiNaC::ex& height_square, const std::string& equation);
   /// t along = rhs in a plane or, y = 0, on a line; `along`, a part of a unit vector, may depend on the pose.
-  void slide_by_line(const Screw& screw, const Flat& along, const Flat& rhs, const std::optional<Reach>& reach, const std::string& equation);
+  void slide_by_line(const Screw& screw, const Flat& along, const Flat& rhs,
+                     const std::optional<Reach>& reach, const std::string& equation);
   void slide_by_value(const Screw& screw, const GiNaC::ex& value, const std::string& equation);
   /// a s - b t = k and s² + 2 g s - t² - 2 f t + gap = 0 for two slides, (a, b) parts of unit vectors.
   struct Slides {
@@ -83,13 +89,16 @@ class Builder {
     GiNaC::ex divisor, h, level, mean;
     Flat l, m;
   };
-  void slide_and_turn(const Screw& slide, const Screw& turn, const SlideAndTurn& equations, const std::string& equation);
-  /// The direction of a free angle for which |point + turned offset|² lies in [inner, outer]: names cos_NAME, sin_NAME.
-  Scope::Turn reachable(const std::string& name, const std::vector<Step::Seed>& seeds, const Flat& point, const Flat& offset,
-                        const GiNaC::ex& inner, const GiNaC::ex& outer);
+  void slide_and_turn(const Screw& slide, const Screw& turn, const SlideAndTurn& equations,
+                      const std::string& equation);
+  /// The direction of a free angle for which |point + turned offset|² lies in [inner, outer]: names cos_NAME,
+  /// sin_NAME.
+  Scope::Turn reachable(const std::string& name, const std::vector<Step::Seed>& seeds, const Flat& point,
+                        const Flat& offset, const GiNaC::ex& inner, const GiNaC::ex& outer);
   void require_zero(const GiNaC::ex& residual, const GiNaC::ex& scale, const std::string& equation);
   /// Newton steps on arm start = goal, for one point or several, once all these joints are known.
-  void polish(const std::vector<Screw>& arm, const std::vector<symbolic::Vector>& start, const std::vector<symbolic::Vector>& goal);
+  void polish(const std::vector<Screw>& arm, const std::vector<symbolic::Vector>& start,
+              const std::vector<symbolic::Vector>& goal);
   /// Half of an angle given by cosine and sine: names cos_half_NAME, sin_half_NAME.
   Scope::Turn half(const std::string& name, const GiNaC::ex& cosine, const GiNaC::ex& sine);
 
@@ -99,9 +108,11 @@ class Builder {
   GiNaC::ex keep(const std::string& name, const GiNaC::ex& value);
 
  private:
-  /// A value of the slide that the latest step solved, written with its root, so that a foot which cancels costs no digits.
+  /// A value of the slide that the latest step solved, written with its root, so that a foot which cancels
+  /// costs no digits.
   [[nodiscard]] GiNaC::ex without_foot(const GiNaC::ex& value) const;
-  /// x² + y² - rhs² for a rhs with a square root in it that was solved before, as two factors without that root.
+  /// x² + y² - rhs² for a rhs with a square root in it that was solved before, as two factors without that
+  /// root.
   [[nodiscard]] std::optional<Flat> without_root(const Flat& k, const GiNaC::ex& rhs) const;
   Step& add(Kind kind, const Screw* screw, int branches, const std::string& equation);
   void set_turn(Step& step, const Screw& screw, const Flat& cosine_sine);

@@ -31,8 +31,8 @@ std::optional<Vector> meeting_point(const Screw& a, const Screw& b, const Scope&
 
 namespace {
 
-/// Three revolute joints about a point, their axes as numbers: in the base frame if they are that there, else in the first
-/// one's own frame.
+/// Three revolute joints about a point, their axes as numbers: in the base frame if they are that there, else
+/// in the first one's own frame.
 struct Wrist {
   std::array<Screw, 3> axes;
   bool own_frame = false;
@@ -42,7 +42,9 @@ struct Wrist {
 std::optional<Wrist> wrist_of(Attempt& attempt, std::size_t k) {
   const auto& screws = attempt.chain.screws;
   Scope& scope = attempt.scope;
-  const auto serves = [&](const std::array<Screw, 3>& axes) { return is_wrist(axes[0], axes[1], axes[2], scope); };
+  const auto serves = [&](const std::array<Screw, 3>& axes) {
+    return is_wrist(axes[0], axes[1], axes[2], scope);
+  };
   Wrist wrist{{screws[k], screws[k + 1], screws[k + 2]}, false, {}};
   if (!serves(wrist.axes)) wrist = {in_own_frame(attempt.robot, k, scope), true, {}};
   if (!serves(wrist.axes)) return std::nullopt;
@@ -64,7 +66,8 @@ Screw carried(Attempt& attempt, const Screw& lock, const Screw& screw) {
   Scope& scope = attempt.scope;
   const Scope::Turn at = attempt.builder.value(lock);
   const auto direction = [&](const std::string& what, const Vector& v) {
-    const Vector moved = apply(lock, at.cosine, at.sine, lock.point + v) - apply(lock, at.cosine, at.sine, lock.point);
+    const Vector moved =
+        apply(lock, at.cosine, at.sine, lock.point + v) - apply(lock, at.cosine, at.sine, lock.point);
     return scope.define(attempt.plan.target, what + "_" + screw.variable, scope.clean(moved));
   };
   Screw result = screw;
@@ -77,7 +80,8 @@ Screw carried(Attempt& attempt, const Screw& lock, const Screw& screw) {
 }
 
 /// Seven joints: the wrist last, one of the four others held; the joints beyond it are carried along.
-std::string by_locked_joint(Attempt& attempt, Target& target, const Wrist& wrist, std::size_t k, std::size_t locked) {
+std::string by_locked_joint(Attempt& attempt, Target& target, const Wrist& wrist, std::size_t k,
+                            std::size_t locked) {
   const auto& screws = attempt.chain.screws;
   if (k != 4 || locked >= k) return "the wrist is not last";
   const Screw& lock = screws[locked];
@@ -89,19 +93,23 @@ std::string by_locked_joint(Attempt& attempt, Target& target, const Wrist& wrist
   if (!dependent.empty()) return "with " + lock.variable + " given: " + dependent;
   attempt.scope.turn(locked_joint);
   attempt.plan.locked = static_cast<int>(locked);
-  attempt.plan.joints[locked] = {true, std::string("cos_") + locked_joint, std::string("sin_") + locked_joint};
+  attempt.plan.joints[locked] = {true, std::string("cos_") + locked_joint,
+                                 std::string("sin_") + locked_joint};
   std::vector<Screw> arm;
   for (std::size_t i = 0; i < k; ++i)
     if (i != locked) arm.push_back(i < locked ? screws[i] : carried(attempt, lock, screws[i]));
   const Scope::Turn at = attempt.builder.value(lock);
-  const Vector start = attempt.scope.define(attempt.plan.target, "start", attempt.scope.clean(apply(lock, at.cosine, at.sine, wrist.centre)));
-  const Vector goal = attempt.scope.define(attempt.plan.target, "goal", attempt.scope.clean(target.image(wrist.centre)));
+  const Vector start = attempt.scope.define(
+      attempt.plan.target, "start", attempt.scope.clean(apply(lock, at.cosine, at.sine, wrist.centre)));
+  const Vector goal =
+      attempt.scope.define(attempt.plan.target, "goal", attempt.scope.clean(target.image(wrist.centre)));
   const std::string reason = solve_position(attempt.builder, arm[0], arm[1], arm[2], start, goal);
   if (!reason.empty()) return "with " + lock.variable + " given: " + reason;
   const std::vector<Screw> pre(screws.begin(), screws.begin() + static_cast<std::ptrdiff_t>(k));
   const symbolic::Quaternion rotation = without_first(attempt.builder, pre, target.orientation());
   turn_wrist(attempt, k, wrist, rotation);
-  attempt.plan.structure = "with " + lock.variable + " given, the axes of joints " + joint_range(k, 3) + " meet in one point";
+  attempt.plan.structure =
+      "with " + lock.variable + " given, the axes of joints " + joint_range(k, 3) + " meet in one point";
   return "";
 }
 
@@ -115,13 +123,16 @@ std::string by_common_point(Attempt& attempt, std::size_t k, int locked) {
   const std::vector<Screw> pre(screws.begin(), screws.begin() + static_cast<std::ptrdiff_t>(k));
   if (locked >= 0) return by_locked_joint(attempt, target, *wrist, k, static_cast<std::size_t>(locked));
   const std::vector<Screw> post(screws.begin() + static_cast<std::ptrdiff_t>(k) + 3, screws.end());
-  const auto named = [&](const Vector& v) { return attempt.scope.define(attempt.plan.target, "goal", attempt.scope.clean(v)); };
+  const auto named = [&](const Vector& v) {
+    return attempt.scope.define(attempt.plan.target, "goal", attempt.scope.clean(v));
+  };
   std::string reason;
   if (k == 3) {
-    reason = solve_position(attempt.builder, pre[0], pre[1], pre[2], wrist->centre, named(target.image(wrist->centre)));
+    reason = solve_position(attempt.builder, pre[0], pre[1], pre[2], wrist->centre,
+                            named(target.image(wrist->centre)));
   } else if (k == 0) {
-    reason = solve_position(attempt.builder, reversed(post[2]), reversed(post[1]), reversed(post[0]), wrist->centre,
-                            named(target.source(wrist->centre)));
+    reason = solve_position(attempt.builder, reversed(post[2]), reversed(post[1]), reversed(post[0]),
+                            wrist->centre, named(target.source(wrist->centre)));
   } else {
     // post T^-1 pre carries the point to itself; the first joints are seen through T^-1.
     std::vector<Screw> loop = post;
@@ -135,13 +146,16 @@ std::string by_common_point(Attempt& attempt, std::size_t k, int locked) {
       seen.point = attempt.scope.define(program, name + "_point", target.source(pre[i].point));
       loop.push_back(seen);
     }
-    reason = solve_position(attempt.builder, loop[0], loop[1], loop[2], named(target.source(wrist->centre)), wrist->centre);
+    reason = solve_position(attempt.builder, loop[0], loop[1], loop[2], named(target.source(wrist->centre)),
+                            wrist->centre);
   }
-  if (!reason.empty()) return "joints " + joint_range(k, 3) + " meet in a point, but the others cannot place it: " + reason;
+  if (!reason.empty())
+    return "joints " + joint_range(k, 3) + " meet in a point, but the others cannot place it: " + reason;
   const symbolic::Quaternion first = without_first(attempt.builder, pre, target.orientation());
   const symbolic::Quaternion rotation = without_last(attempt.builder, post, first);
   turn_wrist(attempt, k, *wrist, rotation);
-  attempt.plan.structure = "the axes of joints " + joint_range(k, 3) + " meet in one point: position and orientation decouple";
+  attempt.plan.structure =
+      "the axes of joints " + joint_range(k, 3) + " meet in one point: position and orientation decouple";
   return "";
 }
 
@@ -150,7 +164,8 @@ std::string by_position(Attempt& attempt) {
   const std::string dependent = dependent_joints(attempt, {0, 1, 2}, true);
   if (!dependent.empty()) return "three joints place the tool point, but " + dependent;
   Target target(attempt.builder, attempt.chain.home);
-  const std::string reason = solve_position(attempt.builder, screws[0], screws[1], screws[2], attempt.chain.home.p, target.pose().p);
+  const std::string reason =
+      solve_position(attempt.builder, screws[0], screws[1], screws[2], attempt.chain.home.p, target.pose().p);
   if (!reason.empty()) return "three joints place the tool point, but: " + reason;
   attempt.plan.position_only = true;
   attempt.plan.structure = "three joints place the tool point; the orientation follows";

@@ -82,7 +82,8 @@ bool independent(std::vector<Column> columns, std::size_t rows) {
 
 }  // namespace
 
-std::string dependent_joints(const Attempt& attempt, const std::vector<std::size_t>& joints, bool position_only) {
+std::string dependent_joints(const Attempt& attempt, const std::vector<std::size_t>& joints,
+                             bool position_only) {
   // Three places: a rational one may happen to be singular.
   for (const long place : {1, 2, 3}) {
     const Placed placed(attempt, place);
@@ -90,8 +91,8 @@ std::string dependent_joints(const Attempt& attempt, const std::vector<std::size
     for (const std::size_t joint : joints) columns.push_back(placed.column(joint));
     if (independent(std::move(columns), position_only ? 3 : 6)) return "";
   }
-  return std::string("at every pose some joints can move without moving the tool") + (position_only ? " point" : "") +
-         ": the Jacobian's determinant vanishes everywhere";
+  return std::string("at every pose some joints can move without moving the tool") +
+         (position_only ? " point" : "") + ": the Jacobian's determinant vanishes everywhere";
 }
 
 }  // namespace qvgen::derive::inverse

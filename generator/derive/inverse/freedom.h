@@ -8,9 +8,10 @@
 
 namespace qvgen::derive::inverse {
 
-/// Empty if the velocities of these joints are independent at an ordinary place: six of them move the tool in every
-/// way, three its point. Otherwise why no pose has finitely many solutions: a set of isolated ones would not be the
-/// truth.
-std::string dependent_joints(const Attempt& attempt, const std::vector<std::size_t>& joints, bool position_only);
+/// Empty if the velocities of these joints are independent at an ordinary place: six of them move the tool in
+/// every way, three its point. Otherwise why no pose has finitely many solutions: a set of isolated ones
+/// would not be the truth.
+std::string dependent_joints(const Attempt& attempt, const std::vector<std::size_t>& joints,
+                             bool position_only);
 
 }  // namespace qvgen::derive::inverse

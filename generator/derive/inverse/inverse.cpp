@@ -50,8 +50,10 @@ Derivation derive(const model::Robot& robot) {
   if (count == 6) {
     const std::string reason = dependent_joints(Attempt(robot), {0, 1, 2, 3, 4, 5}, false);
     if (!reason.empty()) return {false, {}, {reason}};
-    for (const std::size_t k : {3U, 0U, 2U, 1U}) methods.push_back([k](Attempt& a) { return by_common_point(a, k); });
-    for (const std::size_t k : {1U, 2U, 0U, 3U}) methods.push_back([k](Attempt& a) { return by_parallel_axes(a, k); });
+    for (const std::size_t k : {3U, 0U, 2U, 1U})
+      methods.push_back([k](Attempt& a) { return by_common_point(a, k); });
+    for (const std::size_t k : {1U, 2U, 0U, 3U})
+      methods.push_back([k](Attempt& a) { return by_parallel_axes(a, k); });
   } else if (count == 3) {
     methods.push_back([](Attempt& a) { return in_plane(a, false); });
     methods.push_back(by_position);

@@ -250,7 +250,8 @@ class ParallelAxes {
                           "what the sum of the three leaves for " + three_[2].variable);
   }
 
-  /// Three points that stand off from each other by the size of the arm are carried to where the pose has them.
+  /// Three points that stand off from each other by the size of the arm are carried to where the pose has
+  /// them.
   void polish() {
     const ex size = GiNaC::sqrt(symbolic::symbol(size_square));
     std::vector<Vector> start;

@@ -17,11 +17,14 @@ enum class Kind {
   opposite,     ///< ±(x, y): a·x = 0 on a circle
   pair,         ///< the direction (x, y): the angle that turns one known vector into another
   root,         ///< ±sqrt(square)
-  slides,       ///< a s - b t = k, s² + 2 g s - t² - 2 f t + gap = 0: gives result_1 (the step's joint) and result_2
+  slides,       ///< a s - b t = k, s² + 2 g s - t² - 2 f t + gap = 0: gives result_1 (the step's joint) and
+                ///< result_2
   linear,       ///< one value
-  line,         ///< t divisor = rhs, or t (x, y) = (rhs_x, rhs_y): the slide is free where what the pose gives there vanishes
-  conic,        ///< a conic on the unit circle: a quartic in the half-angle tangent
-  slide_turn,   ///< divisor t = l(u), t² + 2 h t + m(u) = 0 for a slide t and a unit vector u, l and m linear: a quartic
+  line,  ///< t divisor = rhs, or t (x, y) = (rhs_x, rhs_y): the slide is free where what the pose gives there
+         ///< vanishes
+  conic,       ///< a conic on the unit circle: a quartic in the half-angle tangent
+  slide_turn,  ///< divisor t = l(u), t² + 2 h t + m(u) = 0 for a slide t and a unit vector u, l and m linear:
+               ///< a quartic
   require,      ///< no unknown: an equation that the pose must satisfy
   half,         ///< cosine and sine of half an angle already known
   reach,        ///< no unknown: the value that a free angle takes so that the joints after it are in reach
@@ -32,28 +35,30 @@ enum class Kind {
 
 /// One step: inputs from `before`, the building block, then named values from `after`.
 ///
-/// Programs are in terms of the target's values, the geometry, and of names that earlier steps gave. The block's
-/// results enter `after` as the symbols cos_result, sin_result (angles), result (lengths; of a direction that is left as
-/// long as it is, with the branch's sign) or result_1, result_2 (two lengths).
+/// Programs are in terms of the target's values, the geometry, and of names that earlier steps gave. The
+/// block's results enter `after` as the symbols cos_result, sin_result (angles), result (lengths; of a
+/// direction that is left as long as it is, with the branch's sign) or result_1, result_2 (two lengths).
 struct Step {
   Kind kind = Kind::linear;
-  int joint = -1;                    ///< index of the joint that it determines, -1 if none
-  std::string unknown;               ///< that joint's variable, or a name for what else it computes
-  int slide = -1;                    ///< slide_turn: the other joint's index
+  int joint = -1;       ///< index of the joint that it determines, -1 if none
+  std::string unknown;  ///< that joint's variable, or a name for what else it computes
+  int slide = -1;       ///< slide_turn: the other joint's index
   int branches = 1;
-  int degree = 1;                    ///< a direction's units: 0 none, 1 a length, 2 a length squared, 4 the square of a short length
-  symbolic::Program before;          ///< the block's inputs, by the block's names
-  symbolic::Program after;           ///< names that stay
-  std::vector<std::string> turns;    ///< wrist, polish: the joints whose values it leaves, in order
-  int points = 0;                    ///< polish: how many points the joints carry to their goals
+  int degree =
+      1;  ///< a direction's units: 0 none, 1 a length, 2 a length squared, 4 the square of a short length
+  symbolic::Program before;        ///< the block's inputs, by the block's names
+  symbolic::Program after;         ///< names that stay
+  std::vector<std::string> turns;  ///< wrist, polish: the joints whose values it leaves, in order
+  int points = 0;                  ///< polish: how many points the joints carry to their goals
   struct Seed {
     int joint;
     int sense;
   };
-  std::vector<Seed> seeds;           ///< reach: the joints whose angles, with their senses, add up to the free one
-  bool unit = true;                  ///< pair, opposite: the direction is brought to length one
-  GiNaC::ex length;                  ///< pair: the direction's length, zero if it is not known without a root
-  bool length_known = false;         ///< the same as an input of the block, of a direction that is left as long as it is
+  std::vector<Seed> seeds;  ///< reach: the joints whose angles, with their senses, add up to the free one
+  bool unit = true;         ///< pair, opposite: the direction is brought to length one
+  GiNaC::ex length;         ///< pair: the direction's length, zero if it is not known without a root
+  bool length_known =
+      false;  ///< the same as an input of the block, of a direction that is left as long as it is
   std::vector<std::string> lengths;  ///< half: the unknowns among its angle's terms that are not
   std::vector<std::string> kept;     ///< those of `after` that a later step or the result reads
   std::string equation;              ///< in words and symbols, for people
@@ -84,33 +89,36 @@ struct JointValue {
 
 /// Constants of a wrist that has oblique axes; the target program computes those that are not numbers.
 struct WristPlan {
-  std::vector<int> joints;     ///< first, middle, last
+  std::vector<int> joints;  ///< first, middle, last
   bool right = true;
-  bool middle_swapped = false; ///< right: middle = 2 atan2(|u|, |v|) instead of 2 atan2(|v|, |u|)
-  bool ends_the_plan = true;   ///< angles are the output; otherwise cosines and sines for further steps
+  bool middle_swapped = false;  ///< right: middle = 2 atan2(|u|, |v|) instead of 2 atan2(|v|, |u|)
+  bool ends_the_plan = true;    ///< angles are the output; otherwise cosines and sines for further steps
 };
 
-/// Tells without a root, before any branch is followed, that none reaches a pose: `is_out_of_range` of the runtime.
+/// Tells without a root, before any branch is followed, that none reaches a pose: `is_out_of_range` of the
+/// runtime.
 struct RangeTest {
   symbolic::Program values;  ///< middle and swing, from the target; nothing if there is no such test
   std::string unknown;       ///< of the step whose equation has no solution then
   std::string equation;
 
   [[nodiscard]] bool exists() const { return !values.outputs().empty(); }
-  [[nodiscard]] bool is_of(const Step& step) const { return exists() && step.kind == Kind::circle && step.unknown == unknown; }
+  [[nodiscard]] bool is_of(const Step& step) const {
+    return exists() && step.kind == Kind::circle && step.unknown == unknown;
+  }
 };
 
 struct Plan {
-  std::string structure;            ///< "joints 4, 5, 6 meet in a point", ...
-  symbolic::Program target;         ///< from the pose (and a locked joint) to what the steps need
+  std::string structure;                 ///< "joints 4, 5, 6 meet in a point", ...
+  symbolic::Program target;              ///< from the pose (and a locked joint) to what the steps need
   std::vector<std::string> target_kept;  ///< names of `target` that a step reads
   RangeTest range_test;
   std::vector<Step> steps;
-  std::vector<JointValue> joints;   ///< by joint
+  std::vector<JointValue> joints;  ///< by joint
   WristPlan wrist;
   bool has_wrist = false;
-  bool position_only = false;       ///< the pose's orientation is not used
-  int locked = -1;                  ///< joint whose value the caller gives
+  bool position_only = false;  ///< the pose's orientation is not used
+  int locked = -1;             ///< joint whose value the caller gives
   int capacity = 1;
   [[nodiscard]] bool quartic() const {
     for (const Step& step : steps)
@@ -119,8 +127,8 @@ struct Plan {
   }
 };
 
-/// The steps in the order of a first pass, which leaves out Newton steps, or of a careful one: what may wait until the
-/// joints are polished then does. An arm with a quartic has no first pass.
+/// The steps in the order of a first pass, which leaves out Newton steps, or of a careful one: what may wait
+/// until the joints are polished then does. An arm with a quartic has no first pass.
 std::vector<std::size_t> order(const Plan& plan, bool careful);
 
 /// A plan, or why there is none.

@@ -16,11 +16,12 @@ ex square_of(const ex& value) { return GiNaC::pow(value, 2); }
 
 /// The pose has to keep the height along the axes, up to noise.
 void require_height(Attempt& attempt, const Vector& axis, const Vector& start, const Vector& goal) {
-  attempt.builder.require_zero(attempt.scope.clean(dot(axis, goal - start)), GiNaC::sqrt(symbolic::symbol(size_square)),
-                               "the height along the axes");
+  attempt.builder.require_zero(attempt.scope.clean(dot(axis, goal - start)),
+                               GiNaC::sqrt(symbolic::symbol(size_square)), "the height along the axes");
 }
 
-void place_by_two_links(Attempt& attempt, const Screw& a, const Screw& b, const Vector& start, const Vector& goal) {
+void place_by_two_links(Attempt& attempt, const Screw& a, const Screw& b, const Vector& start,
+                        const Vector& goal) {
   two_link(attempt, a, b, start, goal);
   attempt.builder.polish({a, b}, {start}, {goal});
 }
@@ -35,7 +36,8 @@ void two_link(Attempt& attempt, const Screw& a, const Screw& b, const Vector& st
   const Scope& scope = attempt.scope;
   Builder& builder = attempt.builder;
   const Flat g = in_frame(a, goal - a.point, scope);
-  const Flat plane_g{builder.keep("reach_" + a.variable + "_x", g.x), builder.keep("reach_" + a.variable + "_y", g.y)};
+  const Flat plane_g{builder.keep("reach_" + a.variable + "_x", g.x),
+                     builder.keep("reach_" + a.variable + "_y", g.y)};
   const ex square = builder.keep("square_" + b.variable, square_of(plane_g.x) + square_of(plane_g.y));
   const Flat v = in_frame(b, b.point - a.point, scope);
   const Flat x0 = in_frame(b, start - b.point, scope);
@@ -52,7 +54,8 @@ std::string in_plane(Attempt& attempt, bool locked) {
   const auto& screws = attempt.chain.screws;
   const Scope& scope = attempt.scope;
   for (const Screw& screw : screws)
-    if (!screw.revolute || !scope.is_zero(cross(screw.axis, screws[0].axis))) return "not a planar arm: the axes are not all parallel";
+    if (!screw.revolute || !scope.is_zero(cross(screw.axis, screws[0].axis)))
+      return "not a planar arm: the axes are not all parallel";
   const Vector axis = screws[0].axis;
   Target target(attempt.builder, attempt.chain.home);
   const Vector tool = attempt.chain.home.p;
@@ -68,11 +71,13 @@ std::string in_plane(Attempt& attempt, bool locked) {
     const Scope::Turn at = attempt.scope.turn(locked_joint);
     attempt.plan.locked = 2;
     attempt.plan.joints[2] = {true, std::string("cos_") + locked_joint, std::string("sin_") + locked_joint};
-    const Vector start = attempt.scope.define(attempt.plan.target, "start", scope.clean(apply(third, at.cosine, at.sine, tool)));
+    const Vector start = attempt.scope.define(attempt.plan.target, "start",
+                                              scope.clean(apply(third, at.cosine, at.sine, tool)));
     require_height(attempt, axis, tool, target.pose().p);
     place_by_two_links(attempt, screws[0], screws[1], start, target.pose().p);
     attempt.plan.position_only = true;
-    attempt.plan.structure = "three parallel axes with " + third.variable + " given: two links place the tool point";
+    attempt.plan.structure =
+        "three parallel axes with " + third.variable + " given: two links place the tool point";
     return "";
   }
   const symbolic::Quaternion& q = target.orientation();

@@ -24,9 +24,15 @@ ex square_of(const Vector& v) { return square_of(v.x) + square_of(v.y) + square_
 
 class Position {
  public:
-  Position(Builder& builder, const Screw& a, const Screw& b, const Screw& c, const Vector& start, const Vector& goal)
-      : builder_(builder), scope_(builder.scope()), b_(b), a_(block_of(a, -1, goal, scope_)),
-        c_(block_of(c, 1, start, scope_)), start_(start), goal_(goal) {}
+  Position(Builder& builder, const Screw& a, const Screw& b, const Screw& c, const Vector& start,
+           const Vector& goal)
+      : builder_(builder),
+        scope_(builder.scope()),
+        b_(b),
+        a_(block_of(a, -1, goal, scope_)),
+        c_(block_of(c, 1, start, scope_)),
+        start_(start),
+        goal_(goal) {}
 
   std::string solve() {
     const std::string reason = b_.revolute ? around_axis() : along_axis();
@@ -50,7 +56,8 @@ class Position {
     const std::optional<Vector> meets_c = common_point(c_.screw);
     if (meets_a && distance_depends(c_, *meets_a)) return by_distance_then_height(c_, a_, *meets_a, meets_c);
     if (meets_c && distance_depends(a_, *meets_c)) return by_distance_then_height(a_, c_, *meets_c, meets_a);
-    if (meets_a || meets_c) return "a joint turns about a point that it does not move: its angle changes nothing";
+    if (meets_a || meets_c)
+      return "a joint turns about a point that it does not move: its angle changes nothing";
     if (!a_.screw.revolute && !c_.screw.revolute) return two_slides();
     if (!a_.screw.revolute) return slide_and_turn(a_, c_);
     if (!c_.screw.revolute) return slide_and_turn(c_, a_);
@@ -59,15 +66,17 @@ class Position {
 
   /// The height along axis b holds `u` alone; then the distance from axis b, in its plane, gives `w`.
   std::string by_height_then_distance(const Block& u, const Block& w) {
-    turn_or_slide(u, b_.axis, w.form(b_.axis, scope_).constant, "height along the axis of " + b_.variable + ": the same",
-                  within_distances(u, w));
+    turn_or_slide(u, b_.axis, w.form(b_.axis, scope_).constant,
+                  "height along the axis of " + b_.variable + ": the same", within_distances(u, w));
     keep_flat(u);
-    common_square_ = builder_.keep("square_" + name(w), square_of(flats_[name(u)].x) + square_of(flats_[name(u)].y));
+    common_square_ =
+        builder_.keep("square_" + name(w), square_of(flats_[name(u)].x) + square_of(flats_[name(u)].y));
     return by_distance(w, b_.point, common_square_, true);
   }
 
   /// The distance from r holds `u` alone; then the height gives `w` (or its own distance from its own point).
-  std::string by_distance_then_height(const Block& u, const Block& w, const Vector& r, const std::optional<Vector>& own) {
+  std::string by_distance_then_height(const Block& u, const Block& w, const Vector& r,
+                                      const std::optional<Vector>& own) {
     const Vector arm = scope_.clean(point_of(w) - r);
     const ex square = builder_.keep("square_" + name(u), square_of(arm));
     const std::string reason = by_distance(u, r, square, false);
@@ -90,8 +99,8 @@ class Position {
     return scope_.clean(block.base + block.x0.x * block.screw.first + block.x0.y * block.screw.second);
   }
 
-  /// n·point(u) = rhs for the joint of u; the rhs may hold the other joint's solved value. A slide that its equation does not
-  /// see at some pose is free, as far as the joint after it can follow.
+  /// n·point(u) = rhs for the joint of u; the rhs may hold the other joint's solved value. A slide that its
+  /// equation does not see at some pose is free, as far as the joint after it can follow.
   void turn_or_slide(const Block& u, const Vector& n, const ex& rhs, const std::string& equation,
                      const std::optional<Reach>& reach = {}) {
     const Block::Form form = u.form(n, scope_);
@@ -101,7 +110,9 @@ class Position {
   }
 
   /// Components of a vector across axis b.
-  Flat across(const Vector& v) const { return {scope_.clean(dot(v, b_.first)), scope_.clean(dot(v, b_.second))}; }
+  Flat across(const Vector& v) const {
+    return {scope_.clean(dot(v, b_.first)), scope_.clean(dot(v, b_.second))};
+  }
   Flat slope(const Block& slide) const { return across(ex(slide.sign) * slide.screw.axis); }
 
   /// Values of u at which the other joint finds a point as far from axis b.
@@ -131,26 +142,33 @@ class Position {
     const Block::Form own = u.form(n, scope_);
     const Block::Form other = w.form(n, scope_);
     const Flat& k = other.coefficients;
-    return Reach{{scope_.clean(own.constant - other.constant), 0}, {own.coefficients.x, 0}, 0, scope_.clean(k.x * k.x + k.y * k.y)};
+    return Reach{{scope_.clean(own.constant - other.constant), 0},
+                 {own.coefficients.x, 0},
+                 0,
+                 scope_.clean(k.x * k.x + k.y * k.y)};
   }
 
   /// |point(u) - r|² = square, in space or in the plane of axis b.
   std::string by_distance(const Block& u, const Vector& r, const ex& square, bool planar) {
     const Vector arm = scope_.clean(u.base - r);
-    const std::string equation = std::string("distance from ") + (planar ? "the axis" : "a point on the axis") + " of " +
-                                 b_.variable + ": the same";
+    const std::string equation = std::string("distance from ") +
+                                 (planar ? "the axis" : "a point on the axis") + " of " + b_.variable +
+                                 ": the same";
     if (!u.screw.revolute) {
       const ex foot = scope_.clean(-u.sign * dot(u.screw.axis, arm));
       // Squares as they stand: multiplied out they would cancel where the height is small.
       const auto along = [&](const Vector& n) { return square_of(scope_.clean(dot(n, arm))); };
-      const ex height = planar ? along(cross(b_.axis, u.screw.axis)) : along(u.screw.first) + along(u.screw.second);
+      const ex height =
+          planar ? along(cross(b_.axis, u.screw.axis)) : along(u.screw.first) + along(u.screw.second);
       builder_.slide_by_root(u.screw, foot, square, height, equation);
       return "";
     }
     const Flat v = foot_of(u, r);
-    if (scope_.is_zero(v.x) && scope_.is_zero(v.y)) return "the axes of " + name(u) + " and " + b_.variable + " coincide";
+    if (scope_.is_zero(v.x) && scope_.is_zero(v.y))
+      return "the axes of " + name(u) + " and " + b_.variable + " coincide";
     const ex along = planar ? ex(0) : scope_.clean(dot(u.screw.axis, arm));
-    builder_.turn_by_distance(u.screw, u.sign, v, u.x0, scope_.is_zero(along) ? square : ex(square - square_of(along)), equation);
+    builder_.turn_by_distance(u.screw, u.sign, v, u.x0,
+                              scope_.is_zero(along) ? square : ex(square - square_of(along)), equation);
     return "";
   }
 
@@ -181,7 +199,9 @@ class Position {
   // --- plane coordinates about axis b, and joint b itself
   void keep_flat(const Block& u) {
     if (!b_.revolute || kept_.count(name(u)) > 0) return;
-    const auto along = [&](const Vector& n) { return u.at_value(n, builder_) - scope_.clean(dot(n, b_.point)); };
+    const auto along = [&](const Vector& n) {
+      return u.at_value(n, builder_) - scope_.clean(dot(n, b_.point));
+    };
     Step& step = builder_.plan().steps.back();
     flats_[name(u)] = {scope_.define(step.after, "plane_" + name(u) + "_x", along(b_.first)),
                        scope_.define(step.after, "plane_" + name(u) + "_y", along(b_.second))};
@@ -197,8 +217,9 @@ class Position {
     keep_flat(a_);
     keep_flat(c_);
     const Flat turn = flats_[name(a_)] * conjugate(flats_[name(c_)]);
-    builder_.turn_by_pair(b_, turn, "the turn about the axis of " + b_.variable + " from one side's point to the other's",
-                          common_square_);
+    builder_.turn_by_pair(
+        b_, turn, "the turn about the axis of " + b_.variable + " from one side's point to the other's",
+        common_square_);
   }
 
   // --- the outer joints when b is prismatic
@@ -219,16 +240,19 @@ class Position {
     const bool a_first = without_c && a_.depends(*without_c, scope_);
     // A turn that the pose may lose comes after a slide, which is then the free one, in reach of the turn.
     const bool c_may_wait = a_first && c_.screw.revolute && !a_.screw.revolute;
-    if (c_first && !(c_may_wait && !sees_always(c_, *without_a))) return by_two_planes(c_, a_, *without_a, without_c);
+    if (c_first && !(c_may_wait && !sees_always(c_, *without_a)))
+      return by_two_planes(c_, a_, *without_a, without_c);
     if (a_first) return by_two_planes(a_, c_, *without_c, without_a);
-    if (without_a || without_c) return "a plane along " + b_.variable + " is moved by neither of the other joints";
+    if (without_a || without_c)
+      return "a plane along " + b_.variable + " is moved by neither of the other joints";
     if (!a_.screw.revolute || !c_.screw.revolute) return "two parallel prismatic joints";
     if (scope_.is_zero(cross(a_.screw.axis, c_.screw.axis)) && scope_.is_zero(cross(a_.screw.axis, b_.axis)))
       return two_link_column();
     return eliminate(builder_, a_, c_.screw, {row(b_.first), row(b_.second)});
   }
 
-  std::string by_two_planes(const Block& u, const Block& w, const Vector& without_w, const std::optional<Vector>& without_u) {
+  std::string by_two_planes(const Block& u, const Block& w, const Vector& without_w,
+                            const std::optional<Vector>& without_u) {
     const std::string equation = "perpendicular to " + b_.variable + ", nothing changes";
     const Vector other = scope_.clean(cross(without_w, b_.axis));
     turn_or_slide(u, without_w, w.form(without_w, scope_).constant, equation, within_heights(u, w, other));
@@ -243,7 +267,8 @@ class Position {
     }
     // Both components: each alone would lose the slide at some pose.
     const auto offset = [&](const Vector& n, const char* part) {
-      return builder_.keep("height_" + name(w) + part, scope_.clean(u.at_value(n, builder_) - w.form(n, scope_).constant));
+      return builder_.keep("height_" + name(w) + part,
+                           scope_.clean(u.at_value(n, builder_) - w.form(n, scope_).constant));
     };
     const Flat rhs{offset(b_.first, "_x"), offset(b_.second, "_y")};
     builder_.slide_by_line(w.screw, slope(w), rhs, {}, equation);
@@ -261,8 +286,10 @@ class Position {
     const ex square = builder_.keep("square_" + name(c_), square_of(a_.x0.x) + square_of(a_.x0.y));
     const Vector arm = scope_.clean(c_.base - a_.screw.point);
     const Flat v{scope_.clean(dot(c_.screw.first, arm)), scope_.clean(dot(c_.screw.second, arm))};
-    if (scope_.is_zero(v.x) && scope_.is_zero(v.y)) return "the axes of " + name(a_) + " and " + name(c_) + " coincide";
-    builder_.turn_by_distance(c_.screw, 1, v, c_.x0, square, "distance from the axis of " + name(a_) + ": the same");
+    if (scope_.is_zero(v.x) && scope_.is_zero(v.y))
+      return "the axes of " + name(a_) + " and " + name(c_) + " coincide";
+    builder_.turn_by_distance(c_.screw, 1, v, c_.x0, square,
+                              "distance from the axis of " + name(a_) + ": the same");
     const ex x = c_.at_value(a_.screw.first, builder_) - dot(a_.screw.first, a_.screw.point);
     const ex y = c_.at_value(a_.screw.second, builder_) - dot(a_.screw.second, a_.screw.point);
     const Flat turn = conjugate(Flat{scope_.clean(x), scope_.clean(y)} * conjugate(a_.x0));
@@ -274,7 +301,8 @@ class Position {
   PairRow row(const Vector& n) const {
     const Block::Form c = c_.form(n, scope_);
     return {{scope_.clean(dot(n, a_.screw.first)), scope_.clean(dot(n, a_.screw.second))},
-            scope_.clean(dot(n, a_.base) - c.constant), {-c.coefficients.x, -c.coefficients.y}};
+            scope_.clean(dot(n, a_.base) - c.constant),
+            {-c.coefficients.x, -c.coefficients.y}};
   }
 
   std::array<PairRow, 2> around_axis_rows() const {
@@ -283,8 +311,10 @@ class Position {
     const Block::Form c = c_.form(ex(2) * arm_c, scope_);
     const ex own = square_of(arm_a) + square_of(a_.x0.x) + square_of(a_.x0.y);
     const ex other = square_of(arm_c) + square_of(c_.x0.x) + square_of(c_.x0.y);
-    const PairRow distance{{scope_.clean(2 * dot(arm_a, a_.screw.first)), scope_.clean(2 * dot(arm_a, a_.screw.second))},
-                       own - other, {-c.coefficients.x, -c.coefficients.y}};
+    const PairRow distance{
+        {scope_.clean(2 * dot(arm_a, a_.screw.first)), scope_.clean(2 * dot(arm_a, a_.screw.second))},
+        own - other,
+        {-c.coefficients.x, -c.coefficients.y}};
     return {row(b_.axis), distance};
   }
 
@@ -293,10 +323,12 @@ class Position {
     const Block::Form c = c_.form(b_.axis, scope_);
     const Vector g = scope_.clean(a_.base - b_.point);
     const Vector f = scope_.clean(c_.base - b_.point);
-    builder_.two_slides(a_.screw, c_.screw,
-                        {a.coefficients.x, c.coefficients.x, scope_.clean(c.constant - a.constant), scope_.clean(a_.sign * dot(a_.screw.axis, g)),
-                         scope_.clean(c_.sign * dot(c_.screw.axis, f)), square_of(g) - square_of(f)},
-                        "height along the axis of " + b_.variable + " and distance from a point on it: the same");
+    builder_.two_slides(
+        a_.screw, c_.screw,
+        {a.coefficients.x, c.coefficients.x, scope_.clean(c.constant - a.constant),
+         scope_.clean(a_.sign * dot(a_.screw.axis, g)), scope_.clean(c_.sign * dot(c_.screw.axis, f)),
+         square_of(g) - square_of(f)},
+        "height along the axis of " + b_.variable + " and distance from a point on it: the same");
     return "";
   }
 
@@ -308,10 +340,15 @@ class Position {
     const Flat& f = turn.form(ex(2) * arm, scope_).coefficients;
     const ex own = square_of(g);
     const ex other = square_of(arm) + square_of(turn.x0.x) + square_of(turn.x0.y);
-    builder_.slide_and_turn(slide.screw, turn.screw,
-                            {s.coefficients.x, scope_.clean(slide.sign * dot(slide.screw.axis, g)), scope_.clean(t.constant - s.constant), own - other,
-                             t.coefficients, {-f.x, -f.y}},
-                            "height along the axis of " + b_.variable + " and distance from a point on it: the same");
+    builder_.slide_and_turn(
+        slide.screw, turn.screw,
+        {s.coefficients.x,
+         scope_.clean(slide.sign * dot(slide.screw.axis, g)),
+         scope_.clean(t.constant - s.constant),
+         own - other,
+         t.coefficients,
+         {-f.x, -f.y}},
+        "height along the axis of " + b_.variable + " and distance from a point on it: the same");
     return "";
   }
 
@@ -324,13 +361,14 @@ class Position {
   Vector goal_;
   std::set<std::string> kept_;
   std::map<std::string, Flat> flats_;
-  ex common_square_;  ///< of both points' distances from axis b, where the equation of one joint is that they agree
+  ex common_square_;  ///< of both points' distances from axis b, where the equation of one joint is that they
+                      ///< agree
 };
 
 }  // namespace
 
-std::string solve_position(Builder& builder, const Screw& a, const Screw& b, const Screw& c, const Vector& start,
-                           const Vector& goal) {
+std::string solve_position(Builder& builder, const Screw& a, const Screw& b, const Screw& c,
+                           const Vector& start, const Vector& goal) {
   return Position(builder, a, b, c, start, goal).solve();
 }
 

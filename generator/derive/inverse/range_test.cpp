@@ -38,30 +38,38 @@ struct Known {
   exmap values;
   std::optional<Signed> sign;
 
-  [[nodiscard]] ex input(const Step& step, const std::string& name) const { return step.input(name).subs(values); }
+  [[nodiscard]] ex input(const Step& step, const std::string& name) const {
+    return step.input(name).subs(values);
+  }
 };
 
 /// ±(x, y): k is the direction's length.
 Signed opposite(const Step& step, const ex& x, const ex& y, const ex& square) {
   if (!step.unit) return {{{symbolic::symbol("result"), k()}}, square};
-  return {{{symbolic::symbol("cos_result"), k() * x / square}, {symbolic::symbol("sin_result"), k() * y / square}}, square};
+  return {{{symbolic::symbol("cos_result"), k() * x / square},
+           {symbolic::symbol("sin_result"), k() * y / square}},
+          square};
 }
 
 /// cos φ = d / |(x, y)|, if low and high are |(x, y)| ∓ d: k is |(x, y)| sin φ.
-std::optional<Signed> line_angle(const ex& low, const ex& high, const ex& x, const ex& y, const ex& square, const Scope& scope) {
+std::optional<Signed> line_angle(const ex& low, const ex& high, const ex& x, const ex& y, const ex& square,
+                                 const Scope& scope) {
   const ex d = scope.clean((high - low) / 2);
   if (!scope.is_zero((high + low) * (high + low) - 4 * square)) return std::nullopt;
-  return Signed{{{symbolic::symbol("cos_result"), (d * x - k() * y) / square}, {symbolic::symbol("sin_result"), (k() * x + d * y) / square}},
+  return Signed{{{symbolic::symbol("cos_result"), (d * x - k() * y) / square},
+                 {symbolic::symbol("sin_result"), (k() * x + d * y) / square}},
                 square - d * d};
 }
 
 std::optional<Signed> by_sign(const Step& step, const Known& known, const Scope& scope) {
-  if (step.kind == Kind::root) return Signed{{{symbolic::symbol("result"), k()}}, known.input(step, "square")};
+  if (step.kind == Kind::root)
+    return Signed{{{symbolic::symbol("result"), k()}}, known.input(step, "square")};
   const ex x = known.input(step, "x");
   const ex y = known.input(step, "y");
   const ex square = x * x + y * y;
   if (step.kind == Kind::opposite) return opposite(step, x, y, square);
-  if (step.kind == Kind::free_circle) return line_angle(known.input(step, "low"), known.input(step, "high"), x, y, square, scope);
+  if (step.kind == Kind::free_circle)
+    return line_angle(known.input(step, "low"), known.input(step, "high"), x, y, square, scope);
   return std::nullopt;
 }
 
@@ -98,7 +106,8 @@ void write(const Step& circle, const Known& known, Program& program) {
 }  // namespace
 
 RangeTest range_test(const Plan& plan, const Scope& scope) {
-  const auto circle = std::find_if(plan.steps.begin(), plan.steps.end(), [](const Step& step) { return step.kind == Kind::circle; });
+  const auto circle = std::find_if(plan.steps.begin(), plan.steps.end(),
+                                   [](const Step& step) { return step.kind == Kind::circle; });
   if (circle == plan.steps.end() || plan.quartic()) return {};
   RangeTest test{{}, circle->unknown, circle->equation};
   Known known;

@@ -6,9 +6,9 @@
 
 namespace qvgen::derive::inverse {
 
-/// Finds what tells without a root that no branch reaches a pose. The first circle's share low / (low + high) may depend on
-/// one branching step before it, whose sign enters by ±k, k² known: then it is middle ± √swing. Left empty where
-/// the share reads anything else.
+/// Finds what tells without a root that no branch reaches a pose. The first circle's share low / (low + high)
+/// may depend on one branching step before it, whose sign enters by ±k, k² known: then it is middle ± √swing.
+/// Left empty where the share reads anything else.
 RangeTest range_test(const Plan& plan, const Scope& scope);
 
 }  // namespace qvgen::derive::inverse

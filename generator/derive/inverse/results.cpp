@@ -13,7 +13,9 @@ namespace {
 class Turned {
  public:
   Turned(const Step& step, const Scope& scope)
-      : scope_(scope), cosine_(symbolic::symbol("cos_" + step.unknown)), sine_(symbolic::symbol("sin_" + step.unknown)) {
+      : scope_(scope),
+        cosine_(symbolic::symbol("cos_" + step.unknown)),
+        sine_(symbolic::symbol("sin_" + step.unknown)) {
     for (const Program::Step& value : step.after.steps()) {
       if (value.name.is_equal(cosine_)) in_results_[cosine_] = value.value;
       if (value.name.is_equal(sine_)) in_results_[sine_] = value.value;
@@ -46,7 +48,8 @@ void read_results(Plan& plan, const Scope& scope) {
     if (step.kind != Kind::circle) continue;
     const Turned turned(step, scope);
     Program program;
-    for (const Program::Step& value : step.after.steps()) program.output(value.name, turned.written(value.value));
+    for (const Program::Step& value : step.after.steps())
+      program.output(value.name, turned.written(value.value));
     step.after = program;
   }
 }

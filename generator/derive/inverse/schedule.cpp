@@ -71,10 +71,12 @@ void schedule(Plan& plan) {
 namespace {
 
 bool any_of(const std::vector<std::string>& names, const std::set<std::string>& wanted) {
-  return std::any_of(names.begin(), names.end(), [&](const std::string& name) { return wanted.count(name) > 0; });
+  return std::any_of(names.begin(), names.end(),
+                     [&](const std::string& name) { return wanted.count(name) > 0; });
 }
 
-/// Whether each of the first steps has to come before step `end`, which reads none of them: all but half angles that wait.
+/// Whether each of the first steps has to come before step `end`, which reads none of them: all but half
+/// angles that wait.
 std::vector<bool> needed_before(const Plan& plan, std::size_t end) {
   std::vector<bool> needed(end);
   std::set<std::string> wanted;

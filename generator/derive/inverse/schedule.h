@@ -5,8 +5,8 @@
 
 namespace qvgen::derive::inverse {
 
-/// Moves every step without branches up to where its inputs are known, so that nothing is computed once for each
-/// branch of an unknown it does not depend on.
+/// Moves every step without branches up to where its inputs are known, so that nothing is computed once for
+/// each branch of an unknown it does not depend on.
 void schedule(Plan& plan);
 
 /// Drops named values that nobody reads.

@@ -124,7 +124,8 @@ numeric Scope::value(const ex& value) const {
 double Scope::sample(const ex& value) const { return this->value(value).to_double(); }
 
 ex Scope::define(symbolic::Program& program, const std::string& name, const ex& value) {
-  if (is_number(value) || GiNaC::is_a<GiNaC::symbol>(value) || GiNaC::is_a<GiNaC::symbol>(-value)) return value;
+  if (is_number(value) || GiNaC::is_a<GiNaC::symbol>(value) || GiNaC::is_a<GiNaC::symbol>(-value))
+    return value;
   return rename(program, name, value);
 }
 
@@ -139,12 +140,13 @@ ex Scope::rename(symbolic::Program& program, const std::string& name, const ex& 
 }
 
 Vector Scope::define(symbolic::Program& program, const std::string& name, const Vector& v) {
-  return {define(program, name + "_x", v.x), define(program, name + "_y", v.y), define(program, name + "_z", v.z)};
+  return {define(program, name + "_x", v.x), define(program, name + "_y", v.y),
+          define(program, name + "_z", v.z)};
 }
 
 Quaternion Scope::define(symbolic::Program& program, const std::string& name, const Quaternion& q) {
-  return {define(program, name + "_w", q.w), define(program, name + "_x", q.x), define(program, name + "_y", q.y),
-          define(program, name + "_z", q.z)};
+  return {define(program, name + "_w", q.w), define(program, name + "_x", q.x),
+          define(program, name + "_y", q.y), define(program, name + "_z", q.z)};
 }
 
 void Scope::input(symbolic::Program& program, const std::string& name, const ex& value) const {

@@ -12,16 +12,17 @@ namespace qvgen::derive::inverse {
 
 /// The symbols of a derivation with sample values, and the test whether an expression in them vanishes.
 ///
-/// Every symbol carries three random values that respect what is known of it (unit quaternions are unit, cosine and
-/// sine of one angle lie on the circle). An expression is zero if it vanishes at all of them to 50 of 60 digits; for
-/// algebraic expressions a chance hit at rational points of this size does not occur.
+/// Every symbol carries three random values that respect what is known of it (unit quaternions are unit,
+/// cosine and sine of one angle lie on the circle). An expression is zero if it vanishes at all of them to 50
+/// of 60 digits; for algebraic expressions a chance hit at rational points of this size does not occur.
 class Scope {
  public:
   explicit Scope(const model::Robot& robot);
 
   symbolic::Quaternion quaternion(const std::string& prefix);
   /// A quaternion that is the same but for its length, whose inverse square is the symbol `scale`.
-  symbolic::Quaternion unscaled(const std::string& prefix, const std::string& scale, const symbolic::Quaternion& unit);
+  symbolic::Quaternion unscaled(const std::string& prefix, const std::string& scale,
+                                const symbolic::Quaternion& unit);
   symbolic::Vector vector(const std::string& prefix);
   GiNaC::ex length(const std::string& name);
   struct Turn {
@@ -30,10 +31,14 @@ class Scope {
   Turn turn(const std::string& name);  ///< cos_name, sin_name
 
   [[nodiscard]] bool is_zero(const GiNaC::ex& value) const;
-  [[nodiscard]] bool is_zero(const symbolic::Vector& v) const { return is_zero(v.x) && is_zero(v.y) && is_zero(v.z); }
+  [[nodiscard]] bool is_zero(const symbolic::Vector& v) const {
+    return is_zero(v.x) && is_zero(v.y) && is_zero(v.z);
+  }
   /// Expanded, with what vanishes replaced by 0.
   [[nodiscard]] GiNaC::ex clean(const GiNaC::ex& value) const;
-  [[nodiscard]] symbolic::Vector clean(const symbolic::Vector& v) const { return {clean(v.x), clean(v.y), clean(v.z)}; }
+  [[nodiscard]] symbolic::Vector clean(const symbolic::Vector& v) const {
+    return {clean(v.x), clean(v.y), clean(v.z)};
+  }
   /// A number, or made of numbers alone.
   [[nodiscard]] static bool is_number(const GiNaC::ex& value);
   /// Value at the first sample point, a number of 60 digits.
@@ -41,12 +46,14 @@ class Scope {
   /// The same, rounded.
   [[nodiscard]] double sample(const GiNaC::ex& value) const;
 
-  /// Names a value as an output of the program and returns its symbol; numbers and single symbols stay themselves.
+  /// Names a value as an output of the program and returns its symbol; numbers and single symbols stay
+  /// themselves.
   GiNaC::ex define(symbolic::Program& program, const std::string& name, const GiNaC::ex& value);
   /// The same for any value, symbols too: one that does not outlive its step, say.
   GiNaC::ex rename(symbolic::Program& program, const std::string& name, const GiNaC::ex& value);
   symbolic::Vector define(symbolic::Program& program, const std::string& name, const symbolic::Vector& value);
-  symbolic::Quaternion define(symbolic::Program& program, const std::string& name, const symbolic::Quaternion& value);
+  symbolic::Quaternion define(symbolic::Program& program, const std::string& name,
+                              const symbolic::Quaternion& value);
   /// As an output even if it is a number: what a building block asks for by name.
   void input(symbolic::Program& program, const std::string& name, const GiNaC::ex& value) const;
 

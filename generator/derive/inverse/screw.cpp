@@ -40,14 +40,15 @@ constexpr const char* named_part = "chain_";
 /// Whether the sine of a symbolic twist is in it, or a name that stands for such a thing.
 bool holds_twist(const ex& value) {
   if (GiNaC::is_a<GiNaC::function>(value)) return true;
-  if (GiNaC::is_a<GiNaC::symbol>(value)) return GiNaC::ex_to<GiNaC::symbol>(value).get_name().rfind(named_part, 0) == 0;
+  if (GiNaC::is_a<GiNaC::symbol>(value))
+    return GiNaC::ex_to<GiNaC::symbol>(value).get_name().rfind(named_part, 0) == 0;
   for (std::size_t i = 0; i < value.nops(); ++i)
     if (holds_twist(value.op(i))) return true;
   return false;
 }
 
-/// Accumulates the displacements of a chain. What a symbolic twist is in gets a name of its own: multiplied out over six
-/// joints such expressions have thousands of terms.
+/// Accumulates the displacements of a chain. What a symbolic twist is in gets a name of its own: multiplied
+/// out over six joints such expressions have thousands of terms.
 class Frames {
  public:
   Frames(Scope& scope, symbolic::Program& constants) : scope_(scope), constants_(constants) {}

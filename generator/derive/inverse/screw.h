@@ -28,7 +28,8 @@ struct Chain {
 /// What depends on symbolic twists is named in `constants`.
 Chain chain_of(const model::Robot& robot, Scope& scope, symbolic::Program& constants);
 
-/// The directions of three neighbouring joints in the first one's own frame: numbers, whatever symbolic twists come before.
+/// The directions of three neighbouring joints in the first one's own frame: numbers, whatever symbolic
+/// twists come before.
 std::array<Screw, 3> in_own_frame(const model::Robot& robot, std::size_t first, const Scope& scope);
 
 /// The screw seen after a displacement of the whole axis.

@@ -17,7 +17,9 @@ Target::Target(Builder& builder, const symbolic::Pair& home) : builder_(builder)
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
       const GiNaC::ex unit = i == j ? 1 : 0;
-      matrix_[i][j] = scope.define(builder.plan().target, "turn_" + std::to_string(i + 1) + std::to_string(j + 1), unit - scale * (unit - matrix[i][j]));
+      matrix_[i][j] =
+          scope.define(builder.plan().target, "turn_" + std::to_string(i + 1) + std::to_string(j + 1),
+                       unit - scale * (unit - matrix[i][j]));
     }
   }
   const Vector wide{pose_.p.x, pose_.p.y, pose_.p.z};
@@ -27,10 +29,13 @@ Target::Target(Builder& builder, const symbolic::Pair& home) : builder_(builder)
 void read_unit_quaternion(symbolic::Program& program) {
   GiNaC::exmap unit = {{symbolic::symbol(pose_scale), 1}};
   for (const char* part : {"_w", "_x", "_y", "_z"})
-    unit[symbolic::symbol(std::string(pose_given) + part)] = symbolic::symbol(std::string(pose_quaternion) + part);
+    unit[symbolic::symbol(std::string(pose_given) + part)] =
+        symbolic::symbol(std::string(pose_quaternion) + part);
   symbolic::Program result;
-  for (const symbolic::Program::Step& step : program.steps()) result.append({step.name, step.value.subs(unit)});
-  for (const symbolic::Program::Output& output : program.outputs()) result.output(output.name, output.value.subs(unit));
+  for (const symbolic::Program::Step& step : program.steps())
+    result.append({step.name, step.value.subs(unit)});
+  for (const symbolic::Program::Output& output : program.outputs())
+    result.output(output.name, output.value.subs(unit));
   program = result;
 }
 
@@ -40,18 +45,25 @@ Vector Target::image(const Vector& x) const {
   return matrix_ * local + pose_.p;
 }
 
-Vector Target::source(const Vector& x) const { return home_ * (symbolic::transpose(matrix_) * (x - pose_.p)); }
+Vector Target::source(const Vector& x) const {
+  return home_ * (symbolic::transpose(matrix_) * (x - pose_.p));
+}
 
-Vector Target::direction_image(const Vector& v) const { return matrix_ * symbolic::rotate(symbolic::inverse(home_.q), v); }
+Vector Target::direction_image(const Vector& v) const {
+  return matrix_ * symbolic::rotate(symbolic::inverse(home_.q), v);
+}
 
-Vector Target::direction_source(const Vector& v) { return symbolic::rotate(home_.q, symbolic::transpose(matrix_) * v); }
+Vector Target::direction_source(const Vector& v) {
+  return symbolic::rotate(home_.q, symbolic::transpose(matrix_) * v);
+}
 
 const symbolic::Quaternion& Target::orientation() {
   if (!named_) {
     const Scope& scope = builder_.scope();
     const symbolic::Quaternion q = pose_.q * symbolic::inverse(home_.q);
-    orientation_ = builder_.scope().define(builder_.plan().target, "target_q",
-                                           symbolic::Quaternion{scope.clean(q.w), scope.clean(q.x), scope.clean(q.y), scope.clean(q.z)});
+    orientation_ = builder_.scope().define(
+        builder_.plan().target, "target_q",
+        symbolic::Quaternion{scope.clean(q.w), scope.clean(q.x), scope.clean(q.y), scope.clean(q.z)});
     named_ = true;
   }
   return orientation_;

@@ -31,8 +31,8 @@ class Target {
   bool named_ = false;
 };
 
-/// Writes a target in the unit quaternion alone: where the matrix is multiplied out, as for a quartic, every further factor
-/// would be rounded once more.
+/// Writes a target in the unit quaternion alone: where the matrix is multiplied out, as for a quartic, every
+/// further factor would be rounded once more.
 void read_unit_quaternion(symbolic::Program& program);
 
 }  // namespace qvgen::derive::inverse

@@ -25,10 +25,14 @@ Quaternion quaternion_of(const Matrix3& r, const Scope& scope) {
   const ex x = part(r[2][1] - r[1][2]), y = part(r[0][2] - r[2][0]), z = part(r[1][0] - r[0][1]);
   const ex xy = part(r[0][1] + r[1][0]), xz = part(r[0][2] + r[2][0]), yz = part(r[1][2] + r[2][1]);
   switch (largest) {
-    case 0: return {half, x, y, z};
-    case 1: return {x, half, xy, xz};
-    case 2: return {y, xy, half, yz};
-    default: return {z, xz, yz, half};
+    case 0:
+      return {half, x, y, z};
+    case 1:
+      return {x, half, xy, xz};
+    case 2:
+      return {y, xy, half, yz};
+    default:
+      return {z, xz, yz, half};
   }
 }
 
@@ -41,7 +45,9 @@ Frame frame(const Vector& normal_direction, const Vector& axis, const Scope& sco
   const Vector raw = scope.clean(normal_direction);
   const Vector normal = scope.clean(ex(1) / GiNaC::sqrt(scope.clean(dot(raw, raw))) * raw);
   const Vector side = scope.clean(cross(axis, normal));
-  return {normal, quaternion_of({{{normal.x, side.x, axis.x}, {normal.y, side.y, axis.y}, {normal.z, side.z, axis.z}}}, scope)};
+  return {normal,
+          quaternion_of(
+              {{{normal.x, side.x, axis.x}, {normal.y, side.y, axis.y}, {normal.z, side.z, axis.z}}}, scope)};
 }
 
 struct HalfAngle {
@@ -60,8 +66,8 @@ void name_joint(Builder& builder, const Screw& screw) {
 }
 
 void set_right(Step& step, WristPlan& wrist, bool opposite_normals, const Quaternion& u) {
-  // u = -i conj(U11), v = -i conj(U12) with U11 = u_w - i u_z, U12 = -u_y - i u_x; at opposite normals the branch
-  // with the positive middle angle has the other sign of u.
+  // u = -i conj(U11), v = -i conj(U12) with U11 = u_w - i u_z, U12 = -u_y - i u_x; at opposite normals the
+  // branch with the positive middle angle has the other sign of u.
   const int sign = opposite_normals ? -1 : 1;
   wrist.middle_swapped = !opposite_normals;
   step.before.output("u_x", sign * u.z);
@@ -82,13 +88,15 @@ bool is_wrist(const Screw& first, const Screw& middle, const Screw& last, const 
   return true;
 }
 
-void solve_wrist(Builder& builder, const Screw& first, const Screw& middle, const Screw& last, const Quaternion& rotation) {
+void solve_wrist(Builder& builder, const Screw& first, const Screw& middle, const Screw& last,
+                 const Quaternion& rotation) {
   const Scope& scope = builder.scope();
   Plan& plan = builder.plan();
   const Frame f4 = frame(cross(first.axis, middle.axis), first.axis, scope);
   const Frame f6 = frame(cross(middle.axis, last.axis), last.axis, scope);
   const Quaternion product = symbolic::inverse(f4.orientation) * (rotation * f6.orientation);
-  const Quaternion u{scope.clean(product.w), scope.clean(product.x), scope.clean(product.y), scope.clean(product.z)};
+  const Quaternion u{scope.clean(product.w), scope.clean(product.x), scope.clean(product.y),
+                     scope.clean(product.z)};
   const HalfAngle a = half_angle(first.axis, middle.axis, scope);
   const HalfAngle b = half_angle(middle.axis, last.axis, scope);
   const ex cosine_delta = scope.clean(dot(f4.normal, f6.normal));

@@ -14,8 +14,8 @@ std::optional<Linkage> at_wrist_centre(const Linkage& linkage);
 /// From the tool point to the wrist centre, in the tool frame; nothing where there is none.
 std::optional<symbolic::Vector> wrist_centre(const model::Robot& robot);
 
-/// The linkage with its tool point on the last pivot, where the last axis' column is simplest, or as far from there as prismatic
-/// joints beyond it have moved.
+/// The linkage with its tool point on the last pivot, where the last axis' column is simplest, or as far from
+/// there as prismatic joints beyond it have moved.
 Linkage at_last_pivot(const Linkage& linkage);
 
 }  // namespace qvgen::derive

@@ -18,20 +18,22 @@ double root(double x) {
 
 const reference::Functions& functions() {
   using Arguments = std::vector<double>;
-  static const reference::Functions all{{"sqrt", [](const Arguments& x) { return root(x.at(0)); }},
-                                        {"sin", [](const Arguments& x) { return std::sin(x.at(0)); }},
-                                        {"cos", [](const Arguments& x) { return std::cos(x.at(0)); }},
-                                        {"acos", [](const Arguments& x) { return std::acos(x.at(0)); }},
-                                        {"atan", [](const Arguments& x) { return std::atan(x.at(0)); }},
-                                        {"atan2", [](const Arguments& x) { return std::atan2(x.at(0), x.at(1)); }},
-                                        {"sign", [](const Arguments& x) { return x.at(0) < 0 ? -1.0 : 1.0; }}};
+  static const reference::Functions all{
+      {"sqrt", [](const Arguments& x) { return root(x.at(0)); }},
+      {"sin", [](const Arguments& x) { return std::sin(x.at(0)); }},
+      {"cos", [](const Arguments& x) { return std::cos(x.at(0)); }},
+      {"acos", [](const Arguments& x) { return std::acos(x.at(0)); }},
+      {"atan", [](const Arguments& x) { return std::atan(x.at(0)); }},
+      {"atan2", [](const Arguments& x) { return std::atan2(x.at(0), x.at(1)); }},
+      {"sign", [](const Arguments& x) { return x.at(0) < 0 ? -1.0 : 1.0; }}};
   return all;
 }
 
 double value_of(const Text& text, reference::Values values) {
   for (const std::string& definition : text.where) {
     const std::size_t equals = definition.find(" = ");
-    values[definition.substr(0, equals)] = reference::evaluate(definition.substr(equals + 3), values, functions());
+    values[definition.substr(0, equals)] =
+        reference::evaluate(definition.substr(equals + 3), values, functions());
   }
   return reference::evaluate(text.value, values, functions());
 }
@@ -61,7 +63,8 @@ reference::Values values_at(const Case& test, const Eigen::VectorXd& q, const Ei
   reference::Values values = test.robot().geometry;
   const Eigen::Quaterniond pose(tool.linear());
   values.insert({{"w", pose.w()}, {"a", pose.x()}, {"b", pose.y()}, {"c", pose.z()}});
-  values.insert({{"px", tool.translation().x()}, {"py", tool.translation().y()}, {"pz", tool.translation().z()}});
+  values.insert(
+      {{"px", tool.translation().x()}, {"py", tool.translation().y()}, {"pz", tool.translation().z()}});
   values["phi"] = std::atan2(tool.linear()(1, 0), tool.linear()(0, 0));
   add_entries("r", tool.linear(), values);
   for (int i = 0; i < test.dof(); ++i) {
@@ -106,7 +109,8 @@ std::set<std::string> Text::names() const {
 
 std::string Verdict::text() const {
   if (reached == 0) return "wrong";
-  if (reached < solutions) return "right for " + std::to_string(100 * reached / solutions) + " % of the solutions";
+  if (reached < solutions)
+    return "right for " + std::to_string(100 * reached / solutions) + " % of the solutions";
   return spurious == 0 ? "right" : "right with one sign, which it does not tell";
 }
 
@@ -124,7 +128,8 @@ void Judge::add_pose(Case& drawn) {
   const Eigen::VectorXd q = drawn.joints();
   const Eigen::Isometry3d tool = drawn.tool(q);
   const Found found = drawn.solve(q);
-  if (found.status != Status::solved || static_cast<int>(found.rows.size()) < drawn.robot().info.capacity) return;
+  if (found.status != Status::solved || static_cast<int>(found.rows.size()) < drawn.robot().info.capacity)
+    return;
   Place place;
   for (const Row& row : found.rows) {
     place.solutions.push_back(row.q);

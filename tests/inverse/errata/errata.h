@@ -10,10 +10,10 @@
 
 namespace qvgen::test::errata {
 
-/// One side of a formula: definitions "name = expression", then the value. Names: the pose (w, a, b, c, px, py, pz; phi
-/// its angle about z; r11... its rotation, w11... the wrist's), N41...N44 the quaternion of the wrist, c1, s1, hc1, hs1
-/// cosine and sine of theta1 and of its half, the joints, the arm's lengths; pm and pm2 are printed signs, + and - in
-/// turn.
+/// One side of a formula: definitions "name = expression", then the value. Names: the pose (w, a, b, c, px,
+/// py, pz; phi its angle about z; r11... its rotation, w11... the wrist's), N41...N44 the quaternion of the
+/// wrist, c1, s1, hc1, hs1 cosine and sine of theta1 and of its half, the joints, the arm's lengths; pm and
+/// pm2 are printed signs, + and - in turn.
 struct Text {
   std::vector<std::string> where;
   std::string value;
@@ -53,12 +53,14 @@ Source load(const std::filesystem::path& file);
 /// All of this folder.
 std::vector<Source> sources();
 
-/// Judged with all that a formula refers to at its true value, over every solution of random poses of arms of random
-/// lengths: poses at which all branches exist, so that a value which none of them has is not merely out of reach.
+/// Judged with all that a formula refers to at its true value, over every solution of random poses of arms of
+/// random lengths: poses at which all branches exist, so that a value which none of them has is not merely
+/// out of reach.
 struct Verdict {
   int solutions = 0;
-  int reached = 0;   ///< solutions whose value the formula gives, with one of its signs
-  int spurious = 0;  ///< solutions beside which it gives a value that no solution with the same earlier joints has
+  int reached = 0;  ///< solutions whose value the formula gives, with one of its signs
+  int spurious =
+      0;  ///< solutions beside which it gives a value that no solution with the same earlier joints has
   [[nodiscard]] bool right() const { return solutions > 0 && reached == solutions && spurious == 0; }
   [[nodiscard]] std::string text() const;
 };

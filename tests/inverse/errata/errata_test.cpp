@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Printed inverse kinematics of the sources: verdicts computed, right forms proved right, the table up to date.
+// Printed inverse kinematics of the sources: verdicts computed, right forms proved right, the table up to
+// date.
 #include "errata.h"
 
 #include <fstream>
@@ -23,7 +24,8 @@ TEST(Errata, TheRightFormsAreRight) {
       ASSERT_NE(robot, nullptr) << arm.robot;
       const Judge judge(arm, *robot);
       for (std::size_t i = 0; i < arm.quaternion.right.size(); ++i)
-        EXPECT_TRUE(judge.quaternion(i, arm.quaternion.right).right()) << arm.robot << " " << arm.quaternion.right[i];
+        EXPECT_TRUE(judge.quaternion(i, arm.quaternion.right).right())
+            << arm.robot << " " << arm.quaternion.right[i];
       for (std::size_t i = 0; i < arm.formulas.size(); ++i) {
         const Verdict verdict = judge.formula(i, arm.formulas[i].right);
         EXPECT_TRUE(verdict.right()) << arm.robot << " " << arm.formulas[i].number << ": "

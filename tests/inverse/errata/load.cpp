@@ -23,15 +23,18 @@ Formula formula(const toml::table& table) {
                  {list(table, "where"), text(table, "printed")},
                  {},
                  text(table, "note")};
-  result.right = table.contains("right") ? Text{list(table, "right_where"), text(table, "right")} : result.printed;
+  result.right =
+      table.contains("right") ? Text{list(table, "right_where"), text(table, "right")} : result.printed;
   return result;
 }
 
 Arm arm(const toml::table& table) {
   Arm result{text(table, "robot"), text(table, "title"), {}, {}};
   if (const toml::table* quaternion = table["quaternion"].as_table())
-    result.quaternion = {text(*quaternion, "number"), list(*quaternion, "printed"), list(*quaternion, "right")};
-  for (const toml::node& node : *table["formula"].as_array()) result.formulas.push_back(formula(*node.as_table()));
+    result.quaternion = {text(*quaternion, "number"), list(*quaternion, "printed"),
+                         list(*quaternion, "right")};
+  for (const toml::node& node : *table["formula"].as_array())
+    result.formulas.push_back(formula(*node.as_table()));
   return result;
 }
 

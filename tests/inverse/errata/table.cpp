@@ -37,8 +37,8 @@ std::string rows(const Arm& arm) {
       "\n### " + arm.title + "\n\n| equation | of | printed | verdict | right |\n|---|---|---|---|---|\n";
   for (std::size_t i = 0; i < arm.quaternion.printed.size(); ++i) {
     const Verdict verdict = judge.quaternion(i, arm.quaternion.printed);
-    text += row(arm.quaternion.number, "N4" + std::to_string(i + 1), arm.quaternion.printed[i], verdict.text(),
-                verdict.right() ? "" : arm.quaternion.right[i]);
+    text += row(arm.quaternion.number, "N4" + std::to_string(i + 1), arm.quaternion.printed[i],
+                verdict.text(), verdict.right() ? "" : arm.quaternion.right[i]);
   }
   for (std::size_t i = 0; i < arm.formulas.size(); ++i) {
     const Formula& formula = arm.formulas[i];
@@ -47,7 +47,8 @@ std::string rows(const Arm& arm) {
     std::string said = verdict.text() + (circular ? "; circular" : "");
     if (!formula.note.empty()) said += " (" + formula.note + ")";
     const bool enough = verdict.right() && !circular;
-    text += row(formula.number, formula.of, formula.printed.written(), said, enough ? "" : formula.right.written());
+    text += row(formula.number, formula.of, formula.printed.written(), said,
+                enough ? "" : formula.right.written());
   }
   return text;
 }

@@ -46,7 +46,8 @@ Scalar pi() {
   return Scalar(3.14159265358979323846);
 }
 
-/// Angle in (-pi, pi], rad, of a pair of the given length: -pi, which a negative zero or a rounded sine would give, is pi.
+/// Angle in (-pi, pi], rad, of a pair of the given length: -pi, which a negative zero or a rounded sine would
+/// give, is pi.
 template <typename Scalar>
 Scalar output_angle(const Rotor<Scalar>& rotor, const Scalar& length, const Scalar& pi) {
   const Scalar value = arctangent(rotor.sine, rotor.cosine, length);
@@ -65,9 +66,9 @@ Scalar output_angle(const Scalar& cosine, const Scalar& sine, const Scalar& leng
   return output_angle(Rotor<Scalar>{cosine, sine}, length, pi<Scalar>());
 }
 
-/// A pair brought to length one. Where its squared length is below `tiny`, any direction will do: the caller's choice is
-/// taken and the branch is marked; what the other signs then lead to may be the same. Where it is not much longer the
-/// direction may be noise.
+/// A pair brought to length one. Where its squared length is below `tiny`, any direction will do: the
+/// caller's choice is taken and the branch is marked; what the other signs then lead to may be the same.
+/// Where it is not much longer the direction may be noise.
 template <typename Scalar>
 Rotor<Scalar> direction(const Rotor<Scalar>& v, const Scalar& tiny, const Rotor<Scalar>& choice,
                         Branch<Scalar>& branch) {
@@ -77,17 +78,20 @@ Rotor<Scalar> direction(const Rotor<Scalar>& v, const Scalar& tiny, const Rotor<
   branch.continuum = branch.continuum | (branch.exists & is_free);
   branch.doubtful = branch.doubtful | (branch.exists & (square <= Scalar(1e16) * tiny));
   const Scalar scale = Scalar(1) / sqrt(select(is_free, Scalar(1), square));
-  return {select(is_free, choice.cosine, Scalar(v.cosine * scale)), select(is_free, choice.sine, Scalar(v.sine * scale))};
+  return {select(is_free, choice.cosine, Scalar(v.cosine * scale)),
+          select(is_free, choice.sine, Scalar(v.sine * scale))};
 }
 
-/// Length of a choice that takes the place of a direction without length: as good as zero, and far from underflow.
+/// Length of a choice that takes the place of a direction without length: as good as zero, and far from
+/// underflow.
 inline constexpr double brief_length = 0x1p-100;
 
-/// A pair left as long as it is. A free one is the caller's choice, of `brief_length`: what is computed from its length is
-/// then as good as zero, as it should be, and its direction is still exact. `length` is known for the others.
+/// A pair left as long as it is. A free one is the caller's choice, of `brief_length`: what is computed from
+/// its length is then as good as zero, as it should be, and its direction is still exact. `length` is known
+/// for the others.
 template <typename Scalar>
-Rotor<Scalar> chosen_if_free(const Rotor<Scalar>& v, const Mask<Scalar>& is_free, const Rotor<Scalar>& brief_choice, Scalar& length,
-                             Branch<Scalar>& branch) {
+Rotor<Scalar> chosen_if_free(const Rotor<Scalar>& v, const Mask<Scalar>& is_free,
+                             const Rotor<Scalar>& brief_choice, Scalar& length, Branch<Scalar>& branch) {
   if (!any(is_free)) return v;
   branch.continuum = branch.continuum | (branch.exists & is_free);
   length = select(is_free, Scalar(brief_length), length);
@@ -96,18 +100,19 @@ Rotor<Scalar> chosen_if_free(const Rotor<Scalar>& v, const Mask<Scalar>& is_free
 
 /// The same, and its length.
 template <typename Scalar>
-Rotor<Scalar> span(const Rotor<Scalar>& v, const Scalar& tiny, const Rotor<Scalar>& brief_choice, Scalar& length,
-                   Branch<Scalar>& branch) {
+Rotor<Scalar> span(const Rotor<Scalar>& v, const Scalar& tiny, const Rotor<Scalar>& brief_choice,
+                   Scalar& length, Branch<Scalar>& branch) {
   using std::sqrt;
   const Scalar square = v.cosine * v.cosine + v.sine * v.sine;
   length = sqrt(square);
   return chosen_if_free(v, Mask<Scalar>(square <= tiny), brief_choice, length, branch);
 }
 
-/// The same where the length is known but for rounding: a Newton step makes it good without waiting for a root.
+/// The same where the length is known but for rounding: a Newton step makes it good without waiting for a
+/// root.
 template <typename Scalar>
-Rotor<Scalar> span_of_length(const Rotor<Scalar>& v, const Scalar& about, const Scalar& tiny, const Rotor<Scalar>& brief_choice,
-                             Scalar& length, Branch<Scalar>& branch) {
+Rotor<Scalar> span_of_length(const Rotor<Scalar>& v, const Scalar& about, const Scalar& tiny,
+                             const Rotor<Scalar>& brief_choice, Scalar& length, Branch<Scalar>& branch) {
   const Scalar square = v.cosine * v.cosine + v.sine * v.sine;
   length = Scalar(0.5) * about + square * (Scalar(0.5) / about);
   return chosen_if_free(v, Mask<Scalar>(square <= tiny), brief_choice, length, branch);
@@ -120,17 +125,18 @@ Rotor<Scalar> half(const Rotor<Scalar>& rotor) {
   const Mask<Scalar> acute = rotor.cosine >= Scalar(0);
   const Scalar larger = sqrt((Scalar(1) + magnitude(rotor.cosine)) / Scalar(2));
   const Scalar other = rotor.sine / (Scalar(2) * larger);
-  return {select(acute, larger, magnitude(other)),
-          select(acute, other, with_sign(larger, rotor.sine))};
+  return {select(acute, larger, magnitude(other)), select(acute, other, with_sign(larger, rotor.sine))};
 }
 
-/// The direction of half the angle of a pair of the given length, without root and quotient: its squared length is between
-/// 2 and 4 times the pair's. For wrists, to which the length of their matrix does not matter.
+/// The direction of half the angle of a pair of the given length, without root and quotient: its squared
+/// length is between 2 and 4 times the pair's. For wrists, to which the length of their matrix does not
+/// matter.
 template <typename Scalar>
 Rotor<Scalar> half_direction(const Rotor<Scalar>& rotor, const Scalar& length) {
   const Mask<Scalar> acute = rotor.cosine >= Scalar(0);
   const Scalar longer = length + magnitude(rotor.cosine);
-  return {select(acute, longer, magnitude(rotor.sine)), select(acute, rotor.sine, with_sign(longer, rotor.sine))};
+  return {select(acute, longer, magnitude(rotor.sine)),
+          select(acute, rotor.sine, with_sign(longer, rotor.sine))};
 }
 
 /// (-pi, pi] of an angle in (-3 pi, 3 pi].
@@ -140,8 +146,8 @@ Scalar wrapped(const Scalar& angle, const Scalar& pi) {
   return angle + select(angle > pi, Scalar(Scalar(-2) * pi), up);
 }
 
-/// The opposite direction: angle + pi for an angle in (-pi, pi], again in (-pi, pi]. A positive angle may be so small
-/// that the difference rounds to -pi.
+/// The opposite direction: angle + pi for an angle in (-pi, pi], again in (-pi, pi]. A positive angle may be
+/// so small that the difference rounds to -pi.
 template <typename Scalar>
 Scalar opposite(const Scalar& angle, const Scalar& pi) {
   const Scalar turned = angle + select(angle > Scalar(0), Scalar(-pi), pi);

@@ -25,7 +25,8 @@ struct Opposites {
 };
 
 template <typename Scalar>
-Opposites<Scalar> opposite_arctangents(const Scalar& y, const Scalar& x, const Scalar& length, const Scalar& pi) {
+Opposites<Scalar> opposite_arctangents(const Scalar& y, const Scalar& x, const Scalar& length,
+                                       const Scalar& pi) {
   const Scalar one = arctangent(y, x, length);
   return {one, one - with_sign(pi, y)};
 }
@@ -38,8 +39,8 @@ Scalar acute_arctangent(const Scalar& y, const Scalar& x) {
 
 namespace polynomial {
 
-/// (atan(t)/t - 1) / t² in z = t² <= 0.2025, error below 2^-56 of atan(t)/t (minimax); neighbouring powers in pairs, pairs of
-/// pairs and so on, since the time until the last product is what counts.
+/// (atan(t)/t - 1) / t² in z = t² <= 0.2025, error below 2^-56 of atan(t)/t (minimax); neighbouring powers in
+/// pairs, pairs of pairs and so on, since the time until the last product is what counts.
 template <typename Scalar>
 Scalar arctangent_series(const Scalar& z) {
   const Scalar z2 = z * z;
@@ -55,7 +56,8 @@ Scalar arctangent_series(const Scalar& z) {
   return low + z4 * (middle + z4 * high);
 }
 
-/// The angle of (width, height), neither negative, as base plus or minus atan(rise / run), |rise / run| <= 0.45.
+/// The angle of (width, height), neither negative, as base plus or minus atan(rise / run), |rise / run| <=
+/// 0.45.
 template <typename Scalar>
 struct Octant {
   Scalar rise, run, base;
@@ -72,11 +74,12 @@ Octant<Scalar> octant(const Scalar& height, const Scalar& width) {
   const Scalar rise = select(near_diagonal, Scalar(small - large), small);
   const Scalar run = select(near_diagonal, Scalar(large + small), large);
   const Scalar axis = select(steep, Scalar(0x1.921fb54442d18p+0), Scalar(0));
-  return {rise, larger(run, Scalar(0x1p-1022)), select(near_diagonal, Scalar(0x1.921fb54442d18p-1), axis), steep};
+  return {rise, larger(run, Scalar(0x1p-1022)), select(near_diagonal, Scalar(0x1.921fb54442d18p-1), axis),
+          steep};
 }
 
-/// base + atan(t), base a multiple of pi/4 without the digits that it has beyond a double. What the sum of base and t
-/// loses is put back.
+/// base + atan(t), base a multiple of pi/4 without the digits that it has beyond a double. What the sum of
+/// base and t loses is put back.
 template <typename Scalar>
 Scalar turned_by_arctangent(const Scalar& base, const Scalar& t) {
   const Scalar z = t * t;
@@ -86,8 +89,8 @@ Scalar turned_by_arctangent(const Scalar& base, const Scalar& t) {
   return sum + (rest + t * z * polynomial::arctangent_series(z));
 }
 
-/// Without a jump, and by sums and products that any machine rounds alike, so that a number and a lane get the same
-/// bits. Within 2 ulp; 0 for (0, 0).
+/// Without a jump, and by sums and products that any machine rounds alike, so that a number and a lane get
+/// the same bits. Within 2 ulp; 0 for (0, 0).
 template <typename Scalar>
 Scalar acute_arctangent(const Scalar& y, const Scalar& x) {
   const Octant<Scalar> found = polynomial::octant(y, x);
@@ -116,21 +119,24 @@ Scalar short_series(const Scalar& z) {
   return ((c01 + z2 * c23) + (z4 * z4) * c89) + z4 * (c45 + z2 * c67);
 }
 
-/// An angle on its way: `axis` and twice the arctangent of t, |t| <= tan(pi/8), with the signs that are to be.
+/// An angle on its way: `axis` and twice the arctangent of t, |t| <= tan(pi/8), with the signs that are to
+/// be.
 template <typename Scalar>
 struct Tangent {
   Scalar axis, t, sign;
 };
 
-/// With the length at hand half the angle from the nearest axis has the tangent small / (length + large), at most tan(pi/8):
-/// fewer steps than without.
+/// With the length at hand half the angle from the nearest axis has the tangent small / (length + large), at
+/// most tan(pi/8): fewer steps than without.
 template <typename Scalar>
 Tangent<Scalar> tangent(const Scalar& y, const Scalar& x, const Scalar& length) {
   const Scalar height = magnitude(y);
   const Scalar width = magnitude(x);
   const Scalar steep = width - height;  // by its sign
-  const Scalar axis = select_by_sign(steep, Scalar(0x1.921fb54442d18p+0), select_by_sign(x, Scalar(0x1.921fb54442d18p+1), Scalar(0)));
-  return {with_sign_bit(axis, y), smaller(height, width) / (length + larger(height, width)), flipped(flipped(x, y), steep)};
+  const Scalar axis = select_by_sign(steep, Scalar(0x1.921fb54442d18p+0),
+                                     select_by_sign(x, Scalar(0x1.921fb54442d18p+1), Scalar(0)));
+  return {with_sign_bit(axis, y), smaller(height, width) / (length + larger(height, width)),
+          flipped(flipped(x, y), steep)};
 }
 
 /// Twice the arctangent of t, with its sign, and what that is short of.
@@ -155,7 +161,8 @@ Scalar arctangent(const Scalar& y, const Scalar& x, const Scalar& length) {
 
 /// The opposite angle differs in the axis alone.
 template <typename Scalar>
-Opposites<Scalar> opposite_arctangents(const Scalar& y, const Scalar& x, const Scalar& length, const Scalar& pi) {
+Opposites<Scalar> opposite_arctangents(const Scalar& y, const Scalar& x, const Scalar& length,
+                                       const Scalar& pi) {
   const Tangent<Scalar> found = polynomial::tangent(y, x, length);
   const TwiceArctangent<Scalar> angle(found);
   return {angle.from(found.axis), angle.from(Scalar(found.axis - with_sign_bit(pi, y)))};

@@ -22,12 +22,12 @@ Preference<dof> next_choice(Preference<dof> preference) {
   return preference;
 }
 
-/// A pose moved and turned a little, another way for every k: the fractional parts of multiples of square roots of primes
-/// are spread evenly.
+/// A pose moved and turned a little, another way for every k: the fractional parts of multiples of square
+/// roots of primes are spread evenly.
 inline Pose<double> displaced(const Pose<double>& pose, double size, int k) {
   constexpr double share = 1e-4;
   constexpr double roots[] = {1.4142135623730951, 1.7320508075688772, 2.23606797749979,
-                              2.6457513110645906, 3.3166247903554, 3.605551275463989};
+                              2.6457513110645906, 3.3166247903554,    3.605551275463989};
   double by[6];
   for (int i = 0; i < 6; ++i) {
     const double multiple = (k + 1) * roots[i];
@@ -39,14 +39,16 @@ inline Pose<double> displaced(const Pose<double>& pose, double size, int k) {
   return moved;
 }
 
-/// Solves near singular poses. `follow(start, goal, visited, found)` is one pass over all branches that may exist at one
-/// target, polished towards another; it returns whether it met something free, or nearly so: what that is told to be may be
-/// noise, and out of reach for the joints after it, so that branches without a solution are followed again with a choice in
-/// its place. What is then still missing is looked for from poses nearby, where nothing is free, and, where a wrist cannot follow
-/// to what has been chosen or there is nothing at all, with other choices. `aimed(pose)` is the target of a pose. Whatever is
-/// chosen on the way, the goal's preference stays the caller's: a continuum is to be left next to the seed.
+/// Solves near singular poses. `follow(start, goal, visited, found)` is one pass over all branches that may
+/// exist at one target, polished towards another; it returns whether it met something free, or nearly so:
+/// what that is told to be may be noise, and out of reach for the joints after it, so that branches without a
+/// solution are followed again with a choice in its place. What is then still missing is looked for from
+/// poses nearby, where nothing is free, and, where a wrist cannot follow to what has been chosen or there is
+/// nothing at all, with other choices. `aimed(pose)` is the target of a pose. Whatever is chosen on the way,
+/// the goal's preference stays the caller's: a continuum is to be left next to the seed.
 template <int dof, class Aim, class Visited, int capacity, class Follow>
-void solve_carefully(const Pose<double>& pose, const Aim& aimed, Visited visited, const Follow& follow, Solutions<dof, capacity>& found) {
+void solve_carefully(const Pose<double>& pose, const Aim& aimed, Visited visited, const Follow& follow,
+                     Solutions<dof, capacity>& found) {
   auto goal = aimed(pose);
   Preference<dof> preference = *goal.preference;
   const auto pass_from = [&](auto start, const Boundary& boundary, const Boundary& at_goal) {
@@ -64,7 +66,9 @@ void solve_carefully(const Pose<double>& pose, const Aim& aimed, Visited visited
   if (visited.left_any()) pass(Boundary::taking(goal.tolerance));
   if (visited.misses_any()) pass(Boundary::apart(goal.tolerance));
   const bool strays = visited.strays_any();
-  const auto from_nearby = [&](int k) { pass_from(aimed(displaced(pose, std::sqrt(goal.size_square), k)), careful, choosing); };
+  const auto from_nearby = [&](int k) {
+    pass_from(aimed(displaced(pose, std::sqrt(goal.size_square), k)), careful, choosing);
+  };
   for (int k = 0; visited.strays_any() && k < 12; ++k) from_nearby(k);
   if (visited.misses_any()) pass(Boundary::tolerant(goal.tolerance));
   const bool is_free = met_free || strays;

@@ -30,7 +30,8 @@ inline double turn_between(double from, double to) {
   return std::remainder(to - from, turn);
 }
 
-/// Root of the sum of squares of the differences, rad and m mixed as they stand; revolute joints the short way round.
+/// Root of the sum of squares of the differences, rad and m mixed as they stand; revolute joints the short
+/// way round.
 template <int dof>
 double joint_distance(const Joints<dof>& a, const Joints<dof>& b, const JointKinds<dof>& revolute) {
   double sum = 0;
@@ -43,7 +44,8 @@ double joint_distance(const Joints<dof>& a, const Joints<dof>& b, const JointKin
 
 /// Puts the solutions in order of their distance from the seed; equal distances keep their order.
 template <int dof, int capacity, std::size_t count>
-void sort_by_distance(Solutions<dof, capacity>& found, const Joints<dof>& seed, const std::array<bool, count>& revolute) {
+void sort_by_distance(Solutions<dof, capacity>& found, const Joints<dof>& seed,
+                      const std::array<bool, count>& revolute) {
   const auto nearer = [&](const Solution<dof>& a, const Solution<dof>& b) {
     return joint_distance<dof>(a.q, seed, revolute) < joint_distance<dof>(b.q, seed, revolute);
   };
@@ -67,15 +69,16 @@ const Solution<dof>* nearest(const Solutions<dof, capacity>& found, const Joints
   return best;
 }
 
-/// Joints that continue a path: the solution nearest to `previous`, its revolute joints unwound by whole turns so that
-/// none jumps. False, and `next` untouched, if there is no solution.
+/// Joints that continue a path: the solution nearest to `previous`, its revolute joints unwound by whole
+/// turns so that none jumps. False, and `next` untouched, if there is no solution.
 template <int dof, int capacity, std::size_t count>
-bool continued(const Solutions<dof, capacity>& found, const Joints<dof>& previous, const std::array<bool, count>& revolute,
-               Joints<dof>& next) {
+bool continued(const Solutions<dof, capacity>& found, const Joints<dof>& previous,
+               const std::array<bool, count>& revolute, Joints<dof>& next) {
   const Solution<dof>* row = nearest(found, previous, revolute);
   if (row == nullptr) return false;
   for (int i = 0; i < dof; ++i)
-    next[i] = revolute[static_cast<std::size_t>(i)] ? previous[i] + turn_between(previous[i], row->q[i]) : row->q[i];
+    next[i] = revolute[static_cast<std::size_t>(i)] ? previous[i] + turn_between(previous[i], row->q[i])
+                                                    : row->q[i];
   return true;
 }
 
@@ -86,11 +89,13 @@ struct LimitedSolutions : Solutions<dof, 16 * capacity> {
   bool complete = true;
 };
 
-/// Every representative of every solution inside the limits. Status: unreachable if solutions exist but none inside.
-/// A limit that is not a number (lower above upper, NaN) admits nothing; infinite limits admit the angle in
+/// Every representative of every solution inside the limits. Status: unreachable if solutions exist but none
+/// inside. A limit that is not a number (lower above upper, NaN) admits nothing; infinite limits admit the
+/// angle in
 /// (-pi, pi] alone.
 template <int dof, int capacity, std::size_t count>
-LimitedSolutions<dof, capacity> within_limits(const Solutions<dof, capacity>& found, const JointLimits<dof>& limits,
+LimitedSolutions<dof, capacity> within_limits(const Solutions<dof, capacity>& found,
+                                              const JointLimits<dof>& limits,
                                               const std::array<bool, count>& revolute) {
   constexpr double turn = 6.283185307179586476925;
   LimitedSolutions<dof, capacity> result;
@@ -98,7 +103,10 @@ LimitedSolutions<dof, capacity> within_limits(const Solutions<dof, capacity>& fo
   for (const Solution<dof>& row : found) {
     Joints<dof> first = row.q;
     bool inside = true;
-    const auto steps = [&](int i) { return revolute[static_cast<std::size_t>(i)] && std::isfinite(limits.lower[i]) && std::isfinite(limits.upper[i]); };
+    const auto steps = [&](int i) {
+      return revolute[static_cast<std::size_t>(i)] && std::isfinite(limits.lower[i]) &&
+             std::isfinite(limits.upper[i]);
+    };
     for (int i = 0; i < dof; ++i) {
       if (steps(i)) first[i] += turn * std::ceil((limits.lower[i] - first[i]) / turn);
       inside = inside && first[i] >= limits.lower[i] && first[i] <= limits.upper[i];

@@ -35,15 +35,16 @@ struct Aligned {
     return Scalar(-4) * g * u.cosine * u.sine + Scalar(2) * (q * u.cosine - p * u.sine);
   }
   [[nodiscard]] Scalar curvature(const Rotor<Scalar>& u) const {
-    return Scalar(-4) * g * (u.cosine - u.sine) * (u.cosine + u.sine) - Scalar(2) * (p * u.cosine + q * u.sine);
+    return Scalar(-4) * g * (u.cosine - u.sine) * (u.cosine + u.sine) -
+           Scalar(2) * (p * u.cosine + q * u.sine);
   }
 };
 
 template <typename Scalar>
 using Matrix = std::array<std::array<Scalar, 3>, 3>;
 
-/// The degenerate member of the pencil conic + λ (circle - 1) that splits into two real lines, as the symmetric
-/// matrix of the pair of lines plus the skew matrix of their common point: a matrix of rank one.
+/// The degenerate member of the pencil conic + λ (circle - 1) that splits into two real lines, as the
+/// symmetric matrix of the pair of lines plus the skew matrix of their common point: a matrix of rank one.
 template <typename Scalar>
 Matrix<Scalar> line_pair(const Aligned<Scalar>& f, const Scalar& pi) {
   using std::sqrt;
@@ -55,8 +56,8 @@ Matrix<Scalar> line_pair(const Aligned<Scalar>& f, const Scalar& pi) {
   std::size_t column = 0;
   for (int i = 0; i < roots.count; ++i) {
     const Scalar x = roots.root[static_cast<std::size_t>(i)];
-    const std::array<Scalar, 3> entries = {f.q * f.q - (x - f.g) * (f.k - x), f.p * f.p - (f.g + x) * (f.k - x),
-                                           -(f.g + x) * (x - f.g)};
+    const std::array<Scalar, 3> entries = {f.q * f.q - (x - f.g) * (f.k - x),
+                                           f.p * f.p - (f.g + x) * (f.k - x), -(f.g + x) * (x - f.g)};
     for (std::size_t j = 0; j < 3; ++j) {
       if (entries[j] > best || (i == 0 && j == 0)) {
         best = entries[j];
@@ -65,7 +66,8 @@ Matrix<Scalar> line_pair(const Aligned<Scalar>& f, const Scalar& pi) {
       }
     }
   }
-  Matrix<Scalar> m = {{{f.g + lambda, Scalar(0), f.p}, {Scalar(0), lambda - f.g, f.q}, {f.p, f.q, f.k - lambda}}};
+  Matrix<Scalar> m = {
+      {{f.g + lambda, Scalar(0), f.p}, {Scalar(0), lambda - f.g, f.q}, {f.p, f.q, f.k - lambda}}};
   if (!(best > Scalar(0))) return m;
   std::array<Scalar, 3> point;
   for (std::size_t r = 0; r < 3; ++r) {
@@ -109,7 +111,8 @@ Rotor<Scalar> polished(const Aligned<Scalar>& f, Rotor<Scalar> u) {
 template <typename Scalar>
 class Roots {
  public:
-  Roots(const Aligned<Scalar>& f, const Boundary& boundary) : f_(f), accept_(1e-2 * boundary.accept), floor_(boundary.floor) {}
+  Roots(const Aligned<Scalar>& f, const Boundary& boundary)
+      : f_(f), accept_(1e-2 * boundary.accept), floor_(boundary.floor) {}
 
   /// The points of the line a·u + d = 0 on the unit circle; a line that misses it narrowly touches it.
   void intersect(const std::array<Scalar, 3>& line) {
@@ -171,9 +174,9 @@ class Roots {
 
 }  // namespace conic
 
-/// The up to four angles of a conic on the unit circle, by the pencil of the two conics: a real root of one cubic,
-/// then two lines. No half-angle tangent occurs, so no angle is special. Ordered by angle. Nearly double roots, and extrema
-/// that come near zero, count as two: Newton steps on the joints are to decide.
+/// The up to four angles of a conic on the unit circle, by the pencil of the two conics: a real root of one
+/// cubic, then two lines. No half-angle tangent occurs, so no angle is special. Ordered by angle. Nearly
+/// double roots, and extrema that come near zero, count as two: Newton steps on the joints are to decide.
 template <typename Scalar>
 CircleRoots<Scalar> conic_circle(const Conic<Scalar>& conic, const Boundary& boundary, const Scalar& pi) {
   using std::abs;
@@ -185,7 +188,8 @@ CircleRoots<Scalar> conic_circle(const Conic<Scalar>& conic, const Boundary& bou
   const Scalar one = conic.one + (conic.xx + conic.yy) / Scalar(2);
   const Scalar scale = g + abs(conic.x) + abs(conic.y) + abs(one);
   if (!(scale > Scalar(0))) return {};
-  const Rotor<Scalar> axis = g > Scalar(0) ? half(Rotor<Scalar>{difference / g, mixed / g}) : Rotor<Scalar>{1, 0};
+  const Rotor<Scalar> axis =
+      g > Scalar(0) ? half(Rotor<Scalar>{difference / g, mixed / g}) : Rotor<Scalar>{1, 0};
   const Scalar p = (axis.cosine * conic.x + axis.sine * conic.y) / Scalar(2);
   const Scalar q = (axis.cosine * conic.y - axis.sine * conic.x) / Scalar(2);
   const conic::Aligned<Scalar> f{g / scale, p / scale, q / scale, one / scale};

@@ -5,8 +5,8 @@
 
 namespace qvgen::inverse {
 
-/// Joint values in whose neighbourhood a joint is idle: what it does to the points the others can make up for. They then lie
-/// on a continuum of solutions, near one, or where two solutions meet.
+/// Joint values in whose neighbourhood a joint is idle: what it does to the points the others can make up
+/// for. They then lie on a continuum of solutions, near one, or where two solutions meet.
 template <typename Scalar, std::size_t joints, std::size_t points>
 class Idling {
  public:
@@ -14,10 +14,12 @@ class Idling {
 
   explicit Idling(const Carrying<Scalar, joints, points>& task) : task_(task), newton_(task) {}
 
-  /// Whether values that reach the goals can be moved on a little and still reach them, to some more rounding: the pose itself
-  /// may be off the continuum by as much as these values are allowed to miss. Where two solutions merely meet, what is
-  /// missing then is as the square of the little.
-  [[nodiscard]] bool is_continuum(const Values& values) const { return goes_on(values, Scalar(Scalar(64) * epsilon<Scalar>())); }
+  /// Whether values that reach the goals can be moved on a little and still reach them, to some more
+  /// rounding: the pose itself may be off the continuum by as much as these values are allowed to miss. Where
+  /// two solutions merely meet, what is missing then is as the square of the little.
+  [[nodiscard]] bool is_continuum(const Values& values) const {
+    return goes_on(values, Scalar(Scalar(64) * epsilon<Scalar>()));
+  }
 
   /// Whether values that miss the goals by very little can be moved on and miss them by not much more.
   [[nodiscard]] bool is_nearly_continuum(const Values& values) const {
@@ -26,8 +28,9 @@ class Idling {
     return share < Scalar(1e-12) && goes_on(values, Scalar(Scalar(4) * sqrt(share)));
   }
 
-  /// Moves values that are nearly on a continuum along it, to where it meets the goals: Newton's step says how far the idle
-  /// joint has to go, and the others follow by steps of their own, for the way is curved. Returns whether it does.
+  /// Moves values that are nearly on a continuum along it, to where it meets the goals: Newton's step says
+  /// how far the idle joint has to go, and the others follow by steps of their own, for the way is curved.
+  /// Returns whether it does.
   bool move_on(Values& values) const {
     constexpr int rounds = 24;
     const Scalar enough = Scalar(256) * epsilon<Scalar>() * epsilon<Scalar>() * task_.size_square;

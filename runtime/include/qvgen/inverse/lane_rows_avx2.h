@@ -11,14 +11,16 @@ struct Lane {
   static constexpr int value = number;
 };
 
-/// Writes lanes as rows, those that exist, one close behind the other: a row that does not exist is written too and
-/// overwritten by the next, so that there is no jump.
+/// Writes lanes as rows, those that exist, one close behind the other: a row that does not exist is written
+/// too and overwritten by the next, so that there is no jump.
 template <int dof>
 class LaneRows {
  public:
   [[gnu::always_inline]] explicit LaneRows(RowPlaces places) : next_(places.first), stride_(places.stride) {}
 
-  [[gnu::always_inline]] RowCount count(const Branch<Pack>& branch) const { return {any(branch.doubtful) ? -1 : rows_, continuum_}; }
+  [[gnu::always_inline]] RowCount count(const Branch<Pack>& branch) const {
+    return {any(branch.doubtful) ? -1 : rows_, continuum_};
+  }
 
   /// One row a lane, branches label, label + 1, ...
   [[gnu::always_inline]] void append(const Pack (&q)[dof], const Branch<Pack>& branch, int label) {
@@ -33,7 +35,8 @@ class LaneRows {
   }
 
   /// Two rows a lane that exist or do not exist together.
-  [[gnu::always_inline]] void append(const Pack (&q)[dof], const Pack (&twin)[dof], const Branch<Pack>& branch, int label) {
+  [[gnu::always_inline]] void append(const Pack (&q)[dof], const Pack (&twin)[dof],
+                                     const Branch<Pack>& branch, int label) {
     const Pack end = row_end(branch, label, 2);
     const Pack twin_end = row_end(branch, label + 1, 2);
     const Steps steps = steps_over(branch, 2);
@@ -47,8 +50,8 @@ class LaneRows {
   }
 
   /// Two rows a lane, each with its own branch.
-  [[gnu::always_inline]] void append(const Pack (&q)[dof], const Branch<Pack>& branch, const Pack (&other)[dof], const Branch<Pack>& other_branch,
-                                     int label) {
+  [[gnu::always_inline]] void append(const Pack (&q)[dof], const Branch<Pack>& branch,
+                                     const Pack (&other)[dof], const Branch<Pack>& other_branch, int label) {
     const Pack end = row_end(branch, label, 2);
     const Pack other_end = row_end(other_branch, label + 1, 2);
     const Steps steps = steps_over(branch, 1);
@@ -78,16 +81,19 @@ class LaneRows {
     std::ptrdiff_t lane[4];
   };
   [[gnu::always_inline]] Steps steps_over(const Branch<Pack>& branch, int rows) const {
-    const __m256i all = _mm256_and_si256(reinterpret_cast<__m256i>(branch.exists.lanes), _mm256_set1_epi64x(rows * stride_));
+    const __m256i all =
+        _mm256_and_si256(reinterpret_cast<__m256i>(branch.exists.lanes), _mm256_set1_epi64x(rows * stride_));
     const __m128i low = _mm256_castsi256_si128(all);
     const __m128i high = _mm256_extracti128_si256(all, 1);
-    return {{_mm_cvtsi128_si64(low), _mm_extract_epi64(low, 1), _mm_cvtsi128_si64(high), _mm_extract_epi64(high, 1)}};
+    return {{_mm_cvtsi128_si64(low), _mm_extract_epi64(low, 1), _mm_cvtsi128_si64(high),
+             _mm_extract_epi64(high, 1)}};
   }
 
   /// What stands behind the joints: the label in the lower half, the mark in the upper one's first byte.
   [[gnu::always_inline]] static Pack row_end(const Branch<Pack>& branch, int label, int apart) {
     const __m256i labels = _mm256_setr_epi64x(label, label + apart, label + 2 * apart, label + 3 * apart);
-    const __m256i mark = _mm256_and_si256(reinterpret_cast<__m256i>(branch.continuum.lanes), _mm256_set1_epi64x(1LL << 32));
+    const __m256i mark =
+        _mm256_and_si256(reinterpret_cast<__m256i>(branch.continuum.lanes), _mm256_set1_epi64x(1LL << 32));
     return Pack(reinterpret_cast<__m256d>(_mm256_or_si256(labels, mark)));
   }
 
@@ -100,7 +106,8 @@ class LaneRows {
   /// Two joints of a lane stand next to each other once two registers are interleaved.
   template <int lane>
   [[gnu::always_inline]] static void pair(double* place, const Pack& a, const Pack& b) {
-    const __m256d both = lane % 2 == 0 ? _mm256_unpacklo_pd(a.lanes, b.lanes) : _mm256_unpackhi_pd(a.lanes, b.lanes);
+    const __m256d both =
+        lane % 2 == 0 ? _mm256_unpacklo_pd(a.lanes, b.lanes) : _mm256_unpackhi_pd(a.lanes, b.lanes);
     _mm_storeu_pd(place, lane < 2 ? _mm256_castpd256_pd128(both) : _mm256_extractf128_pd(both, 1));
   }
 

@@ -3,8 +3,8 @@
 
 #include <cstddef>
 
-#include <qvgen/inverse/solutions.h>
 #include <qvgen/inverse/rows.h>
+#include <qvgen/inverse/solutions.h>
 
 namespace qvgen::inverse {
 
@@ -21,7 +21,8 @@ inline bool machine_has_avx2() {
 template <int dof, int capacity>
 RowPlaces row_places(Solutions<dof, capacity>& found) {
   using Row = Solution<dof>;
-  static_assert(sizeof(Row::q) == dof * sizeof(double) && sizeof(Row) % sizeof(double) == 0 && sizeof(int) == 4 && sizeof(bool) == 1);
+  static_assert(sizeof(Row::q) == dof * sizeof(double) && sizeof(Row) % sizeof(double) == 0 &&
+                sizeof(int) == 4 && sizeof(bool) == 1);
   Row& first = found[0];
   return {first.q.data(), sizeof(Row) / sizeof(double)};
 }

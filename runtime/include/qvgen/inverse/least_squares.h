@@ -27,10 +27,12 @@ Scalar take_out(const Vector<Scalar, size>& column, const Scalar& square, Vector
   return share;
 }
 
-/// The x for which the columns' combination comes nearest to b, by modified Gram-Schmidt: normal equations would lose what
-/// hardly moves. A column that adds less than `nothing`, as a share of the longest, is left out: a free joint stays.
+/// The x for which the columns' combination comes nearest to b, by modified Gram-Schmidt: normal equations
+/// would lose what hardly moves. A column that adds less than `nothing`, as a share of the longest, is left
+/// out: a free joint stays.
 template <typename Scalar, std::size_t columns, std::size_t rows>
-Vector<Scalar, columns> least_squares(std::array<Vector<Scalar, rows>, columns> a, Vector<Scalar, rows> b, const Scalar& nothing) {
+Vector<Scalar, columns> least_squares(std::array<Vector<Scalar, rows>, columns> a, Vector<Scalar, rows> b,
+                                      const Scalar& nothing) {
   Scalar longest(0);
   for (const Vector<Scalar, rows>& column : a) longest = larger(longest, dot(column, column));
   std::array<Vector<Scalar, columns>, columns> r{};
@@ -54,8 +56,9 @@ struct Dependent {
   std::size_t least = columns;
 };
 
-/// Always takes the longest of what is left: of columns that depend on each other, one that has much to do with it is found.
-/// Exact numbers would allow any; but moving one with a share of a thousandth moves the others a thousandfold.
+/// Always takes the longest of what is left: of columns that depend on each other, one that has much to do
+/// with it is found. Exact numbers would allow any; but moving one with a share of a thousandth moves the
+/// others a thousandfold.
 template <typename Scalar, std::size_t columns, std::size_t rows>
 Dependent<columns> dependent(std::array<Vector<Scalar, rows>, columns> a, const Scalar& nothing) {
   Dependent<columns> result;

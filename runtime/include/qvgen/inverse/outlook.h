@@ -9,13 +9,15 @@ namespace qvgen::inverse {
 
 /// What can be said of a pose before any branch is followed.
 enum class Outlook {
-  open,         ///< branches have to tell
+  open,  ///< branches have to tell
   unreachable,
-  invalid       ///< not a rotation, not finite, or too large to be squared
+  invalid  ///< not a rotation, not finite, or too large to be squared
 };
 
 /// What lanes find where no branch is followed.
-[[gnu::always_inline]] inline RowCount no_rows(Outlook outlook) { return {outlook == Outlook::unreachable ? 0 : -1, false}; }
+[[gnu::always_inline]] inline RowCount no_rows(Outlook outlook) {
+  return {outlook == Outlook::unreachable ? 0 : -1, false};
+}
 
 /// How far the square of a pose's quaternion is from 1.
 [[gnu::always_inline]] inline double unit_excess(const PoseNumbers& pose) {
@@ -23,9 +25,10 @@ enum class Outlook {
   return ((q[0] * q[0] + q[1] * q[1]) + (q[2] * q[2] + q[3] * q[3])) - 1;
 }
 
-/// By the pose's quaternion, and by the distance that the arm's tool cannot exceed, rounding and tolerance (up to 1)
-/// allowed for.
-[[gnu::always_inline]] inline Outlook outlook(const PoseNumbers& pose, double excess, double farthest, double tolerance) {
+/// By the pose's quaternion, and by the distance that the arm's tool cannot exceed, rounding and tolerance
+/// (up to 1) allowed for.
+[[gnu::always_inline]] inline Outlook outlook(const PoseNumbers& pose, double excess, double farthest,
+                                              double tolerance) {
   constexpr double unit = unit_tolerance<double>();
   const double* p = pose.position;
   const double distance = (p[1] * p[1] + p[2] * p[2]) + p[0] * p[0];
@@ -35,10 +38,11 @@ enum class Outlook {
   return distance < std::numeric_limits<double>::infinity() ? Outlook::unreachable : Outlook::invalid;
 }
 
-/// Whether a `circle_angle` that comes before all other branches, or behind one of two signs, has no solution whatever the
-/// sign: its share low / (low + high) is `middle` ± √`swing`. Told without a root.
+/// Whether a `circle_angle` that comes before all other branches, or behind one of two signs, has no solution
+/// whatever the sign: its share low / (low + high) is `middle` ± √`swing`. Told without a root.
 template <typename Scalar>
-[[gnu::always_inline]] inline bool is_out_of_range(const Scalar& middle, const Scalar& swing, const Boundary& boundary) {
+[[gnu::always_inline]] inline bool is_out_of_range(const Scalar& middle, const Scalar& swing,
+                                                   const Boundary& boundary) {
   const Scalar off = magnitude(Scalar(middle - Scalar(0.5)));
   const Scalar half = Scalar(0.5) + Scalar(boundary.beyond);
   const Scalar same_end = off - half;

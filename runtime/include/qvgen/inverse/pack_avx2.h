@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Four branches of a solution in the lanes of one AVX2 register. Only for files that are compiled for AVX2; they include
-// no header with functions of other types, since the linker might take a copy made for AVX2 for everybody. Products and
-// sums are not fused: a lane has the bits that the same branch has in a double.
+// Four branches of a solution in the lanes of one AVX2 register. Only for files that are compiled for AVX2;
+// they include no header with functions of other types, since the linker might take a copy made for AVX2 for
+// everybody. Products and sums are not fused: a lane has the bits that the same branch has in a double.
 
 #include <immintrin.h>
-
 #include <qvgen/inverse/angles.h>
 #include <qvgen/inverse/rows.h>
 
@@ -52,10 +51,14 @@ QVGEN_PACK PackMask operator&(const PackMask& a, const PackMask& b) { return Pac
 QVGEN_PACK PackMask operator|(const PackMask& a, const PackMask& b) { return PackMask(a.lanes | b.lanes); }
 QVGEN_PACK PackMask operator^(const PackMask& a, const PackMask& b) { return PackMask(a.lanes ^ b.lanes); }
 QVGEN_PACK PackMask operator!(const PackMask& a) { return PackMask(~a.lanes); }
-QVGEN_PACK PackMask operator==(const PackMask& a, const PackMask& b) { return PackMask(~(a.lanes ^ b.lanes)); }
+QVGEN_PACK PackMask operator==(const PackMask& a, const PackMask& b) {
+  return PackMask(~(a.lanes ^ b.lanes));
+}
 
 /// One bit for each lane, the first one lowest.
-QVGEN_PACK int bits(const PackMask& mask) { return _mm256_movemask_pd(reinterpret_cast<__m256d>(mask.lanes)); }
+QVGEN_PACK int bits(const PackMask& mask) {
+  return _mm256_movemask_pd(reinterpret_cast<__m256d>(mask.lanes));
+}
 QVGEN_PACK bool any(const PackMask& mask) { return bits(mask) != 0; }
 
 QVGEN_PACK Pack select(const PackMask& condition, const Pack& yes, const Pack& no) {
@@ -70,14 +73,18 @@ QVGEN_PACK Pack magnitude(const Pack& a) { return Pack(_mm256_andnot_pd(sign_bit
 QVGEN_PACK Pack negated(const PackMask& condition, const Pack& a) {
   return Pack(_mm256_xor_pd(a.lanes, _mm256_and_pd(reinterpret_cast<__m256d>(condition.lanes), sign_bits())));
 }
-QVGEN_PACK Pack with_sign(const Pack& magnitude, const Pack& sign) { return negated(sign < Pack(_mm256_setzero_pd()), magnitude); }
+QVGEN_PACK Pack with_sign(const Pack& magnitude, const Pack& sign) {
+  return negated(sign < Pack(_mm256_setzero_pd()), magnitude);
+}
 QVGEN_PACK Pack select_by_sign(const Pack& sign, const Pack& negative, const Pack& otherwise) {
   return Pack(_mm256_blendv_pd(otherwise.lanes, negative.lanes, sign.lanes));
 }
 QVGEN_PACK Pack with_sign_bit(const Pack& magnitude, const Pack& sign) {
   return Pack(_mm256_or_pd(magnitude.lanes, _mm256_and_pd(sign.lanes, sign_bits())));
 }
-QVGEN_PACK Pack flipped(const Pack& a, const Pack& sign) { return Pack(_mm256_xor_pd(a.lanes, _mm256_and_pd(sign.lanes, sign_bits()))); }
+QVGEN_PACK Pack flipped(const Pack& a, const Pack& sign) {
+  return Pack(_mm256_xor_pd(a.lanes, _mm256_and_pd(sign.lanes, sign_bits())));
+}
 
 }  // namespace avx2
 
@@ -89,8 +96,11 @@ struct ScalarTraits<avx2::Pack> {
 
 namespace avx2 {
 QVGEN_PACK Pack arctangent(const Pack& y, const Pack& x) { return polynomial::arctangent(y, x); }
-QVGEN_PACK Pack arctangent(const Pack& y, const Pack& x, const Pack& length) { return polynomial::arctangent(y, x, length); }
-QVGEN_PACK Opposites<Pack> opposite_arctangents(const Pack& y, const Pack& x, const Pack& length, const Pack& pi) {
+QVGEN_PACK Pack arctangent(const Pack& y, const Pack& x, const Pack& length) {
+  return polynomial::arctangent(y, x, length);
+}
+QVGEN_PACK Opposites<Pack> opposite_arctangents(const Pack& y, const Pack& x, const Pack& length,
+                                                const Pack& pi) {
   return polynomial::opposite_arctangents(y, x, length, pi);
 }
 QVGEN_PACK Pack acute_arctangent(const Pack& y, const Pack& x) { return polynomial::acute_arctangent(y, x); }

@@ -6,8 +6,8 @@
 
 namespace qvgen::inverse {
 
-/// Joints that are to carry points to their goals: one point is a position, three that are no line a whole pose. The square
-/// of the arm's size tells how much rounding is.
+/// Joints that are to carry points to their goals: one point is a position, three that are no line a whole
+/// pose. The square of the arm's size tells how much rounding is.
 template <typename Scalar, std::size_t joints, std::size_t points>
 struct Carrying {
   std::array<Screw<Scalar>, joints> arm;
@@ -56,8 +56,10 @@ class Newton {
     return sum;
   }
 
-  /// Where the least squares of J step = goal - points and λ step = 0 lead, some joints held; `nothing` as for `least_squares`.
-  Vector<Scalar, joints> step(const Values& values, const Scalar& lambda, const Scalar& nothing, const Held<joints>& held = {}) const {
+  /// Where the least squares of J step = goal - points and λ step = 0 lead, some joints held; `nothing` as
+  /// for `least_squares`.
+  Vector<Scalar, joints> step(const Values& values, const Scalar& lambda, const Scalar& nothing,
+                              const Held<joints>& held = {}) const {
     std::array<Column, joints> jacobian{};
     Column off{};
     for (std::size_t p = 0; p < points; ++p) add_point(p, values, jacobian, off);
@@ -88,14 +90,16 @@ class Newton {
  private:
   using Column = Vector<Scalar, 3 * points + joints>;
 
-  void add_point(std::size_t p, const Values& values, std::array<Column, joints>& jacobian, Column& off) const {
+  void add_point(std::size_t p, const Values& values, std::array<Column, joints>& jacobian,
+                 Column& off) const {
     std::array<Triple<Scalar>, joints> columns;
     Triple<Scalar> x = task_.start[p];
     for (std::size_t i = joints; i-- > 0;) {
       const Screw<Scalar>& screw = task_.arm[i];
       x = moved(screw, values[i], x);
       columns[i] = screw.revolute ? cross(screw.axis, difference(x, screw.point)) : screw.axis;
-      for (std::size_t k = i + 1; screw.revolute && k < joints; ++k) columns[k] = turned(screw, values[i], columns[k]);
+      for (std::size_t k = i + 1; screw.revolute && k < joints; ++k)
+        columns[k] = turned(screw, values[i], columns[k]);
     }
     const Triple<Scalar> miss = difference(task_.goal[p], x);
     for (std::size_t k = 0; k < 3; ++k) {
@@ -109,15 +113,17 @@ class Newton {
 
 }  // namespace polishing
 
-/// Brings joint values to where they carry the points to their goals, by damped Newton steps (Levenberg, Marquardt).
-/// Returns whether what the best of them miss is no more than is allowed, a share of the size, or than rounding; NaN is not.
+/// Brings joint values to where they carry the points to their goals, by damped Newton steps (Levenberg,
+/// Marquardt). Returns whether what the best of them miss is no more than is allowed, a share of the size, or
+/// than rounding; NaN is not.
 ///
-/// A quartic's roots carry nine to eleven digits, and a closed form that divides by a length of 1e-5 as many: this gives
-/// back the rest. At a double root each step halves what is left, so that there may be many; and it may have to step
-/// aside first, which the next steps make good: hence the patience. Held joints keep their values.
+/// A quartic's roots carry nine to eleven digits, and a closed form that divides by a length of 1e-5 as many:
+/// this gives back the rest. At a double root each step halves what is left, so that there may be many; and
+/// it may have to step aside first, which the next steps make good: hence the patience. Held joints keep
+/// their values.
 template <typename Scalar, std::size_t joints, std::size_t points>
-bool polish(const Carrying<Scalar, joints, points>& task, const Scalar& allowed, JointValues<Scalar, joints>& values,
-            const Held<joints>& held = {}) {
+bool polish(const Carrying<Scalar, joints, points>& task, const Scalar& allowed,
+            JointValues<Scalar, joints>& values, const Held<joints>& held = {}) {
   using std::sqrt;
   constexpr int most_steps = 60;
   constexpr int patience = 6;

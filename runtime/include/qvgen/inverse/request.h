@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Geometry>
-
 #include <qvgen/inverse/outlook.h>
 #include <qvgen/inverse/solutions.h>
 #include <qvgen/pose.h>
@@ -21,20 +20,25 @@ Preference<dof> preference(const Eigen::Matrix<double, dof, 1>& seed) {
   return result;
 }
 
-inline PoseNumbers numbers_of(const Pose<double>& pose) { return {pose.orientation.coeffs().data(), pose.position.data()}; }
+inline PoseNumbers numbers_of(const Pose<double>& pose) {
+  return {pose.orientation.coeffs().data(), pose.position.data()};
+}
 
 inline Outlook outlook(const Pose<double>& pose, double farthest, double tolerance) {
   const PoseNumbers numbers = numbers_of(pose);
   return outlook(numbers, unit_excess(numbers), farthest, tolerance);
 }
 
-/// Why a pose whose outlook is not open has no solutions. A sum of squares is finite wherever they are; the opposite need not
-/// hold.
+/// Why a pose whose outlook is not open has no solutions. A sum of squares is finite wherever they are; the
+/// opposite need not hold.
 inline Status status_beyond(const Pose<double>& pose) {
-  return std::abs(unit_excess(numbers_of(pose))) <= unit_tolerance<double>() && pose.position.allFinite() ? Status::unreachable : Status::invalid;
+  return std::abs(unit_excess(numbers_of(pose))) <= unit_tolerance<double>() && pose.position.allFinite()
+             ? Status::unreachable
+             : Status::invalid;
 }
 
-/// A rotation matrix by its entries: orthogonal with determinant 1 to within the tolerance of a pose's quaternion.
+/// A rotation matrix by its entries: orthogonal with determinant 1 to within the tolerance of a pose's
+/// quaternion.
 inline bool is_rotation(const Matrix3<double>& r) {
   const double tolerance = unit_tolerance<double>();
   const double error = (r.transpose() * r - Matrix3<double>::Identity()).cwiseAbs().maxCoeff();

@@ -10,20 +10,25 @@ template <typename Scalar>
 struct Limits {
   Scalar doubt, beyond, accept;
 
-  explicit Limits(const Boundary& boundary) : doubt(boundary.doubt), beyond(-boundary.beyond), accept(-boundary.accept) {}
+  explicit Limits(const Boundary& boundary)
+      : doubt(boundary.doubt), beyond(-boundary.beyond), accept(-boundary.accept) {}
   Limits(const Boundary& boundary, const Scalar& range)
-      : doubt(Scalar(boundary.doubt) * range), beyond(Scalar(-boundary.beyond) * range), accept(Scalar(-boundary.accept) * range) {}
+      : doubt(Scalar(boundary.doubt) * range),
+        beyond(Scalar(-boundary.beyond) * range),
+        accept(Scalar(-boundary.accept) * range) {}
 };
 
 /// Whether a branch exists that is `margin` from the end of a range; `nearly_free` as for `Boundary::near`.
 template <typename Scalar>
-void admit(const Scalar& margin, const Limits<Scalar>& limits, const Mask<Scalar>& nearly_free, Branch<Scalar>& branch) {
+void admit(const Scalar& margin, const Limits<Scalar>& limits, const Mask<Scalar>& nearly_free,
+           Branch<Scalar>& branch) {
   const Mask<Scalar> close = ((margin < limits.doubt) & (margin > limits.beyond)) | nearly_free;
   branch.doubtful = branch.doubtful | (branch.exists & close);
   branch.exists = branch.exists & ((margin >= limits.accept) | nearly_free);
 }
 
-/// cos φ = (high - low) / (high + low), the two angles ±φ at which a line or circle meets a circle; scale = 1 / (low + high).
+/// cos φ = (high - low) / (high + low), the two angles ±φ at which a line or circle meets a circle; scale = 1
+/// / (low + high).
 ///
 /// For a·x = d, |x| = r: low = r|a| - d, high = r|a| + d, φ counted from a. For |v + x| = δ:
 /// low = (|v|+r)² - δ², high = δ² - (|v|-r)², φ counted from v. Both tell sin² and cos² of φ/2 without
@@ -38,32 +43,35 @@ Rotor<Scalar> circle_angle(const Scalar& low, const Scalar& high, const Scalar& 
   admit(smaller(sine2, cosine2), Limits<Scalar>(boundary), nearly_free, branch);
   const Scalar floor(boundary.floor);
   // The root of low * high, which need not wait for the shares.
-  const Scalar height = sqrt(larger(Scalar(low * high), boundary.floor == 0 ? floor : Scalar(floor / (scale * scale))));
+  const Scalar height =
+      sqrt(larger(Scalar(low * high), boundary.floor == 0 ? floor : Scalar(floor / (scale * scale))));
   return {larger(cosine2, floor) - larger(sine2, floor), (Scalar(2) * sign * magnitude(scale)) * height};
 }
 
-/// Whether a direction of the given square is nearly free, or the nearer end of its range so near that earlier equations,
-/// which magnify rounding where they are at their own ends, may have moved it across.
+/// Whether a direction of the given square is nearly free, or the nearer end of its range so near that
+/// earlier equations, which magnify rounding where they are at their own ends, may have moved it across.
 template <typename Scalar>
-Mask<Scalar> nearly_free(const Scalar& square, const Scalar& low, const Scalar& high, const Scalar& tiny, const Boundary& boundary) {
+Mask<Scalar> nearly_free(const Scalar& square, const Scalar& low, const Scalar& high, const Scalar& tiny,
+                         const Boundary& boundary) {
   constexpr double magnified = 1e8;
   const Scalar end = smaller(magnitude(low), magnitude(high));
   return (square <= Scalar(boundary.near) * tiny) | (end * end <= Scalar(magnified) * tiny);
 }
 
-/// The angle ±φ from a direction (x, y) that the pose gives, low and high as for `circle_angle`. Where the direction's
-/// squared length is below `tiny`, low + high vanishes too: the angle is free if high - low is as small.
+/// The angle ±φ from a direction (x, y) that the pose gives, low and high as for `circle_angle`. Where the
+/// direction's squared length is below `tiny`, low + high vanishes too: the angle is free if high - low is as
+/// small.
 template <typename Scalar>
-Rotor<Scalar> free_circle_angle(const Scalar& low, const Scalar& high, const Rotor<Scalar>& from, const Scalar& tiny,
-                                const Rotor<Scalar>& choice, const Scalar& sign, const Boundary& boundary,
-                                Branch<Scalar>& branch) {
+Rotor<Scalar> free_circle_angle(const Scalar& low, const Scalar& high, const Rotor<Scalar>& from,
+                                const Scalar& tiny, const Rotor<Scalar>& choice, const Scalar& sign,
+                                const Boundary& boundary, Branch<Scalar>& branch) {
   using std::sqrt;
   const Scalar square = from.cosine * from.cosine + from.sine * from.sine;
   const Scalar gap = high - low;
   const Mask<Scalar> is_free = square <= tiny;
   Branch<Scalar> regular = branch;
-  const Rotor<Scalar> turn = circle_angle(low, high, Scalar(Scalar(1) / (low + high)), sign, boundary, regular,
-                                          nearly_free(square, low, high, tiny, boundary));
+  const Rotor<Scalar> turn = circle_angle(low, high, Scalar(Scalar(1) / (low + high)), sign, boundary,
+                                          regular, nearly_free(square, low, high, tiny, boundary));
   branch.take(is_free, gap * gap <= Scalar(boundary.gap) * tiny, regular);
   const Scalar scale = Scalar(1) / sqrt(select(is_free, Scalar(1), square));
   const Rotor<Scalar> found = turn * Rotor<Scalar>{from.cosine * scale, from.sine * scale};
@@ -71,13 +79,13 @@ Rotor<Scalar> free_circle_angle(const Scalar& low, const Scalar& high, const Rot
           select(is_free, Scalar(sign * choice.sine), found.sine)};
 }
 
-/// The angle ±φ from a direction v = (x, y) that the pose gives, with v·u = rhs for the unit vector u: sin φ |v| is the
-/// root of |v|² - rhs², known as the product low * high of two lengths, and so exact where the difference would not be.
-/// Where |v|² is below `tiny` the angle is free if rhs is as small.
+/// The angle ±φ from a direction v = (x, y) that the pose gives, with v·u = rhs for the unit vector u: sin φ
+/// |v| is the root of |v|² - rhs², known as the product low * high of two lengths, and so exact where the
+/// difference would not be. Where |v|² is below `tiny` the angle is free if rhs is as small.
 template <typename Scalar>
-Rotor<Scalar> factored_line_angle(const Rotor<Scalar>& v, const Scalar& rhs, const Scalar& low, const Scalar& high,
-                                  const Scalar& tiny, const Rotor<Scalar>& choice, const Scalar& sign,
-                                  const Boundary& boundary, Branch<Scalar>& branch) {
+Rotor<Scalar> factored_line_angle(const Rotor<Scalar>& v, const Scalar& rhs, const Scalar& low,
+                                  const Scalar& high, const Scalar& tiny, const Rotor<Scalar>& choice,
+                                  const Scalar& sign, const Boundary& boundary, Branch<Scalar>& branch) {
   using std::sqrt;
   const Scalar square = v.cosine * v.cosine + v.sine * v.sine;
   const Mask<Scalar> is_free = square <= tiny;
@@ -86,10 +94,12 @@ Rotor<Scalar> factored_line_angle(const Rotor<Scalar>& v, const Scalar& rhs, con
   const Scalar low_share = low * scale;
   const Scalar high_share = high * scale;
   Branch<Scalar> regular = branch;
-  admit(smaller(low_share, high_share), Limits<Scalar>(boundary), nearly_free(square, low, high, tiny, boundary), regular);
+  admit(smaller(low_share, high_share), Limits<Scalar>(boundary),
+        nearly_free(square, low, high, tiny, boundary), regular);
   branch.take(is_free, rhs * rhs <= Scalar(boundary.gap) * tiny, regular);
   const Scalar floor(boundary.floor);
-  const Scalar height = sign * magnitude(range) * sqrt(Scalar(larger(low_share, floor) * larger(high_share, floor)));
+  const Scalar height =
+      sign * magnitude(range) * sqrt(Scalar(larger(low_share, floor) * larger(high_share, floor)));
   const Scalar length = sqrt(select(is_free, Scalar(1), Scalar(rhs * rhs + height * height)));
   const Scalar unit = Scalar(1) / (length * sqrt(select(is_free, Scalar(1), square)));
   const Rotor<Scalar> found = Rotor<Scalar>{rhs * unit, height * unit} * v;
@@ -97,12 +107,12 @@ Rotor<Scalar> factored_line_angle(const Rotor<Scalar>& v, const Scalar& rhs, con
           select(is_free, Scalar(sign * choice.sine), found.sine)};
 }
 
-/// Of the directions u with inner <= |point + u offset|² <= outer (u turns the offset), `choice` or one near it: what a free
-/// angle may be if the joints after it are to stay in reach. Not one at the very end of their reach, where they would be
-/// singular, too. Without any such direction, the least wrong one.
+/// Of the directions u with inner <= |point + u offset|² <= outer (u turns the offset), `choice` or one near
+/// it: what a free angle may be if the joints after it are to stay in reach. Not one at the very end of their
+/// reach, where they would be singular, too. Without any such direction, the least wrong one.
 template <typename Scalar>
-Rotor<Scalar> reachable_direction(const Rotor<Scalar>& point, const Rotor<Scalar>& offset, const Scalar& inner,
-                                  const Scalar& outer, const Rotor<Scalar>& choice) {
+Rotor<Scalar> reachable_direction(const Rotor<Scalar>& point, const Rotor<Scalar>& offset,
+                                  const Scalar& inner, const Scalar& outer, const Rotor<Scalar>& choice) {
   using std::sqrt;
   const Rotor<Scalar> product = inverse(point) * offset;
   const Scalar square = product.cosine * product.cosine + product.sine * product.sine;
@@ -111,7 +121,8 @@ Rotor<Scalar> reachable_direction(const Rotor<Scalar>& point, const Rotor<Scalar
   const Rotor<Scalar> along{select(round, Scalar(1), Scalar(product.cosine / length)),
                             select(round, Scalar(0), Scalar(product.sine / length))};
   const Rotor<Scalar> now = choice * along;
-  const Scalar sum = point.cosine * point.cosine + point.sine * point.sine + offset.cosine * offset.cosine + offset.sine * offset.sine;
+  const Scalar sum = point.cosine * point.cosine + point.sine * point.sine + offset.cosine * offset.cosine +
+                     offset.sine * offset.sine;
   const Scalar least = (inner - sum) / (Scalar(2) * length);
   const Scalar most = (outer - sum) / (Scalar(2) * length);
   const Scalar low = larger(least, Scalar(-1));
@@ -120,14 +131,15 @@ Rotor<Scalar> reachable_direction(const Rotor<Scalar>& point, const Rotor<Scalar
   const Scalar above = select(now.cosine < low, Scalar(low + inside), now.cosine);
   const Scalar within = select(above > high, Scalar(high - inside), above);
   const Scalar cosine = smaller(larger(within, Scalar(-1)), Scalar(1));
-  const Rotor<Scalar> moved{cosine, with_sign(sqrt(not_negative(Scalar((Scalar(1) - cosine) * (Scalar(1) + cosine)))), now.sine)};
+  const Rotor<Scalar> moved{
+      cosine, with_sign(sqrt(not_negative(Scalar((Scalar(1) - cosine) * (Scalar(1) + cosine)))), now.sine)};
   const Rotor<Scalar> found = moved * inverse(along);
   const Mask<Scalar> stays = (cosine == now.cosine) | round;
   return {select(stays, choice.cosine, found.cosine), select(stays, choice.sine, found.sine)};
 }
 
-/// The direction of v, a product of two vectors that are at most unit vectors and vanish together: then it is free. What
-/// is left of vectors of 1e-5, next to a double root that carries half the digits, may be noise.
+/// The direction of v, a product of two vectors that are at most unit vectors and vanish together: then it is
+/// free. What is left of vectors of 1e-5, next to a double root that carries half the digits, may be noise.
 template <typename Scalar>
 Rotor<Scalar> chosen_direction(const Rotor<Scalar>& v, const Rotor<Scalar>& choice, const Boundary& boundary,
                                Branch<Scalar>& branch) {
@@ -138,8 +150,8 @@ Rotor<Scalar> chosen_direction(const Rotor<Scalar>& v, const Rotor<Scalar>& choi
   return direction(v, boundary.choose ? little : Scalar(noise * noise * noise * noise), choice, branch);
 }
 
-/// ±sqrt(square), where `square` = r² - m² may be negative by rounding, `scale` = m² telling how much that is.
-/// With scale 0 it is a sum of squares, and noise is what lies below `tiny`, the square of a length.
+/// ±sqrt(square), where `square` = r² - m² may be negative by rounding, `scale` = m² telling how much that
+/// is. With scale 0 it is a sum of squares, and noise is what lies below `tiny`, the square of a length.
 template <typename Scalar>
 Scalar signed_root(const Scalar& square, const Scalar& scale, const Scalar& tiny, const Scalar& sign,
                    const Boundary& boundary, Branch<Scalar>& branch) {
@@ -149,9 +161,11 @@ Scalar signed_root(const Scalar& square, const Scalar& scale, const Scalar& tiny
   return sign * sqrt(larger(square, Scalar(boundary.floor) * (scale + tiny)));
 }
 
-/// Requires an equation that the pose must satisfy for the arm to reach it at all (a planar arm's plane, say).
+/// Requires an equation that the pose must satisfy for the arm to reach it at all (a planar arm's plane,
+/// say).
 template <typename Scalar>
-void require_zero(const Scalar& residual, const Scalar& scale, const Scalar& tolerance, Branch<Scalar>& branch) {
+void require_zero(const Scalar& residual, const Scalar& scale, const Scalar& tolerance,
+                  Branch<Scalar>& branch) {
   branch.exists = branch.exists & (residual <= tolerance * scale) & (residual >= -tolerance * scale);
 }
 

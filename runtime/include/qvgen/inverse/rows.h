@@ -5,8 +5,9 @@
 
 namespace qvgen::inverse {
 
-/// Where rows of solutions are written: the joints of the first, and how many numbers further the next begins. Behind a
-/// row's joints stand its branch (an int) and its mark (a bool). For code that may not know Eigen.
+/// Where rows of solutions are written: the joints of the first, and how many numbers further the next
+/// begins. Behind a row's joints stand its branch (an int) and its mark (a bool). For code that may not know
+/// Eigen.
 struct RowPlaces {
   double* first;
   std::ptrdiff_t stride;

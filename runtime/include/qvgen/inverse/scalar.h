@@ -4,8 +4,9 @@
 #include <cmath>
 #include <limits>
 
-/// Building blocks of generated inverse kinematics. Every block computes one branch of a solution, chosen by a
-/// sign, without jumps, so that the same text serves one number or a pack of numbers, one branch in each lane.
+/// Building blocks of generated inverse kinematics. Every block computes one branch of a solution, chosen by
+/// a sign, without jumps, so that the same text serves one number or a pack of numbers, one branch in each
+/// lane.
 namespace qvgen::inverse {
 
 /// What a scalar type needs beyond arithmetic; packs and multi-precision numbers specialise it.
@@ -42,8 +43,9 @@ Scalar merge_share() {
   return Scalar(18) * epsilon<Scalar>();
 }
 
-/// How far off a pose the nearest joints may leave the arm's point and still count as a solution, as a share of the arm's
-/// size: what a pose at the boundary of reach needs, since rounding puts every second one outside.
+/// How far off a pose the nearest joints may leave the arm's point and still count as a solution, as a share
+/// of the arm's size: what a pose at the boundary of reach needs, since rounding puts every second one
+/// outside.
 inline constexpr double default_tolerance = 1e-13;
 
 template <typename Scalar>
@@ -84,37 +86,47 @@ Scalar negated(const Mask<Scalar>& condition, const Scalar& a) {
 // By the sign bit alone, -0 counting as negative: one instruction less than a comparison.
 
 /// `negative` where the sign bit is set.
-inline double select_by_sign(double sign, double negative, double otherwise) { return select(std::signbit(sign), negative, otherwise); }
+inline double select_by_sign(double sign, double negative, double otherwise) {
+  return select(std::signbit(sign), negative, otherwise);
+}
 /// |magnitude| with the sign bit.
 inline double with_sign_bit(double magnitude, double sign) { return std::copysign(magnitude, sign); }
 /// -a where the sign bit is set.
 inline double flipped(double a, double sign) { return a * std::copysign(1.0, sign); }
 
-/// How blocks treat the ends of their range, where two solutions meet and rounding decides whether they exist.
+/// How blocks treat the ends of their range, where two solutions meet and rounding decides whether they
+/// exist.
 ///
-/// A first pass takes equations at their word and says where it should not be trusted. Poses in doubt are solved once more:
-/// whatever might exist is followed from the end of the range, and Newton steps and the pose they reach decide. Branches
-/// that come to nothing so are followed again from two places apart, since at the end itself Newton's steps are blind; and
-/// what is left may be out of reach by less than is tolerated.
+/// A first pass takes equations at their word and says where it should not be trusted. Poses in doubt are
+/// solved once more: whatever might exist is followed from the end of the range, and Newton steps and the
+/// pose they reach decide. Branches that come to nothing so are followed again from two places apart, since
+/// at the end itself Newton's steps are blind; and what is left may be out of reach by less than is
+/// tolerated.
 struct Boundary {
-  double accept;  ///< so far outside, as a share of the range, a branch still exists and is taken to the end of the range
+  double accept;  ///< so far outside, as a share of the range, a branch still exists and is taken to the end
+                  ///< of the range
   double doubt;   ///< nearer to an end than this share, inside, the branch is doubtful
   double beyond;  ///< the same outside: what is farther out is not for rounding to decide
   double floor;   ///< least share of the range: what is nearer to the end is moved away from it
-  double near;    ///< a direction whose square is below this multiple of noise is nearly free: doubtful, and accepted at any share
+  double near;    ///< a direction whose square is below this multiple of noise is nearly free: doubtful, and
+                  ///< accepted at any share
   bool choose;    ///< what is nearly free is chosen as if it were free
   bool take;      ///< places on a continuum are taken where nothing has been chosen, too
-  double gap;     ///< a free direction's equation holds if the square of what is left is below this multiple of noise
-  double miss;    ///< how far off the pose polished joints may leave the arm, as a share of its size
-  double fold;    ///< so far outside a wrist at the end of the arm's joints still exists, folded
+  double gap;   ///< a free direction's equation holds if the square of what is left is below this multiple of
+                ///< noise
+  double miss;  ///< how far off the pose polished joints may leave the arm, as a share of its size
+  double fold;  ///< so far outside a wrist at the end of the arm's joints still exists, folded
 
   static constexpr Boundary plain(double tolerance) {
-    return {0, 1e-7 + 100 * tolerance, 1e-10 + 100 * tolerance, 0, 1e18, false, false, 64, tolerance, tolerance};
+    return {0,        1e-7 + 100 * tolerance, 1e-10 + 100 * tolerance, 0, 1e18, false, false, 64, tolerance,
+            tolerance};
   }
-  /// From the ends of the ranges, taking no miss but rounding. What that leaves in the joints of an arm near a singular place
-  /// of its own reaches the wrist magnified: half of the 1e-12 that no solution may miss its pose by.
+  /// From the ends of the ranges, taking no miss but rounding. What that leaves in the joints of an arm near
+  /// a singular place of its own reaches the wrist magnified: half of the 1e-12 that no solution may miss its
+  /// pose by.
   static constexpr Boundary careful(double tolerance) {
-    return {1e-3 + 100 * tolerance, 0, 0, 0, 1e18, false, false, 64e14, 0, tolerance > 5e-13 ? tolerance : 5e-13};
+    return {
+        1e-3 + 100 * tolerance, 0, 0, 0, 1e18, false, false, 64e14, 0, tolerance > 5e-13 ? tolerance : 5e-13};
   }
   /// The same with a choice where an angle is nearly free.
   static constexpr Boundary choosing(double tolerance) {
@@ -123,8 +135,8 @@ struct Boundary {
     boundary.take = true;
     return boundary;
   }
-  /// The same where the choice leaves the joints after it out of reach: they are stretched to where it would be, and Newton's
-  /// steps turn the chosen joint until they reach.
+  /// The same where the choice leaves the joints after it out of reach: they are stretched to where it would
+  /// be, and Newton's steps turn the chosen joint until they reach.
   static constexpr Boundary reaching(double tolerance) {
     Boundary boundary = choosing(tolerance);
     boundary.accept = 1e3;
@@ -155,14 +167,16 @@ template <typename Scalar>
 struct Branch {
   Mask<Scalar> exists{true};      ///< false: no such solution
   Mask<Scalar> continuum{false};  ///< true: an angle was free and has been chosen
-  Mask<Scalar> doubtful{false};   ///< true: rounding may have decided what exists, on this branch or on one before
+  Mask<Scalar> doubtful{
+      false};  ///< true: rounding may have decided what exists, on this branch or on one before
 
   /// Back to a fork; doubts stay.
   void resume(const Branch& fork) {
     exists = fork.exists;
     continuum = fork.continuum;
   }
-  /// Where an angle is free it has been chosen, if the equation holds; elsewhere the branch is what a regular block has found.
+  /// Where an angle is free it has been chosen, if the equation holds; elsewhere the branch is what a regular
+  /// block has found.
   void take(const Mask<Scalar>& is_free, const Mask<Scalar>& holds, const Branch& regular) {
     doubtful = doubtful | (exists & is_free) | regular.doubtful;
     exists = (is_free & exists & holds) | ((!is_free) & regular.exists);

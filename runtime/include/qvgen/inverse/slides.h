@@ -3,19 +3,20 @@
 
 #include <qvgen/inverse/roots.h>
 
-/// Blocks for prismatic joints whose directions depend on the pose: at some poses an equation loses them, and they are free.
+/// Blocks for prismatic joints whose directions depend on the pose: at some poses an equation loses them, and
+/// they are free.
 namespace qvgen::inverse {
 
-/// A part of a unit vector whose square is below this has no direction: it vanishes but for rounding, or, in a pass that
-/// chooses what is nearly free, it is next to nothing.
+/// A part of a unit vector whose square is below this has no direction: it vanishes but for rounding, or, in
+/// a pass that chooses what is nearly free, it is next to nothing.
 template <typename Scalar>
 Scalar blind_square(const Boundary& boundary) {
   const Scalar noise = Scalar(64) * epsilon<Scalar>();
   return boundary.choose ? Scalar(1e-20) : Scalar(noise * noise);
 }
 
-/// Whether a part of a unit vector of the given square costs digits that matter: two in a first pass; later only what a
-/// choice may have to replace.
+/// Whether a part of a unit vector of the given square costs digits that matter: two in a first pass; later
+/// only what a choice may have to replace.
 template <typename Scalar>
 Mask<Scalar> costs_digits(const Scalar& square, const Boundary& boundary) {
   return square <= Scalar(boundary.doubt > 0 ? 1e-4 : 1e-20);
@@ -38,11 +39,12 @@ struct Chord {
   }
 };
 
-/// A free slide t with inner <= |point + t along|² <= outer, so that the joints after it stay in reach: nearest to `value`,
-/// or, if `spread` is turned, that share of the way from the foot of the perpendicular. Without any such t, the least wrong.
+/// A free slide t with inner <= |point + t along|² <= outer, so that the joints after it stay in reach:
+/// nearest to `value`, or, if `spread` is turned, that share of the way from the foot of the perpendicular.
+/// Without any such t, the least wrong.
 template <typename Scalar>
-Scalar slide_between(const Rotor<Scalar>& point, const Rotor<Scalar>& along, const Scalar& inner, const Scalar& outer,
-                     const Scalar& value, const Rotor<Scalar>& spread) {
+Scalar slide_between(const Rotor<Scalar>& point, const Rotor<Scalar>& along, const Scalar& inner,
+                     const Scalar& outer, const Scalar& value, const Rotor<Scalar>& spread) {
   const Chord<Scalar> near(point, along, inner);
   const Scalar far = Chord<Scalar>(point, along, outer).half;
   const Scalar shared = near.half + magnitude(spread.cosine) * (far - near.half);
@@ -53,11 +55,11 @@ Scalar slide_between(const Rotor<Scalar>& point, const Rotor<Scalar>& along, con
   return select(near.is_point, value, Scalar(near.foot + off));
 }
 
-/// The same without an outer end: the turned `spread` is the direction of the slide as seen from beside its foot, at the
-/// distance of the arm's size.
+/// The same without an outer end: the turned `spread` is the direction of the slide as seen from beside its
+/// foot, at the distance of the arm's size.
 template <typename Scalar>
-Scalar slide_beyond(const Rotor<Scalar>& point, const Rotor<Scalar>& along, const Scalar& inner, const Scalar& size_square,
-                    const Scalar& value, const Rotor<Scalar>& spread) {
+Scalar slide_beyond(const Rotor<Scalar>& point, const Rotor<Scalar>& along, const Scalar& inner,
+                    const Scalar& size_square, const Scalar& value, const Rotor<Scalar>& spread) {
   using std::sqrt;
   const Chord<Scalar> near(point, along, inner);
   const Mask<Scalar> is_spread = !(spread.sine == Scalar(0));
@@ -67,12 +69,12 @@ Scalar slide_beyond(const Rotor<Scalar>& point, const Rotor<Scalar>& along, cons
   return select(near.is_point, value, Scalar(near.foot + off));
 }
 
-/// t with t along = rhs in a plane. Where the pose makes `along` vanish, whose length is at most 1, t is free if rhs vanishes
-/// too: then it is the caller's choice. Where `along` is so small that rounding decides about t, it is as near to the choice
-/// as the equation lets it; where it is merely small, t has lost digits.
+/// t with t along = rhs in a plane. Where the pose makes `along` vanish, whose length is at most 1, t is free
+/// if rhs vanishes too: then it is the caller's choice. Where `along` is so small that rounding decides about
+/// t, it is as near to the choice as the equation lets it; where it is merely small, t has lost digits.
 template <typename Scalar>
-Scalar slide_on_line(const Rotor<Scalar>& along, const Rotor<Scalar>& rhs, const Scalar& tiny, const Scalar& choice,
-                     const Boundary& boundary, Branch<Scalar>& branch) {
+Scalar slide_on_line(const Rotor<Scalar>& along, const Rotor<Scalar>& rhs, const Scalar& tiny,
+                     const Scalar& choice, const Boundary& boundary, Branch<Scalar>& branch) {
   using std::sqrt;
   const Scalar square = along.cosine * along.cosine + along.sine * along.sine;
   const Scalar gap = rhs.cosine * rhs.cosine + rhs.sine * rhs.sine;
@@ -89,12 +91,14 @@ Scalar slide_on_line(const Rotor<Scalar>& along, const Rotor<Scalar>& rhs, const
   return select(is_free, choice, smaller(least, Scalar(middle + width)));
 }
 
-/// The root t of a t² + 2 b t + c = 0, a length, at which a t + b has the sign given. What rounding may do to b is a root of
-/// `tiny`, what it may do to c is that times the size; less than a thousandfold of that it may decide. Where a vanishes one root lies at infinity: there is no such branch. For sign 0 it is the
-/// root nearer to 0.
+/// The root t of a t² + 2 b t + c = 0, a length, at which a t + b has the sign given. What rounding may do to
+/// b is a root of `tiny`, what it may do to c is that times the size; less than a thousandfold of that it may
+/// decide. Where a vanishes one root lies at infinity: there is no such branch. For sign 0 it is the root
+/// nearer to 0.
 template <typename Scalar>
 Scalar quadratic_root(const Scalar& a, const Scalar& b, const Scalar& c, const Scalar& tiny,
-                      const Scalar& size_square, const Scalar& sign, const Boundary& boundary, Branch<Scalar>& branch) {
+                      const Scalar& size_square, const Scalar& sign, const Boundary& boundary,
+                      Branch<Scalar>& branch) {
   using std::sqrt;
   const Scalar scale = b * b + magnitude(Scalar(a * c));
   const Scalar discriminant = b * b - a * c;
@@ -109,15 +113,18 @@ Scalar quadratic_root(const Scalar& a, const Scalar& b, const Scalar& c, const S
   branch.exists = branch.exists & !is_far;
   const Scalar divisor = select(wants_large, a, sum);
   const Scalar value = select(wants_large, sum, c);
-  return select(divisor == Scalar(0), Scalar(0), Scalar(-value / select(divisor == Scalar(0), Scalar(1), divisor)));
+  return select(divisor == Scalar(0), Scalar(0),
+                Scalar(-value / select(divisor == Scalar(0), Scalar(1), divisor)));
 }
 
-/// Two slides (s, t) that an equation binds and a quadratic one: a s - b t = k, s² + 2 g s - t² - 2 f t + gap = 0, (a, b) parts
-/// of unit vectors. Where both vanish one is free, if k vanishes too: s is what is chosen, as far as t can follow.
+/// Two slides (s, t) that an equation binds and a quadratic one: a s - b t = k, s² + 2 g s - t² - 2 f t + gap
+/// = 0, (a, b) parts of unit vectors. Where both vanish one is free, if k vanishes too: s is what is chosen,
+/// as far as t can follow.
 template <typename Scalar>
-Rotor<Scalar> two_slides(const Rotor<Scalar>& ab, const Scalar& k, const Rotor<Scalar>& gf, const Scalar& gap, const Scalar& tiny,
-                         const Scalar& size_square, const Scalar& choice, const Rotor<Scalar>& spread, const Scalar& sign,
-                         const Boundary& boundary, Branch<Scalar>& branch) {
+Rotor<Scalar> two_slides(const Rotor<Scalar>& ab, const Scalar& k, const Rotor<Scalar>& gf, const Scalar& gap,
+                         const Scalar& tiny, const Scalar& size_square, const Scalar& choice,
+                         const Rotor<Scalar>& spread, const Scalar& sign, const Boundary& boundary,
+                         Branch<Scalar>& branch) {
   using std::sqrt;
   const Scalar g = gf.cosine;
   const Scalar f = gf.sine;
@@ -126,18 +133,21 @@ Rotor<Scalar> two_slides(const Rotor<Scalar>& ab, const Scalar& k, const Rotor<S
   const Scalar scale = Scalar(1) / sqrt(select(is_free, Scalar(1), square));
   // The line of the first equation: its foot from (0, 0) and its direction.
   const Scalar inner = g * g - gap - f * f;
-  const Scalar free_foot = slide_beyond<Scalar>({g, Scalar(0)}, {Scalar(1), Scalar(0)}, inner, size_square, choice, spread);
+  const Scalar free_foot =
+      slide_beyond<Scalar>({g, Scalar(0)}, {Scalar(1), Scalar(0)}, inner, size_square, choice, spread);
   const Scalar foot = select(is_free, free_foot, Scalar(k * scale));
-  const Rotor<Scalar> normal{select(is_free, Scalar(1), Scalar(ab.cosine * scale)), select(is_free, Scalar(0), Scalar(-ab.sine * scale))};
+  const Rotor<Scalar> normal{select(is_free, Scalar(1), Scalar(ab.cosine * scale)),
+                             select(is_free, Scalar(0), Scalar(-ab.sine * scale))};
   const Rotor<Scalar> along{-normal.sine, normal.cosine};
   Branch<Scalar> regular = branch;
   regular.doubtful = regular.doubtful | (regular.exists & costs_digits(square, boundary));
   branch.take(is_free, k * k <= Scalar(boundary.gap) * tiny, regular);
-  const Scalar by = quadratic_root<Scalar>(along.cosine * along.cosine - along.sine * along.sine,
-                                           foot * (normal.cosine * along.cosine - normal.sine * along.sine) + g * along.cosine - f * along.sine,
-                                           foot * foot * (normal.cosine * normal.cosine - normal.sine * normal.sine) +
-                                               Scalar(2) * foot * (g * normal.cosine - f * normal.sine) + gap,
-                                           tiny, size_square, sign, boundary, branch);
+  const Scalar by = quadratic_root<Scalar>(
+      along.cosine * along.cosine - along.sine * along.sine,
+      foot * (normal.cosine * along.cosine - normal.sine * along.sine) + g * along.cosine - f * along.sine,
+      foot * foot * (normal.cosine * normal.cosine - normal.sine * normal.sine) +
+          Scalar(2) * foot * (g * normal.cosine - f * normal.sine) + gap,
+      tiny, size_square, sign, boundary, branch);
   return {foot * normal.cosine + by * along.cosine, foot * normal.sine + by * along.sine};
 }
 

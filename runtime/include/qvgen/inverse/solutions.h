@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <array>
+
+#include <Eigen/Core>
 
 namespace qvgen {
 
@@ -52,7 +53,9 @@ class Solutions {
 
   [[nodiscard]] int size() const { return size_; }
   [[nodiscard]] bool empty() const { return size_ == 0; }
-  [[nodiscard]] const Solution<dof>& operator[](int index) const { return rows_[static_cast<std::size_t>(index)]; }
+  [[nodiscard]] const Solution<dof>& operator[](int index) const {
+    return rows_[static_cast<std::size_t>(index)];
+  }
   [[nodiscard]] Solution<dof>& operator[](int index) { return rows_[static_cast<std::size_t>(index)]; }
   [[nodiscard]] const Solution<dof>* begin() const { return rows_.data(); }
   [[nodiscard]] const Solution<dof>* end() const { return rows_.data() + size_; }
@@ -87,7 +90,8 @@ enum class Form {
 
 /// Appends a row; for generated code.
 template <int dof, int capacity>
-void append(Solutions<dof, capacity>& found, const Eigen::Matrix<double, dof, 1>& q, int branch, bool continuum) {
+void append(Solutions<dof, capacity>& found, const Eigen::Matrix<double, dof, 1>& q, int branch,
+            bool continuum) {
   Solution<dof>& row = found.append();
   row.q = q;
   row.branch = branch;

@@ -5,14 +5,16 @@
 
 namespace qvgen::inverse {
 
-/// What is to be taken where a joint is free, by joint, angles with their cosines and sines: zero or the caller's.
+/// What is to be taken where a joint is free, by joint, angles with their cosines and sines: zero or the
+/// caller's.
 template <int dof>
 struct Preference {
   double angle[dof];
   double slide[dof];
   Rotor<double> turn[dof];
   Rotor<double> brief[dof];  ///< the same as short as `span` wants them
-  Rotor<double> spread;      ///< (1, 0): slides are where they are preferred; turned: elsewhere in reach, see `slide_between`
+  Rotor<double> spread;      ///< (1, 0): slides are where they are preferred; turned: elsewhere in reach, see
+                             ///< `slide_between`
   bool seeded = false;       ///< the caller's
 
   constexpr Preference() : angle{}, slide{}, turn{}, brief{}, spread{1, 0} {
@@ -33,21 +35,24 @@ struct PoseNumbers {
   const double* position;
 };
 
-/// 1 / |q| of a valid pose's quaternion from |q|² - 1, which `unit_tolerance` keeps so small that its third power is below
-/// rounding.
-[[gnu::always_inline]] inline double unit_scale(double excess) { return 1 + excess * (-0.5 + 0.375 * excess); }
+/// 1 / |q| of a valid pose's quaternion from |q|² - 1, which `unit_tolerance` keeps so small that its third
+/// power is below rounding.
+[[gnu::always_inline]] inline double unit_scale(double excess) {
+  return 1 + excess * (-0.5 + 0.375 * excess);
+}
 /// 1 / |q|², the same way.
 [[gnu::always_inline]] inline double square_scale(double excess) { return 1 + excess * (excess - 1); }
 
-/// The part of a generated Target that is the same for every robot. Nothing but numbers, without Eigen: files that are
-/// compiled for other machines than the rest read it.
+/// The part of a generated Target that is the same for every robot. Nothing but numbers, without Eigen: files
+/// that are compiled for other machines than the rest read it.
 template <int dof>
 struct TargetBase {
   static constexpr double noise = 16 * std::numeric_limits<double>::epsilon();
   static constexpr double tiny0 = noise * noise;  ///< the same of directions of unit length
-  double tolerance;            ///< see `default_tolerance`
-  Boundary boundary;           ///< how this pass treats the ends of ranges
-  double tiny1, tiny2, tiny4;  ///< squares of directions that are noise: of lengths, squared lengths, short lengths squared
+  double tolerance;                               ///< see `default_tolerance`
+  Boundary boundary;                              ///< how this pass treats the ends of ranges
+  double tiny1, tiny2,
+      tiny4;  ///< squares of directions that are noise: of lengths, squared lengths, short lengths squared
   double locked, cos_locked, sin_locked;
   const Preference<dof>* preference;
 

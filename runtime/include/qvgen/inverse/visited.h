@@ -5,8 +5,8 @@
 
 namespace qvgen::inverse {
 
-/// What has come of each branch, and the solutions so far by the values of the joints that decide: the closed form may
-/// come to one from two branches, and polishing brings two together where they are one.
+/// What has come of each branch, and the solutions so far by the values of the joints that decide: the closed
+/// form may come to one from two branches, and polishing brings two together where they are one.
 template <typename Scalar, std::size_t joints, std::size_t capacity>
 class Visited {
  public:
@@ -32,11 +32,11 @@ class Visited {
     --count_;
   }
 
-  /// Polishes where a branch has led; true if that is a solution and a new one, to half the digits. On a continuum the place
-  /// is to be one that a pass has chosen, or the one next to the seed, if there is one.
+  /// Polishes where a branch has led; true if that is a solution and a new one, to half the digits. On a
+  /// continuum the place is to be one that a pass has chosen, or the one next to the seed, if there is one.
   template <std::size_t points>
-  bool settle(int label, const Carrying<Scalar, joints, points>& task, const Boundary& boundary, const Values* seed, Values& values,
-              Branch<Scalar>& branch) {
+  bool settle(int label, const Carrying<Scalar, joints, points>& task, const Boundary& boundary,
+              const Values* seed, Values& values, Branch<Scalar>& branch) {
     const auto at = static_cast<std::size_t>(label);
     const Idling<Scalar, joints, points> idling(task);
     bool reached = branch.exists && polish(task, Scalar(boundary.miss), values);
@@ -52,7 +52,8 @@ class Visited {
       if (seed != nullptr) near_seed(task, *seed, values);
     }
     const bool known = is_known(idling, values);
-    // Near a continuum two branches may have been led to the one solution and left another; and so may a choice lead.
+    // Near a continuum two branches may have been led to the one solution and left another; and so may a
+    // choice lead.
     settled_[at] = !(known && (strays || left_[at]));
     if (known) return false;
     rows_[count_++] = values;

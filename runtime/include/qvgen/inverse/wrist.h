@@ -13,10 +13,11 @@ struct WristAngles {
   Scalar first, middle, last;
 };
 
-/// Below this share of the whole length of U11 and U12 an argument is noise: the angle is free, and the middle angle taken as
-/// exactly singular turns the orientation by no more than twice this, 8e-15. Where first and last axis are in line rounding
-/// alone leaves half an epsilon in the median and stays below this on 95 to 100 % of the poses; the rest are poses whose
-/// position is ill-conditioned: there the middle angle is as regular as the rounded pose says.
+/// Below this share of the whole length of U11 and U12 an argument is noise: the angle is free, and the
+/// middle angle taken as exactly singular turns the orientation by no more than twice this, 8e-15. Where
+/// first and last axis are in line rounding alone leaves half an epsilon in the median and stays below this
+/// on 95 to 100 % of the poses; the rest are poses whose position is ill-conditioned: there the middle angle
+/// is as regular as the rounded pose says.
 template <typename Scalar>
 Scalar wrist_noise() {
   return Scalar(18) * epsilon<Scalar>();
@@ -34,9 +35,11 @@ Vanishing<Scalar> vanishing(const Scalar& u_square, const Scalar& v_square) {
   return {u_square <= noise, v_square <= noise};
 }
 
-/// The same before further joints: nearly free, what the angles are is for those to say, which may be at the end of their reach.
+/// The same before further joints: nearly free, what the angles are is for those to say, which may be at the
+/// end of their reach.
 template <typename Scalar>
-Vanishing<Scalar> vanishing(const Scalar& u_square, const Scalar& v_square, const Boundary& boundary, Branch<Scalar>& branch) {
+Vanishing<Scalar> vanishing(const Scalar& u_square, const Scalar& v_square, const Boundary& boundary,
+                            Branch<Scalar>& branch) {
   const Scalar noise = wrist_noise<Scalar>() * wrist_noise<Scalar>() * (u_square + v_square);
   const Scalar little = Scalar(boundary.near) * noise;
   branch.doubtful = branch.doubtful | (branch.exists & ((u_square <= little) | (v_square <= little)));
@@ -49,8 +52,8 @@ Vanishing<Scalar> vanishing(const Scalar& u_square, const Scalar& v_square, cons
 
 /// Arguments of the two complex numbers; one that vanishes gets what makes their sum equal to `first`.
 template <typename Scalar>
-void arguments(const Rotor<Scalar>& u, const Rotor<Scalar>& v, const Vanishing<Scalar>& is_free, const Scalar& first,
-               Scalar& u_argument, Scalar& v_argument, Branch<Scalar>& branch) {
+void arguments(const Rotor<Scalar>& u, const Rotor<Scalar>& v, const Vanishing<Scalar>& is_free,
+               const Scalar& first, Scalar& u_argument, Scalar& v_argument, Branch<Scalar>& branch) {
   const Scalar u_angle = angle(u);
   const Scalar v_angle = angle(v);
   u_argument = select(is_free.u, Scalar(first - v_angle), u_angle);
@@ -63,15 +66,17 @@ template <typename Scalar>
 struct WristBranches {
   WristAngles<Scalar> one, other;
 
-  WristBranches(const Opposites<Scalar>& first, const Scalar& middle, const Opposites<Scalar>& last, const Scalar& pi)
+  WristBranches(const Opposites<Scalar>& first, const Scalar& middle, const Opposites<Scalar>& last,
+                const Scalar& pi)
       : one{first.one, middle, last.one}, other{first.other, negative(middle, pi), last.other} {}
 };
 
-/// Where u or v vanishes first is the choice, what is left follows from the other number, the middle angle is 0 or pi.
-/// Elsewhere the branches stay as they are.
+/// Where u or v vanishes first is the choice, what is left follows from the other number, the middle angle is
+/// 0 or pi. Elsewhere the branches stay as they are.
 template <typename Scalar>
-WristBranches<Scalar> aligned_wrist(const WristBranches<Scalar>& regular, const Rotor<Scalar>& u, const Rotor<Scalar>& v,
-                                    const Vanishing<Scalar>& is_free, bool swapped, const Scalar& choice, const Scalar& pi) {
+WristBranches<Scalar> aligned_wrist(const WristBranches<Scalar>& regular, const Rotor<Scalar>& u,
+                                    const Rotor<Scalar>& v, const Vanishing<Scalar>& is_free, bool swapped,
+                                    const Scalar& choice, const Scalar& pi) {
   const Mask<Scalar> any_free = is_free.u | is_free.v;
   const Scalar half = arctangent(select(is_free.u, v.sine, u.sine), select(is_free.u, v.cosine, u.cosine));
   const Scalar rest = Scalar(2) * half - choice;
@@ -81,17 +86,18 @@ WristBranches<Scalar> aligned_wrist(const WristBranches<Scalar>& regular, const 
   const auto both = [&](const Scalar& angle, const Scalar& other) {
     return Opposites<Scalar>{angle, select(any_free, opposite(angle, pi), other)};
   };
-  return {both(first, regular.other.first), select(any_free, straight, regular.one.middle), both(last, regular.other.last), pi};
+  return {both(first, regular.other.first), select(any_free, straight, regular.one.middle),
+          both(last, regular.other.last), pi};
 }
 
 /// Wrist with right angles between neighbouring axes: the thesis's Euler wrist in half-angle form.
 ///
-/// u, v: the entries of the wrist's SU(2) matrix, of any length, turned so that first = arg u + arg v, last = arg u - arg v and
-/// middle = 2 atan2(|v|, |u|), in [0, pi] (with `swapped` the other way round). Accurate at middle = 0 and pi, where v or u
-/// vanishes: there first - last or first + last is free.
+/// u, v: the entries of the wrist's SU(2) matrix, of any length, turned so that first = arg u + arg v, last =
+/// arg u - arg v and middle = 2 atan2(|v|, |u|), in [0, pi] (with `swapped` the other way round). Accurate at
+/// middle = 0 and pi, where v or u vanishes: there first - last or first + last is free.
 template <typename Scalar>
-WristBranches<Scalar> right_wrist(const Rotor<Scalar>& u, const Rotor<Scalar>& v, bool swapped, const Scalar& seed,
-                                  const Scalar& pi, Branch<Scalar>& branch) {
+WristBranches<Scalar> right_wrist(const Rotor<Scalar>& u, const Rotor<Scalar>& v, bool swapped,
+                                  const Scalar& seed, const Scalar& pi, Branch<Scalar>& branch) {
   using std::sqrt;
   const Scalar u_square = u.cosine * u.cosine + u.sine * u.sine;
   const Scalar v_square = v.cosine * v.cosine + v.sine * v.sine;
@@ -120,10 +126,11 @@ struct WristTurns {
   Rotor<Scalar> first, middle, last;
 };
 
-/// The directions of the two numbers. One of them vanishes at most: what it leaves free makes the first angle the choice.
+/// The directions of the two numbers. One of them vanishes at most: what it leaves free makes the first angle
+/// the choice.
 template <typename Scalar>
-std::pair<Rotor<Scalar>, Rotor<Scalar>> turns(const Rotor<Scalar>& u, const Rotor<Scalar>& v, const Vanishing<Scalar>& is_free,
-                                              const Rotor<Scalar>& choice) {
+std::pair<Rotor<Scalar>, Rotor<Scalar>> turns(const Rotor<Scalar>& u, const Rotor<Scalar>& v,
+                                              const Vanishing<Scalar>& is_free, const Rotor<Scalar>& choice) {
   using std::sqrt;
   const auto unit = [](const Rotor<Scalar>& z, const Mask<Scalar>& free) {
     const Scalar square = z.cosine * z.cosine + z.sine * z.sine;
@@ -134,20 +141,22 @@ std::pair<Rotor<Scalar>, Rotor<Scalar>> turns(const Rotor<Scalar>& u, const Roto
   };
   const Rotor<Scalar> along_u = unit(u, is_free.u);
   const Rotor<Scalar> along_v = unit(v, is_free.v);
-  return {either(is_free.u, choice * inverse(along_v), along_u), either(is_free.v, choice * inverse(along_u), along_v)};
+  return {either(is_free.u, choice * inverse(along_v), along_u),
+          either(is_free.v, choice * inverse(along_u), along_v)};
 }
 
 /// Both branches of `right_wrist`, by sign, without any arctangent.
 template <typename Scalar>
 WristTurns<Scalar> right_wrist_turns(const Rotor<Scalar>& u, const Rotor<Scalar>& v, bool swapped,
-                                     const Rotor<Scalar>& choice, const Scalar& sign, const Boundary& boundary,
-                                     Branch<Scalar>& branch) {
+                                     const Rotor<Scalar>& choice, const Scalar& sign,
+                                     const Boundary& boundary, Branch<Scalar>& branch) {
   using std::sqrt;
   const Scalar u_square = u.cosine * u.cosine + u.sine * u.sine;
   const Scalar v_square = v.cosine * v.cosine + v.sine * v.sine;
   const Scalar sum = u_square + v_square;
   const Vanishing<Scalar> is_free = vanishing(u_square, v_square, boundary, branch);
-  const Scalar product = select(is_free.u | is_free.v, Scalar(0), Scalar(Scalar(2) * sqrt(Scalar(u_square * v_square))));
+  const Scalar product =
+      select(is_free.u | is_free.v, Scalar(0), Scalar(Scalar(2) * sqrt(Scalar(u_square * v_square))));
   const Scalar gap = swapped ? Scalar(v_square - u_square) : Scalar(u_square - v_square);
   const auto [along_u, along_v] = turns(u, v, is_free, choice);
   const Rotor<Scalar> first = along_u * along_v;
@@ -165,47 +174,58 @@ struct WristShape {
   Scalar cosine_sum, sine_sum, cosine_difference, sine_difference, product;
 };
 
-/// Squares of sine and cosine of half the middle angle θ of a wrist with oblique axes, U = F4ᵀ R F6, θ counted from the
-/// normals' coincidence: |U11|² = cos²((α+α')/2) + sin α sin α' sin²(θ/2), and so on.
+/// Squares of sine and cosine of half the middle angle θ of a wrist with oblique axes, U = F4ᵀ R F6, θ
+/// counted from the normals' coincidence: |U11|² = cos²((α+α')/2) + sin α sin α' sin²(θ/2), and so on.
 template <typename Scalar>
 struct ObliqueSquares {
   Scalar u11, u12;
   Scalar sine, cosine;
-  Mask<Scalar> right_sum, right_difference;  ///< then sine or cosine vanishes where an angle is free, else at a double root
+  Mask<Scalar> right_sum,
+      right_difference;  ///< then sine or cosine vanishes where an angle is free, else at a double root
 
   ObliqueSquares(const Rotor<Scalar>& first, const Rotor<Scalar>& second, const WristShape<Scalar>& shape)
-      : u11(first.cosine * first.cosine + first.sine * first.sine), u12(second.cosine * second.cosine + second.sine * second.sine),
+      : u11(first.cosine * first.cosine + first.sine * first.sine),
+        u12(second.cosine * second.cosine + second.sine * second.sine),
         sine((u11 - shape.cosine_sum * shape.cosine_sum) / shape.product),
         cosine((u12 - shape.sine_difference * shape.sine_difference) / shape.product),
-        right_sum(shape.cosine_sum == Scalar(0)), right_difference(shape.sine_difference == Scalar(0)) {}
+        right_sum(shape.cosine_sum == Scalar(0)),
+        right_difference(shape.sine_difference == Scalar(0)) {}
 };
 
-/// Two complex numbers from sine and cosine of half the middle angle: first = arg z1 + arg z2, last = arg z1 - arg z2.
-/// z1 = M11 conj(U11), z2 = M12 conj(U12); at a right sum or difference the limit direction is kept.
+/// Two complex numbers from sine and cosine of half the middle angle: first = arg z1 + arg z2, last = arg z1
+/// - arg z2. z1 = M11 conj(U11), z2 = M12 conj(U12); at a right sum or difference the limit direction is
+/// kept.
 template <typename Scalar>
 std::pair<Rotor<Scalar>, Rotor<Scalar>> oblique_products(const Rotor<Scalar>& u11, const Rotor<Scalar>& u12,
-                                                         const WristShape<Scalar>& shape, const ObliqueSquares<Scalar>& square,
-                                                         const Scalar& s, const Scalar& c, const Scalar& sign) {
+                                                         const WristShape<Scalar>& shape,
+                                                         const ObliqueSquares<Scalar>& square,
+                                                         const Scalar& s, const Scalar& c,
+                                                         const Scalar& sign) {
   const Scalar m11_real = shape.cosine_sum * c;
-  const Scalar m11_imaginary = -sign * select(square.right_sum, Scalar(1), Scalar(shape.cosine_difference * s));
+  const Scalar m11_imaginary =
+      -sign * select(square.right_sum, Scalar(1), Scalar(shape.cosine_difference * s));
   const Scalar m12_real = -sign * (shape.sine_difference * s);
   const Scalar m12_imaginary = -select(square.right_difference, Scalar(1), Scalar(shape.sine_sum * c));
-  return {Rotor<Scalar>{m11_real, m11_imaginary} * inverse(u11), Rotor<Scalar>{m12_real, m12_imaginary} * inverse(u12)};
+  return {Rotor<Scalar>{m11_real, m11_imaginary} * inverse(u11),
+          Rotor<Scalar>{m12_real, m12_imaginary} * inverse(u12)};
 }
 
-/// Beyond the end of its range by less than `Boundary::fold` it is folded; by less than `Boundary::beyond` doubtful.
+/// Beyond the end of its range by less than `Boundary::fold` it is folded; by less than `Boundary::beyond`
+/// doubtful.
 template <typename Scalar>
-WristAngles<Scalar> oblique_wrist(const Rotor<Scalar>& u11, const Rotor<Scalar>& u12, const WristShape<Scalar>& shape,
-                                  const Scalar& sign, const Scalar& seed, const Boundary& boundary, const Scalar& pi,
-                                  Branch<Scalar>& branch) {
+WristAngles<Scalar> oblique_wrist(const Rotor<Scalar>& u11, const Rotor<Scalar>& u12,
+                                  const WristShape<Scalar>& shape, const Scalar& sign, const Scalar& seed,
+                                  const Boundary& boundary, const Scalar& pi, Branch<Scalar>& branch) {
   using std::sqrt;
   const Scalar zero(0);
   const ObliqueSquares<Scalar> square(u11, u12, shape);
   const Vanishing<Scalar> is_free = vanishing(square.u11, square.u12);
   const Scalar margin = smaller(square.sine, square.cosine);
-  // Where the first or last angle is free the middle one is 0 or pi, which with a right sum or difference is no double root.
+  // Where the first or last angle is free the middle one is 0 or pi, which with a right sum or difference is
+  // no double root.
   const Mask<Scalar> sine_twin = ((square.sine <= merge_share<Scalar>()) & (!square.right_sum)) | is_free.u;
-  const Mask<Scalar> cosine_twin = ((square.cosine <= merge_share<Scalar>()) & (!square.right_difference)) | is_free.v;
+  const Mask<Scalar> cosine_twin =
+      ((square.cosine <= merge_share<Scalar>()) & (!square.right_difference)) | is_free.v;
   const Mask<Scalar> is_near = margin >= Scalar(-boundary.fold);
   branch.doubtful = branch.doubtful | (branch.exists & !is_near & (margin > Scalar(-boundary.beyond)));
   branch.exists = branch.exists & is_near & !((sine_twin | cosine_twin) & (sign < zero));
@@ -221,14 +241,16 @@ WristAngles<Scalar> oblique_wrist(const Rotor<Scalar>& u11, const Rotor<Scalar>&
 
 /// The same as cosines and sines, `delta` the angle between the normals.
 template <typename Scalar>
-WristTurns<Scalar> oblique_wrist_turns(const Rotor<Scalar>& u11, const Rotor<Scalar>& u12, const WristShape<Scalar>& shape,
-                                       const Rotor<Scalar>& delta, const Rotor<Scalar>& choice, const Scalar& sign,
+WristTurns<Scalar> oblique_wrist_turns(const Rotor<Scalar>& u11, const Rotor<Scalar>& u12,
+                                       const WristShape<Scalar>& shape, const Rotor<Scalar>& delta,
+                                       const Rotor<Scalar>& choice, const Scalar& sign,
                                        const Boundary& boundary, Branch<Scalar>& branch) {
   using std::sqrt;
   const Scalar one(1);
   const ObliqueSquares<Scalar> square(u11, u12, shape);
   const Vanishing<Scalar> is_free = vanishing(square.u11, square.u12, boundary, branch);
-  const Scalar margin = smaller(select(square.right_sum, one, square.sine), select(square.right_difference, one, square.cosine));
+  const Scalar margin = smaller(select(square.right_sum, one, square.sine),
+                                select(square.right_difference, one, square.cosine));
   admit(margin, Limits<Scalar>(boundary), Mask<Scalar>(false), branch);
   const auto root = [&](const Scalar& value, const Mask<Scalar>& folds, const Mask<Scalar>& free) {
     const Scalar least = select(folds, Scalar(boundary.floor), Scalar(0));
