@@ -6,13 +6,13 @@
 
 #include <gtest/gtest.h>
 
-#include "application/optimise.h"
-#include "application/singularities.h"
 #include "dag/evaluate.h"
-#include "derive/forward_kinematics.h"
 #include "derive/jacobian/quantities.h"
+#include "derive/kinematics/forward_kinematics.h"
 #include "description/reader.h"
+#include "emit/math/singularities.h"
 #include "model/evaluate.h"
+#include "optimise/optimise.h"
 #include "random_robot.h"
 #include "reference/load.h"
 
@@ -44,10 +44,10 @@ TEST_P(RandomRobots, DeriveToTheReferencePose) {
   const auto read = description::read_text(text, "random.toml");
   ASSERT_TRUE(read.robot) << text << (read.diagnostics.empty() ? "" : to_string(read.diagnostics.front()));
   const reference::Chain chain = reference::load_text(text);
-  application::OptimiseOptions quick;
+  optimise::OptimiseOptions quick;
   quick.search.iterations = 2000;
-  const auto pose = application::optimise(derive::forward_kinematics(*read.robot), quick);
-  const auto transform = application::optimise(derive::homogeneous_transform(*read.robot), quick);
+  const auto pose = optimise::optimise(derive::forward_kinematics(*read.robot), quick);
+  const auto transform = optimise::optimise(derive::homogeneous_transform(*read.robot), quick);
 
   Leaves leaves;
   for (const auto& [name, value] : model::default_bindings(*read.robot))
@@ -84,10 +84,10 @@ TEST(SlidesAtTheEnd, SingularityMeasuresAreTheDeterminant) {
           (i + slides < 6 ? revolute : slide) + axes[i] + "variable = \"q" + std::to_string(i + 1) + "\"\n";
     const auto read = description::read_text(text, "slides.toml");
     ASSERT_TRUE(read.robot) << text << (read.diagnostics.empty() ? "" : to_string(read.diagnostics.front()));
-    const auto measures = application::singularity_measures(*read.robot);
+    const auto measures = emit::singularity_measures(*read.robot);
     EXPECT_NE(measures.names, std::vector<std::string>{"determinant"})
         << "factored, since no twist is a symbol";
-    EXPECT_NO_THROW(application::optimise(measures.quantity)) << text;
+    EXPECT_NO_THROW(optimise::optimise(measures.quantity)) << text;
   }
 }
 
@@ -100,7 +100,7 @@ TEST(AnyTwist, EveryFormIsItsDefinition) {
             "\"\na = \"1/3\"\nd = \"1/5\"\nalpha = \"" + twists[i] + "\"\n";
   const auto read = description::read_text(text, "any_twist.toml");
   ASSERT_TRUE(read.robot) << text << (read.diagnostics.empty() ? "" : to_string(read.diagnostics.front()));
-  const auto jacobian = application::optimise(derive::jacobian(*read.robot));
+  const auto jacobian = optimise::optimise(derive::jacobian(*read.robot));
   EXPECT_LE(jacobian.counts.sine_cosines, 6) << "a constant's sine is a number";
 }
 

@@ -7,10 +7,10 @@
 
 #include <gtest/gtest.h>
 
-#include "application/commands.h"
-#include "application/products/counts_json.h"
-#include "derive/turns.h"
+#include "cli/commands.h"
+#include "derive/kinematics/turns.h"
 #include "description/reader.h"
+#include "verify/counts_json.h"
 
 namespace {
 
@@ -22,7 +22,7 @@ nlohmann::ordered_json committed() {
 }
 
 int operations(const nlohmann::ordered_json& counts) {
-  const dag::OperationCounts c = application::counts_from_json(counts);
+  const dag::OperationCounts c = verify::counts_from_json(counts);
   return c.multiplications + c.additions;
 }
 
@@ -78,7 +78,7 @@ TEST(Targets, DerivativesOfTheJacobian) {
 
 TEST(Targets, NoMoreSinesThanMergedJoints) {
   const auto counts = committed();
-  for (const auto& path : application::descriptions_in(std::string(QVGEN_SOURCE_DIR) + "/generator/robots")) {
+  for (const auto& path : cli::descriptions_in(std::string(QVGEN_SOURCE_DIR) + "/generator/robots")) {
     const auto read = description::read_file(path);
     const auto chain = derive::zero_reference_chain(*read.robot);
     if (!chain) continue;
@@ -87,7 +87,7 @@ TEST(Targets, NoMoreSinesThanMergedJoints) {
     const int merged = static_cast<int>(derive::turn_sequence(*chain).turns.size());
     for (const char* function : {"forward_kinematics", "homogeneous_transform"}) {
       const int used =
-          application::counts_from_json(counts.at(read.robot->name).at(function).at("emitted")).sine_cosines;
+          verify::counts_from_json(counts.at(read.robot->name).at(function).at("emitted")).sine_cosines;
       EXPECT_LE(used, revolute) << read.robot->name << " " << function;
       EXPECT_GE(used, merged) << read.robot->name << " " << function << ": too few to be right";
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "derive/turns.h"
+#include "derive/kinematics/turns.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "derive/zero_reference.h"
+#include "derive/kinematics/zero_reference.h"
 
 #include <gtest/gtest.h>
 

@@ -5,12 +5,12 @@
 
 #include <gtest/gtest.h>
 
-#include "application/dynamics_closed_form.h"
 #include "dag/evaluate.h"
 #include "description/reader.h"
+#include "emit/math/dynamics_closed_form.h"
 #include "exact/point.h"
 
-namespace qvgen::application {
+namespace qvgen::emit {
 namespace {
 
 using exact::Number;
@@ -77,4 +77,4 @@ TEST_F(PrintedTerms, ThirdJointHolds) {
 TEST_F(PrintedTerms, NothingElseStandsInTheForces) { EXPECT_EQ(derived_.size(), 17U); }
 
 }  // namespace
-}  // namespace qvgen::application
+}  // namespace qvgen::emit

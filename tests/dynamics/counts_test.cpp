@@ -7,10 +7,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "application/dynamics_function.h"
 #include "description/reader.h"
+#include "optimise/dynamics_function.h"
 
-namespace qvgen::application {
+namespace qvgen::optimise {
 namespace {
 
 /// A row of a table after Khalil and Kleinfinger (modified Denavit-Hartenberg).
@@ -105,4 +105,4 @@ INSTANTIATE_TEST_SUITE_P(Robots, GeneratedCounts,
                                          Generated{"iiwa14", "mass_matrix", 99, 92}));
 
 }  // namespace
-}  // namespace qvgen::application
+}  // namespace qvgen::optimise

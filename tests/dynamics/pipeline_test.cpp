@@ -3,12 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include "application/certificate.h"
-#include "application/dynamics_function.h"
 #include "description/reader.h"
+#include "optimise/dynamics_function.h"
 #include "passes/search/random.h"
+#include "verify/certificate.h"
 
-namespace qvgen::application {
+namespace qvgen::optimise {
 namespace {
 
 using passes::search_detail::Random;
@@ -131,7 +131,7 @@ TEST(Dynamics, CertificateRefusesAWrongFunction) {
     for (dag::Output& output : result.function.outputs) output.value.negative = !output.value.negative;
     return result;
   };
-  EXPECT_THROW(generate_dynamics(read(pendulum), wrong, little), CertificateError);
+  EXPECT_THROW(generate_dynamics(read(pendulum), wrong, little), verify::CertificateError);
 }
 
 TEST(Dynamics, DrivesAddTheirInertiaAndFriction) {
@@ -170,7 +170,7 @@ TEST(Dynamics, CertificateRefusesACoriolisMatrixThatIsNotOfChristoffelsSymbols) 
     add("c1_2", "q1", true);
     return result;
   };
-  EXPECT_THROW(generate_dynamics(robot, wrong, little), CertificateError);
+  EXPECT_THROW(generate_dynamics(robot, wrong, little), verify::CertificateError);
 }
 
 TEST(Dynamics, ARobotWithoutInertiaHasNone) {
@@ -180,4 +180,4 @@ TEST(Dynamics, ARobotWithoutInertiaHasNone) {
 }
 
 }  // namespace
-}  // namespace qvgen::application
+}  // namespace qvgen::optimise

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Golden texts of small functions, and the strictness of templates.
-#include "emit/code.h"
+#include "emit/cpp/code.h"
 
 #include <gtest/gtest.h>
 
 #include "emit/builtin_templates.h"
-#include "emit/literal.h"
+#include "emit/cpp/literal.h"
 #include "emit/render.h"
 
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "emit/notation.h"
+#include "emit/math/notation.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "derive/jacobian/axes_in_motion.h"
 
-#include "derive/turns.h"
+#include "derive/kinematics/turns.h"
 
 namespace qvgen::derive {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "derive/jacobian/definition.h"
 
-#include "derive/forward_kinematics.h"
 #include "derive/jacobian/rates.h"
+#include "derive/kinematics/forward_kinematics.h"
 #include "symbolic/model.h"
 
 namespace qvgen::derive {

@@ -3,7 +3,7 @@
 
 #include "derive/jacobian/axes_in_motion.h"
 #include "derive/jacobian/rates.h"
-#include "derive/turns.h"
+#include "derive/kinematics/turns.h"
 #include "symbolic/model.h"
 
 namespace qvgen::derive {

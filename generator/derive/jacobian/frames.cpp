@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "derive/jacobian/frames.h"
 
-#include "derive/turns.h"
+#include "derive/kinematics/turns.h"
 
 namespace qvgen::derive {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "derive/jacobian/linkage.h"
 
-#include "derive/zero_reference.h"
+#include "derive/kinematics/zero_reference.h"
 #include "model/arithmetic.h"
 #include "symbolic/model.h"
 

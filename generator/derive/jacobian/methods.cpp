@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "derive/forward_kinematics.h"
 #include "derive/jacobian/forms.h"
 #include "derive/jacobian/rates.h"
-#include "derive/turns.h"
+#include "derive/kinematics/forward_kinematics.h"
+#include "derive/kinematics/turns.h"
 #include "symbolic/model.h"
 
 namespace qvgen::derive {

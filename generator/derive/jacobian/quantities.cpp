@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "derive/jacobian/quantities.h"
 
-#include "derive/forward_kinematics.h"
 #include "derive/jacobian/forms.h"
 #include "derive/jacobian/rates.h"
-#include "derive/orientation.h"
+#include "derive/kinematics/forward_kinematics.h"
+#include "derive/kinematics/orientation.h"
 #include "symbolic/model.h"
 
 namespace qvgen::derive {

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+#include "cli/commands.h"
+
+#include <algorithm>
+#include <fstream>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "derive/inverse/inverse.h"
+#include "description/reader.h"
+#include "emit/math/closed_form.h"
+#include "emit/math/describe.h"
+#include "emit/math/dynamics_closed_form.h"
+#include "emit/math/singularities.h"
+#include "optimise/dynamics_function.h"
+#include "pipeline/files.h"
+#include "pipeline/pipeline.h"
+
+namespace qvgen::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+void print_diagnostics(const std::vector<description::Diagnostic>& diagnostics) {
+  for (const auto& diagnostic : diagnostics) fmt::print(stderr, "{}\n", description::to_string(diagnostic));
+}
+
+bool has_error(const std::vector<description::Diagnostic>& diagnostics) {
+  return std::any_of(diagnostics.begin(), diagnostics.end(), [](const auto& diagnostic) {
+    return diagnostic.severity == description::Diagnostic::error;
+  });
+}
+
+/// Reads all files and reports all their mistakes; nothing if there is an error in any.
+std::optional<std::vector<model::Robot>> read_robots(const std::vector<fs::path>& paths, bool strict) {
+  std::vector<description::ReadResult> results;
+  for (const fs::path& path : paths) results.push_back(description::read_file(path, {strict}));
+  bool good = true;
+  for (const auto& result : results) {
+    print_diagnostics(result.diagnostics);
+    good = good && !has_error(result.diagnostics) && result.robot.has_value();
+  }
+  const auto clashes = description::check_together(results);
+  print_diagnostics(clashes);
+  if (!good || has_error(clashes)) return std::nullopt;
+  std::vector<model::Robot> robots;
+  for (auto& result : results) robots.push_back(std::move(*result.robot));
+  return robots;
+}
+
+ordered_json read_counts(const fs::path& path) {
+  std::ifstream file(path);
+  if (!file) return ordered_json::object();
+  return ordered_json::parse(file);
+}
+
+/// One line that is rewritten as robots finish; silent where nobody looks.
+class ProgressLine {
+ public:
+  explicit ProgressLine(std::size_t total) : total_(total), visible_(::isatty(STDERR_FILENO) != 0) {}
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+  ~ProgressLine() {
+    if (visible_) fmt::print(stderr, "\r\033[K");
+  }
+  void finished(const std::string& robot) {
+    ++done_;
+    if (!visible_) return;
+    fmt::print(stderr, "\r\033[K[{}/{}] {}", done_, total_, robot);
+    std::fflush(stderr);
+  }
+
+ private:
+  std::size_t total_;
+  std::size_t done_ = 0;
+  bool visible_;
+};
+
+ordered_json only(const ordered_json& counts, const std::vector<model::Robot>& robots) {
+  ordered_json result = ordered_json::object();
+  for (const auto& [name, entry] : counts.items())
+    if (std::any_of(robots.begin(), robots.end(),
+                    [&, key = name](const auto& robot) { return robot.name == key; }))
+      result[name] = entry;
+  return result;
+}
+
+}  // namespace
+
+std::vector<fs::path> descriptions_in(const fs::path& folder) {
+  std::vector<fs::path> paths;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().extension() == ".toml") paths.push_back(entry.path());
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+int run_generate(const GenerateArguments& arguments) {
+  const auto robots = read_robots(arguments.descriptions, arguments.strict);
+  if (!robots) return bad_description;
+  std::vector<pipeline::OutputFile> files;
+  std::vector<std::string> missing;
+  {
+    ProgressLine line(robots->size());
+    files = pipeline::generate(
+        *robots, arguments.parts, read_counts(arguments.output / "operation_counts.json"),
+        [&](const std::string& robot) { line.finished(robot); }, &missing);
+  }
+  bool lacking = false;
+  for (const std::string& reason : missing) {
+    fmt::print(stderr, "{}\n", reason);
+    for (const std::string& required : arguments.required)
+      lacking = lacking || reason.find(": no " + required) != std::string::npos;
+  }
+  if (lacking) {
+    fmt::print(stderr, "qvgen: required and not derived, nothing written\n");
+    return failure;
+  }
+  const int changed = pipeline::write_files(arguments.output, files);
+  fmt::print("{}", report(only(read_counts(arguments.output / "operation_counts.json"), *robots),
+                          ReportFormat::table));
+  std::fflush(stdout);
+  fmt::print(stderr, "{} {}, {} files in {}, {} changed\n", robots->size(),
+             robots->size() == 1 ? "robot" : "robots", files.size(), arguments.output.string(), changed);
+  return success;
+}
+
+int run_check(const std::vector<fs::path>& descriptions, bool strict) {
+  const auto robots = read_robots(descriptions, strict);
+  if (!robots) return bad_description;
+  for (const model::Robot& robot : *robots) {
+    std::string structure;
+    for (const model::Joint& joint : robot.joints)
+      structure += joint.type == model::JointType::revolute ? 'R' : 'P';
+    fmt::print("{}: {} ({}), {} geometric parameters\n", robot.name, robot.title, structure,
+               robot.geometry.size());
+  }
+  return success;
+}
+
+namespace {
+
+int show_dynamics(const model::Robot& robot) {
+  if (!optimise::has_inertia(robot) || robot.joints.size() > 3) {
+    fmt::print(stderr, "qvgen: {} has {}\n", robot.name,
+               optimise::has_inertia(robot) ? "more than three joints: its closed form is too long to read"
+                                            : "no inertia");
+    return failure;
+  }
+  for (const std::string& line : emit::dynamics_closed_form_lines(robot)) fmt::print("{}\n", line);
+  return success;
+}
+
+int show_inverse(const model::Robot& robot, emit::Notation notation) {
+  bool found = false;
+  std::vector<std::string> variables;
+  for (const model::Joint& joint : robot.joints) variables.push_back(joint.variable);
+  for (const auto& derivation : {derive::inverse::derive(robot), derive::inverse::derive_locked(robot)}) {
+    for (const std::string& reason : derivation.reasons)
+      fmt::print(stderr, "{}: no inverse kinematics: {}\n", robot.name, reason);
+    if (!derivation.found) continue;
+    found = true;
+    for (const std::string& line : describe(lower(derivation.plan), variables, notation))
+      fmt::print("{}\n", line);
+  }
+  return found ? success : failure;
+}
+
+}  // namespace
+
+int run_show(const ShowArguments& arguments) {
+  const auto robots = read_robots({arguments.description}, false);
+  if (!robots) return bad_description;
+  if (arguments.dynamics) return show_dynamics(robots->front());
+  const auto notation = arguments.latex ? emit::Notation::latex : emit::Notation::text;
+  if (arguments.singularities) {
+    for (const std::string& line : emit::singularity_lines(robots->front(), notation))
+      fmt::print("{}\n", line);
+    return success;
+  }
+  if (arguments.inverse) return show_inverse(robots->front(), notation);
+  const auto lines = emit::closed_form_lines(robots->front(), notation);
+  if (lines.empty()) {
+    fmt::print(stderr,
+               "qvgen: {} has a constant rotation by a symbolic angle: no closed form in half-angle sums\n",
+               robots->front().name);
+    return failure;
+  }
+  if (arguments.latex) {
+    fmt::print("\\begin{{align*}}\n");
+    for (const std::string& line : lines) {
+      const std::size_t equals = line.find(" = ");
+      fmt::print("{} &= {} \\\\\n", line.substr(0, equals), line.substr(equals + 3));
+    }
+    fmt::print("\\end{{align*}}\n");
+  } else {
+    for (const std::string& line : lines) fmt::print("{}\n", line);
+  }
+  return success;
+}
+
+int run_counts(const fs::path& counts_file, ReportFormat format, bool forms) {
+  if (!fs::exists(counts_file)) {
+    fmt::print(stderr, "qvgen: no {}: run `qvgen generate` first\n", counts_file.string());
+    return failure;
+  }
+  fmt::print("{}", report(read_counts(counts_file), format, forms));
+  return success;
+}
+
+}  // namespace qvgen::cli

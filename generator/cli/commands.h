@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "cli/report.h"
+
+namespace qvgen::cli {
+
+/// Exit codes of the tool.
+enum ExitCode { success = 0, failure = 1, usage_error = 2, bad_description = 3 };
+
+struct GenerateArguments {
+  std::vector<std::filesystem::path> descriptions;
+  std::filesystem::path output;
+  bool strict = false;
+  std::vector<std::string> parts;     ///< see pipeline.h
+  std::vector<std::string> required;  ///< products without which a robot is an error
+};
+
+struct ShowArguments {
+  std::filesystem::path description;
+  bool latex = false;
+  bool singularities = false;
+  bool dynamics = false;  ///< the joint forces in place of the pose
+  bool inverse = false;   ///< the derivation of inverse kinematics instead of the closed form of the pose
+};
+
+/// Each command prints its results to stdout and messages to stderr, and returns an ExitCode.
+int run_generate(const GenerateArguments& arguments);
+int run_show(const ShowArguments& arguments);
+int run_counts(const std::filesystem::path& counts_file, ReportFormat format, bool forms);
+int run_check(const std::vector<std::filesystem::path>& descriptions, bool strict);
+
+/// Every *.toml of a folder, sorted by name.
+std::vector<std::filesystem::path> descriptions_in(const std::filesystem::path& folder);
+
+}  // namespace qvgen::cli

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+namespace qvgen::cli {
+
+enum class ReportFormat { table, csv, json, markdown };
+
+/// The operation counts (the content of operation_counts.json) for people or programs, one line a function;
+/// with `forms` also a line for each form that competed, by itself after the passes.
+std::string report(const nlohmann::ordered_json& counts, ReportFormat format, bool forms = false);
+
+}  // namespace qvgen::cli

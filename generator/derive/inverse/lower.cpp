@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include "derive/inverse/lower.h"
+
+#include <algorithm>
+
+#include "dag/import.h"
+#include "passes/pass.h"
+
+namespace qvgen::derive::inverse {
+
+namespace {
+
+dag::Function optimised(const symbolic::Program& program) { return passes::simplify(dag::import(program)); }
+
+dag::Function optimised(const symbolic::Program& program, const std::vector<std::string>& kept) {
+  dag::Function function = dag::import(program);
+  std::erase_if(function.outputs, [&](const dag::Output& output) {
+    return std::find(kept.begin(), kept.end(), output.name) == kept.end();
+  });
+  return passes::simplify(function);
+}
+
+}  // namespace
+
+LoweredPlan lower(const Plan& plan) {
+  LoweredPlan lowered{plan, optimised(plan.target, plan.target_kept), optimised(plan.range_test.values), {}};
+  for (const auto& step : plan.steps)
+    lowered.steps.push_back({optimised(step.before), optimised(step.after, step.kept)});
+  return lowered;
+}
+
+std::string step_name(const LoweredPlan& plan, std::size_t index) {
+  const Step& step = plan.plan.steps[index];
+  if (step.is_wrist()) return "wrist";
+  if (step.kind == Kind::half) return "half_" + step.unknown;
+  if (step.kind == Kind::require) return "condition_" + std::to_string(index + 1);
+  return step.unknown;
+}
+
+}  // namespace qvgen::derive::inverse

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: MIT
+#include "emit/cpp/dynamics_code.h"
+
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+
+#include "emit/cpp/leaf_names.h"
+#include "emit/cpp/literal.h"
+#include "emit/math/dynamics_choices.h"
+#include "verify/counts_json.h"
+
+namespace qvgen::emit {
+namespace {
+
+using nlohmann::json;
+using optimise::DynamicsFunction;
+
+std::string camel_case(const std::string& name) {
+  std::string result;
+  bool upper = true;
+  for (const char c : name) {
+    if (c != '_') result += upper ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
+    upper = c == '_';
+  }
+  return result;
+}
+
+std::string replaced(std::string text, const std::string& what, const std::string& with) {
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + with.size()))
+    text.replace(at, what.size(), with);
+  return text;
+}
+
+/// tau3 -> result[2], m1_2 -> result(0, 1) = result(1, 0), energy -> result, and q1_2, v1_2 -> by_position,
+/// by_rate(0, 1) of a result that is a struct.
+std::string place_of(const std::string& output, bool in_struct) {
+  const auto digits = output.find_first_of("0123456789");
+  if (digits == std::string::npos) return "result";
+  const auto bar = output.find('_');
+  const int row = std::stoi(output.substr(digits)) - 1;
+  if (bar == std::string::npos) return (in_struct ? "result.torque[" : "result[") + std::to_string(row) + "]";
+  const int column = std::stoi(output.substr(bar + 1)) - 1;
+  const std::string matrix = !in_struct              ? "result"
+                             : output.front() == 'q' ? "result.by_position"
+                                                     : "result.by_rate";
+  const auto entry = [&](int i, int k) {
+    return matrix + "(" + std::to_string(i) + ", " + std::to_string(k) + ")";
+  };
+  return in_struct || row == column || output.front() != 'm'
+             ? entry(row, column)
+             : entry(row, column) + " = " + entry(column, row);
+}
+
+/// Constants as the code writes them: numbers in place, the others by their place in the set-up function's
+/// array.
+struct Constants {
+  std::map<std::string, std::string> text;
+  dag::Function stored;
+};
+
+Constants constants_of(const DynamicsFunction& function) {
+  Constants result;
+  result.stored.graph = function.constants.graph;
+  for (const dag::Output& output : function.constants.outputs) {
+    if (function.constants.graph.is_constant(output.value)) {
+      result.text[output.name] = "Scalar(" + literal(function.constants.graph.value_of(output.value)) + ")";
+    } else {
+      result.text[output.name] = "k[" + std::to_string(result.stored.outputs.size()) + "]";
+      result.stored.outputs.push_back(output);
+    }
+  }
+  return result;
+}
+
+json list_of(const std::vector<Code::Value>& values, bool in_struct = false) {
+  json list = json::array();
+  for (const auto& value : values)
+    list.push_back({{"name", value.name},
+                    {"expression", value.expression},
+                    {"place", place_of(value.name, in_struct)},
+                    {"last", &value == &values.back()}});
+  return list;
+}
+
+Names names_of(const model::Robot& robot, const std::vector<dag::Angle>& angles,
+               const std::map<std::string, std::string>& constants) {
+  std::map<std::string, std::string> known = constants;
+  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
+    const std::string& variable = robot.joints[i].variable;
+    const std::string index = "[" + std::to_string(i) + "]";
+    known[derive::dynamics::velocity_of(variable)] = "qd" + index;
+    known[derive::dynamics::acceleration_of(variable)] = "qdd" + index;
+    known[derive::dynamics::force_of(variable)] = "torque" + index;
+    known[derive::dynamics::direction_of(variable)] =
+        "(Scalar(0) < qd" + index + " ? Scalar(1) : qd" + index + " < Scalar(0) ? Scalar(-1) : Scalar(0))";
+  }
+  for (std::size_t k = 0; k < 6; ++k)
+    known[derive::dynamics::wrench_component(k)] = "wrench[" + std::to_string(k) + "]";
+  return leaf_names(robot, angles, [known](const std::string& name) { return known.at(name); });
+}
+
+/// In the set-up function, sines and cosines are of constant angles.
+Names set_up_names(const model::Robot& robot) {
+  std::map<std::string, std::string> known{{derive::dynamics::gravity_symbol, "gravity"}};
+  for (std::size_t k = 0; k < 3; ++k)
+    known[derive::dynamics::gravity_component(k)] = "gravity[" + std::to_string(k) + "]";
+  for (const model::Parameter& parameter : robot.inertia_parameters)
+    known[parameter.name] = "inertia." + parameter.name;
+  Names names = leaf_names(robot, {}, [known](const std::string& name) { return known.at(name); });
+  const Names leaves = names;
+  names.sine = [leaves](const dag::Angle& angle) { return "sin(" + angle_code(angle, leaves) + ")"; };
+  names.cosine = [leaves](const dag::Angle& angle) { return "cos(" + angle_code(angle, leaves) + ")"; };
+  return names;
+}
+
+std::string doc_of(const model::Robot& robot, const DynamicsFunction& function,
+                   const DynamicsInterface& interface) {
+  std::string text = "/// " + replaced(interface.summary, "\n", "\n/// ") + "\n///\n/// " +
+                     verify::describe(function.counts);
+  text += ". Set-up: " + verify::describe(function.constant_counts) +
+          ".\n/// Equal to the plain Newton-Euler recursion at " + std::to_string(function.certified_points) +
+          " random exact points, tolerance zero.";
+  const std::string unit = function.chosen ? symbolic_unit_text(robot, *function.chosen) : "";
+  if (!unit.empty()) text += "\n/// The unit of length is " + unit + ", which must not be zero.";
+  if (function.largest_error > 0)
+    text += "\n/// Largest rounding error found " +
+            json(std::round(function.largest_error * 100) / 100).dump() + " ulp of the largest component.";
+  return text;
+}
+
+std::string joined(const std::vector<std::string>& items, const std::string& before,
+                   const std::string& after) {
+  std::string text;
+  for (const std::string& item : items)
+    text += (text.empty() ? "" : ", ") + before + (after.empty() ? "" : after + item);
+  return text;
+}
+
+}  // namespace
+
+std::vector<dag::Angle> angles_of(const std::vector<DynamicsFunction>& functions) {
+  std::map<std::string, dag::Angle> found;
+  for (const DynamicsFunction& function : functions)
+    for (const dag::Angle& angle : angles_of(function.function)) found.emplace(to_string(angle), angle);
+  std::vector<dag::Angle> angles;
+  for (const auto& [text, angle] : found) angles.push_back(angle);
+  std::stable_sort(angles.begin(), angles.end(),
+                   [](const auto& a, const auto& b) { return a.terms.size() < b.terms.size(); });
+  return angles;
+}
+
+namespace {
+
+/// How gravity is given, with `scalar` for its type; the magnitude has a default.
+json gravity_values(Gravity gravity, const std::string& scalar) {
+  if (gravity == Gravity::none)
+    return {
+        {"gravity_declared", ""}, {"gravity_parameter", ""}, {"gravity_argument", ""}, {"gravity_type", ""}};
+  const bool magnitude = gravity == Gravity::magnitude;
+  const std::string type =
+      magnitude ? "NonDeduced<Scalar> gravity" : "const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity";
+  return {{"gravity_declared", ", " + type + (magnitude ? " = Scalar(9.80665)" : "")},
+          {"gravity_parameter", ",\n    [[maybe_unused]] " + type},
+          {"gravity_argument", ", gravity"},
+          {"gravity_type", magnitude ? ", " + scalar : ", const Eigen::Matrix<" + scalar + ", 3, 1>&"}};
+}
+
+json wrench_values(bool wrench, const std::string& scalar) {
+  if (!wrench)
+    return {{"wrench_parameter", ""}, {"wrench_unused", ""}, {"wrench_argument", ""}, {"wrench_type", ""}};
+  return {{"wrench_parameter", ", const NonDeduced<Wrench<Scalar>>& wrench"},
+          {"wrench_unused", ", [[maybe_unused]] const Wrench<Scalar>& wrench"},
+          {"wrench_argument", ", wrench"},
+          {"wrench_type", ", const Wrench<" + scalar + ">&"}};
+}
+
+}  // namespace
+
+json dynamics_values(const model::Robot& robot, const DynamicsFunction& function,
+                     const DynamicsInterface& interface, const std::vector<dag::Angle>& angles,
+                     const std::string& scalar) {
+  const Constants constants = constants_of(function);
+  const Code code = cpp_code(function.function, names_of(robot, angles, constants.text));
+  const Code set_up = cpp_code(constants.stored, set_up_names(robot));
+  const std::string vector = "const JointVector<" + scalar + ">&";
+  std::string unused;
+  for (const std::string& name : interface.arguments)
+    unused += (unused.empty() ? "" : ", ") + ("[[maybe_unused]] " + vector + " " + name);
+  std::string arguments;
+  for (const std::string& name : interface.arguments) arguments += (arguments.empty() ? "" : ", ") + name;
+  json values{{"entry", function.name},
+              {"function", interface.overloads.empty() ? function.name : interface.overloads},
+              {"doc", doc_of(robot, function, interface)},
+              {"type", replaced(interface.type, "{scalar}", scalar)},
+              {"parameters", joined(interface.arguments, vector, " ")},
+              {"unused_parameters", unused},
+              {"types", joined(interface.arguments, vector, "")},
+              {"arguments", arguments},
+              {"default", interface.gravity == Gravity::vector ? "" : " = {}"},
+              {"constants", camel_case(function.name) + "Constants"},
+              {"constant_count", constants.stored.outputs.size()},
+              {"set_up", list_of(set_up.temporaries)},
+              {"stored", list_of(set_up.outputs)},
+              {"temporaries", list_of(code.temporaries)},
+              {"statements", list_of(code.outputs, interface.in_struct)}};
+  values.update(gravity_values(interface.gravity, scalar));
+  values.update(wrench_values(interface.wrench, scalar));
+  return values;
+}
+
+json base_parameter_values(const model::Robot& robot, const derive::dynamics::Regressor& regressor) {
+  std::map<std::string, std::string> known;
+  for (std::size_t i = 0; i < 10 * robot.joints.size(); ++i)
+    known[derive::dynamics::standard_parameter(i)] = "standard[" + std::to_string(i) + "]";
+  Names names = leaf_names(robot, {}, [known](const std::string& name) { return known.at(name); });
+  const Names leaves = names;
+  names.sine = [leaves](const dag::Angle& angle) { return "sin(" + angle_code(angle, leaves) + ")"; };
+  names.cosine = [leaves](const dag::Angle& angle) { return "cos(" + angle_code(angle, leaves) + ")"; };
+  const Code code = cpp_code(regressor.base_parameters, names);
+  json parameters = json::array();
+  for (std::size_t i = 0; i < code.outputs.size(); ++i)
+    parameters.push_back({{"index", i},
+                          {"parameter", regressor.names[i]},
+                          {"expression", code.outputs[i].expression},
+                          {"last", i + 1 == code.outputs.size()}});
+  return {{"parameters_of_base", parameters},
+          {"base_set_up", list_of(code.temporaries)},
+          {"base_count", code.outputs.size()}};
+}
+
+}  // namespace qvgen::emit

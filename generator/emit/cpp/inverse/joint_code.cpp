@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include "emit/cpp/inverse/joint_code.h"
+
+#include "emit/cpp/inverse/step_code.h"
+
+namespace qvgen::emit {
+
+using derive::inverse::LoweredPlan;
+namespace {
+
+/// How long the pair is that a joint's angle is taken of, unless it is 1.
+std::string length_argument(const LoweredPlan& plan, const derive::inverse::JointValue& value,
+                            const std::string& work) {
+  for (const derive::inverse::Step& step : plan.plan.steps)
+    if (!step.unit && value.cosine == "cos_" + step.unknown) return ", " + work + ".length_" + step.unknown;
+  return {};
+}
+
+}  // namespace
+
+std::string joint_place(int joint) { return "q[" + std::to_string(joint) + "]"; }
+
+std::vector<std::string> joint_lines(const model::Robot& robot, const LoweredPlan& plan,
+                                     const derive::inverse::Step& step, const std::string& work) {
+  std::vector<std::string> lines;
+  const auto add = [&](int joint) {
+    const auto& value = plan.plan.joints[static_cast<std::size_t>(joint)];
+    const std::string pair =
+        work + "." + value.cosine + ", " + work + "." + value.sine + length_argument(plan, value, work);
+    lines.push_back(joint_place(joint) + " = " +
+                    (value.revolute ? "inverse::output_angle(" + pair + ")" : work + "." + value.cosine) +
+                    ";");
+  };
+  if (step.turns.empty() && step.joint >= 0) add(step.joint);
+  for (const std::string& turn : step.turns)
+    for (std::size_t j = 0; j < robot.joints.size(); ++j)
+      if (robot.joints[j].variable == turn) add(static_cast<int>(j));
+  return lines;
+}
+
+std::string step_call(const LoweredPlan& plan, std::size_t index, const std::string& sign,
+                      const std::string& work, const std::string& target) {
+  return "solve_" + step_name(plan, index) + "(" + target + ", " + sign + (sign.empty() ? "" : ", ") + work +
+         ")";
+}
+
+}  // namespace qvgen::emit

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "derive/inverse/lower.h"
+#include "model/robot.h"
+
+namespace qvgen::emit {
+
+/// Where generated code has a joint's value: "q[2]".
+std::string joint_place(int joint);
+
+/// Assignments of the joints' values that a step leaves in `work`, angles by their arctangent.
+std::vector<std::string> joint_lines(const model::Robot& robot, const derive::inverse::LoweredPlan& plan,
+                                     const derive::inverse::Step& step, const std::string& work = "w");
+
+/// Call of a step's function; `sign` is empty for a step with one branch.
+std::string step_call(const derive::inverse::LoweredPlan& plan, std::size_t index, const std::string& sign,
+                      const std::string& work = "w", const std::string& target = "t");
+
+}  // namespace qvgen::emit

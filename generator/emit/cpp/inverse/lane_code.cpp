@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+#include "emit/cpp/inverse/lane_code.h"
+
+#include <algorithm>
+
+#include "emit/cpp/inverse/joint_code.h"
+#include "emit/cpp/inverse/step_code.h"
+
+namespace qvgen::emit {
+namespace {
+
+using derive::inverse::Kind;
+using derive::inverse::LoweredPlan;
+using derive::inverse::Step;
+
+bool is_last_wrist(const LoweredPlan& plan, const Step& step) {
+  return step.is_wrist() && plan.plan.wrist.ends_the_plan;
+}
+
+/// Branching steps before a wrist that ends the plan.
+int branchings(const LoweredPlan& plan) {
+  return static_cast<int>(
+      std::count_if(plan.plan.steps.begin(), plan.plan.steps.end(),
+                    [&](const Step& step) { return step.branches == 2 && !is_last_wrist(plan, step); }));
+}
+
+class Lanes {
+ public:
+  Lanes(const model::Robot& robot, const LoweredPlan& plan)
+      : robot_(robot), plan_(plan), loops_left_(branchings(plan) - 2) {}
+
+  std::vector<std::string> write() {
+    line("inverse::avx2::LaneRows<" + dof() + "> rows(places);");
+    line("Work<Pack> w;");
+    line("Pack q[" + dof() + "];");
+    if (plan_.plan.locked >= 0) line(joint_place(plan_.plan.locked) + " = Pack(t.locked);");
+    for (const std::size_t i : derive::inverse::order(plan_.plan, false)) step(i);
+    if (!ended_) {
+      flush();
+      line("rows.append(q, w.branch, " + label(1) + ");");
+    }
+    while (depth_ > 0) {
+      --depth_;
+      line("}");
+    }
+    line("return rows.count(w.branch);");
+    return std::move(lines_);
+  }
+
+ private:
+  std::string dof() const { return std::to_string(robot_.joints.size()); }
+  void line(const std::string& text) {
+    lines_.push_back(std::string(static_cast<std::size_t>(2 * depth_), ' ') + text);
+  }
+  std::string call(std::size_t i, const std::string& sign = "") const { return step_call(plan_, i, sign); }
+
+  /// Label of the first lane's first row.
+  std::string label(int rows_of_a_lane) const {
+    return labels_.empty() ? "0"
+                           : std::to_string(4 * rows_of_a_lane) + " * " +
+                                 (labels_.find(' ') == std::string::npos ? labels_ : "(" + labels_ + ")");
+  }
+
+  void leave_if_none() {
+    line(std::string("if (!any(w.branch.exists)) ") +
+         (depth_ == 0 ? "return rows.count(w.branch);" : "continue;"));
+  }
+
+  void step(std::size_t i) {
+    const Step& step = plan_.plan.steps[i];
+    if (is_last_wrist(plan_, step)) return wrist(i);
+    if (step.kind == Kind::half)
+      return ended_leaving_ ? line(call(i) + ";") : halves_.push_back(call(i) + ";");
+    if (step.is_wrist()) flush_halves();
+    if (step.branches == 2 && loops_left_ > 0) {
+      loop(i);
+    } else if (step.branches == 2) {
+      line(call(i, lane_branchings_++ == 0 ? "Pack(1, 1, -1, -1)" : "Pack(1, -1, 1, -1)") + ";");
+      if (step.kind != Kind::opposite) leave_if_none();
+    } else {
+      line(call(i) + ";");
+      if (step.kind == Kind::require) leave_if_none();
+    }
+    ended_leaving_ = !leaves_after(i);
+    if (ended_leaving_) flush();
+    for (const std::string& text : joint_lines(robot_, plan_, step)) deferred_.push_back(text);
+  }
+
+  /// Whether a later step may find that no branch is left: angles that nobody will read wait until then.
+  /// Beyond, a joint's arctangent stands one step behind, where it fills the time that the next step waits
+  /// for its root.
+  bool leaves_after(std::size_t i) const {
+    const auto& steps = plan_.plan.steps;
+    return std::any_of(
+        steps.begin() + static_cast<std::ptrdiff_t>(i) + 1, steps.end(), [&](const Step& step) {
+          return (step.branches == 2 && !is_last_wrist(plan_, step)) || step.kind == Kind::require;
+        });
+  }
+
+  void loop(std::size_t i) {
+    const std::string k = "k" + std::to_string(loops_);
+    const std::string above = "above" + std::to_string(loops_++);
+    --loops_left_;
+    line("const inverse::Branch<Pack> " + above + " = w.branch;");
+    line("for (int " + k + " = 0; " + k + " < 2; ++" + k + ") {");
+    ++depth_;
+    line("w.branch.resume(" + above + ");");
+    line(call(i, "Pack(" + k + " == 0 ? 1.0 : -1.0)") + ";");
+    line("if (!any(w.branch.exists)) break;");
+    labels_ =
+        labels_.empty()
+            ? k
+            : "2 * " + (labels_.find(' ') == std::string::npos ? labels_ : "(" + labels_ + ")") + " + " + k;
+  }
+
+  void flush_halves() {
+    for (const std::string& text : halves_) line(text);
+    halves_.clear();
+  }
+
+  void flush() {
+    flush_halves();
+    for (const std::string& text : deferred_) line(text);
+    deferred_.clear();
+  }
+
+  void wrist(std::size_t i) {
+    const auto& joints = plan_.plan.wrist.joints;
+    ended_ = true;
+    flush();
+    const auto set = [&](const std::string& array, const std::string& first, const std::string& middle,
+                         const std::string& last) {
+      const std::array<std::string, 3> values = {first, middle, last};
+      for (std::size_t k = 0; k < 3; ++k)
+        line(array + "[" + std::to_string(joints[k]) + "] = " + values[k] + ";");
+    };
+    const auto copy = [&] {
+      line("Pack twin[" + dof() + "];");
+      for (std::size_t j = 0; j < robot_.joints.size(); ++j)
+        if (std::find(joints.begin(), joints.end(), static_cast<int>(j)) == joints.end())
+          line("twin[" + std::to_string(j) + "] = " + joint_place(static_cast<int>(j)) + ";");
+    };
+    if (plan_.plan.steps[i].kind == Kind::oblique_wrist) {
+      line("const inverse::Branch<Pack> before = w.branch;");
+      line("const auto angles = " + call(i, "Pack(1)") + ";");
+      line("const inverse::Branch<Pack> branch = w.branch;");
+      line("w.branch.resume(before);");
+      line("const auto others = " + call(i, "Pack(-1)") + ";");
+      set("q", "angles.first", "angles.middle", "angles.last");
+      copy();
+      set("twin", "others.first", "others.middle", "others.last");
+      line("rows.append(q, branch, twin, w.branch, " + label(2) + ");");
+      return;
+    }
+    line("const auto angles = " + call(i) + ";");
+    set("q", "angles.one.first", "angles.one.middle", "angles.one.last");
+    copy();
+    set("twin", "angles.other.first", "angles.other.middle", "angles.other.last");
+    line("rows.append(q, twin, w.branch, " + label(2) + ");");
+  }
+
+  const model::Robot& robot_;
+  const LoweredPlan& plan_;
+  std::vector<std::string> lines_;
+  std::vector<std::string> halves_;
+  std::vector<std::string> deferred_;
+  std::string labels_;
+  int loops_left_;
+  int loops_ = 0;
+  int lane_branchings_ = 0;
+  int depth_ = 0;
+  bool ended_leaving_ = false;
+  bool ended_ = false;
+};
+
+}  // namespace
+
+bool has_lanes(const LoweredPlan& plan) { return !plan.plan.quartic() && branchings(plan) >= 2; }
+
+std::vector<std::string> lane_lines(const model::Robot& robot, const LoweredPlan& plan) {
+  return Lanes(robot, plan).write();
+}
+
+}  // namespace qvgen::emit

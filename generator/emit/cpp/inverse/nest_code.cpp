@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+#include "emit/cpp/inverse/nest_code.h"
+
+#include "emit/cpp/inverse/joint_code.h"
+#include "emit/cpp/inverse/step_code.h"
+
+namespace qvgen::emit {
+namespace {
+
+using derive::inverse::Kind;
+using derive::inverse::LoweredPlan;
+using derive::inverse::Step;
+
+class Nest {
+ public:
+  Nest(const model::Robot& robot, const LoweredPlan& plan, Pass pass)
+      : robot_(robot), plan_(plan), careful_(pass == Pass::careful) {}
+
+  std::vector<std::string> write() {
+    line("Work<double> w;");
+    line("JointVector<double> q;");
+    if (plan_.plan.locked >= 0) line(joint_place(plan_.plan.locked) + " = t.locked;");
+    for (const std::size_t i : derive::inverse::order(plan_.plan, careful_)) step(i);
+    if (!ended_) {
+      flush();
+      append("q", label());
+    }
+    while (depth_ > 0) {
+      --depth_;
+      line("}");
+    }
+    line(leave());
+    return std::move(lines_);
+  }
+
+ private:
+  [[nodiscard]] std::string call(std::size_t i, const std::string& sign = "") const {
+    return step_call(plan_, i, sign, work_, target_);
+  }
+  [[nodiscard]] std::string branch() const { return work_ + ".branch"; }
+  [[nodiscard]] std::string leave() const {
+    return careful_ ? "return w.branch.doubtful;" : "return !w.branch.doubtful;";
+  }
+  [[nodiscard]] std::string label() const { return labels_.empty() ? "0" : labels_; }
+  void line(const std::string& text) {
+    lines_.push_back(std::string(static_cast<std::size_t>(2 * depth_), ' ') + text);
+  }
+
+  void leave_unless(const std::string& condition) {
+    line("if (!" + condition + ") " + (depth_ == 0 ? leave() : "continue;"));
+  }
+
+  /// Loop variable k0, k1, ... of a branching step, with the state of the branch above it put back in every
+  /// round.
+  std::string open(const Step& step, const std::string& count) {
+    const std::string k = "k" + std::to_string(loops_);
+    const std::string above = "above" + std::to_string(loops_++);
+    line("const inverse::Branch<double> " + above + " = " + branch() + ";");
+    line("for (int " + k + " = 0; " + k + " < " + count + "; ++" + k + ") {");
+    ++depth_;
+    line(branch() + ".resume(" + above + ");");
+    const bool simple = labels_.find(' ') == std::string::npos;
+    const std::string outer = simple ? labels_ : "(" + labels_ + ")";
+    labels_ = labels_.empty() ? k : std::to_string(step.branches) + " * " + outer + " + " + k;
+    return k;
+  }
+
+  void step(std::size_t i) {
+    const Step& step = plan_.plan.steps[i];
+    if (step.kind == Kind::polish) return polished(i);
+    if (step.is_wrist() && plan_.plan.wrist.ends_the_plan) return wrist(i);
+    if (step.kind == Kind::half) return deferred_.push_back(call(i) + ";");
+    if (step.is_quartic()) return quartic(i);
+    if (step.branches == 1) {
+      line(call(i) + ";");
+      if (step.kind == Kind::require) leave_unless(branch() + ".exists");
+      return angles(step);
+    }
+    if (step.is_wrist()) flush();
+    const std::string k = open(step, "2");
+    line(call(i, k + " == 0 ? 1.0 : -1.0") + ";");
+    line("if (!" + branch() + ".exists) break;");
+    flush_once(k);
+    angles(step);
+  }
+
+  /// From here on the joints are those of a copy, for the goal: the next branch starts from what the closed
+  /// form has found.
+  void polished(std::size_t i) {
+    line("if (visited.settled(" + label() + ")) " + (depth_ == 0 ? leave() : "continue;"));
+    line("Work<double> p = w;");
+    work_ = "p";
+    target_ = "goal";
+    leave_unless(call(i, label() + ", visited"));
+    for (const std::size_t earlier : derive::inverse::order(plan_.plan, careful_)) {
+      if (earlier == i) break;
+      angles(plan_.plan.steps[earlier]);
+    }
+  }
+
+  void quartic(std::size_t i) {
+    const Step& step = plan_.plan.steps[i];
+    line("const auto roots = roots_" + step_name(plan_, i) + "(t, w);");
+    const std::string k = open(step, "roots.count");
+    line("take_" + step_name(plan_, i) + "(t, roots.root[static_cast<std::size_t>(" + k + ")], w);");
+  }
+
+  /// The joints whose values a step leaves: their angles are taken when they are sure to be needed.
+  void angles(const Step& step) {
+    if (careful_ && work_ == "w") return;
+    for (const std::string& text : joint_lines(robot_, plan_, step, work_)) deferred_.push_back(text);
+  }
+
+  void flush() {
+    for (const std::string& text : deferred_) line(text);
+    deferred_.clear();
+  }
+
+  void flush_once(const std::string& k) {
+    if (deferred_.empty()) return;
+    line("if (" + k + " == 0) {");
+    ++depth_;
+    flush();
+    --depth_;
+    line("}");
+  }
+
+  void append(const std::string& values, const std::string& label) {
+    line("inverse::append(found, " + values + ", " + label + ", " + branch() + ".continuum);");
+  }
+
+  void wrist(std::size_t i) {
+    const Step& step = plan_.plan.steps[i];
+    const auto& joints = plan_.plan.wrist.joints;
+    ended_ = true;
+    flush();
+    const auto set = [&](const std::string& first, const std::string& middle, const std::string& last) {
+      line(joint_place(joints[0]) + " = " + first + ";");
+      line(joint_place(joints[1]) + " = " + middle + ";");
+      line(joint_place(joints[2]) + " = " + last + ";");
+    };
+    if (step.kind == Kind::oblique_wrist) {
+      const std::string arm = label();
+      if (careful_) line("const int before = found.size();");
+      const std::string k = open(step, "2");
+      line("const auto angles = " + call(i, k + " == 0 ? 1.0 : -1.0") + ";");
+      line("if (!" + branch() + ".exists) break;");
+      set("angles.first", "angles.middle", "angles.last");
+      append("q", label());
+      --depth_;
+      line("}");
+      if (careful_)
+        line("if (found.size() == before) visited.reopen(" + arm + ", " + branch() + ".continuum);");
+      return;
+    }
+    line("const auto angles = " + call(i) + ";");
+    const std::string both = labels_.empty() ? "" : "2 * (" + labels_ + ")";
+    set("angles.one.first", "angles.one.middle", "angles.one.last");
+    append("q", both.empty() ? "0" : both);
+    set("angles.other.first", "angles.other.middle", "angles.other.last");
+    append("q", both.empty() ? "1" : both + " + 1");
+  }
+
+  const model::Robot& robot_;
+  const LoweredPlan& plan_;
+  bool careful_;
+  std::string work_ = "w";
+  std::string target_ = "t";
+  std::vector<std::string> lines_;
+  std::vector<std::string> deferred_;
+  std::string labels_;
+  int depth_ = 0;
+  int loops_ = 0;
+  bool ended_ = false;
+};
+
+}  // namespace
+
+std::vector<std::string> nest_lines(const model::Robot& robot, const LoweredPlan& plan, Pass pass) {
+  return Nest(robot, plan, pass).write();
+}
+
+}  // namespace qvgen::emit

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "derive/inverse/lower.h"
+#include "model/robot.h"
+
+namespace qvgen::emit {
+
+/// Text for a template, a line an entry.
+nlohmann::json lines_of(const std::vector<std::string>& lines);
+
+/// Template values of the function that computes a plan's target from pose and geometry.
+nlohmann::json target_values(const model::Robot& robot, const derive::inverse::LoweredPlan& plan);
+
+/// Template values of the function that tells poses out of reach before any branch, false if there is none.
+nlohmann::json range_test_values(const model::Robot& robot, const derive::inverse::LoweredPlan& plan);
+
+/// Template values of every step's function, in order.
+nlohmann::json step_values(const model::Robot& robot, const derive::inverse::LoweredPlan& plan);
+
+/// Names of what steps leave for later steps: the fields of the generated Work struct.
+std::vector<std::string> work_fields(const derive::inverse::LoweredPlan& plan);
+
+}  // namespace qvgen::emit

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "emit/cpp/jacobian_function.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "derive/jacobian/rates.h"
+#include "emit/cpp/code.h"
+#include "emit/cpp/leaf_names.h"
+#include "optimise/optimised_json.h"
+#include "verify/counts_json.h"
+
+namespace qvgen::emit {
+namespace {
+
+using nlohmann::json;
+
+/// Joint rates are qd[i], the free point is point[i].
+Names names_of(const model::Robot& robot, const std::vector<dag::Angle>& angles) {
+  return leaf_names(robot, angles, [&robot](const std::string& name) -> std::string {
+    for (std::size_t i = 0; i < robot.joints.size(); ++i)
+      if (name == derive::rate_name(robot.joints[i].variable)) return "qd[" + std::to_string(i) + "]";
+    const std::string axes = "xyz";
+    for (std::size_t i = 0; i < 3; ++i)
+      if (name == std::string("point.") + axes[i]) return "point[" + std::to_string(i) + "]";
+    throw std::logic_error("symbol " + name + " has no place in the generated code");
+  });
+}
+
+json lines(const std::vector<std::string>& text) {
+  json list = json::array();
+  for (const std::string& line : text) list.push_back({{"line", line}});
+  return list;
+}
+
+/// The places of a function's angles among those of the header.
+std::string selection(const std::vector<dag::Angle>& angles, const std::vector<dag::Angle>& all,
+                      const std::string& array) {
+  std::string text;
+  for (const dag::Angle& angle : angles) {
+    const auto place = std::find(all.begin(), all.end(), angle) - all.begin();
+    text += (text.empty() ? "" : ", ") + ("angles." + array + "[" + std::to_string(place) + "]");
+  }
+  return text;
+}
+
+json assignments(const JacobianFunction& function, const Code& code) {
+  json list = json::array();
+  for (std::size_t i = 0; i < code.outputs.size(); ++i) {
+    const std::string& text = code.outputs[i].expression;
+    list.push_back({{"target", function.targets.at(i)}, {"expression", text}});
+  }
+  return list;
+}
+
+}  // namespace
+
+std::vector<dag::Angle> angles_of(const std::vector<JacobianFunction>& functions) {
+  std::vector<dag::Angle> all;
+  for (const JacobianFunction& function : functions)
+    for (const dag::Angle& angle : angles_of(function.optimised.function))
+      if (std::find(all.begin(), all.end(), angle) == all.end()) all.push_back(angle);
+  std::sort(all.begin(), all.end(), [](const dag::Angle& a, const dag::Angle& b) {
+    return std::pair(a.terms.size(), to_string(a)) < std::pair(b.terms.size(), to_string(b));
+  });
+  return all;
+}
+
+json to_values(const JacobianFunction& function, const model::Robot& robot,
+               const std::vector<dag::Angle>& all) {
+  const auto angles = angles_of(function.optimised.function);
+  const Names names = names_of(robot, angles);
+  const Code code = cpp_code(function.optimised.function, names);
+  json values{{"function", function.name}, {"result", function.result}, {"text", lines(function.text)}};
+  values["counts"] = verify::describe(function.optimised.counts);
+  values["points"] = function.optimised.certified_points;
+  values["ulp"] = to_json(function.optimised).at("largest_error_ulp").dump();
+  values["arguments"] = json::array();
+  for (const auto& argument : function.arguments)
+    values["arguments"].push_back({{"type", argument.type}, {"argument", argument.name}});
+  values["sines_cosines"] = sines_cosines_code(angles, names, "detail::NoAngles");
+  values["angle_count"] = angles.size();
+  values["sines"] = selection(angles, all, "sine");
+  values["cosines"] = selection(angles, all, "cosine");
+  values["temporaries"] = json::array();
+  for (const auto& value : code.temporaries)
+    values["temporaries"].push_back({{"temporary", value.name}, {"expression", value.expression}});
+  values["assignments"] = assignments(function, code);
+  values["last_statements"] = json::array();
+  if (!function.last_statement.empty())
+    values["last_statements"].push_back({{"statement", function.last_statement}});
+  return values;
+}
+
+}  // namespace qvgen::emit

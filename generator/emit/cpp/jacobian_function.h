@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "model/robot.h"
+#include "optimise/optimise.h"
+#include "verify/accuracy.h"
+
+namespace qvgen::emit {
+
+/// A generated function of jacobian.h: what it computes and how it looks.
+struct JacobianFunction {
+  std::string name;
+  std::string result;  ///< template of the result, one parameter Scalar
+  struct Argument {
+    std::string type;  ///< likewise
+    std::string name;
+  };
+  std::vector<Argument> arguments;  ///< behind q
+  std::vector<std::string> text;    ///< lines of the doc comment
+  std::string last_statement;       ///< before the result is returned; may be empty
+  /// Where output `i` of the function goes: "result(0, 3)".
+  std::vector<std::string> targets;
+  optimise::Optimised optimised;
+};
+
+/// Angles whose sines and cosines any of the functions uses.
+std::vector<dag::Angle> angles_of(const std::vector<JacobianFunction>& functions);
+
+/// Template values of a function. `all` are the angles of the header's JacobianAngles.
+nlohmann::json to_values(const JacobianFunction& function, const model::Robot& robot,
+                         const std::vector<dag::Angle>& all);
+
+}  // namespace qvgen::emit

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "derive/dynamics/formulation.h"
+
+namespace qvgen::emit {
+
+/// What was chosen for a function of dynamics, in words: unit of length, shifted masses, last link's frame.
+std::string choices_text(const model::Robot& robot, const derive::dynamics::Choices& choices);
+
+/// The symbolic unit of length by which the set-up divides; nothing if there is none, or if it is a number,
+/// which cannot vanish.
+std::string symbolic_unit_text(const model::Robot& robot, const derive::dynamics::Choices& choices);
+
+}  // namespace qvgen::emit

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include "emit/math/dynamics_closed_form.h"
+
+#include <map>
+#include <stdexcept>
+
+#include "dag/evaluate.h"
+#include "dag/import.h"
+#include "derive/dynamics/formulation.h"
+#include "emit/math/notation.h"
+#include "passes/pass.h"
+#include "symbolic/model.h"
+
+namespace qvgen::emit {
+namespace {
+
+using derive::dynamics::acceleration_of;
+using derive::dynamics::velocity_of;
+using GiNaC::ex;
+
+constexpr std::size_t most_joints = 3;
+
+/// Leaves of a graph as GiNaC writes them.
+struct SymbolicLeaves {
+  std::map<std::string, ex> known;
+
+  [[nodiscard]] ex constant(const exact::Number& value) const { return GiNaC::numeric(value.rational()); }
+  [[nodiscard]] ex symbol(const std::string& name) const {
+    const auto place = known.find(name);
+    return place != known.end() ? place->second : ex(symbolic::symbol(name));
+  }
+  static ex argument(const dag::Angle& angle) {
+    ex sum = GiNaC::numeric(angle.pi) * GiNaC::Pi;
+    for (const auto& [name, coefficient] : angle.terms)
+      sum += GiNaC::numeric(coefficient) * symbolic::symbol(name);
+    return sum;
+  }
+  [[nodiscard]] ex sine(const dag::Angle& angle) const { return GiNaC::sin(argument(angle)); }
+  [[nodiscard]] ex cosine(const dag::Angle& angle) const { return GiNaC::cos(argument(angle)); }
+  [[nodiscard]] ex root(const ex& value) const { return GiNaC::sqrt(value); }
+  [[nodiscard]] ex arctangent(const ex& y, const ex& x) const { return GiNaC::atan2(y, x); }
+};
+
+/// cos^2 -> 1 - sin^2 until no square of a cosine is left.
+ex without_cosine_squares(const ex& value) {
+  const ex w = GiNaC::wild();
+  ex before;
+  ex now = value.expand();
+  while (!now.is_equal(before)) {
+    before = now;
+    now = now.subs(GiNaC::pow(GiNaC::cos(w), 2) == 1 - GiNaC::pow(GiNaC::sin(w), 2),
+                   GiNaC::subs_options::algebraic)
+              .expand();
+  }
+  return now;
+}
+
+std::vector<ex> forces(const model::Robot& robot) {
+  const derive::dynamics::Choices choices;
+  derive::dynamics::Formulation formulation = inverse_dynamics(robot, choices);
+  std::erase_if(formulation.function.outputs,
+                [](const dag::Output& output) { return output.name.front() == '?'; });
+  SymbolicLeaves leaves;
+  const auto constants = dag::evaluate<ex>(formulation.constants, leaves);
+  for (std::size_t i = 0; i < constants.size(); ++i)
+    leaves.known[formulation.constants.outputs[i].name] = constants[i];
+  std::vector<ex> result;
+  for (const ex& force : dag::evaluate<ex>(formulation.function, leaves))
+    result.push_back(without_cosine_squares(force));
+  return result;
+}
+
+class Writer {
+ public:
+  Writer(std::size_t joint, std::vector<ForceTerm>& terms) : joint_(joint), terms_(terms) {}
+
+  void add(const std::string& motion, const ex& coefficient) {
+    const ex flat = without_cosine_squares(coefficient);
+    if (flat.is_zero()) return;
+    symbolic::Program program;
+    program.output("coefficient", flat);
+    terms_.push_back({joint_, motion, passes::simplify(dag::import(program))});
+  }
+
+ private:
+  std::size_t joint_;
+  std::vector<ForceTerm>& terms_;
+};
+
+void write(const model::Robot& robot, std::size_t joint, ex force, std::vector<ForceTerm>& terms) {
+  Writer writer(joint, terms);
+  for (const model::Joint& other : robot.joints) {
+    const GiNaC::symbol acceleration = symbolic::symbol(acceleration_of(other.variable));
+    writer.add(acceleration_of(other.variable), force.coeff(acceleration, 1));
+    force = force.coeff(acceleration, 0);
+  }
+  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
+    const std::string first = velocity_of(robot.joints[i].variable);
+    const GiNaC::symbol rate = symbolic::symbol(first);
+    writer.add(first + "^2", force.coeff(rate, 2));
+    ex mixed = force.coeff(rate, 1);
+    for (std::size_t k = i + 1; k < robot.joints.size(); ++k) {
+      const std::string second = velocity_of(robot.joints[k].variable);
+      writer.add(first + "*" + second, mixed.coeff(symbolic::symbol(second), 1));
+      mixed = mixed.coeff(symbolic::symbol(second), 0);
+    }
+    writer.add(first, mixed);
+    force = force.coeff(rate, 0);
+  }
+  writer.add("", force);
+}
+
+}  // namespace
+
+std::vector<ForceTerm> dynamics_closed_form(const model::Robot& robot) {
+  if (robot.joints.size() > most_joints)
+    throw std::domain_error("the closed form of " + std::to_string(robot.joints.size()) +
+                            " joints is too long to read");
+  std::vector<ForceTerm> terms;
+  const std::vector<ex> all = forces(robot);
+  for (std::size_t i = 0; i < all.size(); ++i) write(robot, i, all[i], terms);
+  return terms;
+}
+
+std::vector<std::string> dynamics_closed_form_lines(const model::Robot& robot) {
+  std::vector<std::string> lines;
+  std::size_t joint = robot.joints.size();
+  for (const ForceTerm& term : dynamics_closed_form(robot)) {
+    if (term.joint != joint) lines.push_back("tau" + std::to_string(term.joint + 1) + " =");
+    joint = term.joint;
+    const dag::Output& output = term.coefficient.outputs.front();
+    const std::string text = formula(term.coefficient.graph, output.value, Notation::text);
+    lines.push_back("  + [" + text + "]" + (term.motion.empty() ? "" : " " + term.motion));
+  }
+  return lines;
+}
+
+}  // namespace qvgen::emit

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+#include "emit/math/notation.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include <fmt/format.h>
+
+namespace qvgen::emit {
+namespace {
+
+using dag::Edge;
+using dag::Op;
+
+bool is_greek(const std::string& word) {
+  static constexpr std::array<const char*, 12> greek{"alpha", "beta",  "gamma", "delta",  "theta", "phi",
+                                                     "psi",   "omega", "tau",   "lambda", "mu",    "rho"};
+  return std::find(greek.begin(), greek.end(), word) != greek.end();
+}
+
+std::string latex_name(const std::string& name) {
+  const std::size_t end = name.find_first_of("0123456789_");
+  const std::string word = name.substr(0, end);
+  std::string index = end == std::string::npos ? "" : name.substr(end);
+  index.erase(std::remove(index.begin(), index.end(), '_'), index.end());
+  const std::string letters =
+      is_greek(word) ? "\\" + word : (word.size() > 1 ? "\\mathrm{" + word + "}" : word);
+  return index.empty() ? letters : letters + "_{" + index + "}";
+}
+
+/// A linear form whose coefficients are all +-1/2: the thesis writes the halves as bars over the angles.
+bool all_halves(const dag::Angle& angle) {
+  const cln::cl_RA half = cln::cl_RA(1) / 2;
+  return cln::zerop(angle.pi) && std::all_of(angle.terms.begin(), angle.terms.end(),
+                                             [&](const auto& term) { return cln::abs(term.second) == half; });
+}
+
+std::string barred(const dag::Angle& angle) {
+  std::string text;
+  for (const auto& [name, coefficient] : angle.terms) {
+    const bool negative = cln::minusp(coefficient);
+    text += negative ? "-" : (text.empty() ? "" : "+");
+    text += "\\bar{" + latex_name(name) + "}";
+  }
+  return text;
+}
+
+std::string latex_number(const exact::Number& number) {
+  if (number.is_rational()) {
+    const cln::cl_RA value = number.rational();
+    const auto text = [](const cln::cl_RA& part) { return exact::to_string(exact::Number(part)); };
+    if (cln::denominator(value) == 1) return text(value);
+    return "\\tfrac{" + text(cln::numerator(value)) + "}{" + text(cln::denominator(value)) + "}";
+  }
+  std::string text = exact::to_string(number);
+  for (std::size_t at = text.find("sqrt("); at != std::string::npos; at = text.find("sqrt(", at + 5)) {
+    text[text.find(')', at)] = '}';
+    text.replace(at, 5, "\\sqrt{");
+  }
+  return text;
+}
+
+class Formula {
+ public:
+  Formula(const dag::Graph& graph, Notation notation,
+          const std::function<std::string(const std::string&)>& name)
+      : graph_(graph), latex_(notation == Notation::latex), notation_(notation), name_(name) {}
+
+  std::string signed_text(Edge edge) const {
+    if (!edge.negative) return text(edge.node);
+    return graph_.node(edge).op == Op::sum ? sum(graph_.node(edge), true) : "-" + factor(edge.node);
+  }
+
+ private:
+  std::string text(std::uint32_t id) const {
+    const dag::Node& node = graph_.node(id);
+    switch (node.op) {
+      case Op::constant:
+        return latex_ ? latex_number(graph_.constant_of(node)) : exact::to_string(graph_.constant_of(node));
+      case Op::symbol:
+        return name_(graph_.symbol_of(node));
+      case Op::sine:
+        return call("sin", graph_.angle_of(node));
+      case Op::cosine:
+        return call("cos", graph_.angle_of(node));
+      case Op::sum:
+        return sum(node);
+      case Op::product:
+        return product(node);
+      case Op::quotient:
+        return quotient(node);
+      case Op::root:
+        return latex_ ? "\\sqrt{" + signed_text(node.operands[0]) + "}"
+                      : "sqrt(" + signed_text(node.operands[0]) + ")";
+      case Op::arctangent:
+        return "atan2(" + signed_text(node.operands[0]) + ", " + signed_text(node.operands[1]) + ")";
+    }
+    return {};
+  }
+
+  std::string call(const char* name, const dag::Angle& angle) const {
+    if (latex_) return fmt::format("\\{}({})", name, formula(angle, notation_));
+    return fmt::format("{}({})", name, formula(angle, notation_));
+  }
+
+  std::string factor(std::uint32_t id) const {
+    const dag::Node& node = graph_.node(id);
+    const bool has_terms = node.op == Op::constant && graph_.constant_of(node).terms().size() > 1;
+    return node.op == Op::sum || has_terms ? "(" + text(id) + ")" : text(id);
+  }
+
+  std::string raised(std::uint32_t id, bool square) const {
+    if (!square) return factor(id);
+    // sin(x) in LaTeX stands without parentheses of its own.
+    const bool plain = graph_.node(id).op == Op::sum || !latex_;
+    return (plain ? factor(id) : "{" + factor(id) + "}") + "^2";
+  }
+
+  /// The sum or its negative, written term by term with a positive one first.
+  std::string sum(const dag::Node& node, bool negative = false) const {
+    std::vector<Edge> terms = node.operands;
+    for (Edge& term : terms) term.negative = term.negative != negative;
+    const auto positive = std::find_if(terms.begin(), terms.end(), [](Edge e) { return !e.negative; });
+    if (positive != terms.end()) std::rotate(terms.begin(), positive, positive + 1);
+    std::string result = (terms.front().negative ? "-" : "") + factor(terms.front().node);
+    for (std::size_t i = 1; i < terms.size(); ++i)
+      result += (terms[i].negative ? " - " : " + ") + factor(terms[i].node);
+    return result;
+  }
+
+  std::string product(const dag::Node& node) const {
+    std::string result;
+    for (std::size_t i = 0; i < node.operands.size(); ++i) {
+      const Edge& operand = node.operands[i];
+      const bool square = i + 1 < node.operands.size() && node.operands[i + 1] == operand;
+      if (!result.empty()) result += latex_ ? " " : "*";
+      result += (operand.negative ? "-" : "") + raised(operand.node, square);
+      if (square) ++i;
+    }
+    return result;
+  }
+
+  std::string quotient(const dag::Node& node) const {
+    if (latex_) return "\\frac{" + signed_text(node.operands[0]) + "}{" + signed_text(node.operands[1]) + "}";
+    return factor(node.operands[0].node) + "/(" + signed_text(node.operands[1]) + ")";
+  }
+
+  const dag::Graph& graph_;
+  bool latex_;
+  Notation notation_;
+  const std::function<std::string(const std::string&)>& name_;
+};
+
+}  // namespace
+
+std::string formula(const std::string& name, Notation notation) {
+  return notation == Notation::latex ? latex_name(name) : name;
+}
+
+std::string formula(const dag::Angle& angle, Notation notation) {
+  if (notation == Notation::text) return exact::to_string(angle);
+  if (all_halves(angle)) return barred(angle);
+  std::string text = exact::to_string(angle);
+  for (const auto& [name, coefficient] : angle.terms) {
+    const std::size_t at = text.find(name);
+    if (at != std::string::npos) text.replace(at, name.size(), latex_name(name));
+  }
+  text.erase(std::remove(text.begin(), text.end(), '*'), text.end());
+  const std::size_t pi = text.find("pi");
+  if (pi != std::string::npos) text.replace(pi, 2, "\\pi");
+  return text;
+}
+
+std::string formula(const dag::Graph& graph, Edge value, Notation notation) {
+  return formula(graph, value, notation,
+                 [notation](const std::string& name) { return formula(name, notation); });
+}
+
+std::string formula(const dag::Graph& graph, Edge value, Notation notation,
+                    const std::function<std::string(const std::string&)>& name) {
+  return Formula(graph, notation, name).signed_text(value);
+}
+
+}  // namespace qvgen::emit

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#include "emit/math/singularities.h"
+
+#include <algorithm>
+
+#include "dag/import.h"
+#include "verify/certificate.h"
+
+namespace qvgen::emit {
+namespace {
+
+using derive::SingularFactor;
+using GiNaC::ex;
+
+constexpr int certificate_points = 3;
+
+symbolic::Program program_of(const std::string& name, const ex& value) {
+  symbolic::Program program;
+  program.output(name, value);
+  return program;
+}
+
+std::string text_of(const ex& value, Notation notation) {
+  const dag::Function function = dag::import(program_of("", value));
+  return formula(function.graph, function.outputs.front().value, notation);
+}
+
+/// The graph's sign rule decides between a factor and its negative.
+bool is_negative(const ex& value) {
+  return dag::import(program_of("", value)).outputs.front().value.negative;
+}
+
+void put_in_order(derive::Singularities& all) {
+  for (SingularFactor& factor : all.factors) {
+    if (!is_negative(factor.value)) continue;
+    factor.value = -factor.value;
+    if (factor.multiplicity % 2 != 0) all.constant = -all.constant;
+  }
+  std::sort(all.factors.begin(), all.factors.end(), [](const SingularFactor& a, const SingularFactor& b) {
+    return std::pair(a.cause.kind, text_of(a.value, Notation::text)) <
+           std::pair(b.cause.kind, text_of(b.value, Notation::text));
+  });
+}
+
+void certify_product(const model::Robot& robot, const derive::Singularities& all) {
+  symbolic::Program product;
+  ex value = all.constant;
+  for (const SingularFactor& factor : all.factors) value *= GiNaC::pow(factor.value, factor.multiplicity);
+  product.output("determinant", value);
+  verify::certify(dag::import(product), derive::determinant_definition(robot, all.rows), certificate_points,
+                  "factors of the determinant");
+}
+
+SingularityMeasures not_factored(const model::Robot& robot) {
+  SingularityMeasures result;
+  result.quantity.name = "singularity_measures";
+  if (robot.joints.size() != 6) return result;
+  result.rows = {0, 1, 2, 3, 4, 5};
+  result.names = {"determinant"};
+  result.multiplicities = {1};
+  result.constant = "1";
+  result.quantity.forms.push_back({"minors", derive::determinant_by_frames(robot)});
+  result.quantity.definition = derive::determinant_definition(robot, result.rows);
+  return result;
+}
+
+std::string rows_text(const std::vector<int>& rows) {
+  const char* names[] = {"vx", "vy", "vz", "wx", "wy", "wz"};
+  std::string text;
+  for (const int row : rows) text += (text.empty() ? "" : ", ") + std::string(names[row]);
+  return text;
+}
+
+}  // namespace
+
+SingularityMeasures singularity_measures(const model::Robot& robot) {
+  derive::Singularities all = derive::singularities(robot);
+  if (all.rows.empty()) return not_factored(robot);
+  put_in_order(all);
+  certify_product(robot, all);
+  SingularityMeasures result;
+  result.rows = all.rows;
+  result.decoupled = all.decoupled;
+  result.constant = text_of(all.constant, Notation::text);
+  result.quantity.name = "singularity_measures";
+  symbolic::Program program;
+  for (const SingularFactor& factor : all.factors) {
+    program.output("m" + std::to_string(result.names.size() + 1), factor.value);
+    result.names.push_back(derive::to_string(factor.cause.kind));
+    result.multiplicities.push_back(factor.multiplicity);
+  }
+  result.quantity.forms.push_back({"factors", program});
+  result.quantity.definition = program;
+  return result;
+}
+
+std::vector<std::string> singularity_lines(const model::Robot& robot, Notation notation) {
+  derive::Singularities all = derive::singularities(robot);
+  if (all.rows.empty()) {
+    if (robot.joints.size() > 6)
+      return {"more than six joints: the Jacobian has no determinant; singular where det(J J^T) = 0"};
+    return {
+        "symbolic twists: the determinant of the Jacobian is not factored; singularity_measures computes it"};
+  }
+  put_in_order(all);
+  certify_product(robot, all);
+  std::vector<std::string> lines;
+  std::string product = text_of(all.constant, notation);
+  for (std::size_t i = 0; i < all.factors.size(); ++i) {
+    const int power = all.factors[i].multiplicity;
+    product += " f" + std::to_string(i + 1) + (power > 1 ? "^" + std::to_string(power) : "");
+  }
+  lines.push_back("determinant of the rows " + rows_text(all.rows) + " of the Jacobian" +
+                  (all.decoupled ? " (spherical wrist: arm and wrist decoupled)" : "") + " = " + product);
+  for (std::size_t i = 0; i < all.factors.size(); ++i) {
+    const SingularFactor& factor = all.factors[i];
+    lines.push_back(derive::to_string(factor.cause.kind) + ": f" + std::to_string(i + 1) + " = " +
+                    text_of(factor.value, notation) + " = 0 (" + factor.cause.meaning + ")");
+  }
+  return lines;
+}
+
+}  // namespace qvgen::emit

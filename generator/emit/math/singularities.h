@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "derive/form.h"
+#include "derive/jacobian/singularities.h"
+#include "emit/math/notation.h"
+
+namespace qvgen::emit {
+
+/// What vanishes at an arm's singular configurations, in a fixed order, with signs that no run of GiNaC
+/// changes.
+struct SingularityMeasures {
+  std::vector<std::string>
+      names;  ///< shoulder, elbow, workspace boundary, inner boundary, wrist; determinant
+  std::vector<int> multiplicities;  ///< in the determinant
+  std::vector<int> rows;            ///< of the Jacobian, whose determinant it is
+  bool decoupled = false;
+  std::string constant;  ///< determinant = constant * product of the measures' powers; text
+  /// Outputs m1, m2, ...
+  derive::Quantity quantity;
+};
+
+/// Certified: the product of the factors is the determinant of the plain Jacobian, exactly. Nothing for arms
+/// with more than six joints; for arms whose determinant is not factored the determinant itself.
+SingularityMeasures singularity_measures(const model::Robot& robot);
+
+/// For `qvgen show ROBOT --singularities`: one line a factor.
+std::vector<std::string> singularity_lines(const model::Robot& robot, Notation notation);
+
+}  // namespace qvgen::emit

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+#include "optimise/dynamics_derivatives.h"
+
+#include "dag/evaluate.h"
+#include "passes/differentiate.h"
+#include "passes/free_part.h"
+#include "passes/search/search.h"
+#include "verify/certificate.h"
+
+namespace qvgen::optimise {
+namespace {
+
+using derive::dynamics::PlainRecursion;
+using exact::ExactPoint;
+using exact::Number;
+using Values = std::vector<Number>;
+
+Values combined(const Number& a, const Values& x, const Number& b, const Values& y) {
+  Values result;
+  for (std::size_t i = 0; i < x.size(); ++i) result.push_back(a * x[i] + b * y[i]);
+  return result;
+}
+
+class Differences {
+ public:
+  Differences(const model::Robot& robot, const ExactPoint& point)
+      : robot_(robot),
+        point_(point),
+        plain_(robot, point),
+        gravity_(point.symbol(derive::dynamics::gravity_symbol)) {}
+
+  Values torques() const { return plain_.inverse_dynamics(plain_.rates(), plain_.accelerations(), gravity_); }
+  /// (f(x + 1) - f(x - 1))/2 of a polynomial of degree two.
+  Values by_rate(std::size_t joint) const {
+    Values up = plain_.rates(), down = up;
+    up[joint] = up[joint] + 1;
+    down[joint] = down[joint] - 1;
+    const Number half = Number(1) / Number(2);
+    return combined(half, plain_.inverse_dynamics(up, plain_.accelerations(), gravity_), -half,
+                    plain_.inverse_dynamics(down, plain_.accelerations(), gravity_));
+  }
+  Values by_position(std::size_t joint) const {
+    const Number half = Number(1) / Number(2);
+    if (robot_.joints[joint].type == model::JointType::prismatic)
+      return combined(half, moved(joint, 1), -half, moved(joint, -1));
+    // f'(x) = sum over r = 1..4 of (-1)^(r+1) f(x + t_r)/(8 sin^2(t_r/2)), t_r = (2 r - 1) pi/4, 2 sin^2(t/2)
+    // = 1 - cos t.
+    const Number cosine = Number::root(2) * half;
+    const Number near = ((Number(1) - cosine) * Number(4)).inverse(),
+                 far = ((Number(1) + cosine) * Number(4)).inverse();
+    const Values first =
+        combined(near, moved(joint, cln::cl_RA(1) / 4), -near, moved(joint, cln::cl_RA(7) / 4));
+    const Values second =
+        combined(-far, moved(joint, cln::cl_RA(3) / 4), far, moved(joint, cln::cl_RA(5) / 4));
+    return combined(1, first, 1, second);
+  }
+
+ private:
+  Values moved(std::size_t joint, const cln::cl_RA& by) const {
+    return PlainRecursion(robot_, point_, joint, by)
+        .inverse_dynamics(plain_.rates(), plain_.accelerations(), gravity_);
+  }
+
+  const model::Robot& robot_;
+  const ExactPoint& point_;
+  PlainRecursion plain_;
+  Number gravity_;
+};
+
+Values expected(const model::Robot& robot, const ExactPoint& point) {
+  const Differences differences(robot, point);
+  Values result = differences.torques();
+  for (std::size_t k = 0; k < robot.joints.size(); ++k)
+    for (const Values& column : {differences.by_position(k), differences.by_rate(k)})
+      result.insert(result.end(), column.begin(), column.end());
+  return result;
+}
+
+/// The derivatives share enough as they are: new values would only slow the closure down.
+DynamicsFunction searched(const std::string& name, const dag::Function& form, const dag::Function& constants,
+                          const dag::IsFree& is_free, const DynamicsEffort& effort) {
+  passes::SearchOptions options;
+  options.iterations = effort.final_steps;
+  options.is_free_symbol = is_free;
+  options.limit = 0;
+  const dag::Function found = passes::search({form}, {}, options);
+  const passes::FreePart parts = passes::split_free_part(found, constants, is_free);
+  DynamicsFunction result;
+  result.name = name;
+  result.function = parts.function;
+  result.constants = parts.constants;
+  result.counts = dag::count(found, is_free);
+  result.constant_counts = dag::count(parts.constants);
+  return result;
+}
+
+/// Y b - tau, the columns of Y one after the other in `values`.
+Values regressor_residuals(const model::Robot& robot, const derive::dynamics::Regressor& regressor,
+                           const ExactPoint& point, const Values& values) {
+  PlainRecursion plain(robot, point);
+  plain.take_standard_parameters();
+  Values rest = plain.inverse_dynamics(plain.rates(), plain.accelerations(),
+                                       point.symbol(derive::dynamics::gravity_symbol));
+  const Values parameters = dag::evaluate<Number>(regressor.base_parameters, point);
+  for (std::size_t k = 0; k < parameters.size(); ++k)
+    for (std::size_t i = 0; i < rest.size(); ++i)
+      rest[i] = rest[i] - values[k * rest.size() + i] * parameters[k];
+  return rest;
+}
+
+}  // namespace
+
+DynamicsFunction regressor_function(const model::Robot& robot, const derive::dynamics::Regressor& regressor,
+                                    const DynamicsEffort& effort) {
+  const dag::IsFree is_free = free_symbols(robot);
+  DynamicsFunction result =
+      searched("regressor", regressor.formulation.function, regressor.formulation.constants, is_free, effort);
+  certify(result, effort.certificate_points, [&](const ExactPoint& point, const Values& values) {
+    return regressor_residuals(robot, regressor, point, values);
+  });
+  return result;
+}
+
+DynamicsFunction inverse_dynamics_derivatives(const model::Robot& robot,
+                                              const DynamicsFunction& inverse_dynamics,
+                                              const DynamicsEffort& effort) {
+  dag::Function form = inverse_dynamics.function;
+  std::vector<passes::Direction> directions;
+  for (std::size_t k = 0; k < robot.joints.size(); ++k) {
+    directions.push_back({robot.joints[k].variable, "q", k + 1});
+    directions.push_back({derive::dynamics::velocity_of(robot.joints[k].variable), "v", k + 1});
+  }
+  passes::append_derivatives(form, directions);
+  DynamicsFunction result = searched("inverse_dynamics_derivatives", form, inverse_dynamics.constants,
+                                     derive::dynamics::is_constant_symbol, effort);
+  result.chosen = inverse_dynamics.chosen;
+  certify(result, effort.certificate_points, [&](const ExactPoint& point, const Values& values) {
+    return combined(1, values, -1, expected(robot, point));
+  });
+  return result;
+}
+
+}  // namespace qvgen::optimise

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dag/counts.h"
+#include "derive/dynamics/formulation.h"
+#include "derive/dynamics/plain_recursion.h"
+#include "exact/point.h"
+
+namespace qvgen::optimise {
+
+/// A quantity of dynamics: how to formulate it under given choices, and what it must equal exactly.
+struct DynamicsQuantity {
+  std::string name;  ///< of the generated function
+  std::function<derive::dynamics::Formulation(const model::Robot&, const derive::dynamics::Choices&)>
+      formulate;
+  /// The residuals of the outputs: values minus those of the plain recursion, all zero for a right function.
+  std::function<std::vector<exact::Number>(const derive::dynamics::PlainRecursion&, const exact::ExactPoint&,
+                                           const std::vector<exact::Number>& values)>
+      residuals;
+  /// Whether choosing the last link's frame makes a difference.
+  bool has_wrenches = false;
+  /// An earlier quantity whose best choices serve this one as well, so that none are tried; or nothing.
+  std::string choices_of = {};
+};
+
+/// All quantities, in the order of the generated header.
+const std::vector<DynamicsQuantity>& dynamics_quantities();
+
+/// The quantity under gravity in any direction, or a wrench on the tool as well: an overload of `base`.
+struct LoadedQuantity {
+  std::string base;
+  DynamicsQuantity quantity;
+};
+const std::vector<LoadedQuantity>& loaded_quantities();
+
+/// A quantity after search, split into what depends on the configuration and what can be computed beforehand.
+struct DynamicsFunction {
+  std::string name;
+  dag::Function function;                ///< in q, q', q'' and constants "$0", ...
+  dag::Function constants;               ///< the constants in the description's symbols and gravity
+  dag::OperationCounts counts;           ///< of `function`
+  dag::OperationCounts constant_counts;  ///< of `constants`
+  std::optional<derive::dynamics::Choices> chosen;  ///< for functions that there are choices for
+  int certified_points = 0;
+  double largest_error = 0;
+};
+
+struct DynamicsEffort {
+  long trial_steps = 60'000;  ///< annealing steps for each combination of choices
+  long final_steps = 1'000'000;
+  int certificate_points = 2;
+  /// Not to be tried: these it shall be.
+  std::optional<derive::dynamics::Choices> choices = {};
+};
+
+/// Tries the choices (unit of length, frame of the last link, shifted masses), searches on with the best,
+/// certifies.
+DynamicsFunction generate_dynamics(const model::Robot& robot, const DynamicsQuantity& quantity,
+                                   const DynamicsEffort& effort = {});
+
+/// What arithmetic is free on: all symbols but joint variables, their derivatives and forces.
+dag::IsFree free_symbols(const model::Robot& robot);
+
+/// Evaluates the function at exact points; `residuals(point, values)` must be zero there. Throws
+/// CertificateError, else records the points in the function.
+void certify(DynamicsFunction& function, int points,
+             const std::function<std::vector<exact::Number>(const exact::ExactPoint&,
+                                                            const std::vector<exact::Number>&)>& residuals);
+
+/// The function with numbers for its constants, from the description's default values and standard gravity:
+/// rounding errors mean little for a robot that cannot be. Nothing if a parameter has no (rational) default.
+std::optional<dag::Function> with_default_values(const model::Robot& robot, const DynamicsFunction& function);
+
+/// Whether any link of the robot has inertia: without, it has no dynamics.
+bool has_inertia(const model::Robot& robot);
+
+}  // namespace qvgen::optimise

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "dag/counts.h"
+#include "derive/form.h"
+#include "passes/search/search.h"
+
+namespace qvgen::optimise {
+
+/// A quantity after derivation, passes and choice, certified.
+struct Optimised {
+  std::string name;
+  dag::Function function;       ///< the cheapest by the cost model: what is emitted
+  dag::OperationCounts counts;  ///< of `function`
+  dag::OperationCounts fewest;  ///< fewest multiplications and additions, sines and cosines given
+  struct FormCounts {
+    std::string name;
+    dag::OperationCounts counts;
+  };
+  std::vector<FormCounts> forms;  ///< each competing form by itself, after the passes
+  int certified_points = 0;       ///< exact points at which `function` equals the definition
+  double largest_error = 0;       ///< see accuracy.h
+};
+
+/// Annealing steps for functions of some dozen operations. Ten times as many gain less than one percent.
+inline passes::SearchOptions small_function_search() {
+  passes::SearchOptions options;
+  options.iterations = 50'000;
+  return options;
+}
+
+struct OptimiseOptions {
+  passes::CostModel cost;
+  passes::SearchOptions search = small_function_search();
+  int certificate_points = 4;
+  /// Look also for the fewest multiplications and additions with sines and cosines for nothing (a second
+  /// search).
+  bool also_fewest = true;
+  /// Run the passes on each form by itself before the search: counts of the forms mean something, and forms
+  /// that share little gain by it. For large functions whose forms share much the search does as well
+  /// without.
+  bool simplify_forms = true;
+};
+
+/// Lowers the forms to graphs, runs the passes, lets them compete and certifies the winner.
+/// Throws CertificateError if a result differs from the definition: a pass has broken an identity.
+Optimised optimise(const derive::Quantity& quantity, const OptimiseOptions& options = {});
+
+}  // namespace qvgen::optimise

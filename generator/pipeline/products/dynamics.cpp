@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+#include "pipeline/products/dynamics.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "emit/cpp/dynamics_code.h"
+#include "emit/cpp/leaf_names.h"
+#include "emit/math/dynamics_choices.h"
+#include "emit/render.h"
+#include "model/evaluate.h"
+#include "optimise/dynamics_derivatives.h"
+#include "verify/accuracy.h"
+#include "verify/counts_json.h"
+
+namespace qvgen::pipeline {
+namespace {
+
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+constexpr int accuracy_points = 50;
+
+ordered_json entry_of(const model::Robot& robot, const optimise::DynamicsFunction& function) {
+  ordered_json entry{{"emitted", verify::to_json(function.counts)},
+                     {"set_up", verify::to_json(function.constant_counts)},
+                     {"certified_points", function.certified_points},
+                     {"choices", function.chosen ? emit::choices_text(robot, *function.chosen) : ""}};
+  if (function.largest_error > 0) entry["largest_error_ulp"] = std::round(function.largest_error * 100) / 100;
+  return entry;
+}
+
+void measure(const model::Robot& robot, optimise::DynamicsFunction& function) {
+  verify::OutputGroup all;
+  for (const dag::Output& output : function.function.outputs) all.push_back(output.name);
+  if (const auto with_numbers = with_default_values(robot, function))
+    function.largest_error = verify::largest_error_in_ulps(*with_numbers, {all}, accuracy_points);
+}
+
+/// Not to be tried again: the choices of the function of that name.
+optimise::DynamicsEffort with_choices_of(const std::vector<optimise::DynamicsFunction>& functions,
+                                         const std::string& name) {
+  optimise::DynamicsEffort effort;
+  for (const optimise::DynamicsFunction& function : functions)
+    if (function.name == name) effort.choices = function.chosen;
+  return effort;
+}
+
+std::vector<optimise::DynamicsFunction> all_functions(const model::Robot& robot) {
+  std::vector<optimise::DynamicsFunction> functions;
+  for (const optimise::DynamicsQuantity& quantity : optimise::dynamics_quantities()) {
+    functions.push_back(generate_dynamics(robot, quantity, with_choices_of(functions, quantity.choices_of)));
+    measure(robot, functions.back());
+  }
+  return functions;
+}
+
+json parameters_of(const model::Robot& robot) {
+  json list = json::array();
+  for (const model::Parameter& parameter : robot.inertia_parameters) {
+    std::string value = "0";
+    if (parameter.default_value)
+      value = fmt::format(
+          "{}", model::to_double(model::evaluate(*parameter.default_value, model::default_bindings(robot))));
+    const bool last = &parameter == &robot.inertia_parameters.back();
+    list.push_back({{"name", parameter.name}, {"default", value}, {"last", last}});
+  }
+  return list;
+}
+
+bool has_defaults(const model::Robot& robot) {
+  for (const model::Parameter& parameter : robot.inertia_parameters)
+    if (parameter.default_value) return true;
+  return false;
+}
+
+/// Adds one header with its definitions and source, for the functions' values in `values` and their
+/// instances.
+void add_files(const model::Robot& robot, const std::string& part, const json& values, RobotOutput& output) {
+  const std::string headers = "include/qvgen/robots/" + robot.name + "/";
+  output.files.push_back({headers + part + ".h", emit::render(part + ".h", values)});
+  output.files.push_back({headers + part + "_definitions.h", emit::render(part + "_definitions.h", values)});
+  output.files.push_back({"source/" + robot.name + "/" + part + ".cpp", emit::render(part + ".cpp", values)});
+}
+
+json angles_and_name(const model::Robot& robot, const std::vector<dag::Angle>& angles,
+                     const std::string& angles_type) {
+  const emit::Names names = emit::leaf_names(robot, angles);
+  return {{"name", robot.name},
+          {"angles", emit::angle_values(angles, names)},
+          {"angle_count", angles.size()},
+          {"angles_type", angles_type},
+          {"sines_cosines", emit::sines_cosines_code(angles, names, angles_type)}};
+}
+
+/// A header of several functions that share sines and cosines.
+void add_functions(const model::Robot& robot, const std::vector<optimise::DynamicsFunction>& functions,
+                   const std::string& part, json values, RobotOutput& output) {
+  const auto angles = emit::angles_of(functions);
+  const auto values_for = [&](const std::string& scalar) {
+    json list = json::array();
+    for (const optimise::DynamicsFunction& function : functions)
+      list.push_back(
+          emit::dynamics_values(robot, function, emit::dynamics_interface(function.name), angles, scalar));
+    return list;
+  };
+  values.update(angles_and_name(robot, angles, part == "dynamics" ? "DynamicsAngles" : "LoadAngles"));
+  values["functions"] = values_for("Scalar");
+  values["instances"] = json::array();
+  for (const char* scalar : {"double", "float"})
+    values["instances"].push_back({{"scalar", scalar}, {"functions", values_for(scalar)}});
+  add_files(robot, part, values, output);
+  for (const optimise::DynamicsFunction& function : functions)
+    output.counts[function.name] = entry_of(robot, function);
+}
+
+/// A header of a single function.
+void add_function(const model::Robot& robot, optimise::DynamicsFunction function, const std::string& part,
+                  const std::vector<dag::Angle>& angles, json values, RobotOutput& output) {
+  measure(robot, function);
+  const auto values_for = [&](const std::string& scalar) {
+    return emit::dynamics_values(robot, function, emit::dynamics_interface(function.name), angles, scalar);
+  };
+  values.update(values_for("Scalar"));
+  values.update(angles_and_name(robot, angles, part == "regressor" ? "RegressorAngles" : "DynamicsAngles"));
+  values["instances"] = json::array();
+  for (const char* scalar : {"double", "float"}) {
+    json instance = values_for(scalar);
+    instance["scalar"] = scalar;
+    values["instances"].push_back(instance);
+  }
+  add_files(robot, part, values, output);
+  output.counts[function.name] = entry_of(robot, function);
+}
+
+/// With the choices that were best for the functions that they overload.
+std::vector<optimise::DynamicsFunction> loaded_functions(
+    const model::Robot& robot, const std::vector<optimise::DynamicsFunction>& functions) {
+  std::vector<optimise::DynamicsFunction> result;
+  for (const auto& [base, quantity] : optimise::loaded_quantities()) {
+    result.push_back(generate_dynamics(robot, quantity, with_choices_of(functions, base)));
+    measure(robot, result.back());
+  }
+  return result;
+}
+
+void add_regressor(const model::Robot& robot, RobotOutput& output) {
+  const derive::dynamics::Regressor regressor = derive::dynamics::regressor(robot);
+  const optimise::DynamicsFunction function = optimise::regressor_function(robot, regressor);
+  add_function(robot, function, "regressor", emit::angles_of(std::vector{function}),
+               emit::base_parameter_values(robot, regressor), output);
+}
+
+}  // namespace
+
+void generate_dynamics_product(const model::Robot& robot, RobotOutput& output) {
+  if (!optimise::has_inertia(robot)) return;
+  const std::vector<optimise::DynamicsFunction> functions = all_functions(robot);
+  const json inertia{{"parameters", parameters_of(robot)},
+                     {"parameter_count", robot.inertia_parameters.size()},
+                     {"has_parameters", !robot.inertia_parameters.empty()},
+                     {"has_defaults", has_defaults(robot)}};
+  add_functions(robot, functions, "dynamics", inertia, output);
+  add_function(robot, inverse_dynamics_derivatives(robot, functions.front()), "dynamics_derivatives",
+               emit::angles_of(functions), json::object(), output);
+  add_functions(robot, loaded_functions(robot, functions), "dynamics_loads", json::object(), output);
+  add_regressor(robot, output);
+}
+
+}  // namespace qvgen::pipeline

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+#include "pipeline/products/inverse.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "derive/inverse/inverse.h"
+#include "emit/cpp/inverse/lane_code.h"
+#include "emit/cpp/inverse/nest_code.h"
+#include "emit/cpp/inverse/step_code.h"
+#include "emit/math/describe.h"
+#include "emit/render.h"
+#include "model/evaluate.h"
+#include "verify/inverse/certify.h"
+#include "verify/inverse/count.h"
+
+namespace qvgen::pipeline {
+namespace {
+
+using nlohmann::json;
+
+constexpr int certificate_poses = 3;
+
+json fields_of(const std::vector<std::string>& names) {
+  json list = json::array();
+  for (const std::string& name : names) list.push_back({{"field", name}});
+  return list;
+}
+
+/// Rendered text without the blank lines that empty sections leave.
+std::string tidy(const std::string& text) {
+  std::string result;
+  std::string last = "{";
+  for (std::size_t start = 0; start < text.size();) {
+    const std::size_t end = text.find('\n', start);
+    const std::string line = text.substr(start, end - start);
+    start = end + 1;
+    const bool spare = line.empty() && (last.empty() || last.back() == '{');
+    const bool closes =
+        line.find_first_not_of(' ') != std::string::npos && line[line.find_first_not_of(' ')] == '}';
+    if (spare) continue;
+    if (closes && last.empty() && result.size() > 1 && line.size() == line.find('}') + 1) result.pop_back();
+    result += line + "\n";
+    last = line;
+  }
+  return result;
+}
+
+/// One line for each unknown, for the head of the public function.
+std::vector<std::string> summary(const derive::inverse::LoweredPlan& plan) {
+  std::vector<std::string> lines;
+  for (const std::size_t i : derive::inverse::order(plan.plan, plan.plan.quartic()))
+    if (!plan.plan.steps[i].unknown.empty() && plan.plan.steps[i].kind != derive::inverse::Kind::half)
+      lines.push_back("- " + emit::step_comment(plan, i).front());
+  return lines;
+}
+
+bool is_number(const model::Vector3& v) {
+  return std::all_of(v.begin(), v.end(),
+                     [](const model::Expression& x) { return model::symbols(x).empty(); });
+}
+
+double length(const model::Vector3& v) {
+  double square = 0;
+  for (const model::Expression& x : v) {
+    const double value = model::to_double(model::evaluate(x));
+    square += value * value;
+  }
+  return std::sqrt(square);
+}
+
+/// What the tool's distance from the origin cannot exceed, as text: the sum of all lengths, if they are
+/// numbers and no joint slides; else empty.
+std::string reach(const model::Robot& robot) {
+  std::vector<const model::Vector3*> offsets{&robot.base.translation, &robot.tool.translation};
+  for (const model::Joint& joint : robot.joints) {
+    if (joint.type == model::JointType::prismatic) return "";
+    offsets.insert(offsets.end(), {&joint.before.translation, &joint.after.translation});
+  }
+  double sum = 0;
+  for (const model::Vector3* offset : offsets) {
+    if (!is_number(*offset)) return "";
+    sum += length(*offset);
+  }
+  return fmt::format("{:.6f}", sum);
+}
+
+std::size_t polished_joints(const derive::inverse::Plan& plan) {
+  for (const auto& step : plan.steps)
+    if (step.kind == derive::inverse::Kind::polish) return step.turns.size();
+  throw std::logic_error("inverse kinematics: a plan without Newton steps");
+}
+
+json variant(const model::Robot& robot, const derive::inverse::Plan& derived,
+             nlohmann::ordered_json& all_counts) {
+  const derive::inverse::LoweredPlan plan = lower(derived);
+  const verify::InverseCertificate certificate = verify::certify_inverse(robot, plan, certificate_poses);
+  const bool locked = derived.locked >= 0;
+  const bool lanes = emit::has_lanes(plan);
+  const std::string farthest = reach(robot);
+  std::vector<std::string> constants;
+  for (const auto& parameter : robot.geometry) constants.push_back(parameter.name);
+  const std::string given = locked ? robot.joints[static_cast<std::size_t>(derived.locked)].variable : "";
+  const std::string function = locked ? "inverse_kinematics_given_" + given : "inverse_kinematics";
+  if (const auto counts = verify::inverse_counts(plan); !counts.empty()) all_counts[function] = counts;
+  return {
+      {"space", locked ? "given_" + given : "all"},
+      {"function", function},
+      {"solutions", locked ? "SolutionsGiven_" + given : "Solutions"},
+      {"info", locked ? "inverse_info_given_" + given : "inverse_info"},
+      {"uses_orientation", derived.position_only ? "false" : "true"},
+      {"given", derived.locked},
+      {"locked", locked},
+      {"locked_parameter", locked ? "double " + given + ", " : ""},
+      {"locked_argument", locked ? ", " + given : ""},
+      {"quartic", derived.quartic()},
+      {"reach", farthest.empty() ? "1e150" : farthest},
+      {"has_reach", !farthest.empty()},
+      {"capacity", derived.capacity},
+      {"meaning", std::string(derived.position_only ? "its position; the orientation is not used"
+                                                    : "position and orientation") +
+                      (locked ? "; " + given + ", rad, is given" : "")},
+      {"structure", derived.structure},
+      {"summary", emit::lines_of(summary(plan))},
+      {"certificate", certificate.text()},
+      {"target_fields", fields_of(derived.target_kept)},
+      {"work_fields", fields_of(emit::work_fields(plan))},
+      {"target", emit::target_values(robot, plan)},
+      {"range_test", emit::range_test_values(robot, plan)},
+      {"steps", emit::step_values(robot, plan)},
+      {"dof", robot.joints.size()},
+      {"has_geometry", !constants.empty()},
+      {"geometry", fields_of(constants)},
+      {"first_pass", derived.quartic()
+                         ? json(false)
+                         : json{{"lines", emit::lines_of(emit::nest_lines(robot, plan, emit::Pass::first))}}},
+      {"polished_joints", std::to_string(polished_joints(derived))},
+      {"careful_pass", emit::lines_of(emit::nest_lines(robot, plan, emit::Pass::careful))},
+      {"has_lanes", lanes ? "true" : "false"},
+      {"lanes", lanes ? json{{"lines", emit::lines_of(emit::lane_lines(robot, plan))}} : json(false)}};
+}
+
+}  // namespace
+
+void generate_inverse(const model::Robot& robot, RobotOutput& output) {
+  json values{{"name", robot.name}, {"variants", json::array()}, {"reasons", json::array()}};
+  std::vector<std::string> reasons;
+  for (const auto& derivation : {derive::inverse::derive(robot), derive::inverse::derive_locked(robot)}) {
+    if (derivation.found) values["variants"].push_back(variant(robot, derivation.plan, output.counts));
+    reasons.insert(reasons.end(), derivation.reasons.begin(), derivation.reasons.end());
+  }
+  const bool found = !values["variants"].empty();
+  values["found"] = found;
+  values["reasons"] = emit::lines_of(reasons);
+  output.files.push_back(
+      {"include/qvgen/robots/" + robot.name + "/inverse.h", tidy(emit::render("inverse.h", values))});
+  if (!found) {
+    for (const std::string& reason : reasons) output.missing.push_back("no inverse kinematics: " + reason);
+    return;
+  }
+  const std::string sources = "source/" + robot.name + "/";
+  output.files.push_back({sources + "inverse_steps.h", tidy(emit::render("inverse_steps.h", values))});
+  output.files.push_back({sources + "inverse.cpp", tidy(emit::render("inverse.cpp", values))});
+  const auto in_lanes = [](const json& variant) { return variant["has_lanes"] == "true"; };
+  if (std::any_of(values["variants"].begin(), values["variants"].end(), in_lanes))
+    output.files.push_back({sources + "inverse_avx2.cpp", tidy(emit::render("inverse_avx2.cpp", values))});
+}
+
+}  // namespace qvgen::pipeline

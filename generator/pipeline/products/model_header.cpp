@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "pipeline/products/model_header.h"
+
+#include <fmt/format.h>
+
+#include "emit/render.h"
+#include "model/evaluate.h"
+
+namespace qvgen::pipeline {
+namespace {
+
+using nlohmann::json;
+
+/// C++ literal of a constant expression; parameters have their default values.
+std::string number(const model::Expression& expression, const model::Robot& robot) {
+  return fmt::format("{}", model::to_double(model::evaluate(expression, model::default_bindings(robot))));
+}
+
+json joint(const model::Joint& joint, const model::Robot& robot, bool last) {
+  const std::string infinity = "std::numeric_limits<double>::infinity()";
+  return {{"variable", joint.variable},
+          {"revolute", joint.type == model::JointType::revolute ? "true" : "false"},
+          {"lower", joint.limits ? number(joint.limits->lower, robot) : "-" + infinity},
+          {"upper", joint.limits ? number(joint.limits->upper, robot) : infinity},
+          {"last", last}};
+}
+
+}  // namespace
+
+void generate_model_header(const model::Robot& robot, RobotOutput& output) {
+  json values{
+      {"name", robot.name}, {"title", robot.title}, {"source", robot.source}, {"dof", robot.joints.size()}};
+  values["joints"] = json::array();
+  for (const model::Joint& each : robot.joints)
+    values["joints"].push_back(joint(each, robot, &each == &robot.joints.back()));
+  values["parameters"] = json::array();
+  bool has_defaults = false;
+  for (const model::Parameter& parameter : robot.geometry) {
+    has_defaults = has_defaults || parameter.default_value.has_value();
+    values["parameters"].push_back(
+        {{"name", parameter.name},
+         {"default", parameter.default_value ? number(*parameter.default_value, robot) : "0"}});
+  }
+  values["has_parameters"] = !robot.geometry.empty();
+  values["has_defaults"] = has_defaults;
+  output.files.push_back(
+      {"include/qvgen/robots/" + robot.name + "/model.h", emit::render("model.h", values)});
+}
+
+}  // namespace qvgen::pipeline

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/robot.h"
+#include "pipeline/robot_output.h"
+
+namespace qvgen::pipeline {
+
+/// A product: one header with its definitions and source for every robot (forward kinematics, dynamics, ...).
+///
+/// Adds its files and its counts to the robot's output. `part` is the header's name, included by the robot's
+/// umbrella header.
+struct Product {
+  std::string part;
+  void (*generate)(const model::Robot& robot, RobotOutput& output);
+};
+
+/// All products, in the order of the umbrella header.
+const std::vector<Product>& all_products();
+
+}  // namespace qvgen::pipeline

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "derive/inverse/lower.h"
+#include "verify/inverse/real.h"
+
+namespace qvgen::verify {
+
+/// Values of the names that a plan's target program reads: geometry and the pose.
+using Values = std::map<std::string, Real>;
+
+struct Row {
+  std::vector<Real> q;
+  int branch = 0;
+  bool continuum = false;
+};
+
+/// What certificates of inverse kinematics allow of the sixty digits that they compute with.
+inline constexpr double fifty_digits = 1e-50;
+
+/// Runs a lowered plan step by step in sixty digits, with the building blocks of the runtime: all solutions.
+/// Throws CertificateError if the range test says something else of a circle than its step.
+std::vector<Row> execute(const derive::inverse::LoweredPlan& plan, Values values);
+
+}  // namespace qvgen::verify
