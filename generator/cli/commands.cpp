@@ -34,9 +34,10 @@ bool has_error(const std::vector<description::Diagnostic>& diagnostics) {
 }
 
 /// Reads all files and reports all their mistakes; nothing if there is an error in any.
-std::optional<std::vector<model::Robot>> read_robots(const std::vector<fs::path>& paths, bool strict) {
+std::optional<std::vector<model::Robot>> read_robots(const std::vector<fs::path>& paths,
+                                                     const description::ReadOptions& options) {
   std::vector<description::ReadResult> results;
-  for (const fs::path& path : paths) results.push_back(description::read_file(path, {strict}));
+  for (const fs::path& path : paths) results.push_back(description::read_file(path, options));
   bool good = true;
   for (const auto& result : results) {
     print_diagnostics(result.diagnostics);
@@ -98,7 +99,7 @@ std::vector<fs::path> descriptions_in(const fs::path& folder) {
 }
 
 int run_generate(const GenerateArguments& arguments) {
-  const auto robots = read_robots(arguments.descriptions, arguments.strict);
+  const auto robots = read_robots(arguments.descriptions, arguments.read);
   if (!robots) return bad_description;
   std::vector<pipeline::OutputFile> files;
   std::vector<std::string> missing;
@@ -127,8 +128,8 @@ int run_generate(const GenerateArguments& arguments) {
   return success;
 }
 
-int run_check(const std::vector<fs::path>& descriptions, bool strict) {
-  const auto robots = read_robots(descriptions, strict);
+int run_check(const std::vector<fs::path>& descriptions, const description::ReadOptions& options) {
+  const auto robots = read_robots(descriptions, options);
   if (!robots) return bad_description;
   for (const model::Robot& robot : *robots) {
     std::string structure;
@@ -171,7 +172,7 @@ int show_inverse(const model::Robot& robot, emit::Notation notation) {
 }  // namespace
 
 int run_show(const ShowArguments& arguments) {
-  const auto robots = read_robots({arguments.description}, false);
+  const auto robots = read_robots({arguments.description}, arguments.read);
   if (!robots) return bad_description;
   if (arguments.dynamics) return show_dynamics(robots->front());
   const auto notation = arguments.latex ? emit::Notation::latex : emit::Notation::text;

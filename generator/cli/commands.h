@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/report.h"
+#include "description/reader.h"
 
 namespace qvgen::cli {
 
@@ -15,13 +16,14 @@ enum ExitCode { success = 0, failure = 1, usage_error = 2, bad_description = 3 }
 struct GenerateArguments {
   std::vector<std::filesystem::path> descriptions;
   std::filesystem::path output;
-  bool strict = false;
+  description::ReadOptions read;
   std::vector<std::string> parts;     ///< see pipeline.h
   std::vector<std::string> required;  ///< products without which a robot is an error
 };
 
 struct ShowArguments {
   std::filesystem::path description;
+  description::ReadOptions read;
   bool latex = false;
   bool singularities = false;
   bool dynamics = false;  ///< the joint forces in place of the pose
@@ -32,7 +34,8 @@ struct ShowArguments {
 int run_generate(const GenerateArguments& arguments);
 int run_show(const ShowArguments& arguments);
 int run_counts(const std::filesystem::path& counts_file, ReportFormat format, bool forms);
-int run_check(const std::vector<std::filesystem::path>& descriptions, bool strict);
+int run_check(const std::vector<std::filesystem::path>& descriptions,
+              const description::ReadOptions& options);
 
 /// Every *.toml of a folder, sorted by name.
 std::vector<std::filesystem::path> descriptions_in(const std::filesystem::path& folder);

@@ -15,6 +15,7 @@ constexpr const char* examples = R"(
 examples:
   qvgen generate                              all robots of the source tree, into its generated/
   qvgen generate my_arm.toml --output out     one robot, into out/
+  qvgen generate arm.urdf --tip tool0         an arm of a URDF (or MJCF), from its root to the link tool0
   qvgen check my_arm.toml                     every mistake of a description, nothing written
   qvgen show ns                               the closed form of the forward kinematics
   qvgen show my_arm.toml --latex              the same typeset
@@ -28,6 +29,25 @@ exit codes: 0 success, 1 failure, 2 wrong arguments, 3 mistakes in a description
 fs::path description_of(const std::string& robot, const fs::path& robots) {
   const fs::path named = robots / (robot + ".toml");
   return fs::exists(robot) || !fs::exists(named) ? fs::path(robot) : named;
+}
+
+/// Options of every command that reads a description.
+void add_reading(CLI::App& command, qvgen::description::ReadOptions& options) {
+  command.add_option("--base", options.base, "URDF, MJCF: link where the chain begins; the root without");
+  command.add_option("--tip", options.tip,
+                     "URDF, MJCF: link where it ends; the only one that can be meant without");
+  command.add_option("--name", options.name, "the robot's name instead of the file's");
+  command.add_option_function<std::string>(
+      "--snap",
+      [&options](const std::string& text) {
+        const auto snap = qvgen::description::parse_snap(text);
+        if (snap)
+          options.snap = *snap;
+        else
+          throw CLI::ValidationError("--snap",
+                                     "'" + text + "' is neither a tolerance such as 1e-4, nor off, nor auto");
+      },
+      "URDF, MJCF: read numbers that near to an exact one as that one; off: none; auto: those rounded to it");
 }
 
 }  // namespace
@@ -52,7 +72,8 @@ int main(int argc, char** argv) {
       ->delimiter(',');
   generate_command->add_option("--require", generate.required,
                                "a product (inverse) that every robot must get, else an error");
-  generate_command->add_flag("--strict", generate.strict, "warnings about a description are errors");
+  generate_command->add_flag("--strict", generate.read.strict, "warnings about a description are errors");
+  add_reading(*generate_command, generate.read);
 
   std::string shown;
   ShowArguments show;
@@ -63,6 +84,7 @@ int main(int argc, char** argv) {
   show_command->add_flag("--singularities", show.singularities,
                          "the factored determinant of the Jacobian instead");
   show_command->add_flag("--inverse", show.inverse, "the derivation of inverse kinematics");
+  add_reading(*show_command, show.read);
 
   ReportFormat format = ReportFormat::table;
   const std::map<std::string, ReportFormat> formats{{"table", ReportFormat::table},
@@ -78,10 +100,11 @@ int main(int argc, char** argv) {
   counts_command->add_option("-o,--output", output, "folder that was generated")->capture_default_str();
 
   std::vector<std::string> checked;
-  bool strict = false;
+  qvgen::description::ReadOptions check;
   auto* check_command = app.add_subcommand("check", "report the mistakes of descriptions, write nothing");
   check_command->add_option("FILES", checked, "robot descriptions")->required();
-  check_command->add_flag("--strict", strict, "warnings are errors");
+  check_command->add_flag("--strict", check.strict, "warnings are errors");
+  add_reading(*check_command, check);
 
   try {
     app.parse(argc, argv);
@@ -104,7 +127,7 @@ int main(int argc, char** argv) {
       return run_show(show);
     }
     if (*counts_command) return run_counts(fs::path(output) / "operation_counts.json", format, forms);
-    return run_check({checked.begin(), checked.end()}, strict);
+    return run_check({checked.begin(), checked.end()}, check);
   } catch (const std::exception& error) {
     fmt::print(stderr, "qvgen: {}\n", error.what());
     return failure;

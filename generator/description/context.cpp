@@ -20,4 +20,10 @@ void Context::warning(Place place, std::string message, std::string hint) {
   diagnostics.push_back(std::move(entry));
 }
 
+void Context::note(Place place, std::string message, std::string hint) {
+  Diagnostic entry = diagnostic(place, std::move(message), std::move(hint));
+  entry.severity = Diagnostic::note;
+  diagnostics.push_back(std::move(entry));
+}
+
 }  // namespace qvgen::description

@@ -38,6 +38,8 @@ struct Context {
 
   void error(Place place, std::string message, std::string hint);
   void warning(Place place, std::string message, std::string hint);
+  /// What the reader did of its own accord; never an error.
+  void note(Place place, std::string message, std::string hint);
   [[nodiscard]] Diagnostic diagnostic(Place place, std::string message, std::string hint) const;
 
   Source source;

@@ -12,6 +12,7 @@
 #include "description/names.h"
 #include "description/physics.h"
 #include "description/symbols.h"
+#include "description/xml/reader.h"
 #include "model/arithmetic.h"
 
 namespace qvgen::description {
@@ -95,12 +96,12 @@ ReadResult failed(const Context& context, Place place, const std::string& messag
   return {std::nullopt, {context.diagnostic(place, message, hint)}, {}};
 }
 
-ReadResult finished(Context& context, const Table& root, model::Robot robot) {
+ReadResult finished(Context& context, Place name_place, model::Robot robot) {
   std::stable_sort(context.diagnostics.begin(), context.diagnostics.end(), [](const auto& a, const auto& b) {
     return Place{a.line, a.column} < Place{b.line, b.column};
   });
   ReadResult result;
-  result.name_place = context.diagnostic(root.place_of("name"), "", "");
+  result.name_place = context.diagnostic(name_place, "", "");
   result.diagnostics = std::move(context.diagnostics);
   const auto is_error = [](const Diagnostic& d) { return d.severity == Diagnostic::error; };
   if (std::none_of(result.diagnostics.begin(), result.diagnostics.end(), is_error))
@@ -108,12 +109,81 @@ ReadResult finished(Context& context, const Table& root, model::Robot robot) {
   return result;
 }
 
+void rename(Context& context, model::Robot& robot) {
+  const std::string& name = context.options.name;
+  if (name.empty()) return;
+  const NameProblem problem = check_robot_name(name);
+  if (!problem.message.empty()) context.error({}, "--name " + name + ": " + problem.message, problem.hint);
+  robot.name = name;
+}
+
+ReadResult read_toml(Context& context, std::string_view text) {
+  try {
+    const toml::table document = toml::parse(text);
+    const Table root(context, document, "the file");
+    model::Robot robot = read_robot(root);
+    rename(context, robot);
+    return finished(context, root.place_of("name"), std::move(robot));
+  } catch (const toml::parse_error& error) {
+    return failed(context, begin_of(error.source()), "TOML syntax: " + std::string(error.description()),
+                  "texts and expressions stand in quotes, arrays in [ ], one key = value per line");
+  }
+}
+
+bool is_xml(std::string_view text, const std::string& file) {
+  const std::string extension = std::filesystem::path(file).extension().string();
+  if (extension == ".toml") return false;
+  if (extension == ".urdf" || extension == ".xml" || extension == ".mjcf" || extension == ".xacro")
+    return true;
+  const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+  return first != std::string_view::npos && text[first] == '<';
+}
+
+ReadResult read_xml(Context& context, std::string_view text) {
+  model::Robot robot;
+  const auto root = xml::parse(context, text);
+  const Place place = root ? root->place : Place{};
+  if (root && root->name == "robot") {
+    robot = xml::read_urdf(context, *root);
+  } else if (root) {
+    context.error(place, "<" + root->name + "> is no robot description",
+                  "a URDF begins with <robot>, an MJCF with <mujoco>");
+  }
+  rename(context, robot);
+  if (!context.has_error) check_inertia(context, robot);
+  return finished(context, place, std::move(robot));
+}
+
+}  // namespace
+
+namespace {
+
+const char* severity_text(Diagnostic::Severity severity) {
+  switch (severity) {
+    case Diagnostic::error:
+      return ": error: ";
+    case Diagnostic::warning:
+      return ": warning: ";
+    case Diagnostic::note:
+      return ": note: ";
+  }
+  return ": ";
+}
+
+/// The file's text, or one byte more than is read at most.
+std::string beginning_of(std::istream& file) {
+  std::string text(max_file_size + 1, '\0');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  return text;
+}
+
 }  // namespace
 
 std::string to_string(const Diagnostic& diagnostic) {
   std::ostringstream text;
   text << diagnostic.file << ':' << diagnostic.line << ':' << diagnostic.column
-       << (diagnostic.severity == Diagnostic::error ? ": error: " : ": warning: ") << diagnostic.message;
+       << severity_text(diagnostic.severity) << diagnostic.message;
   if (!diagnostic.hint.empty()) text << "; " << diagnostic.hint;
   return text.str();
 }
@@ -123,27 +193,23 @@ ReadResult read_text(std::string_view text, const std::string& file, const ReadO
   if (is_blank(text)) {
     return failed(context, {}, "the file is empty", "begin with name = \"...\" and add [[joint]] tables");
   }
-  try {
-    const toml::table document = toml::parse(text);
-    const Table root(context, document, "the file");
-    return finished(context, root, read_robot(root));
-  } catch (const toml::parse_error& error) {
-    return failed(context, begin_of(error.source()), "TOML syntax: " + std::string(error.description()),
-                  "texts and expressions stand in quotes, arrays in [ ], one key = value per line");
-  }
+  return is_xml(text, file) ? read_xml(context, text) : read_toml(context, text);
 }
 
 ReadResult read_file(const std::filesystem::path& path, const ReadOptions& options) {
   errno = 0;
   std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  if (file) text << file.rdbuf();
+  const Context context("", path.string(), options);
   if (!file || std::filesystem::is_directory(path)) {
-    const Context context("", path.string(), options);
     const std::string reason = file ? "it is a directory" : std::strerror(errno == 0 ? EIO : errno);
     return failed(context, {}, "cannot read the file: " + reason, "give the path of a robot description");
   }
-  return read_text(text.str(), path.string(), options);
+  const std::string text = beginning_of(file);
+  if (text.size() > max_file_size) {
+    return failed(context, {}, "the file has more than " + std::to_string(max_file_size / 1'000'000) + " MB",
+                  "a robot description is text, and far shorter");
+  }
+  return read_text(text, path.string(), options);
 }
 
 std::vector<Diagnostic> check_together(const std::vector<ReadResult>& robots) {

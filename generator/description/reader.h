@@ -13,7 +13,7 @@ namespace qvgen::description {
 
 /// One mistake of a description; lines and columns count from 1, columns in characters.
 struct Diagnostic {
-  enum Severity { error, warning };
+  enum Severity { error, warning, note };
   std::string file;
   int line = 1;
   int column = 1;
@@ -22,7 +22,7 @@ struct Diagnostic {
   std::string hint;     ///< what would be right
 };
 
-/// `file:line:column: error: what is wrong; what would be right`
+/// `file:line:column: error: what is wrong; what would be right`; warnings and notes likewise
 std::string to_string(const Diagnostic& diagnostic);
 
 struct ReadResult {
@@ -32,14 +32,33 @@ struct ReadResult {
   Diagnostic name_place;
 };
 
-struct ReadOptions {
-  bool strict = false;  ///< warnings are errors
+/// Which rounded numbers of a URDF or MJCF are read as the exact ones that they were (xml/snap.h).
+struct SnapOptions {
+  enum Mode { automatic, within, off };
+  Mode mode = automatic;
+  cln::cl_RA tolerance = 0;  ///< of `within`: radians, or in a unit vector
 };
+
+/// "auto", "off", or a tolerance such as 1e-4; nothing if it is none of them.
+std::optional<SnapOptions> parse_snap(const std::string& text);
+
+struct ReadOptions {
+  bool strict = false;    ///< warnings are errors
+  std::string name = {};  ///< of the robot, instead of the file's
+  // The rest is for URDF and MJCF.
+  std::string base = {};  ///< link where the chain begins; empty: the root
+  std::string tip = {};   ///< link where it ends; empty: the only one that can be meant
+  SnapOptions snap = {};
+};
+
+/// The largest file that is read: no description of one robot comes near.
+inline constexpr std::size_t max_file_size = 4'000'000;
 
 /// The largest number of joints a description may have.
 inline constexpr std::size_t max_joints = 16;
 
-/// Reads a robot description (the format: generator/robots/README.md) and reports all of its mistakes.
+/// Reads a robot description, TOML (the format: generator/robots/README.md), URDF or MJCF, and reports all of
+/// its mistakes.
 ReadResult read_text(std::string_view text, const std::string& file, const ReadOptions& options = {});
 ReadResult read_file(const std::filesystem::path& path, const ReadOptions& options = {});
 

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cctype>
+#include <map>
+
+#include "description/names.h"
+#include "description/tree/tree.h"
+#include "model/arithmetic.h"
+
+namespace qvgen::description::tree {
+namespace {
+
+// More links in a row, or fixed to one another, than any robot has; each costs a few microseconds.
+constexpr std::size_t most_links = 1000;
+
+class ChainReader {
+ public:
+  ChainReader(Context& context, const std::vector<Node>& nodes, const ReadSegment& read)
+      : context_(&context), nodes_(&nodes), read_(&read) {}
+
+  void read(const std::vector<std::size_t>& path, model::Robot& robot) {
+    model::Displacement pending;
+    on_path_ = {path.begin(), path.end()};
+    std::sort(on_path_.begin(), on_path_.end());
+    for (const std::size_t node : path) {
+      const Segment segment = segment_of(node);
+      pending = folded(pending, segment.before);
+      if (segment.joint) {
+        robot.joints.push_back(joint_of(*segment.joint, robot));
+        robot.joints.back().before = pending;
+        robot.joints.back().after = segment.after;
+        robot.joints.back().inertia = inertia_of(lumped(node));
+        context_->joint_places.push_back(segment.joint->place);
+        pending = {};
+      } else {
+        pending = folded(pending, segment.after);
+      }
+    }
+    robot.tool = pending;
+    leave_out_partial_inertia(robot);
+  }
+
+ private:
+  /// A last link without mass has no forward dynamics, and it is seldom that this is what was meant.
+  void leave_out_partial_inertia(model::Robot& robot) const {
+    const bool last_is_empty = is_empty(robot.joints.back());
+    if (!last_is_empty || std::all_of(robot.joints.begin(), robot.joints.end(),
+                                      [](const model::Joint& joint) { return is_empty(joint); }))
+      return;
+    context_->warning(context_->joint_places.back(),
+                      "the last joint moves no mass, others do: the inertia of all is left out",
+                      "give its link a mass, or none any");
+    for (model::Joint& joint : robot.joints) joint.inertia = {};
+  }
+
+  static bool is_empty(const model::Joint& joint) {
+    const auto is_zero = [](const model::Expression& e) { return e.is_literal_zero(); };
+    return is_zero(joint.inertia.mass) && is_zero(joint.drive.rotor_inertia) &&
+           std::all_of(joint.inertia.inertia.begin(), joint.inertia.inertia.end(), is_zero);
+  }
+
+  const Segment& segment_of(std::size_t node) {
+    const auto [place, is_new] = segments_.try_emplace(node);
+    if (is_new) place->second = (*read_)(node).value_or(Segment{});
+    return place->second;
+  }
+
+  model::Joint joint_of(const MovingJoint& moving, const model::Robot& robot) const {
+    std::vector<std::string> taken;
+    for (const model::Joint& joint : robot.joints) taken.push_back(joint.variable);
+    model::Joint joint;
+    joint.type = moving.type;
+    joint.variable = identifier(moving.name, taken);
+    joint.axis = moving.axis;
+    joint.limits = moving.limits;
+    joint.drive = moving.drive;
+    return joint;
+  }
+
+  /// The link with all that is fixed to it, in the link's frame.
+  Body lumped(std::size_t link) {
+    Body sum = segment_of(link).body;
+    std::vector<std::pair<std::size_t, model::Displacement>> open{{link, {}}};
+    while (!open.empty()) {
+      const auto [node, frame] = open.back();
+      open.pop_back();
+      for (const std::size_t child : (*nodes_)[node].children) {
+        if ((*nodes_)[child].moves) {
+          note_branch(child);
+        } else if (segments_.size() < 2 * most_links) {
+          const Segment& segment = segment_of(child);
+          const auto to_child = folded(folded(frame, segment.before), segment.after);
+          if (!is_empty(segment.body)) sum = joined(sum, moved(to_child, segment.body));
+          open.emplace_back(child, to_child);
+        } else if (!crowded_) {
+          crowded_ = true;
+          context_->error((*nodes_)[child].place, "more than " + std::to_string(2 * most_links) + " links",
+                          "an arm has fewer");
+        }
+      }
+    }
+    return sum;
+  }
+
+  static bool is_empty(const Body& body) {
+    return cln::zerop(body.mass) &&
+           std::all_of(body.inertia.begin(), body.inertia.end(), [](const Vector& row) {
+             return std::all_of(row.begin(), row.end(),
+                                [](const cln::cl_R& entry) { return cln::zerop(entry); });
+           });
+  }
+
+  void note_branch(std::size_t child) {
+    if (std::binary_search(on_path_.begin(), on_path_.end(), child)) return;
+    const Node& node = (*nodes_)[child];
+    context_->note(node.place,
+                   "'" + node.name + "' moves beside the chain: it and what it carries are left out",
+                   "fix it if its mass is to count");
+  }
+
+  Context* context_;
+  const std::vector<Node>* nodes_;
+  const ReadSegment* read_;
+  std::vector<std::size_t> on_path_;
+  std::map<std::size_t, Segment> segments_;
+  bool crowded_ = false;
+};
+
+}  // namespace
+
+void read_chain(Context& context, const std::vector<Node>& nodes, Ends ends, const ReadSegment& read,
+                model::Robot& robot) {
+  const auto path = path_between(nodes, ends).value();
+  const auto moving =
+      std::count_if(path.begin(), path.end(), [&](std::size_t node) { return nodes[node].moves; });
+  const std::string names = "from " + nodes[ends.base].name + " to " + nodes[ends.tip].name;
+  if (moving == 0) {
+    context.error(nodes[ends.tip].place, "no joint " + names + " moves", "choose another --base or --tip");
+  } else if (moving > static_cast<long>(max_joints)) {
+    context.error(nodes[ends.tip].place, std::to_string(moving) + " joints " + names + " move",
+                  "a robot has at most " + std::to_string(max_joints) + " joints");
+  } else if (path.size() > most_links) {
+    context.error(nodes[ends.tip].place, std::to_string(path.size()) + " links " + names,
+                  "an arm has at most " + std::to_string(most_links));
+  } else {
+    ChainReader(context, nodes, read).read(path, robot);
+  }
+}
+
+std::string identifier(const std::string& text, const std::vector<std::string>& taken) {
+  std::string name;
+  for (const char c : text) {
+    const bool letter = std::isalnum(static_cast<unsigned char>(c)) != 0;
+    if (letter)
+      name += c;
+    else if (!name.empty() && name.back() != '_')
+      name += '_';
+  }
+  while (!name.empty() && name.back() == '_') name.pop_back();
+  if (name.empty() || std::isdigit(static_cast<unsigned char>(name.front())) != 0) name = "joint_" + name;
+  if (name.back() == '_') name.pop_back();
+  std::string candidate = name;
+  for (int number = 1; !check_identifier(candidate).message.empty() ||
+                       std::find(taken.begin(), taken.end(), candidate) != taken.end();
+       ++number)
+    candidate = name + "_" + std::to_string(number);
+  return candidate;
+}
+
+std::string robot_identifier(const std::string& text) {
+  std::string name = identifier(text.empty() ? "robot" : text, {});
+  for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  if (name.substr(0, 6) == "joint_" && text.substr(0, 5) != "joint") name = "robot" + name.substr(5);
+  return check_identifier(name).message.empty() ? name : name + "_arm";
+}
+
+}  // namespace qvgen::description::tree

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "description/context.h"
+#include "description/tree/rigid.h"
+
+/// Files that describe a tree of links, of which one path is the robot.
+namespace qvgen::description::tree {
+
+struct MovingJoint {
+  std::string name;
+  Place place;
+  model::JointType type = model::JointType::revolute;
+  model::Vector3 axis;  ///< unit vector
+  std::optional<model::Limits> limits;
+  model::Drive drive;
+};
+
+/// A link with the joint that holds it: frame = parent's frame * before * motion * after.
+struct Segment {
+  model::Displacement before;
+  std::optional<MovingJoint> joint;  ///< none: fixed
+  model::Displacement after;
+  Body body;  ///< in the link's frame
+};
+
+/// A link among others, before its numbers are read.
+struct Node {
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+  std::string name;
+  Place place;
+  std::size_t parent = none;
+  std::vector<std::size_t> children;
+  bool moves = false;  ///< the joint that holds it has a variable
+};
+
+/// Reads the numbers of one link and its joint: only those that are needed, so that a gripper beside the
+/// chain cannot spoil it. Nothing where that joint can be in no chain; it has been reported then.
+using ReadSegment = std::function<std::optional<Segment>(std::size_t node)>;
+
+struct Ends {
+  std::size_t base = Node::none;
+  std::size_t tip = Node::none;
+};
+
+/// The base and tip that the options name, or the only ones that can be meant; reported if there are none.
+/// `kind` is how the file calls its nodes: link, body.
+std::optional<Ends> find_ends(Context& context, const std::vector<Node>& nodes, const std::string& kind);
+
+/// The nodes from the base (left out) to the tip; nothing if the tip does not hang on the base.
+std::optional<std::vector<std::size_t>> path_between(const std::vector<Node>& nodes, Ends ends);
+
+/// Fills in joints and tool: fixed links are folded into the frames, the masses of all that is fixed to a
+/// moving link, on the path or beside it, are lumped.
+void read_chain(Context& context, const std::vector<Node>& nodes, Ends ends, const ReadSegment& read,
+                model::Robot& robot);
+
+/// A C++ name made of any text, different from those that are taken.
+std::string identifier(const std::string& text, const std::vector<std::string>& taken);
+/// Likewise of a robot: in lower case.
+std::string robot_identifier(const std::string& text);
+
+}  // namespace qvgen::description::tree

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "description/xml/decimals.h"
+
+namespace qvgen::description::xml {
+
+/// Reads rounded numbers as what they were before they were rounded, by ReadOptions::snap, and notes each
+/// number that it changes with its place and by how much.
+///
+/// By default a number is changed where it is the exact value rounded or cut to the digits that are written
+/// (1.571, 3.141, 0.7071), or nearer than 1e-6 to it (what another program computed). So an angle that was
+/// measured, 1.5702, stays what it is.
+class Snap {
+ public:
+  explicit Snap(Context& context) : context_(&context) {}
+  /// An angle in radians: a multiple of pi/12, or as written.
+  [[nodiscard]] model::Expression angle(const Decimal& radians) const;
+  /// A length: 0 if it is less than a nanometre, or as written.
+  [[nodiscard]] model::Expression length(const Decimal& metres) const;
+  [[nodiscard]] model::Vector3 lengths(const std::vector<Decimal>& metres) const;
+  /// The unit vector of three numbers that are not all zero: exact cosines of multiples of 15 degrees and
+  /// 1/sqrt(3) where those are meant, else exactly the direction that is written.
+  [[nodiscard]] model::Vector3 direction(const std::vector<Decimal>& vector) const;
+
+ private:
+  [[nodiscard]] bool is_meant(const Decimal& written, const cln::cl_R& exact, int least_places) const;
+  void note(const Decimal& written, const std::string& meant, const cln::cl_R& exact) const;
+  [[nodiscard]] std::optional<model::Vector3> known_direction(const std::vector<Decimal>& vector) const;
+
+  Context* context_;
+};
+
+}  // namespace qvgen::description::xml

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <map>
+
+#include "description/names.h"
+#include "description/tree/tree.h"
+#include "description/xml/reader.h"
+#include "description/xml/urdf_numbers.h"
+
+namespace qvgen::description::xml {
+namespace {
+
+using tree::Node;
+
+// The first mistakes in the structure of a file are enough: the rest follows from them.
+constexpr std::size_t most_reported = 20;
+
+/// Links and joints by name, before any number is read.
+class UrdfTree {
+ public:
+  UrdfTree(Context& context, const Element& root) : context_(&context) {
+    for (const Element& child : root.children) {
+      if (child.name == "link") add_link(child);
+      if (child.name.compare(0, 6, "xacro:") == 0)
+        error(child.place, "<" + child.name + "> is a macro of xacro",
+              "run xacro first, and read what it writes");
+    }
+    for (const Element& child : root.children)
+      if (child.name == "joint") add_joint(child);
+    if (nodes.empty() && reported_ == 0)
+      error(root.place, "no links", "a URDF has <link> and <joint> elements");
+    find_cycle();
+  }
+
+  std::vector<Node> nodes;
+  std::vector<const Element*> links;   ///< of each node
+  std::vector<const Element*> joints;  ///< the one that holds each node; none for roots
+  [[nodiscard]] bool good() const { return reported_ == 0; }
+
+ private:
+  void error(Place place, const std::string& message, const std::string& hint) {
+    if (++reported_ <= most_reported) context_->error(place, message, hint);
+  }
+
+  /// The text of an attribute that must be there.
+  const Attribute* required(const Element& element, const std::string& key) {
+    const Attribute* attribute = element.attribute(key);
+    if (attribute == nullptr || attribute->value.empty())
+      error(element.place, "<" + element.name + "> without '" + key + "'", "add " + key + "=\"...\"");
+    return attribute == nullptr || attribute->value.empty() ? nullptr : attribute;
+  }
+
+  void add_link(const Element& link) {
+    const Attribute* name = required(link, "name");
+    if (name == nullptr) return;
+    if (!by_name_.emplace(name->value, nodes.size()).second)
+      return error(name->place, "the link '" + name->value + "' is there twice",
+                   "give each link a name of its own");
+    nodes.push_back({name->value, link.place, Node::none, {}, false});
+    links.push_back(&link);
+    joints.push_back(nullptr);
+  }
+
+  std::optional<std::size_t> end_of(const Element& joint, const std::string& which) {
+    const Element* end = joint.child(which);
+    if (end == nullptr) {
+      error(joint.place, "a joint without <" + which + ">", "add <" + which + " link=\"...\"/>");
+      return std::nullopt;
+    }
+    const Attribute* link = required(*end, "link");
+    if (link == nullptr) return std::nullopt;
+    const auto found = by_name_.find(link->value);
+    if (found != by_name_.end()) return found->second;
+    std::vector<std::string> names;
+    if (nodes.size() < 1000)
+      for (const Node& node : nodes) names.push_back(node.name);
+    const std::string near = nearest(link->value, names);
+    error(link->place, "there is no link '" + link->value + "'",
+          near.empty() ? "add <link name=\"" + link->value + "\"/>" : "did you mean '" + near + "'?");
+    return std::nullopt;
+  }
+
+  bool moves(const Element& joint) {
+    static const std::vector<std::string> types{"revolute", "continuous", "prismatic",
+                                                "fixed",    "floating",   "planar"};
+    const Attribute* type = required(joint, "type");
+    if (type == nullptr) return false;
+    if (std::find(types.begin(), types.end(), type->value) == types.end()) {
+      const std::string near = nearest(type->value, types);
+      error(type->place, "unknown joint type '" + type->value + "'",
+            near.empty() ? "write revolute, continuous, prismatic or fixed" : "did you mean '" + near + "'?");
+    }
+    return type->value != "fixed";
+  }
+
+  void add_joint(const Element& joint) {
+    const Attribute* name = required(joint, "name");
+    const bool is_moving = moves(joint);
+    const auto parent = end_of(joint, "parent");
+    const auto child = end_of(joint, "child");
+    if (name == nullptr || !parent || !child) return;
+    if (!joint_names_.emplace(name->value, 0).second)
+      return error(name->place, "the joint '" + name->value + "' is there twice",
+                   "give each joint a name of its own");
+    Node& node = nodes[*child];
+    if (joints[*child] != nullptr)
+      return error(joint.place, "two joints hold the link '" + node.name + "'",
+                   "a link has one parent: cut the loop");
+    joints[*child] = &joint;
+    node.parent = *parent;
+    node.moves = is_moving;
+    nodes[*parent].children.push_back(*child);
+  }
+
+  /// A link that is reached from no root hangs on itself.
+  void find_cycle() {
+    std::vector<std::size_t> open;
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      if (nodes[i].parent == Node::none) open.push_back(i);
+    std::vector<bool> reached(nodes.size(), false);
+    while (!open.empty()) {
+      const std::size_t node = open.back();
+      open.pop_back();
+      reached[node] = true;
+      open.insert(open.end(), nodes[node].children.begin(), nodes[node].children.end());
+    }
+    const auto lost = std::find(reached.begin(), reached.end(), false);
+    if (lost == reached.end()) return;
+    const Node& node = nodes[static_cast<std::size_t>(lost - reached.begin())];
+    error(node.place, "the link '" + node.name + "' hangs on itself, through other links",
+          "a URDF is a tree: cut the loop");
+  }
+
+  Context* context_;
+  std::map<std::string, std::size_t> by_name_, joint_names_;
+  std::size_t reported_ = 0;
+};
+
+}  // namespace
+
+model::Robot read_urdf(Context& context, const Element& root) {
+  model::Robot robot;
+  const UrdfTree tree(context, root);
+  if (!tree.good()) return robot;
+  const auto ends = find_ends(context, tree.nodes, "link");
+  if (!ends) return robot;
+  const Attribute* name = root.attribute("name");
+  const std::string title = name == nullptr || name->value.empty() ? "robot" : name->value;
+  robot.name = tree::robot_identifier(title);
+  robot.title = title + ", " + tree.nodes[ends->base].name + " to " + tree.nodes[ends->tip].name;
+  const UrdfNumbers numbers(context);
+  read_chain(
+      context, tree.nodes, *ends,
+      [&](std::size_t node) { return numbers.segment(*tree.links[node], *tree.joints[node]); }, robot);
+  return robot;
+}
+
+}  // namespace qvgen::description::xml

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "description/tree/tree.h"
+#include "description/xml/snap.h"
+
+namespace qvgen::description::xml {
+
+/// The numbers of a URDF's links and joints.
+class UrdfNumbers {
+ public:
+  explicit UrdfNumbers(Context& context) : context_(&context), snap_(context) {}
+  /// Nothing if the joint is of a type that no chain has.
+  [[nodiscard]] std::optional<tree::Segment> segment(const Element& link, const Element& joint) const;
+
+ private:
+  [[nodiscard]] model::Displacement origin(const Element& parent) const;
+  [[nodiscard]] model::Vector3 axis(const Element& joint) const;
+  [[nodiscard]] std::optional<model::Limits> limits(const Element& joint, model::JointType type) const;
+  [[nodiscard]] model::Drive drive(const Element& joint) const;
+  [[nodiscard]] tree::MovingJoint moving(const Element& joint, const std::string& type) const;
+  [[nodiscard]] tree::Body body(const Element& link) const;
+
+  Context* context_;
+  Snap snap_;
+};
+
+}  // namespace qvgen::description::xml
