@@ -7,7 +7,7 @@
 namespace qvgen {
 
 /// A twist, or the columns of a Jacobian, from frame B into frame A: both halves turned by `rotation`, the
-/// matrix of B's axes in A (Jacobian lecture, last section: AJ = diag(R, R) BJ). The point stays.
+/// matrix of B's axes in A (Bingul and Kucuk, Jacobian lecture: AJ = diag(R, R) BJ). The point stays.
 template <class Derived>
 Eigen::Matrix<typename Derived::Scalar, 6, Derived::ColsAtCompileTime> turned_into(
     const Matrix3<typename Derived::Scalar>& rotation, const Eigen::MatrixBase<Derived>& twists) {

@@ -11,7 +11,7 @@
 
 namespace qvgen {
 
-/// Position and orientation of a frame: the quaternion/vector pair (q, p) of the thesis (1.9, 1.10).
+/// Position and orientation of a frame: the quaternion/vector pair (q, p) of Aydin 2007 (1.9, 1.10).
 ///
 /// Maps a point x given in the moved frame to q x q^-1 + p in the reference frame. The quaternion is unit, in
 /// the Hamilton convention; q and -q are the same orientation. Lengths in metres. A plain aggregate: nothing
@@ -45,7 +45,7 @@ struct Pose {
     return transform;
   }
 
-  /// (q^-1, -q^-1 p q) (thesis 1.14).
+  /// (q^-1, -q^-1 p q) (Aydin 2007, 1.14).
   [[nodiscard]] Pose inverse() const {
     const Eigen::Quaternion<Scalar> back = orientation.conjugate();
     return {back, -(back * position)};
@@ -62,8 +62,8 @@ struct Pose {
   }
 };
 
-/// (q1,p1)(q2,p2) = (q1 q2, q1 p2 q1^-1 + p1) (thesis 1.12). Rounding makes the length of a long product's
-/// quaternion drift by about one epsilon a factor: `normalised` at the end of such a chain.
+/// (q1,p1)(q2,p2) = (q1 q2, q1 p2 q1^-1 + p1) (Aydin 2007, 1.12). Rounding makes a long product's
+/// quaternion drift off its length, by about an epsilon a factor: `normalised` at the end of such a chain.
 template <class Scalar>
 Pose<Scalar> operator*(const Pose<Scalar>& a, const Pose<Scalar>& b) {
   return {a.orientation * b.orientation, a.orientation * b.position + a.position};

@@ -35,10 +35,10 @@ Scalar angular_distance(const Quaternion<Scalar>& a, const Quaternion<Scalar>& b
 /// Unit quaternion of a rotation matrix; its scalar part is not negative.
 ///
 /// Shepperd's method: the largest of w², x², y², z² (each at least 1/4 for that one) is taken from the
-/// diagonal, the others from it, so that nothing is ever divided by a small number (thesis 1.5-1.8 divide by
-/// w, which fails at half turns). The result is normalised: a matrix that is orthogonal only to rounding
-/// gives a unit quaternion. Not a rotation (NaN, reflection, scaling): the result is meaningless but no
-/// undefined behaviour.
+/// diagonal, the others from it, so that nothing is divided by a small number (Aydin 2007
+/// divides by w in 1.5-1.8, which fails at half turns). The result is normalised: a matrix that is orthogonal
+/// only to rounding gives a unit quaternion. Not a rotation (NaN, reflection, scaling): the result is
+/// meaningless but no undefined behaviour.
 template <class Scalar>
 Quaternion<Scalar> from_rotation_matrix(const Matrix3<Scalar>& r) {
   const Scalar xx = r(0, 0);
