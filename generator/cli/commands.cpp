@@ -9,6 +9,7 @@
 
 #include "derive/inverse/inverse.h"
 #include "description/reader.h"
+#include "description/write.h"
 #include "emit/math/closed_form.h"
 #include "emit/math/describe.h"
 #include "emit/math/dynamics_closed_form.h"
@@ -49,6 +50,11 @@ std::optional<std::vector<model::Robot>> read_robots(const std::vector<fs::path>
   std::vector<model::Robot> robots;
   for (auto& result : results) robots.push_back(std::move(*result.robot));
   return robots;
+}
+
+std::string file_text(const fs::path& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 ordered_json read_counts(const fs::path& path) {
@@ -125,6 +131,26 @@ int run_generate(const GenerateArguments& arguments) {
   std::fflush(stdout);
   fmt::print(stderr, "{} {}, {} files in {}, {} changed\n", robots->size(),
              robots->size() == 1 ? "robot" : "robots", files.size(), arguments.output.string(), changed);
+  return success;
+}
+
+int run_import(const fs::path& description, const description::ReadOptions& options) {
+  const auto robots = read_robots({description}, options);
+  if (!robots) return bad_description;
+  fmt::print("{}", description::write_text(robots->front()));
+  return success;
+}
+
+int run_new(const std::string& code, const std::string& name, bool euler_wrist, const fs::path& robots) {
+  const fs::path known = robots / (code + ".toml");
+  const auto text = fs::exists(known) ? std::optional(file_text(known))
+                                      : description::write_template(name, code, euler_wrist);
+  if (!text) {
+    fmt::print(stderr, "qvgen: '{}' is neither a known robot nor letters R and P, at most {}\n", code,
+               description::max_joints);
+    return usage_error;
+  }
+  fmt::print("{}", *text);
   return success;
 }
 

@@ -36,6 +36,11 @@ int run_show(const ShowArguments& arguments);
 int run_counts(const std::filesystem::path& counts_file, ReportFormat format, bool forms);
 int run_check(const std::vector<std::filesystem::path>& descriptions,
               const description::ReadOptions& options);
+/// Prints a URDF or MJCF as TOML.
+int run_import(const std::filesystem::path& description, const description::ReadOptions& options);
+/// Prints a description to edit: a known robot's, or one of joints by their letters.
+int run_new(const std::string& code, const std::string& name, bool euler_wrist,
+            const std::filesystem::path& robots);
 
 /// Every *.toml of a folder, sorted by name.
 std::vector<std::filesystem::path> descriptions_in(const std::filesystem::path& folder);

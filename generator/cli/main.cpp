@@ -16,6 +16,8 @@ examples:
   qvgen generate                              all robots of the source tree, into its generated/
   qvgen generate my_arm.toml --output out     one robot, into out/
   qvgen generate arm.urdf --tip tool0         an arm of a URDF (or MJCF), from its root to the link tool0
+  qvgen import arm.urdf > arm.toml            the same as a description to read and edit
+  qvgen new RRP --wrist euler > my_arm.toml   a description to begin with
   qvgen check my_arm.toml                     every mistake of a description, nothing written
   qvgen show ns                               the closed form of the forward kinematics
   qvgen show my_arm.toml --latex              the same typeset
@@ -106,6 +108,20 @@ int main(int argc, char** argv) {
   check_command->add_flag("--strict", check.strict, "warnings are errors");
   add_reading(*check_command, check);
 
+  std::string imported;
+  qvgen::description::ReadOptions import;
+  auto* import_command = app.add_subcommand("import", "print the description that a URDF or MJCF is read as");
+  import_command->add_option("FILE", imported, "URDF or MJCF")->required();
+  add_reading(*import_command, import);
+
+  std::string code, wrist = "none", name = "my_arm";
+  auto* new_command = app.add_subcommand("new", "print a commented description to edit");
+  new_command->add_option("CODE", code, "a known robot, or its joints by their letters: RRP")->required();
+  new_command->add_option("--wrist", wrist, "euler: three more revolute joints whose axes meet")
+      ->check(CLI::IsMember({"euler", "none"}))
+      ->capture_default_str();
+  new_command->add_option("--name", name, "the robot's name")->capture_default_str();
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -127,6 +143,8 @@ int main(int argc, char** argv) {
       return run_show(show);
     }
     if (*counts_command) return run_counts(fs::path(output) / "operation_counts.json", format, forms);
+    if (*import_command) return run_import(imported, import);
+    if (*new_command) return run_new(code, name, wrist == "euler", robots);
     return run_check({checked.begin(), checked.end()}, check);
   } catch (const std::exception& error) {
     fmt::print(stderr, "qvgen: {}\n", error.what());

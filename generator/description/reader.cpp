@@ -145,11 +145,14 @@ ReadResult read_xml(Context& context, std::string_view text) {
   const Place place = root ? root->place : Place{};
   if (root && root->name == "robot") {
     robot = xml::read_urdf(context, *root);
+  } else if (root && root->name == "mujoco") {
+    robot = xml::read_mjcf(context, *root);
   } else if (root) {
     context.error(place, "<" + root->name + "> is no robot description",
                   "a URDF begins with <robot>, an MJCF with <mujoco>");
   }
   rename(context, robot);
+  robot.source = std::filesystem::path(context.source.file()).filename().string();
   if (!context.has_error) check_inertia(context, robot);
   return finished(context, place, std::move(robot));
 }

@@ -10,8 +10,8 @@ namespace qvgen::description::tree {
 namespace {
 
 /// What tips are called, by makers and by ROS-Industrial; the first that a file has is meant.
-constexpr std::array tip_names{"tool0", "tool",    "tcp",    "tool_link", "ee_link",   "end_effector",
-                               "ee",    "link_ee", "flange", "hand_tcp",  "tool_frame"};
+constexpr std::array tip_names{"tool0", "tool",    "tcp",    "tool_link", "ee_link",    "end_effector",
+                               "ee",    "link_ee", "flange", "hand_tcp",  "tool_frame", "attachment_site"};
 
 /// Beyond this many names a list helps nobody, and looking for the nearest one takes too long.
 constexpr std::size_t many = 1000;
@@ -64,6 +64,12 @@ std::vector<std::size_t> moved_by(const std::vector<Node>& nodes, std::size_t ba
   return result;
 }
 
+bool is_leaf(const std::vector<Node>& nodes, std::size_t node) {
+  const auto& children = nodes[node].children;
+  return !nodes[node].is_marker && std::all_of(children.begin(), children.end(),
+                                               [&](std::size_t child) { return nodes[child].is_marker; });
+}
+
 std::optional<std::size_t> likely_tip(Context& context, const std::vector<Node>& nodes, std::size_t base,
                                       const std::string& kind) {
   const auto moved = moved_by(nodes, base);
@@ -77,7 +83,7 @@ std::optional<std::size_t> likely_tip(Context& context, const std::vector<Node>&
       if (nodes[node].name == name) return node;
   std::vector<std::size_t> leaves;
   std::copy_if(moved.begin(), moved.end(), std::back_inserter(leaves),
-               [&](std::size_t node) { return nodes[node].children.empty(); });
+               [&](std::size_t node) { return is_leaf(nodes, node); });
   if (leaves.size() == 1) return leaves.front();
   context.error({}, "the chain may end at " + list(nodes, leaves), "say at which " + kind + " with --tip");
   return std::nullopt;

@@ -36,7 +36,8 @@ struct Node {
   Place place;
   std::size_t parent = none;
   std::vector<std::size_t> children;
-  bool moves = false;  ///< the joint that holds it has a variable
+  bool moves = false;      ///< the joint that holds it has a variable
+  bool is_marker = false;  ///< a point on a link: a tip only if it is asked for, or called like one
 };
 
 /// Reads the numbers of one link and its joint: only those that are needed, so that a gripper beside the

@@ -61,7 +61,7 @@ std::optional<Decimal> decimal(Context& context, const std::string& word, Place 
                     "lengths are in metres, angles in radians");
       return std::nullopt;
     }
-    return Decimal{negative ? -size : size, places_of(digits), place, word};
+    return Decimal{negative ? -size : size, places_of(digits), 1, place, word};
   } catch (const ExpressionError& error) {
     if (error.message.find("exponent") == std::string::npos &&
         error.message.find("digits") == std::string::npos)
@@ -112,7 +112,7 @@ std::optional<std::vector<Decimal>> read_decimals(Context& context, const Elemen
 Decimal read_decimal(Context& context, const Element& element, const std::string& key,
                      const cln::cl_RA& otherwise) {
   const auto numbers = read_decimals(context, element, key, 1);
-  return numbers ? numbers->front() : Decimal{otherwise, 0, element.place, ""};
+  return numbers ? numbers->front() : Decimal{otherwise, 0, 1, element.place, ""};
 }
 
 void warn_of_others(Context& context, const Element& element, const std::vector<std::string>& known) {

@@ -11,6 +11,7 @@ namespace qvgen::description::xml {
 struct Decimal {
   cln::cl_RA value = 0;
   int places = 0;  ///< 1.571 has 3, 1571e-3 too, 2 has none
+  int units = 1;   ///< of the last place by which rounding or cutting may have changed it
   Place place;
   std::string text = "0";
 };

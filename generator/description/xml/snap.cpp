@@ -35,6 +35,9 @@ const std::vector<Expression>& known_entries() {
   return entries;
 }
 
+/// What was computed to tree::rounded_digits is exact if it is so near.
+constexpr long tree_digits = 36;
+
 cln::cl_RA tolerance(long exponent) { return cln::expt(cln::cl_RA(10), cln::cl_I(exponent)); }
 
 std::string angle_text(const cln::cl_I& twelfths) {
@@ -73,7 +76,7 @@ bool Snap::is_meant(const Decimal& written, const cln::cl_R& exact, int least_pl
   const cln::cl_R difference = cln::abs(written.value - exact);
   if (options.mode == SnapOptions::within) return difference <= options.tolerance;
   return difference <= tolerance(-6) ||
-         (written.places >= least_places && difference < tolerance(-written.places));
+         (written.places >= least_places && difference < written.units * tolerance(-written.places));
 }
 
 void Snap::note(const Decimal& written, const std::string& meant, const cln::cl_R& exact) const {
@@ -83,15 +86,54 @@ void Snap::note(const Decimal& written, const std::string& meant, const cln::cl_
 }
 
 Expression Snap::angle(const Decimal& radians) const {
+  const auto twelfths = meant_twelfths(radians);
+  if (!twelfths || cln::zerop(radians.value)) return radians.value;
+  note(radians, angle_text(*twelfths), *twelfths * model::evaluate(Expression::pi()) / 12);
+  return model::multiply(cln::cl_RA(*twelfths) / 12, Expression::pi());
+}
+
+std::optional<cln::cl_I> Snap::meant_twelfths(const Decimal& radians) const {
   const cln::cl_R pi = model::evaluate(Expression::pi());
   const cln::cl_I twelfths = cln::round1(12 * radians.value / pi);
-  const cln::cl_R exact = twelfths * pi / 12;
-  // Two digits behind the point are enough for a right angle (1.57), not for others (0.26).
-  const int least_places = cln::zerop(cln::mod(twelfths, 6)) ? 2 : 3;
-  if (cln::zerop(radians.value) || !is_meant(radians, exact, cln::zerop(twelfths) ? 1000 : least_places))
-    return radians.value;
-  note(radians, angle_text(twelfths), exact);
-  return model::multiply(cln::cl_RA(twelfths) / 12, Expression::pi());
+  // Two digits behind the point are enough for a right angle (1.57), not for others (0.26), and none for
+  // zero.
+  const bool right = cln::zerop(cln::mod(twelfths, 6));
+  const int least_places = cln::zerop(twelfths) ? 1000 : right ? 2 : 3;
+  if (!is_meant(radians, twelfths * pi / 12, least_places)) return std::nullopt;
+  return twelfths;
+}
+
+std::optional<Expression> Snap::part_of_turn(const cln::cl_RA& radians, const Decimal& written) const {
+  Decimal angle = written;
+  angle.value = radians;
+  auto twelfths = meant_twelfths(angle);
+  if (!twelfths) {  // what is exact without any tolerance
+    const cln::cl_R pi = model::evaluate(Expression::pi());
+    twelfths = cln::round1(12 * radians / pi);
+    if (cln::abs(radians - *twelfths * pi / 12) > tolerance(-tree_digits)) return std::nullopt;
+  }
+  return model::multiply(cln::cl_RA(*twelfths) / 12, Expression::pi());
+}
+
+void Snap::note_turns(const Decimal& written, const std::vector<model::Turn>& turns,
+                      const std::array<std::array<cln::cl_R, 3>, 3>& rotation) const {
+  cln::cl_R largest = 0;
+  for (std::size_t column = 0; column < 3; ++column) {
+    const model::Vector3 image = model::rotate(turns, model::unit_vector(column));
+    for (std::size_t row = 0; row < 3; ++row)
+      largest = cln::max(largest, cln::abs(model::evaluate(image.at(row)) - rotation.at(row).at(column)));
+  }
+  if (largest < tolerance(-tree_digits)) return;
+  std::string text;
+  for (const model::Turn& turn : turns)
+    text +=
+        fmt::format("{}{} deg about {}", text.empty() ? "" : ", ",
+                    model::to_double(model::evaluate(turn.angle) * 180 / model::evaluate(Expression::pi())),
+                    turn.axis[0].is_literal_zero() ? turn.axis[1].is_literal_zero() ? 'z' : 'y' : 'x');
+  context_->note(written.place,
+                 fmt::format("{} is read as {}, entries change by up to {:.1e}", written.text,
+                             text.empty() ? "no turn" : text, model::to_double(largest)),
+                 "--snap off keeps it");
 }
 
 Expression Snap::length(const Decimal& metres) const {

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+
+#include <cln/real.h>
+
 #include "description/xml/decimals.h"
 
 namespace qvgen::description::xml {
@@ -22,9 +26,16 @@ class Snap {
   /// The unit vector of three numbers that are not all zero: exact cosines of multiples of 15 degrees and
   /// 1/sqrt(3) where those are meant, else exactly the direction that is written.
   [[nodiscard]] model::Vector3 direction(const std::vector<Decimal>& vector) const;
+  /// The multiple of pi/12 that is meant by an angle computed from what is written; no note.
+  [[nodiscard]] std::optional<model::Expression> part_of_turn(const cln::cl_RA& radians,
+                                                              const Decimal& written) const;
+  /// That the turns are read instead of the rotation (rows of a matrix), if they differ.
+  void note_turns(const Decimal& written, const std::vector<model::Turn>& turns,
+                  const std::array<std::array<cln::cl_R, 3>, 3>& rotation) const;
 
  private:
   [[nodiscard]] bool is_meant(const Decimal& written, const cln::cl_R& exact, int least_places) const;
+  [[nodiscard]] std::optional<cln::cl_I> meant_twelfths(const Decimal& radians) const;
   void note(const Decimal& written, const std::string& meant, const cln::cl_R& exact) const;
   [[nodiscard]] std::optional<model::Vector3> known_direction(const std::vector<Decimal>& vector) const;
 

@@ -56,7 +56,7 @@ class UrdfTree {
     if (!by_name_.emplace(name->value, nodes.size()).second)
       return error(name->place, "the link '" + name->value + "' is there twice",
                    "give each link a name of its own");
-    nodes.push_back({name->value, link.place, Node::none, {}, false});
+    nodes.push_back({name->value, link.place, Node::none, {}, false, false});
     links.push_back(&link);
     joints.push_back(nullptr);
   }

@@ -76,7 +76,7 @@ std::optional<model::Limits> UrdfNumbers::limits(const Element& joint, model::Jo
   }
   warn_of_others(*context_, *limit, {"lower", "upper", "effort", "velocity"});
   const auto bound = [&](const std::string& key) -> std::optional<Decimal> {
-    if (limit->attribute(key) == nullptr) return Decimal{0, 0, limit->place, "0"};
+    if (limit->attribute(key) == nullptr) return Decimal{0, 0, 1, limit->place, "0"};
     const auto numbers = read_decimals(*context_, *limit, key, 1);
     return numbers ? std::optional(numbers->front()) : std::nullopt;
   };

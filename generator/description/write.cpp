@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "description/write.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include <cln/integer.h>
+#include <fmt/format.h>
+
+#include "model/arithmetic.h"
+
+namespace qvgen::description {
+namespace {
+
+using model::Expression;
+
+/// In quotes, as TOML wants them.
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') result += '\\';
+    const auto code = static_cast<unsigned char>(c);
+    result += code < 0x20 || code == 0x7f ? fmt::format("\\u{:04x}", code) : std::string(1, c);
+  }
+  return result + "\"";
+}
+
+std::string integer_text(const cln::cl_I& value) { return to_string(Expression(cln::cl_RA(value))); }
+
+/// The decimal digits of a number that has finitely many of them.
+std::optional<std::string> decimal_text(const cln::cl_RA& value) {
+  int places = 0;
+  cln::cl_RA scaled = cln::abs(value);
+  for (; places <= 60 && cln::denominator(scaled) != 1; ++places) scaled = scaled * 10;
+  if (cln::denominator(scaled) != 1) return std::nullopt;
+  std::string digits = integer_text(cln::numerator(scaled));
+  const auto behind = static_cast<std::size_t>(places);
+  if (digits.size() <= behind) digits.insert(0, behind + 1 - digits.size(), '0');
+  if (behind > 0) digits.insert(digits.size() - behind, ".");
+  return (cln::minusp(value) ? "-" : "") + digits;
+}
+
+std::string text(const Expression& e) {
+  if (e.kind() != Expression::Kind::number) return quoted(to_string(e));
+  const auto decimal = decimal_text(e.number());
+  // Longer ones than a double has would make a reader of TOML wonder.
+  return decimal && decimal->size() <= 18 ? *decimal : quoted(decimal.value_or(to_string(e)));
+}
+
+/// In degrees where it is a part of a turn.
+std::string angle_text(const Expression& angle) {
+  const auto form = model::angle_form(angle);
+  if (!form) return text(angle);
+  if (cln::zerop(form->half_turns))
+    return cln::abs(form->radians) > 6
+               ? quoted(decimal_text(form->radians).value_or(to_string(angle)) + " rad")
+               : text(angle);
+  if (!cln::zerop(form->radians)) return text(angle);
+  const cln::cl_RA degrees = form->half_turns * 180;
+  return quoted(decimal_text(degrees).value_or(to_string(Expression(degrees))) + " deg");
+}
+
+std::string list(const model::Vector3& v) {
+  return "[" + text(v[0]) + ", " + text(v[1]) + ", " + text(v[2]) + "]";
+}
+
+std::string axis_text(const model::Vector3& axis) {
+  for (std::size_t i = 0; i < 3; ++i)
+    for (const long sign : {1L, -1L})
+      if (const auto unit = model::unit_vector(i, sign);
+          std::equal(axis.begin(), axis.end(), unit.begin(), model::same))
+        return std::string("\"") + (sign > 0 ? '+' : '-') + "xyz"[i] + '"';
+  return list(axis);
+}
+
+std::string turns_text(const std::vector<model::Turn>& turns) {
+  std::string result;
+  for (const model::Turn& turn : turns)
+    result += (result.empty() ? "" : ", ") +
+              fmt::format("{{ axis = {}, angle = {} }}", axis_text(turn.axis), angle_text(turn.angle));
+  return "[" + result + "]";
+}
+
+std::string frame_text(const model::Displacement& frame, const std::string& translation) {
+  std::string result;
+  if (!model::is_literal_zero(frame.translation))
+    result += translation + " = " + list(frame.translation) + "\n";
+  if (!frame.turns.empty()) result += "turns = " + turns_text(frame.turns) + "\n";
+  return result;
+}
+
+std::string table(const std::string& title, const model::Displacement& frame) {
+  const std::string content = frame_text(frame, "translation");
+  return content.empty() ? "" : "\n[" + title + "]\n" + content;
+}
+
+std::string entry(const std::string& key, const Expression& value) {
+  return value.is_literal_zero() ? "" : key + " = " + text(value) + "\n";
+}
+
+std::string inertia_text(const model::Inertia& inertia) {
+  std::string result = entry("mass", inertia.mass);
+  if (!model::is_literal_zero(inertia.centre_of_mass))
+    result += "centre_of_mass = " + list(inertia.centre_of_mass) + "\n";
+  const auto& i = inertia.inertia;
+  if (std::all_of(i.begin(), i.end(), [](const Expression& e) { return e.is_literal_zero(); })) return result;
+  result += "inertia = [" + text(i[0]) + ", " + text(i[1]) + ", " + text(i[2]);
+  if (std::any_of(i.begin() + 3, i.end(), [](const Expression& e) { return !e.is_literal_zero(); }))
+    result += ", " + text(i[3]) + ", " + text(i[4]) + ", " + text(i[5]);
+  return result + "]\n";
+}
+
+std::string limits_text(const model::Joint& joint) {
+  if (!joint.limits) return "";
+  const auto bound = joint.type == model::JointType::revolute ? angle_text : text;
+  return "limits = [" + bound(joint.limits->lower) + ", " + bound(joint.limits->upper) + "]\n";
+}
+
+std::string joint_text(const model::Joint& joint) {
+  if (!joint.after.turns.empty()) throw std::invalid_argument("a link frame is turned behind its joint");
+  std::string result = "\n[[joint]]\ntype = ";
+  result += joint.type == model::JointType::revolute ? "\"revolute\"\n" : "\"prismatic\"\n";
+  result += "axis = " + axis_text(joint.axis) + "\nvariable = " + quoted(joint.variable) + "\n";
+  result += frame_text(joint.before, "origin");
+  if (!model::is_literal_zero(joint.after.translation))
+    result += "link = " + list(joint.after.translation) + "\n";
+  return result + limits_text(joint) + inertia_text(joint.inertia) +
+         entry("rotor_inertia", joint.drive.rotor_inertia) +
+         entry("viscous_friction", joint.drive.viscous_friction) +
+         entry("coulomb_friction", joint.drive.coulomb_friction);
+}
+
+}  // namespace
+
+std::string write_text(const model::Robot& robot) {
+  std::string result =
+      "# Lengths in metres, angles in radians unless they say deg, masses in kilograms; every number is "
+      "exact.\n";
+  result += "name = " + quoted(robot.name) + "\ntitle = " + quoted(robot.title) + "\n";
+  if (!robot.source.empty()) result += "source = " + quoted(robot.source) + "\n";
+  result += table("base", robot.base) + table("tool", robot.tool);
+  for (const model::Joint& joint : robot.joints) result += joint_text(joint);
+  return result;
+}
+
+}  // namespace qvgen::description

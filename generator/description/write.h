@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "model/robot.h"
+
+namespace qvgen::description {
+
+/// The robot as a TOML description with [[joint]] tables; reading it gives the same model again. Joints whose
+/// link frame is turned behind the motion cannot be written so: std::invalid_argument.
+std::string write_text(const model::Robot& robot);
+
+/// A description to be edited, of joints by their letters (R, P; "RRP"), with an Euler wrist behind them or
+/// none, each a link longer than the one before. Nothing if a letter is neither.
+std::optional<std::string> write_template(const std::string& name, const std::string& letters,
+                                          bool euler_wrist);
+
+}  // namespace qvgen::description

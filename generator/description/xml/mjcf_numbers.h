@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "description/tree/tree.h"
+#include "description/xml/mjcf_defaults.h"
+#include "description/xml/orientation.h"
+
+namespace qvgen::description::xml {
+
+/// <compiler>: how the numbers of an MJCF are meant.
+struct MjcfSettings {
+  bool degrees = true;
+  std::string euler_sequence = "xyz";  ///< lower case: about the turned axes; upper: about the fixed ones
+  bool automatic_limits = true;        ///< a range limits although nobody says limited="true"
+};
+MjcfSettings read_settings(Context& context, const Element& root);
+
+/// The numbers of an MJCF's bodies, joints and sites.
+class MjcfNumbers {
+ public:
+  MjcfNumbers(Context& context, const MjcfSettings& settings)
+      : context_(&context), settings_(settings), snap_(context) {}
+  /// pos and whatever gives the orientation.
+  [[nodiscard]] model::Displacement frame(const Element& element) const;
+  /// The joint, whose attributes are complete, about a point of the body's frame: before, motion, after.
+  /// Nothing if it is of a type that no chain has.
+  [[nodiscard]] std::optional<tree::Segment> joint(const Element& joint, const std::string& name) const;
+  [[nodiscard]] tree::Body body(const Element& body) const;
+
+ private:
+  [[nodiscard]] model::Expression angle(const Decimal& written) const;
+  [[nodiscard]] std::vector<model::Turn> turns(const Element& element) const;
+  [[nodiscard]] std::vector<model::Turn> euler(const std::vector<Decimal>& angles) const;
+  [[nodiscard]] std::vector<model::Turn> other_turns(const Element& element) const;
+  [[nodiscard]] std::optional<model::Limits> limits(const Element& joint, const std::string& name,
+                                                    bool hinge) const;
+  [[nodiscard]] model::Drive drive(const Element& joint) const;
+  /// Whether the first numbers are all 0, which is reported.
+  [[nodiscard]] bool is_zero(const Attribute& attribute, const std::vector<Decimal>& numbers,
+                             std::size_t count) const;
+
+  Context* context_;
+  MjcfSettings settings_;
+  Snap snap_;
+};
+
+}  // namespace qvgen::description::xml
