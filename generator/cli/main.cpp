@@ -114,9 +114,9 @@ int main(int argc, char** argv) {
   import_command->add_option("FILE", imported, "URDF or MJCF")->required();
   add_reading(*import_command, import);
 
-  std::string code, wrist = "none", name = "my_arm";
+  std::string letters, wrist = "none", name = "my_arm";
   auto* new_command = app.add_subcommand("new", "print a commented description to edit");
-  new_command->add_option("CODE", code, "a known robot, or its joints by their letters: RRP")->required();
+  new_command->add_option("CODE", letters, "a known robot, or its joints by their letters: RRP")->required();
   new_command->add_option("--wrist", wrist, "euler: three more revolute joints whose axes meet")
       ->check(CLI::IsMember({"euler", "none"}))
       ->capture_default_str();
@@ -144,7 +144,7 @@ int main(int argc, char** argv) {
     }
     if (*counts_command) return run_counts(fs::path(output) / "operation_counts.json", format, forms);
     if (*import_command) return run_import(imported, import);
-    if (*new_command) return run_new(code, name, wrist == "euler", robots);
+    if (*new_command) return run_new(letters, name, wrist == "euler", robots);
     return run_check({checked.begin(), checked.end()}, check);
   } catch (const std::exception& error) {
     fmt::print(stderr, "qvgen: {}\n", error.what());

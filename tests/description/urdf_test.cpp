@@ -57,7 +57,7 @@ TEST(Urdf, ReadsAChain) {
 TEST(Urdf, AxesAreNormalisedExactly) {
   EXPECT_EQ(texts(single("").axis), "1, 0, 0");
   EXPECT_EQ(texts(single("<axis xyz=\"0.57735 0.57735 -0.57735\"/>").axis),
-            "1/sqrt(3), 1/sqrt(3), -1/sqrt(3)");
+            "1/sqrt(3), 1/sqrt(3), (-1)/sqrt(3)");
   EXPECT_EQ(texts(single("<axis xyz=\"0 2 0\"/>").axis), "0, 1, 0");
   EXPECT_EQ(texts(single("<axis xyz=\"0.2 0 0.1\"/>").axis), "1/sqrt(5/4), 0, 1/2/sqrt(5/4)");
 }
@@ -230,7 +230,7 @@ TEST(Urdf, Warnings) {
             "5:14: warning: nobody reads 'xyx' of <origin>; did you mean 'xyz'?\n"
             "5:26: warning: the angle 90 is more than a full turn in radians; URDF has radians: 90 degrees "
             "are 1.5708\n"
-            "5:37: warning: nobody reads <orgin> of a joint; did you mean <origin>?\n");
+            "5:35: warning: nobody reads <orgin> of a joint; did you mean <origin>?\n");
   EXPECT_EQ(report_joint("prismatic", "<limit effort=\"3\"/><dynamics damping=\"-1\"/>"),
             "5:1: warning: the limits of 'j' leave it no way: it is read as unlimited; give lower and upper, "
             "or make it "

@@ -37,7 +37,7 @@ class ChainReader {
       }
     }
     robot.tool = pending;
-    leave_out_partial_inertia(robot);
+    if (!robot.joints.empty()) leave_out_partial_inertia(robot);
   }
 
  private:

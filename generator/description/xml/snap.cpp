@@ -53,11 +53,8 @@ model::Vector3 normalised(const std::array<cln::cl_RA, 3>& v) {
   const Expression divisor =
       rational ? Expression(length) : Expression::make(Expression::Kind::root, {squared});
   model::Vector3 result;
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (cln::zerop(v.at(i))) continue;
-    const Expression size = model::divide(cln::abs(v.at(i)), divisor);
-    result.at(i) = cln::minusp(v.at(i)) ? model::negate(size) : size;
-  }
+  for (std::size_t i = 0; i < 3; ++i)
+    if (!cln::zerop(v.at(i))) result.at(i) = model::divide(v.at(i), divisor);
   return result;
 }
 
