@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "arm.h"
+#include "description/reader.h"
+#include "description/write.h"
+#include "peers.h"
+#include "reference/dynamics.h"
+#include "reference/load.h"
+
+// Every arm of arms.txt, read as a URDF and as an MJCF, is what Orocos KDL and MuJoCo read: position,
+// Jacobian and dynamics agree. What is read here goes through `qvgen import` to the reference implementation,
+// so that writing descriptions is compared too.
+namespace arms {
+namespace {
+
+namespace description = qvgen::description;
+
+const std::vector<Arm>& table() {
+  static const std::vector<Arm> arms = read_table(QVGEN_SOURCE_DIR "/tests/arms/arms.txt");
+  return arms;
+}
+
+qvgen::model::Robot read(const std::string& text, const std::string& file,
+                         description::SnapOptions::Mode snap) {
+  description::ReadOptions options;
+  options.snap.mode = snap;
+  options.tip = "tool0";
+  const auto result = description::read_text(text, file, options);
+  for (const auto& diagnostic : result.diagnostics)
+    if (diagnostic.severity != description::Diagnostic::note) ADD_FAILURE() << to_string(diagnostic);
+  return result.robot.value();
+}
+
+reference::Chain chain_of(const qvgen::model::Robot& robot) {
+  return reference::load_text(description::write_text(robot));
+}
+
+constexpr double tolerance = 1e-12;
+
+double scale(const Eigen::MatrixXd& m) { return std::max(1.0, m.cwiseAbs().maxCoeff()); }
+
+#define EXPECT_NEAR_MATRIX(a, b) EXPECT_LT(((a) - (b)).cwiseAbs().maxCoeff() / scale(b), tolerance) << #a
+
+void compare(const reference::Chain& chain, Peer& peer, std::mt19937& random) {
+  std::uniform_real_distribution<double> any(-2, 2);
+  const auto vector = [&] {
+    return Eigen::VectorXd::NullaryExpr(chain.size(), [&] { return any(random); }).eval();
+  };
+  for (int i = 0; i < 3; ++i) {
+    const Eigen::VectorXd q = vector(), qd = vector(), qdd = vector();
+    EXPECT_NEAR_MATRIX(reference::forward_kinematics(chain, q).matrix(), peer.tool(q).matrix());
+    EXPECT_NEAR_MATRIX(reference::jacobian(chain, q), peer.jacobian(q));
+    const Eigen::VectorXd torque = peer.inverse_dynamics(q, qd, qdd);
+    EXPECT_NEAR_MATRIX(reference::inverse_dynamics(chain, q, qd, qdd), torque);
+    EXPECT_NEAR_MATRIX(reference::forward_dynamics(chain, q, qd, torque),
+                       peer.forward_dynamics(q, qd, torque));
+  }
+}
+
+void without_friction(reference::Chain& chain) {
+  for (auto& joint : chain.joints) joint.viscous_friction = 0;
+}
+
+/// Angles that are no multiples of 15 degrees: nobody can tell what they were before they were rounded.
+bool has_other_angles(const Arm& arm) {
+  const auto other = [](const Eigen::Vector3d& rpy) {
+    return ((rpy / 15).array().round() * 15 != rpy.array()).any();
+  };
+  return other(arm.tool_rpy) || std::any_of(arm.joints.begin(), arm.joints.end(),
+                                            [&](const Joint& joint) { return other(joint.rpy); });
+}
+
+TEST(Arms, AreAtLeastSixty) { EXPECT_GE(table().size(), 60U); }
+
+TEST(Arms, AsUrdfAgreeWithKdl) {
+  std::mt19937 random(1);
+  for (const Arm& arm : table()) {
+    SCOPED_TRACE(arm.name);
+    auto chain = chain_of(read(urdf(arm), arm.name + ".urdf", description::SnapOptions::off));
+    EXPECT_EQ(chain.joints[0].viscous_friction, 0.3);
+    without_friction(chain);
+    compare(chain, *kdl(urdf(arm)), random);
+  }
+}
+
+TEST(Arms, AsMjcfAgreeWithMuJoCo) {
+  std::mt19937 random(2);
+  for (const Arm& arm : table()) {
+    SCOPED_TRACE(arm.name);
+    const auto chain = chain_of(read(mjcf(arm), arm.name + ".xml", description::SnapOptions::off));
+    compare(chain, *mujoco(mjcf(arm)), random);
+  }
+}
+
+// What is read of five digits is what is read of all digits: so the rounding is gone. A calibrated arm keeps
+// its own.
+TEST(Arms, RoundedAreWhatTheyWere) {
+  std::mt19937 random(3);
+  for (const Arm& arm : table()) {
+    SCOPED_TRACE(arm.name);
+    const int digits = has_other_angles(arm) ? 0 : 5;
+    auto chain = chain_of(read(urdf(arm, digits), arm.name + ".urdf", description::SnapOptions::automatic));
+    without_friction(chain);
+    compare(chain, *kdl(urdf(arm)), random);
+    compare(chain_of(read(mjcf(arm, digits), arm.name + ".xml", description::SnapOptions::automatic)),
+            *mujoco(mjcf(arm)), random);
+  }
+}
+
+}  // namespace
+}  // namespace arms
