@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "arm.h"
+#include "derive/inverse/inverse.h"
 #include "description/reader.h"
 #include "description/write.h"
 #include "peers.h"
@@ -108,6 +109,19 @@ TEST(Arms, RoundedAreWhatTheyWere) {
     compare(chain, *kdl(urdf(arm)), random);
     compare(chain_of(read(mjcf(arm, digits), arm.name + ".xml", description::SnapOptions::automatic)),
             *mujoco(mjcf(arm)), random);
+  }
+}
+
+// A wrist, parallel axes, a shoulder: what inverse kinematics is derived from must survive the rounding.
+TEST(Arms, RoundedKeepTheStructureForInverseKinematics) {
+  for (const std::string name : {"ur5", "kr6_r700", "irb140", "tx90", "lite6", "iiwa7", "rail_kr16"}) {
+    SCOPED_TRACE(name);
+    const auto arm =
+        std::find_if(table().begin(), table().end(), [&](const Arm& a) { return a.name == name; });
+    ASSERT_NE(arm, table().end());
+    const auto robot = read(urdf(*arm, 5), name + ".urdf", description::SnapOptions::automatic);
+    EXPECT_TRUE(qvgen::derive::inverse::derive(robot).found ||
+                qvgen::derive::inverse::derive_locked(robot).found);
   }
 }
 
