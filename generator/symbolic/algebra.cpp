@@ -39,11 +39,6 @@ Matrix3 to_matrix(const Quaternion& q) {
            {2 * x * z - 2 * s * y, 2 * y * z + 2 * s * x, 1 - 2 * x * x - 2 * y * y}}};
 }
 
-Quaternion from_matrix(const Matrix3& r) {
-  const ex s = GiNaC::sqrt(r[0][0] + r[1][1] + r[2][2] + 1) / 2;
-  return {s, (r[2][1] - r[1][2]) / (4 * s), (r[0][2] - r[2][0]) / (4 * s), (r[1][0] - r[0][1]) / (4 * s)};
-}
-
 Vector operator*(const Matrix3& m, const Vector& v) {
   const auto row = [&](int i) { return m[i][0] * v.x + m[i][1] * v.y + m[i][2] * v.z; };
   return {row(0), row(1), row(2)};

@@ -29,8 +29,7 @@ Vector rotate(const Quaternion& q, const Vector& v);  ///< q v q^-1, as in (1.12
 Quaternion rotation(const Vector& axis, const GiNaC::ex& angle);
 
 using Matrix3 = std::array<std::array<GiNaC::ex, 3>, 3>;
-Matrix3 to_matrix(const Quaternion& q);    ///< (1.3)
-Quaternion from_matrix(const Matrix3& r);  ///< (1.5)-(1.8): valid where the scalar part is positive
+Matrix3 to_matrix(const Quaternion& q);  ///< (1.3)
 Vector operator*(const Matrix3& m, const Vector& v);
 Matrix3 operator*(const Matrix3& a, const Matrix3& b);
 Matrix3 transpose(const Matrix3& m);

@@ -79,8 +79,4 @@ Pair motion(const model::Joint& joint) {
   return {{}, variable * axis};
 }
 
-Pair joint_pair(const model::Joint& joint) {
-  return to_symbolic(joint.before) * motion(joint) * to_symbolic(joint.after);
-}
-
 }  // namespace qvgen::symbolic

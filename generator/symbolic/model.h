@@ -16,7 +16,5 @@ Pair to_symbolic(const model::Displacement& displacement);
 
 /// Motion alone: rotation about (thesis 1.9) or translation along (1.10) the joint's axis.
 Pair motion(const model::Joint& joint);
-/// before * motion * after: the thesis's Q_i.
-Pair joint_pair(const model::Joint& joint);
 
 }  // namespace qvgen::symbolic

@@ -58,7 +58,6 @@ TEST(Quaternion, MatrixIsTheSameRotation) {
   EXPECT_TRUE(equal(to_matrix(q) * s.a, rotate(q, s.a)));
   const Matrix3 product = to_matrix(p) * to_matrix(q);
   EXPECT_TRUE(equal(product * s.a, to_matrix(p * q) * s.a));
-  EXPECT_TRUE(equal(from_matrix(to_matrix(q)), q));
 }
 
 TEST(Quaternion, ConventionIsEigens) {

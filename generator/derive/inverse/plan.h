@@ -116,7 +116,6 @@ struct Plan {
   std::vector<Step> steps;
   std::vector<JointValue> joints;  ///< by joint
   WristPlan wrist;
-  bool has_wrist = false;
   bool position_only = false;  ///< the pose's orientation is not used
   int locked = -1;             ///< joint whose value the caller gives
   int capacity = 1;

@@ -26,18 +26,7 @@ void collect(const symbolic::Program& program, std::set<std::string>& names) {
   for (const std::string& name : own) names.erase(name);
 }
 
-bool moves(const Step& step) { return step.kind == Kind::half; }
-
-}  // namespace
-
-std::vector<std::string> reads(const Step& step) {
-  std::set<std::string> names;
-  collect(step.before, names);
-  collect(step.after, names);
-  for (const std::string& name : writes(step)) names.erase(name);
-  return {names.begin(), names.end()};
-}
-
+/// Names that a step leaves.
 std::vector<std::string> writes(const Step& step) {
   std::vector<std::string> names;
   for (const auto& output : step.after.outputs()) names.push_back(output.name);
@@ -48,6 +37,18 @@ std::vector<std::string> writes(const Step& step) {
     names.push_back("sin_" + turn);
   }
   return names;
+}
+
+bool moves(const Step& step) { return step.kind == Kind::half; }
+
+}  // namespace
+
+std::vector<std::string> reads(const Step& step) {
+  std::set<std::string> names;
+  collect(step.before, names);
+  collect(step.after, names);
+  for (const std::string& name : writes(step)) names.erase(name);
+  return {names.begin(), names.end()};
 }
 
 void schedule(Plan& plan) {

@@ -12,9 +12,8 @@ void schedule(Plan& plan);
 /// Drops named values that nobody reads.
 void prune(Plan& plan);
 
-/// Names of symbols that a step reads, and names that it leaves.
+/// Names of symbols that a step reads.
 std::vector<std::string> reads(const Step& step);
-std::vector<std::string> writes(const Step& step);
 
 /// The steps before one whose values it reads, itself or by another, in order.
 std::vector<const Step*> steps_behind(const Plan& plan, std::size_t index);

@@ -149,8 +149,4 @@ Quaternion Scope::define(symbolic::Program& program, const std::string& name, co
           define(program, name + "_y", q.y), define(program, name + "_z", q.z)};
 }
 
-void Scope::input(symbolic::Program& program, const std::string& name, const ex& value) const {
-  program.output(name, value);
-}
-
 }  // namespace qvgen::derive::inverse

@@ -54,8 +54,6 @@ class Scope {
   symbolic::Vector define(symbolic::Program& program, const std::string& name, const symbolic::Vector& value);
   symbolic::Quaternion define(symbolic::Program& program, const std::string& name,
                               const symbolic::Quaternion& value);
-  /// As an output even if it is a number: what a building block asks for by name.
-  void input(symbolic::Program& program, const std::string& name, const GiNaC::ex& value) const;
 
  private:
   static constexpr std::size_t points = 3;

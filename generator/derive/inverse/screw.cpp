@@ -12,6 +12,9 @@ using symbolic::cross;
 using symbolic::dot;
 using symbolic::Vector;
 
+namespace {
+
+/// Adds two vectors that make an orthonormal right-handed frame with the axis.
 void complete_frame(Screw& screw, const Scope& scope) {
   const std::array<ex, 3> axis = {screw.axis.x, screw.axis.y, screw.axis.z};
   std::size_t least = 0;
@@ -32,8 +35,6 @@ void complete_frame(Screw& screw, const Scope& scope) {
   screw.first = first;
   screw.second = scope.clean(cross(screw.axis, first));
 }
-
-namespace {
 
 constexpr const char* named_part = "chain_";
 
@@ -115,15 +116,6 @@ std::array<Screw, 3> in_own_frame(const model::Robot& robot, std::size_t first, 
     frame = frame * symbolic::to_symbolic(joint.after).q;
   }
   return screws;
-}
-
-Screw displaced(const symbolic::Pair& by, const Screw& screw, const Scope& scope) {
-  Screw result = screw;
-  result.axis = scope.clean(symbolic::rotate(by.q, screw.axis));
-  result.first = scope.clean(symbolic::rotate(by.q, screw.first));
-  result.second = scope.clean(symbolic::rotate(by.q, screw.second));
-  result.point = scope.clean(by * screw.point);
-  return result;
 }
 
 Screw reversed(const Screw& screw) {

@@ -32,14 +32,10 @@ Chain chain_of(const model::Robot& robot, Scope& scope, symbolic::Program& const
 /// twists come before.
 std::array<Screw, 3> in_own_frame(const model::Robot& robot, std::size_t first, const Scope& scope);
 
-/// The screw seen after a displacement of the whole axis.
-Screw displaced(const symbolic::Pair& by, const Screw& screw, const Scope& scope);
 /// The same joint read backwards: e(-axis, q) = e(axis, q)^-1.
 Screw reversed(const Screw& screw);
 /// exp of the screw at a known value, as the pair of cosine and sine or a length.
 symbolic::Vector apply(const Screw& screw, const GiNaC::ex& cosine_or_length, const GiNaC::ex& sine,
                        const symbolic::Vector& point);
-/// Two vectors that make an orthonormal right-handed frame with the axis.
-void complete_frame(Screw& screw, const Scope& scope);
 
 }  // namespace qvgen::derive::inverse

@@ -103,7 +103,6 @@ void solve_wrist(Builder& builder, const Screw& first, const Screw& middle, cons
   const ex sine_delta = scope.clean(dot(middle.axis, cross(f4.normal, f6.normal)));
   const ex cosine_sum = scope.clean(a.cosine * b.cosine - a.sine * b.sine);
   const ex sine_difference = scope.clean(a.sine * b.cosine - a.cosine * b.sine);
-  plan.has_wrist = true;
   plan.wrist.joints = {first.joint, middle.joint, last.joint};
   plan.wrist.right = cosine_sum.is_zero() && sine_difference.is_zero() && sine_delta.is_zero();
   Step step;
