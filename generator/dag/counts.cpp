@@ -8,7 +8,11 @@
 #include "exact/constant_angle.h"
 
 namespace qvgen::dag {
-namespace {
+
+bool is_free(const Angle& angle, const IsFree& is_free_symbol) {
+  return std::all_of(angle.terms.begin(), angle.terms.end(),
+                     [&](const auto& term) { return is_free_symbol && is_free_symbol(term.first); });
+}
 
 std::vector<bool> free_nodes(const Function& function, const IsFree& is_free) {
   const Graph& graph = function.graph;
@@ -16,25 +20,18 @@ std::vector<bool> free_nodes(const Function& function, const IsFree& is_free) {
   if (!is_free) return free;
   for (std::uint32_t id = 0; id < graph.size(); ++id) {
     const Node& node = graph.node(id);
-    const auto angle_is_free = [&] {
-      const Angle& angle = graph.angle_of(node);
-      return std::all_of(angle.terms.begin(), angle.terms.end(),
-                         [&](const auto& term) { return is_free(term.first); });
-    };
     if (node.op == Op::constant)
       free[id] = true;
     else if (node.op == Op::symbol)
       free[id] = is_free(graph.symbol_of(node));
     else if (node.op == Op::sine || node.op == Op::cosine)
-      free[id] = angle_is_free();
+      free[id] = dag::is_free(graph.angle_of(node), is_free);
     else
       free[id] =
           std::all_of(node.operands.begin(), node.operands.end(), [&](Edge e) { return free[e.node]; });
   }
   return free;
 }
-
-}  // namespace
 
 OperationCounts count(const Function& function, const IsFree& is_free) {
   OperationCounts counts;

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "dag/graph.h"
 
@@ -24,6 +25,11 @@ struct OperationCounts {
 
 /// Tells the symbols on which arithmetic is done once, in a set-up function, and therefore not counted.
 using IsFree = std::function<bool(const std::string& symbol)>;
+
+/// Whether an angle is made of free symbols and constants alone.
+bool is_free(const Angle& angle, const IsFree& is_free_symbol);
+/// The same of every node of a function's graph; none without `is_free`.
+std::vector<bool> free_nodes(const Function& function, const IsFree& is_free);
 
 /// Counts what the outputs reach; with `is_free`, nodes that depend on free symbols and constants alone cost
 /// nothing.

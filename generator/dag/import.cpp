@@ -5,8 +5,10 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "dag/evaluate.h"
 #include "dag/rebuild.h"
 #include "symbolic/evaluate.h"
+#include "symbolic/model.h"
 
 namespace qvgen::dag {
 namespace {
@@ -92,6 +94,27 @@ class Importer {
   std::map<ex, Edge, GiNaC::ex_is_less> known_;
 };
 
+/// Leaves of a graph as GiNaC writes them.
+struct SymbolicLeaves {
+  const std::map<std::string, ex>& known;
+
+  [[nodiscard]] ex constant(const exact::Number& value) const { return GiNaC::numeric(value.rational()); }
+  [[nodiscard]] ex symbol(const std::string& name) const {
+    const auto place = known.find(name);
+    return place != known.end() ? place->second : ex(symbolic::symbol(name));
+  }
+  static ex argument(const Angle& angle) {
+    ex sum = GiNaC::numeric(angle.pi) * GiNaC::Pi;
+    for (const auto& [name, coefficient] : angle.terms)
+      sum += GiNaC::numeric(coefficient) * symbolic::symbol(name);
+    return sum;
+  }
+  [[nodiscard]] ex sine(const Angle& angle) const { return GiNaC::sin(argument(angle)); }
+  [[nodiscard]] ex cosine(const Angle& angle) const { return GiNaC::cos(argument(angle)); }
+  [[nodiscard]] ex root(const ex& value) const { return GiNaC::sqrt(value); }
+  [[nodiscard]] ex arctangent(const ex& y, const ex& x) const { return GiNaC::atan2(y, x); }
+};
+
 }  // namespace
 
 Function import(const symbolic::Program& program) {
@@ -101,6 +124,10 @@ Function import(const symbolic::Program& program) {
   for (const auto& output : program.outputs())
     function.outputs.push_back({output.name, importer.edge(output.value)});
   return rebuild(function);
+}
+
+std::vector<ex> to_symbolic(const Function& function, const std::map<std::string, ex>& known) {
+  return evaluate<ex>(function, SymbolicLeaves{known});
 }
 
 }  // namespace qvgen::dag

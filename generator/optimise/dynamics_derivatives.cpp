@@ -2,8 +2,8 @@
 #include "optimise/dynamics_derivatives.h"
 
 #include "dag/evaluate.h"
+#include "passes/constant_split.h"
 #include "passes/differentiate.h"
-#include "passes/free_part.h"
 #include "passes/search/search.h"
 #include "verify/certificate.h"
 
@@ -84,7 +84,7 @@ DynamicsFunction searched(const std::string& name, const dag::Function& form, co
   options.is_free_symbol = is_free;
   options.limit = 0;
   const dag::Function found = passes::search({form}, {}, options);
-  const passes::FreePart parts = passes::split_free_part(found, constants, is_free);
+  const passes::ConstantSplit parts = passes::split_constants(found, constants, is_free);
   DynamicsFunction result;
   result.name = name;
   result.function = parts.function;

@@ -9,15 +9,15 @@
 #include "dag/evaluate.h"
 #include "dag/rebuild.h"
 #include "model/evaluate.h"
-#include "passes/free_part.h"
+#include "passes/constant_split.h"
 #include "passes/search/search.h"
 #include "verify/certificate.h"
 
 namespace qvgen::optimise {
 namespace {
 
-using derive::dynamics::Choices;
 using derive::dynamics::Formulation;
+using derive::dynamics::FormulationOptions;
 using exact::Number;
 
 constexpr std::size_t most_units = 6;
@@ -29,7 +29,7 @@ int operations(const dag::OperationCounts& counts) {
 
 /// One combination of choices with what came of it.
 struct Candidate {
-  Choices choices;
+  FormulationOptions choices;
   Formulation formulation;
   dag::Function found;
   dag::OperationCounts counts;
@@ -40,7 +40,7 @@ class Trials {
   Trials(const model::Robot& robot, const DynamicsQuantity& quantity)
       : robot_(robot), quantity_(quantity), is_free_(free_symbols(robot)) {}
 
-  Candidate run(const Choices& choices, long steps, int restarts) {
+  Candidate run(const FormulationOptions& choices, long steps, int restarts) {
     Candidate result{choices, quantity_.formulate(robot_, choices), {}, {}};
     passes::SearchOptions options;
     options.iterations = steps;
@@ -50,11 +50,11 @@ class Trials {
     result.counts = dag::count(result.found, is_free_);
     return result;
   }
-  void consider(const Choices& choices, long steps) {
+  void consider(const FormulationOptions& choices, long steps) {
     Candidate candidate = run(choices, steps, 1);
     if (!best_ || operations(candidate.counts) < operations(best_->counts)) best_ = std::move(candidate);
   }
-  [[nodiscard]] const Choices& best() const { return best_->choices; }
+  [[nodiscard]] const FormulationOptions& best() const { return best_->choices; }
   [[nodiscard]] const dag::IsFree& is_free() const { return is_free_; }
 
  private:
@@ -74,14 +74,14 @@ void try_choices(const model::Robot& robot, const DynamicsQuantity& quantity, Tr
   for (std::size_t unit = 0; unit <= units; ++unit)
     for (const bool unrotated : {true, false}) {
       if (!unrotated && !quantity.has_wrenches) continue;
-      Choices choices;
-      if (unit > 0) choices.gauge.unit = unit - 1;
+      FormulationOptions choices;
+      if (unit > 0) choices.convention.unit = unit - 1;
       choices.last_link_unrotated = unrotated;
       trials.consider(choices, steps);
     }
   for (const auto& [link, component] : derive::dynamics::mass_shifts(robot)) {
-    Choices choices = trials.best();
-    choices.gauge.masses[link] = component;
+    FormulationOptions choices = trials.best();
+    choices.convention.masses[link] = component;
     trials.consider(choices, steps);
   }
 }
@@ -180,8 +180,8 @@ DynamicsFunction generate_dynamics(const model::Robot& robot, const DynamicsQuan
   constexpr int restarts = 2;
   const Candidate best =
       trials.run(effort.choices ? *effort.choices : trials.best(), effort.final_steps, restarts);
-  const passes::FreePart parts =
-      passes::split_free_part(best.found, best.formulation.constants, trials.is_free());
+  const passes::ConstantSplit parts =
+      passes::split_constants(best.found, best.formulation.constants, trials.is_free());
   DynamicsFunction result;
   result.name = quantity.name;
   result.function = parts.function;

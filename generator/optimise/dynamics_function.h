@@ -16,7 +16,8 @@ namespace qvgen::optimise {
 /// A quantity of dynamics: how to formulate it under given choices, and what it must equal exactly.
 struct DynamicsQuantity {
   std::string name;  ///< of the generated function
-  std::function<derive::dynamics::Formulation(const model::Robot&, const derive::dynamics::Choices&)>
+  std::function<derive::dynamics::Formulation(const model::Robot&,
+                                              const derive::dynamics::FormulationOptions&)>
       formulate;
   /// The residuals of the outputs: values minus those of the plain recursion, all zero for a right function.
   std::function<std::vector<exact::Number>(const derive::dynamics::PlainRecursion&, const exact::ExactPoint&,
@@ -45,7 +46,7 @@ struct DynamicsFunction {
   dag::Function constants;               ///< the constants in the description's symbols and gravity
   dag::OperationCounts counts;           ///< of `function`
   dag::OperationCounts constant_counts;  ///< of `constants`
-  std::optional<derive::dynamics::Choices> chosen;  ///< for functions that there are choices for
+  std::optional<derive::dynamics::FormulationOptions> chosen;  ///< for functions that there are choices for
   int certified_points = 0;
   double largest_error = 0;
 };
@@ -55,7 +56,7 @@ struct DynamicsEffort {
   long final_steps = 1'000'000;
   int certificate_points = 2;
   /// Not to be tried: these it shall be.
-  std::optional<derive::dynamics::Choices> choices = {};
+  std::optional<derive::dynamics::FormulationOptions> choices = {};
 };
 
 /// Tries the choices (unit of length, frame of the last link, shifted masses), searches on with the best,

@@ -4,9 +4,9 @@
 namespace qvgen::optimise {
 namespace {
 
-using derive::dynamics::Choices;
 using derive::dynamics::Effects;
 using derive::dynamics::Formulation;
+using derive::dynamics::FormulationOptions;
 using derive::dynamics::PlainRecursion;
 using exact::ExactPoint;
 using exact::Number;
@@ -23,7 +23,7 @@ Number gravity_at(const ExactPoint& point) { return point.symbol(derive::dynamic
 Values zeros(const PlainRecursion& plain) { return Values(plain.size()); }
 
 DynamicsQuantity torque(const std::string& name, Effects effects) {
-  const auto formulate = [effects](const model::Robot& robot, const Choices& choices) {
+  const auto formulate = [effects](const model::Robot& robot, const FormulationOptions& choices) {
     return inverse_dynamics(robot, choices, effects);
   };
   const auto residuals = [effects](PlainRecursion plain, const ExactPoint& point, const Values& values) {
@@ -75,14 +75,14 @@ Values potential_residuals(const PlainRecursion& plain, const ExactPoint& point,
   return {values.at(0) - plain.potential_energy(PlainRecursion::falling(gravity_at(point)).gravity)};
 }
 
-Choices under_load(Choices choices, bool wrench) {
-  choices.gauge.gravity = derive::dynamics::Gravity::any;
+FormulationOptions under_load(FormulationOptions choices, bool wrench) {
+  choices.convention.gravity = derive::dynamics::Gravity::any;
   choices.wrench = wrench;
   return choices;
 }
 
 DynamicsQuantity loaded_torque(const std::string& name, Effects effects, bool wrench) {
-  const auto formulate = [=](const model::Robot& robot, const Choices& choices) {
+  const auto formulate = [=](const model::Robot& robot, const FormulationOptions& choices) {
     return inverse_dynamics(robot, under_load(choices, wrench), effects);
   };
   const auto residuals = [=](const PlainRecursion& plain, const ExactPoint&, const Values& values) {
@@ -95,7 +95,7 @@ DynamicsQuantity loaded_torque(const std::string& name, Effects effects, bool wr
 }
 
 DynamicsQuantity loaded_forward(const std::string& name, bool wrench) {
-  const auto formulate = [=](const model::Robot& robot, const Choices& choices) {
+  const auto formulate = [=](const model::Robot& robot, const FormulationOptions& choices) {
     return forward_dynamics(robot, under_load(choices, wrench));
   };
   const auto residuals = [=](const PlainRecursion& plain, const ExactPoint&, const Values& values) {
@@ -104,7 +104,7 @@ DynamicsQuantity loaded_forward(const std::string& name, bool wrench) {
   return {name, formulate, residuals, true};
 }
 
-Formulation loaded_potential(const model::Robot& robot, const Choices& choices) {
+Formulation loaded_potential(const model::Robot& robot, const FormulationOptions& choices) {
   return potential_energy(robot, under_load(choices, false));
 }
 

@@ -64,7 +64,7 @@ std::vector<DynamicsQuantity> all_quantities() {
 }
 
 /// The certificate in generate_dynamics holds every function against the plain recursion, so this throws if
-/// any frame, gauge or formulation is wrong for some arrangement of joints.
+/// any frame, convention or formulation is wrong for some arrangement of joints.
 TEST(Dynamics, RandomRobotsPassTheirCertificates) {
   std::uint64_t seed = 0;
   for (const Axes& axes : {coordinate_axes, oblique_axes})
@@ -126,7 +126,8 @@ TEST(Dynamics, PendulumTakesTwoMultiplicationsAndAnAddition) {
 TEST(Dynamics, CertificateRefusesAWrongFunction) {
   DynamicsQuantity wrong = dynamics_quantities().front();
   const auto formulate = wrong.formulate;
-  wrong.formulate = [formulate](const model::Robot& robot, const derive::dynamics::Choices& choices) {
+  wrong.formulate = [formulate](const model::Robot& robot,
+                                const derive::dynamics::FormulationOptions& choices) {
     derive::dynamics::Formulation result = formulate(robot, choices);
     for (dag::Output& output : result.function.outputs) output.value.negative = !output.value.negative;
     return result;
@@ -157,7 +158,7 @@ TEST(Dynamics, CertificateRefusesACoriolisMatrixThatIsNotOfChristoffelsSymbols) 
   const model::Robot robot = read(random_robot(4, "RR"));
   DynamicsQuantity wrong = quantity("coriolis_matrix");
   const auto formulate = wrong.formulate;
-  wrong.formulate = [formulate](const model::Robot& r, const derive::dynamics::Choices& choices) {
+  wrong.formulate = [formulate](const model::Robot& r, const derive::dynamics::FormulationOptions& choices) {
     derive::dynamics::Formulation result = formulate(r, choices);
     dag::Graph& graph = result.function.graph;
     const auto add = [&](const std::string& entry, const std::string& rate, bool negative) {

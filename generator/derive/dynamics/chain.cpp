@@ -6,7 +6,7 @@
 
 #include <cln/integer.h>
 
-#include "derive/dynamics/turn_word.h"
+#include "derive/dynamics/rotation_sequence.h"
 #include "exact/constant_angle.h"
 
 namespace qvgen::derive::dynamics {
@@ -14,14 +14,14 @@ namespace {
 
 using exact::Angle;
 
-Vector3 rotated(const TurnWord& word, Vector3 v, dag::Graph& graph) {
-  for (auto turn = word.rbegin(); turn != word.rend(); ++turn)
+Vector3 rotated(const RotationSequence& sequence, Vector3 v, dag::Graph& graph) {
+  for (auto turn = sequence.rbegin(); turn != sequence.rend(); ++turn)
     v = rotate(turn->axis, circle(turn->angle, graph), v);
   return v;
 }
 
-PseudoInertia rotated(const TurnWord& word, PseudoInertia inertia, dag::Graph& graph) {
-  for (auto turn = word.rbegin(); turn != word.rend(); ++turn)
+PseudoInertia rotated(const RotationSequence& sequence, PseudoInertia inertia, dag::Graph& graph) {
+  for (auto turn = sequence.rbegin(); turn != sequence.rend(); ++turn)
     inertia = rotated(inertia, turn->axis, circle(turn->angle, graph));
   return inertia;
 }
@@ -40,30 +40,30 @@ Angle quarter(long count) { return {{}, cln::cl_RA(count) / 2}; }
 /// T(0,0,d_next) and the rest of the rotation, which begins with a turn about z.
 struct Passage {
   Angle phi, alpha;
-  TurnWord rest;
+  RotationSequence rest;
   Scalar a, b, d, next_d;
 };
 
-Angle take(TurnWord& word, std::size_t axis) {
-  if (word.empty() || word.front().axis != axis) return {};
-  const Angle angle = word.front().angle;
-  word.erase(word.begin());
+Angle take(RotationSequence& sequence, std::size_t axis) {
+  if (sequence.empty() || sequence.front().axis != axis) return {};
+  const Angle angle = sequence.front().angle;
+  sequence.erase(sequence.begin());
   return angle;
 }
 
 /// Moves the origins along the two axes to the feet of their common normal where that needs no division by a
 /// variable quantity.
-Passage make_passage(TurnWord word, const Vector3& t, dag::Graph& graph) {
+Passage make_passage(RotationSequence sequence, const Vector3& t, dag::Graph& graph) {
   Passage passage;
-  word = recomposed(reduced(std::move(word)));
-  passage.phi = take(word, 2);
-  passage.alpha = take(word, 0);
+  sequence = recomposed(reduced(std::move(sequence)));
+  passage.phi = take(sequence, 2);
+  passage.alpha = take(sequence, 0);
   Vector3 offset = unrotate(2, circle(passage.phi, graph), t);
   if (is_multiple_of_half_turn(passage.alpha)) {
     if (offset[0].is_zero() && !offset[1].is_zero()) {
       passage.phi = passage.phi + quarter(1);
       const bool flipped = cln::oddp(cln::numerator(passage.alpha.pi));
-      word = reduced(TurnWord{{2, quarter(flipped ? 1 : -1)}} * word);
+      sequence = reduced(RotationSequence{{2, quarter(flipped ? 1 : -1)}} * sequence);
       offset = {offset[1], -offset[0], offset[2]};
     }
     passage.next_d = circle(passage.alpha, graph).cosine * offset[2];
@@ -77,7 +77,7 @@ Passage make_passage(TurnWord word, const Vector3& t, dag::Graph& graph) {
   passage.a = offset[0];
   passage.b = offset[1];
   passage.d = offset[2];
-  passage.rest = std::move(word);
+  passage.rest = std::move(sequence);
   return passage;
 }
 
@@ -89,11 +89,13 @@ class ChainBuilder {
   Chain build() {
     if (robot_.joints.empty()) throw std::domain_error("dynamics: no joints");
     const model::Joint& first = robot_.joints.front();
-    TurnWord word = to_word(robot_.base.turns) * to_word(first.before.turns) * from_z_to(first.axis);
-    Passage passage = make_passage(std::move(word), {}, graph_);
+    RotationSequence sequence =
+        to_sequence(robot_.base.turns) * to_sequence(first.before.turns) * from_z_to(first.axis);
+    Passage passage = make_passage(std::move(sequence), {}, graph_);
     chain_.yaw = passage.phi;
-    chain_.start = to_vector(robot_.base.translation, graph_) +
-                   rotated(to_word(robot_.base.turns), to_vector(first.before.translation, graph_), graph_);
+    chain_.start =
+        to_vector(robot_.base.translation, graph_) +
+        rotated(to_sequence(robot_.base.turns), to_vector(first.before.translation, graph_), graph_);
     for (std::size_t j = 0; j < robot_.joints.size(); ++j) {
       arrive(j, std::move(passage));
       passage = j + 1 < robot_.joints.size() ? passage_behind(j) : last_passage();
@@ -106,11 +108,11 @@ class ChainBuilder {
   Passage passage_behind(std::size_t j) {
     const model::Joint& here = robot_.joints[j];
     const model::Joint& next = robot_.joints[j + 1];
-    const TurnWord back = inverse(from_z_to(here.axis));
-    const TurnWord after = to_word(here.after.turns);
+    const RotationSequence back = inverse(from_z_to(here.axis));
+    const RotationSequence after = to_sequence(here.after.turns);
     const Vector3 offset = to_vector(here.after.translation, graph_) +
                            rotated(after, to_vector(next.before.translation, graph_), graph_);
-    return make_passage(back * after * to_word(next.before.turns) * from_z_to(next.axis),
+    return make_passage(back * after * to_sequence(next.before.turns) * from_z_to(next.axis),
                         rotated(back, offset, graph_), graph_);
   }
 
@@ -151,20 +153,20 @@ class ChainBuilder {
     Link& link = chain_.links.back();
     link.angle = link.angle + passage.phi;
     link.d = link.d + passage.d;
-    const TurnWord back = inverse(from_z_to(joint.axis));
+    const RotationSequence back = inverse(from_z_to(joint.axis));
     const bool described = inertias_ == Inertias::described;
     PseudoInertia inertia = described ? from_description(joint.inertia, graph_) : from_standard(j, graph_);
-    inertia = rotated(to_word(joint.after.turns), inertia, graph_);
+    inertia = rotated(to_sequence(joint.after.turns), inertia, graph_);
     inertia = shifted(inertia, to_vector(joint.after.translation, graph_));
-    inertia = rotated(TurnWord{{2, cln::cl_RA(-1) * passage.phi}} * back, inertia, graph_);
+    inertia = rotated(RotationSequence{{2, cln::cl_RA(-1) * passage.phi}} * back, inertia, graph_);
     link.inertia = shifted(inertia, 2, -passage.d);
     if (j + 1 == robot_.joints.size()) place_tool(joint, back, passage);
   }
 
-  void place_tool(const model::Joint& last, const TurnWord& back, const Passage& passage) {
+  void place_tool(const model::Joint& last, const RotationSequence& back, const Passage& passage) {
     const Vector3 tool =
         to_vector(last.after.translation, graph_) +
-        rotated(to_word(last.after.turns), to_vector(robot_.tool.translation, graph_), graph_);
+        rotated(to_sequence(last.after.turns), to_vector(robot_.tool.translation, graph_), graph_);
     chain_.tool = rotated(back, tool, graph_);
     chain_.tool[2] = chain_.tool[2] - passage.d;
   }

@@ -2,7 +2,7 @@
 #include <map>
 
 #include "derive/dynamics/formulation.h"
-#include "derive/dynamics/inward.h"
+#include "derive/dynamics/inward_recursion.h"
 
 namespace qvgen::derive::dynamics {
 namespace {
@@ -64,10 +64,10 @@ PseudoInertia rate_of_inertia(const Flow& flow) {
 /// Below the diagonal C_ji = M'_ij - C_ij.
 class ChristoffelSymbols {
  public:
-  ChristoffelSymbols(const model::Robot& robot, const Choices& choices, Formulation& out)
+  ChristoffelSymbols(const model::Robot& robot, const FormulationOptions& choices, Formulation& out)
       : graph_(out.function.graph),
         suggest_(out.function),
-        p_(parametrise(robot, choices.gauge, graph_)),
+        p_(parametrise(robot, choices.convention, graph_)),
         inward_(p_, graph_, suggest_) {
     out.constants = p_.constants;
   }
@@ -82,12 +82,12 @@ class ChristoffelSymbols {
       if (link.motion != Motion::none) open(j, composite, flow);
       for (Open& other : open_) {
         if (link.motion != Motion::none) record(link, other);
-        if (j > 0) carry(j, other);
+        if (j > 0) transform_to_parent(j, other);
       }
       if (j == 0) break;
       if (link.motion != Motion::none) flow = with_own_motion(flow, link, composite, rate_of(link));
       flow = carried(link, flow);
-      composite = inward_.carry(j, composite);
+      composite = inward_.transform_to_parent(j, composite);
     }
     for (const auto& [place, value] : entries_)
       out.outputs.push_back(
@@ -153,7 +153,7 @@ class ChristoffelSymbols {
   }
 
   /// The rate of what the joint turns or slides: rate (e_z x column), or rate e_z x force for the moment.
-  void carry(std::size_t j, Open& outer) {
+  void transform_to_parent(std::size_t j, Open& outer) {
     const Link& link = p_.chain.links[j];
     if (link.motion != Motion::none) {
       const Scalar rate = rate_of(link);
@@ -162,7 +162,8 @@ class ChristoffelSymbols {
       outer.rate.moment = outer.rate.moment + turned(slides ? outer.mass.force : outer.mass.moment);
       if (!slides) outer.rate.force = outer.rate.force + turned(outer.mass.force);
     }
-    for (Column* column : {&outer.mass, &outer.rate, &outer.coriolis}) inward_.carry(j, *column);
+    for (Column* column : {&outer.mass, &outer.rate, &outer.coriolis})
+      inward_.transform_to_parent(j, *column);
   }
 
   Flow carried(const Link& link, const Flow& flow) const {
@@ -175,7 +176,7 @@ class ChristoffelSymbols {
   dag::Graph& graph_;
   Suggestions suggest_;
   Parametrisation p_;
-  Inward inward_;
+  InwardRecursion inward_;
   std::vector<Vector3> rotation_rates_;
   std::vector<Open> open_;
   std::map<std::pair<std::size_t, std::size_t>, Scalar> entries_;
@@ -183,7 +184,7 @@ class ChristoffelSymbols {
 
 }  // namespace
 
-Formulation coriolis_matrix(const model::Robot& robot, const Choices& choices) {
+Formulation coriolis_matrix(const model::Robot& robot, const FormulationOptions& choices) {
   Formulation result;
   ChristoffelSymbols(robot, choices, result).run(result.function);
   return result;

@@ -23,8 +23,8 @@ std::string direction_of(const std::string& variable);
 std::string wrench_component(std::size_t index);
 
 /// What a formulation leaves to choose before the search, and what acts on the robot.
-struct Choices {
-  Gauge gauge;
+struct FormulationOptions {
+  FrameConvention convention;
   bool wrench = false;              ///< on the tool, from outside
   bool last_link_unrotated = true;  ///< the last link's frame does not turn: its parameters do
   /// Links whose wrench is offered in the frame before their joint's rotation as well.
@@ -48,24 +48,24 @@ enum class Effects { all, gravity, velocity, bias };
 ///   force   f = U h + m v',
 ///   moment  n = (U Sigma's antisymmetric part) + h x v'
 /// replace thesis 5.6-5.13.
-Formulation inverse_dynamics(const model::Robot& robot, const Choices& choices,
+Formulation inverse_dynamics(const model::Robot& robot, const FormulationOptions& choices,
                              Effects effects = Effects::all);
 
 /// Outputs m11, m12, ... (upper triangle, row by row): composite bodies (Walker and Orin 1982, Featherstone
 /// 1987) in pseudo-inertia form.
-Formulation mass_matrix(const model::Robot& robot, const Choices& choices);
+Formulation mass_matrix(const model::Robot& robot, const FormulationOptions& choices);
 
 /// Outputs c11, c12, ... (row by row): the matrix of Christoffel's symbols, for which C q' are the forces of
 /// Effects::velocity and M' - 2 C is skew-symmetric.
-Formulation coriolis_matrix(const model::Robot& robot, const Choices& choices);
+Formulation coriolis_matrix(const model::Robot& robot, const FormulationOptions& choices);
 
 /// Outputs qdd1 ...: M^-1 (force - bias), by M = U D U^T from the last joint inward, without a square root.
-Formulation forward_dynamics(const model::Robot& robot, const Choices& choices);
+Formulation forward_dynamics(const model::Robot& robot, const FormulationOptions& choices);
 
 /// Output "energy": q' M q' / 2.
-Formulation kinetic_energy(const model::Robot& robot, const Choices& choices);
+Formulation kinetic_energy(const model::Robot& robot, const FormulationOptions& choices);
 
 /// Output "energy": gravity times the first moment of all links along the world's z.
-Formulation potential_energy(const model::Robot& robot, const Choices& choices);
+Formulation potential_energy(const model::Robot& robot, const FormulationOptions& choices);
 
 }  // namespace qvgen::derive::dynamics

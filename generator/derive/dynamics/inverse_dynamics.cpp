@@ -55,13 +55,13 @@ Wrench link_wrench(const PseudoInertia& p, const Matrix3& u, const Vector3& v, S
 
 class Recursion {
  public:
-  Recursion(const model::Robot& robot, const Choices& choices, Effects effects, Formulation& out)
+  Recursion(const model::Robot& robot, const FormulationOptions& choices, Effects effects, Formulation& out)
       : robot_(robot),
         graph_(out.function.graph),
         suggest_(out.function),
         choices_(choices),
         effects_(effects),
-        p_(parametrise(robot, choices.gauge, graph_)) {
+        p_(parametrise(robot, choices.convention, graph_)) {
     out.constants = p_.constants;
   }
 
@@ -336,7 +336,7 @@ class Recursion {
   const model::Robot& robot_;
   dag::Graph& graph_;
   Suggestions suggest_;
-  const Choices& choices_;
+  const FormulationOptions& choices_;
   Effects effects_;
   Parametrisation p_;
   std::vector<Joint> joints_;
@@ -353,7 +353,7 @@ std::string force_of(const std::string& variable) { return variable + "!"; }
 std::string direction_of(const std::string& variable) { return variable + "~"; }
 std::string wrench_component(std::size_t index) { return "&" + std::to_string(index); }
 
-Formulation inverse_dynamics(const model::Robot& robot, const Choices& choices, Effects effects) {
+Formulation inverse_dynamics(const model::Robot& robot, const FormulationOptions& choices, Effects effects) {
   Formulation result;
   Recursion(robot, choices, effects, result).run(result.function);
   return result;

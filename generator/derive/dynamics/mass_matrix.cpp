@@ -2,17 +2,17 @@
 #include <map>
 
 #include "derive/dynamics/formulation.h"
-#include "derive/dynamics/inward.h"
+#include "derive/dynamics/inward_recursion.h"
 
 namespace qvgen::derive::dynamics {
 namespace {
 
 class CompositeBodies {
  public:
-  CompositeBodies(const model::Robot& robot, const Choices& choices, Formulation& out)
+  CompositeBodies(const model::Robot& robot, const FormulationOptions& choices, Formulation& out)
       : graph_(out.function.graph),
         suggest_(out.function),
-        p_(parametrise(robot, choices.gauge, graph_)),
+        p_(parametrise(robot, choices.convention, graph_)),
         inward_(p_, graph_, suggest_) {
     out.constants = p_.constants;
   }
@@ -25,9 +25,9 @@ class CompositeBodies {
       if (link.motion != Motion::none) columns_.push_back(column_of(link, composite));
       for (Column& column : columns_) {
         if (link.motion != Motion::none) entries_[{link.joint, column.joint}] = entry_of(link, column);
-        if (j > 0) inward_.carry(j, column);
+        if (j > 0) inward_.transform_to_parent(j, column);
       }
-      if (j > 0) composite = inward_.carry(j, composite);
+      if (j > 0) composite = inward_.transform_to_parent(j, composite);
     }
     for (const auto& [place, value] : entries_)
       out.outputs.push_back(
@@ -43,14 +43,14 @@ class CompositeBodies {
   dag::Graph& graph_;
   Suggestions suggest_;
   Parametrisation p_;
-  Inward inward_;
+  InwardRecursion inward_;
   std::vector<Column> columns_;
   std::map<std::pair<std::size_t, std::size_t>, Scalar> entries_;
 };
 
 }  // namespace
 
-Formulation mass_matrix(const model::Robot& robot, const Choices& choices) {
+Formulation mass_matrix(const model::Robot& robot, const FormulationOptions& choices) {
   Formulation result;
   CompositeBodies(robot, choices, result).run(result.function);
   return result;

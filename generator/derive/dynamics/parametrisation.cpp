@@ -104,17 +104,17 @@ std::vector<std::pair<std::size_t, std::size_t>> mass_shifts(const model::Robot&
   return result;
 }
 
-Parametrisation parametrise(const model::Robot& robot, const Gauge& gauge, dag::Graph& graph) {
+Parametrisation parametrise(const model::Robot& robot, const FrameConvention& convention, dag::Graph& graph) {
   dag::Graph source;
   Parametrisation result;
   Chain& chain = result.chain;
-  chain = make_chain(robot, source, gauge.inertias);
-  if (!gauge.standard) regroup(chain, source);
-  for (const auto& [link, component] : gauge.masses) shift_mass(chain, source, link, component);
+  chain = make_chain(robot, source, convention.inertias);
+  if (!convention.standard) regroup(chain, source);
+  for (const auto& [link, component] : convention.masses) shift_mass(chain, source, link, component);
   const Scalar one(source, source.constant(1));
-  result.unit = gauge.unit ? unit_candidates(chain)[*gauge.unit] : one;
-  if (gauge.unit) rescale(chain, result.unit);
-  const Vector3 up = base_acceleration(gauge.gravity, source);
+  result.unit = convention.unit ? unit_candidates(chain)[*convention.unit] : one;
+  if (convention.unit) rescale(chain, result.unit);
+  const Vector3 up = base_acceleration(convention.gravity, source);
   const Vector3 turned = unrotate(2, circle(chain.yaw, source), up);
   result.per_unit = one / result.unit;
   for (std::size_t k = 0; k < 3; ++k) {

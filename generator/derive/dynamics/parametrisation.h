@@ -16,7 +16,7 @@ namespace qvgen::derive::dynamics {
 enum class Gravity { down, any };
 
 /// Which of several equivalent descriptions of the same robot a formulation starts from.
-struct Gauge {
+struct FrameConvention {
   /// Length that becomes the unit of length: its products cost nothing. Index into unit_candidates().
   std::optional<std::size_t> unit;
   /// Link -> component of the first moment of the link before that a shifted mass makes vanish.
@@ -56,6 +56,6 @@ std::vector<Scalar> unit_candidates(const Chain& chain);
 /// zero.
 std::vector<std::pair<std::size_t, std::size_t>> mass_shifts(const model::Robot& robot);
 
-Parametrisation parametrise(const model::Robot& robot, const Gauge& gauge, dag::Graph& graph);
+Parametrisation parametrise(const model::Robot& robot, const FrameConvention& convention, dag::Graph& graph);
 
 }  // namespace qvgen::derive::dynamics

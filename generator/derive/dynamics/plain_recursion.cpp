@@ -5,7 +5,7 @@
 
 #include "derive/dynamics/formulation.h"
 #include "derive/dynamics/pseudo_inertia.h"
-#include "derive/dynamics/turn_word.h"
+#include "derive/dynamics/rotation_sequence.h"
 
 namespace qvgen::derive::dynamics {
 namespace {

@@ -30,9 +30,9 @@ struct Entry {
 };
 
 /// "$7" -> "Sxy3", after the first place in the chain that it stands at.
-std::map<std::string, Entry> names_of(const model::Robot& robot, const Gauge& gauge) {
+std::map<std::string, Entry> names_of(const model::Robot& robot, const FrameConvention& convention) {
   dag::Graph graph;
-  const Parametrisation p = parametrise(robot, gauge, graph);
+  const Parametrisation p = parametrise(robot, convention, graph);
   const std::string axes = "xyz";
   std::map<std::string, Entry> result;
   for (const Link& link : p.chain.links)
@@ -115,13 +115,13 @@ void reduce(Regressor& result, std::size_t joints) {
 }  // namespace
 
 Regressor regressor(const model::Robot& robot) {
-  Choices choices;
-  choices.gauge.inertias = Inertias::standard;
+  FormulationOptions choices;
+  choices.convention.inertias = Inertias::standard;
   Regressor result;
   result.formulation = inverse_dynamics(robot, choices);
   dag::Function& function = result.formulation.function;
   std::erase_if(function.outputs, [](const dag::Output& output) { return output.name.front() == '?'; });
-  const auto names = names_of(robot, choices.gauge);
+  const auto names = names_of(robot, choices.convention);
   std::vector<passes::Direction> directions;
   std::vector<bool> negative;
   result.base_parameters.graph = result.formulation.constants.graph;

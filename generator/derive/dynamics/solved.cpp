@@ -63,7 +63,7 @@ std::vector<Scalar> solved(Matrix m, std::vector<Scalar> b, const Scalar& one) {
 
 }  // namespace
 
-Formulation forward_dynamics(const model::Robot& robot, const Choices& choices) {
+Formulation forward_dynamics(const model::Robot& robot, const FormulationOptions& choices) {
   const Formulation bias = inverse_dynamics(robot, choices, Effects::bias);
   const Formulation mass = mass_matrix(robot, choices);
   Formulation result;
@@ -84,7 +84,7 @@ Formulation forward_dynamics(const model::Robot& robot, const Choices& choices) 
   return result;
 }
 
-Formulation kinetic_energy(const model::Robot& robot, const Choices& choices) {
+Formulation kinetic_energy(const model::Robot& robot, const FormulationOptions& choices) {
   const Formulation mass = mass_matrix(robot, choices);
   Formulation result;
   result.constants = mass.constants;
@@ -109,13 +109,13 @@ Formulation kinetic_energy(const model::Robot& robot, const Choices& choices) {
   return result;
 }
 
-Formulation potential_energy(const model::Robot& robot, const Choices& choices) {
+Formulation potential_energy(const model::Robot& robot, const FormulationOptions& choices) {
   Formulation result;
   dag::Graph& graph = result.function.graph;
-  Gauge gauge = choices.gauge;
-  gauge.standard = true;
-  gauge.masses.clear();
-  const Parametrisation p = parametrise(robot, gauge, graph);
+  FrameConvention convention = choices.convention;
+  convention.standard = true;
+  convention.masses.clear();
+  const Parametrisation p = parametrise(robot, convention, graph);
   result.constants = p.constants;
   Vector3 first;
   Scalar mass;

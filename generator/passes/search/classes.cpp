@@ -56,7 +56,7 @@ void Classes::grow() {
 
 Ref Classes::leaf(Leaf leaf, Field value, bool free) {
   const Ref ref = intern(value);
-  ValueClass& entry = classes_[ref.id];
+  EClass& entry = classes_[ref.id];
   if (!entry.leaf) {
     leaf.negative = ref.negative;
     entry.leaf = std::move(leaf);
@@ -66,20 +66,20 @@ Ref Classes::leaf(Leaf leaf, Field value, bool free) {
 }
 
 /// Definitions that mention the class itself, and those of a number or symbol, are of no use.
-Ref Classes::define(Field value, Definition definition) {
+Ref Classes::define(Field value, ENode node) {
   const Ref ref = intern(value);
-  ValueClass& entry = classes_[ref.id];
+  EClass& entry = classes_[ref.id];
   const bool atom = entry.leaf && entry.leaf->op != dag::Op::sine && entry.leaf->op != dag::Op::cosine;
-  if (atom || definition.a.id == ref.id || definition.b.id == ref.id) return ref;
-  if (definition.op == dag::Op::sum) {
-    definition.a = definition.a.signed_by(ref.negative);
-    definition.b = definition.b.signed_by(ref.negative);
+  if (atom || node.a.id == ref.id || node.b.id == ref.id) return ref;
+  if (node.op == dag::Op::sum) {
+    node.a = node.a.signed_by(ref.negative);
+    node.b = node.b.signed_by(ref.negative);
   } else {
-    definition.negative = definition.negative != ref.negative;
+    node.negative = node.negative != ref.negative;
   }
-  if (classes_[definition.a.id].free && classes_[definition.b.id].free) entry.free = true;
-  if (std::find(entry.definitions.begin(), entry.definitions.end(), definition) == entry.definitions.end())
-    entry.definitions.push_back(definition);
+  if (classes_[node.a.id].free && classes_[node.b.id].free) entry.free = true;
+  if (std::find(entry.nodes.begin(), entry.nodes.end(), node) == entry.nodes.end())
+    entry.nodes.push_back(node);
   return ref;
 }
 
@@ -110,13 +110,11 @@ Ref Classes::quotient(Ref a, Ref b) {
 Ref Classes::opaque(dag::Op op, Ref a, Ref b, Field value) { return define(value, {op, false, a, b}); }
 
 void Classes::propagate_free() {
-  const auto from_free = [this](const Definition& d) {
-    return classes_[d.a.id].free && classes_[d.b.id].free;
-  };
+  const auto from_free = [this](const ENode& d) { return classes_[d.a.id].free && classes_[d.b.id].free; };
   for (bool changed = true; changed;) {
     changed = false;
-    for (ValueClass& entry : classes_) {
-      if (entry.free || std::none_of(entry.definitions.begin(), entry.definitions.end(), from_free)) continue;
+    for (EClass& entry : classes_) {
+      if (entry.free || std::none_of(entry.nodes.begin(), entry.nodes.end(), from_free)) continue;
       entry.free = changed = true;
     }
   }

@@ -25,11 +25,11 @@ struct Ref {
 };
 
 /// One way to compute a class from others: value = (-1)^negative op(a, b). Unary operations leave b = a.
-struct Definition {
+struct ENode {
   dag::Op op;
   bool negative = false;
   Ref a, b;
-  friend bool operator==(const Definition&, const Definition&) = default;
+  friend bool operator==(const ENode&, const ENode&) = default;
 };
 
 /// What a leaf stands for; a sine or cosine names its angle by index.
@@ -44,11 +44,11 @@ struct Leaf {
 /// All subexpressions with the same value up to sign (at a random point of a large prime field), with every
 /// known way to compute that value. Classes 0 and 1 are the numbers 0 and 1. Classes are numbered in order of
 /// creation, which depends on the inputs alone.
-struct ValueClass {
+struct EClass {
   Field value;
   std::optional<Leaf> leaf;
   bool free = false;  ///< constants and free symbols alone: costs nothing
-  std::vector<Definition> definitions;
+  std::vector<ENode> nodes;
 };
 
 class Classes {
@@ -57,7 +57,7 @@ class Classes {
 
   Classes();
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(classes_.size()); }
-  [[nodiscard]] const ValueClass& operator[](std::uint32_t id) const { return classes_[id]; }
+  [[nodiscard]] const EClass& operator[](std::uint32_t id) const { return classes_[id]; }
   [[nodiscard]] Field value(Ref ref) const {
     return ref.negative ? -classes_[ref.id].value : classes_[ref.id].value;
   }
@@ -69,16 +69,16 @@ class Classes {
   Ref product(Ref a, Ref b);
   Ref quotient(Ref a, Ref b);
   Ref opaque(dag::Op op, Ref a, Ref b, Field value);
-  /// Marks every class as free that has a definition from free ones.
+  /// Marks every class as free that has a node from free ones.
   void propagate_free();
 
  private:
   Ref intern(Field value);
-  Ref define(Field value, Definition definition);
+  Ref define(Field value, ENode node);
   void grow();
   [[nodiscard]] std::size_t slot(std::uint64_t key) const;
 
-  std::vector<ValueClass> classes_;
+  std::vector<EClass> classes_;
   std::vector<std::uint32_t> table_;  ///< open addressing over the canonical of value, -value; empty = none
 };
 

@@ -8,7 +8,7 @@
 namespace qvgen::passes::search_detail {
 namespace {
 
-/// Definition with the smallest tree for every free class: sizes grow from operand to user, so it is acyclic.
+/// ENode with the smallest tree for every free class: sizes grow from operand to user, so it is acyclic.
 std::vector<std::int32_t> smallest_trees(const Classes& classes) {
   constexpr std::uint64_t unknown = ~std::uint64_t{0} >> 2U;
   std::vector<std::uint64_t> size(classes.size(), unknown);
@@ -19,9 +19,9 @@ std::vector<std::int32_t> smallest_trees(const Classes& classes) {
     changed = false;
     for (std::uint32_t id = 0; id < classes.size(); ++id) {
       if (!classes[id].free || classes[id].leaf) continue;
-      const auto& definitions = classes[id].definitions;
-      for (std::size_t i = 0; i < definitions.size(); ++i) {
-        const Definition& d = definitions[i];
+      const auto& nodes = classes[id].nodes;
+      for (std::size_t i = 0; i < nodes.size(); ++i) {
+        const ENode& d = nodes[i];
         if (!classes[d.a.id].free || !classes[d.b.id].free) continue;
         const std::uint64_t tree = size[d.a.id] + size[d.b.id] + 1;
         if (tree >= size[id]) continue;
@@ -54,11 +54,11 @@ class Extractor {
 
  private:
   dag::Edge make(std::uint32_t id) {
-    const ValueClass& entry = classes_[id];
+    const EClass& entry = classes_[id];
     const std::int32_t index =
-        entry.free ? free_[id] : network_.choices[network_.first[id] + selection_[id]].definition;
+        entry.free ? free_[id] : network_.choices[network_.first[id] + selection_[id]].node;
     if (index < 0) return make_leaf(*entry.leaf);
-    const Definition& d = entry.definitions[static_cast<std::size_t>(index)];
+    const ENode& d = entry.nodes[static_cast<std::size_t>(index)];
     const dag::Edge a = edge(d.a);
     const dag::Edge b = edge(d.b);
     const dag::Edge result = make(d.op, a, b);

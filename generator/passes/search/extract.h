@@ -13,7 +13,7 @@
 namespace qvgen::passes::search_detail {
 
 /// The graph that a selection stands for. Free classes, which the network does not know, take their smallest
-/// definition.
+/// node.
 dag::Function extract(const Classes& classes, const AngleTable& angles, const Network& network,
                       const Selection& selection, const std::vector<std::pair<std::string, Ref>>& outputs);
 

@@ -5,6 +5,8 @@
 #include <bit>
 #include <utility>
 
+#include "dag/counts.h"
+
 namespace qvgen::passes::search_detail {
 namespace {
 
@@ -103,15 +105,10 @@ Ref Loader::make_leaf(const dag::Graph& graph, const dag::Node& node) {
   }
   const dag::Angle& angle = graph.angle_of(node);
   const CosineSine values = fingerprint_.circular(angle);
-  const bool free = is_free(angle);
+  const bool free = dag::is_free(angle, is_free_symbol_);
   const std::uint32_t index = angles_.index(angle, free);
   return classes_.leaf({node.op, {}, {}, index, false},
                        node.op == dag::Op::sine ? values.sine : values.cosine, free);
-}
-
-bool Loader::is_free(const dag::Angle& angle) const {
-  const auto free = [this](const auto& term) { return is_free_symbol_ && is_free_symbol_(term.first); };
-  return std::all_of(angle.terms.begin(), angle.terms.end(), free);
 }
 
 }  // namespace qvgen::passes::search_detail

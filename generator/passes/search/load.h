@@ -32,7 +32,6 @@ class Loader {
   Ref visit(const dag::Graph& graph, dag::Edge edge);
   Ref make(const dag::Graph& graph, const dag::Node& node);
   Ref make_leaf(const dag::Graph& graph, const dag::Node& node);
-  [[nodiscard]] bool is_free(const dag::Angle& angle) const;
 
   Classes& classes_;
   Fingerprint& fingerprint_;

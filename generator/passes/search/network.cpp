@@ -25,12 +25,11 @@ std::int32_t price(dag::Op op, const CostModel& cost) {
   }
 }
 
-Choice choice_of(const Classes& classes, const Definition& definition, std::size_t index,
-                 const CostModel& cost) {
+Choice choice_of(const Classes& classes, const ENode& node, std::size_t index, const CostModel& cost) {
   Choice choice;
-  choice.cost = price(definition.op, cost);
-  choice.definition = static_cast<std::int32_t>(index);
-  for (const Ref operand : {definition.a, definition.b}) {
+  choice.cost = price(node.op, cost);
+  choice.node = static_cast<std::int32_t>(index);
+  for (const Ref operand : {node.a, node.b}) {
     if (classes[operand.id].free) continue;
     if (choice.operand_count == 1 && choice.operands[0] == operand.id) continue;
     choice.operands[choice.operand_count++] = operand.id;
@@ -52,11 +51,11 @@ Network make_network(const Classes& classes, const AngleTable& angles, const std
   Network network;
   for (std::uint32_t id = 0; id < classes.size(); ++id) {
     network.first.push_back(static_cast<std::uint32_t>(network.choices.size()));
-    const ValueClass& entry = classes[id];
+    const EClass& entry = classes[id];
     if (entry.free) continue;
     if (entry.leaf) network.choices.push_back(choice_of(*entry.leaf));
-    for (std::size_t i = 0; i < entry.definitions.size(); ++i)
-      network.choices.push_back(choice_of(classes, entry.definitions[i], i, cost));
+    for (std::size_t i = 0; i < entry.nodes.size(); ++i)
+      network.choices.push_back(choice_of(classes, entry.nodes[i], i, cost));
   }
   network.first.push_back(static_cast<std::uint32_t>(network.choices.size()));
   for (const bool free : angles.free) network.angle_costs.push_back(free ? 0 : price(cost.sine_cosine));

@@ -17,7 +17,7 @@ struct Choice {
   std::int32_t angle = -1;
   std::uint32_t operand_count = 0;
   std::array<std::uint32_t, 2> operands{};
-  std::int32_t definition = -1;  ///< index in the class, -1 for the leaf itself
+  std::int32_t node = -1;  ///< index in the class, -1 for the leaf itself
 };
 
 /// What extraction looks at: classes as numbers, prices as integers (so that no rounding enters a decision),

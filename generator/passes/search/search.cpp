@@ -7,11 +7,11 @@
 
 #include "passes/search/anneal.h"
 #include "passes/search/classes.h"
-#include "passes/search/enrich.h"
 #include "passes/search/extract.h"
 #include "passes/search/load.h"
 #include "passes/search/network.h"
 #include "passes/search/random.h"
+#include "passes/search/saturate.h"
 
 namespace qvgen::passes {
 namespace {
@@ -70,7 +70,7 @@ class Search {
   }
 
   /// The form's own choices: its classes as read alone, looked up among all. Everything else keeps its first
-  /// definition, made when its operands existed and the class did not, so the whole is acyclic.
+  /// node, made when its operands existed and the class did not, so the whole is acyclic.
   Selection selection_of(const dag::Function& form, const Network& network) {
     Classes own;
     AngleTable angles;
@@ -78,25 +78,25 @@ class Search {
     Selection selection(classes_.size(), 0);
     for (std::uint32_t id = 2; id < own.size(); ++id) {
       const Ref here = *classes_.find(own[id].value);
-      const ValueClass& entry = classes_[here.id];
-      if (entry.free || own[id].leaf || entry.definitions.empty()) continue;
-      selection[here.id] = choice_index(network, here.id, own, own[id].definitions.front());
+      const EClass& entry = classes_[here.id];
+      if (entry.free || own[id].leaf || entry.nodes.empty()) continue;
+      selection[here.id] = choice_index(network, here.id, own, own[id].nodes.front());
     }
     return selection;
   }
 
   std::uint32_t choice_index(const Network& network, std::uint32_t id, const Classes& own,
-                             const Definition& wanted) {
+                             const ENode& wanted) {
     const std::uint32_t a = classes_.find(own.value(wanted.a))->id;
     const std::uint32_t b = classes_.find(own.value(wanted.b))->id;
     for (std::uint32_t i = 0; i < network.choice_count(id); ++i) {
       const Choice& choice = network.choices[network.first[id] + i];
-      if (choice.definition < 0) continue;
-      const Definition& d = classes_[id].definitions[static_cast<std::size_t>(choice.definition)];
+      if (choice.node < 0) continue;
+      const ENode& d = classes_[id].nodes[static_cast<std::size_t>(choice.node)];
       const bool same = (d.a.id == a && d.b.id == b) || (d.a.id == b && d.b.id == a);
       if (same && d.op == wanted.op) return i;
     }
-    throw std::logic_error("a form's own definition is missing");
+    throw std::logic_error("a form's own node is missing");
   }
 
   Selection best(const Network& network) {

@@ -31,8 +31,8 @@ inline constexpr char suggestion = '?';
 /// The cheapest function found that computes what each of the forms computes.
 ///
 /// All forms go into one graph whose node is a value class: every subexpression with the same value, up to
-/// sign. A class keeps all its definitions; further ones are looked for; annealing with a fixed seed and
-/// number of steps then chooses one definition for each class that is needed. The result never costs more
+/// sign. A class keeps all its nodes; further ones are looked for; annealing with a fixed seed and
+/// number of steps then chooses one node for each class that is needed. The result never costs more
 /// than the cheapest form, and depends on nothing but the arguments. Values are compared at a random point
 /// modulo a 61-bit prime: the probability of a wrong equality is about 1e-10 a call, and the exact
 /// certificate of the caller decides.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "derive/dynamics/inward.h"
+#include "derive/dynamics/inward_recursion.h"
 
 namespace qvgen::derive::dynamics {
 namespace {
@@ -26,11 +26,11 @@ Column column_of(const Link& link, const PseudoInertia& p) {
   return {link.joint, false, {-h[1], h[0], Scalar()}, moment, {}};
 }
 
-Scalar Inward::shift_of(const Link& link) const {
+Scalar InwardRecursion::shift_of(const Link& link) const {
   return link.motion == Motion::prismatic ? link.d + p_.per_unit * symbol(link.variable) : link.d;
 }
 
-void Inward::carry(std::size_t j, Column& column) {
+void InwardRecursion::transform_to_parent(std::size_t j, Column& column) {
   const Link& link = p_.chain.links[j];
   const Circle angle = circle(link.angle, graph_), alpha = circle(link.alpha, graph_);
   const Scalar d = shift_of(link);
@@ -45,7 +45,7 @@ void Inward::carry(std::size_t j, Column& column) {
   column.moment = rotate(0, alpha, moment) + cross(Vector3{link.a, link.b, Scalar()}, column.force);
 }
 
-bool Inward::is_parallel(std::size_t j) const {
+bool InwardRecursion::is_parallel(std::size_t j) const {
   if (j >= p_.chain.links.size()) return false;
   const Link& link = p_.chain.links[j];
   return link.alpha.terms.empty() && link.alpha.pi == 0 && link.b.is_zero() &&
@@ -53,7 +53,7 @@ bool Inward::is_parallel(std::size_t j) const {
 }
 
 /// What lies behind two parallel axes turned by the sum of both angles.
-void Inward::offer_parallel(std::size_t j, const Column& column, const Circle& first) {
+void InwardRecursion::offer_parallel(std::size_t j, const Column& column, const Circle& first) {
   const Link& link = p_.chain.links[j];
   const Link& next = p_.chain.links[j + 1];
   const Circle second = circle(next.angle, graph_);
@@ -73,7 +73,7 @@ void Inward::offer_parallel(std::size_t j, const Column& column, const Circle& f
   }
 }
 
-PseudoInertia Inward::carry(std::size_t j, const PseudoInertia& inertia) {
+PseudoInertia InwardRecursion::transform_to_parent(std::size_t j, const PseudoInertia& inertia) {
   const Link& link = p_.chain.links[j];
   const Circle angle = circle(link.angle, graph_);
   const Scalar d = shift_of(link);
@@ -82,7 +82,7 @@ PseudoInertia Inward::carry(std::size_t j, const PseudoInertia& inertia) {
   return shifted(rotated(turned, 0, circle(link.alpha, graph_)), {link.a, link.b, Scalar()});
 }
 
-PseudoInertia Inward::turned_about_z(const PseudoInertia& inertia, const Circle& by) {
+PseudoInertia InwardRecursion::turned_about_z(const PseudoInertia& inertia, const Circle& by) {
   const auto& [c, s] = by;
   if (!c.is_zero() && !s.is_zero()) {
     const Scalar difference = inertia.at(0, 0) - inertia.at(1, 1),
@@ -94,7 +94,7 @@ PseudoInertia Inward::turned_about_z(const PseudoInertia& inertia, const Circle&
   return rotated(inertia, 2, by);
 }
 
-void Inward::offer(const PseudoInertia& inertia) {
+void InwardRecursion::offer(const PseudoInertia& inertia) {
   for (std::size_t row = 0; row < 4; ++row)
     for (std::size_t column = row; column < 4; ++column) suggest_({inertia.at(row, column)});
 }

@@ -9,7 +9,7 @@
 namespace qvgen::passes {
 
 /// A function and what of it can be computed beforehand.
-struct FreePart {
+struct ConstantSplit {
   dag::Function function;  ///< its maximal free subexpressions are symbols "$0", "$1", ... now
   dag::Function
       constants;  ///< output "$i" for each of them; those that are plain numbers are constants there
@@ -19,10 +19,7 @@ struct FreePart {
 ///
 /// `meanings` has an output for some of the free symbols: the set-up part is written in terms of its symbols
 /// instead, and what turns out to be a number there is one.
-FreePart split_free_part(const dag::Function& function, const dag::Function& meanings,
-                         const dag::IsFree& is_free);
-
-/// The name of the i-th symbol that stands for a free part.
-std::string free_part_name(std::size_t index);
+ConstantSplit split_constants(const dag::Function& function, const dag::Function& meanings,
+                              const dag::IsFree& is_free);
 
 }  // namespace qvgen::passes

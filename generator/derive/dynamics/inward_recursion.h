@@ -19,13 +19,13 @@ struct Column {
 };
 
 /// Takes what is known in a link's frame to the frame of the link before, with other ways to do it suggested.
-class Inward {
+class InwardRecursion {
  public:
-  Inward(const Parametrisation& p, dag::Graph& graph, Suggestions& suggest)
+  InwardRecursion(const Parametrisation& p, dag::Graph& graph, Suggestions& suggest)
       : p_(p), graph_(graph), suggest_(suggest) {}
 
-  void carry(std::size_t link, Column& column);
-  PseudoInertia carry(std::size_t link, const PseudoInertia& inertia);
+  void transform_to_parent(std::size_t link, Column& column);
+  PseudoInertia transform_to_parent(std::size_t link, const PseudoInertia& inertia);
 
   /// The link's offset along its axis, the variable of a prismatic joint included.
   Scalar shift_of(const Link& link) const;

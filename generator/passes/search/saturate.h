@@ -20,7 +20,7 @@ void gather_free_factors(Classes& classes, std::uint32_t limit);
 /// 1/b as a class where several quotients have the denominator b.
 void share_reciprocals(Classes& classes);
 
-/// Every class that happens to be the sum, difference or product of two others gets that definition.
+/// Every class that happens to be the sum, difference or product of two others gets that node.
 void close(Classes& classes);
 
 }  // namespace qvgen::passes::search_detail

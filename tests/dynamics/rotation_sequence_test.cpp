@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "derive/dynamics/turn_word.h"
+#include "derive/dynamics/rotation_sequence.h"
 
 #include <array>
 
@@ -15,9 +15,9 @@ namespace {
 using exact::Number;
 using Matrix = std::array<std::array<Number, 3>, 3>;
 
-Matrix matrix_of(const TurnWord& word, const exact::ExactPoint& point) {
+Matrix matrix_of(const RotationSequence& sequence, const exact::ExactPoint& point) {
   Matrix result{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  for (const Turn& turn : word) {
+  for (const ElementaryRotation& turn : sequence) {
     const Number c = point.cosine(turn.angle), s = point.sine(turn.angle);
     const std::size_t i = (turn.axis + 1) % 3, j = (turn.axis + 2) % 3;
     for (auto& row : result) {
@@ -32,36 +32,36 @@ Matrix matrix_of(const TurnWord& word, const exact::ExactPoint& point) {
 exact::Angle quarter(long count) { return {{}, cln::cl_RA(count) / 2}; }
 exact::Angle symbol(const std::string& name) { return {{{name, 1}}, 0}; }
 
-TEST(TurnWord, ReductionKeepsTheRotation) {
+TEST(RotationSequence, ReductionKeepsTheRotation) {
   passes::search_detail::Random random(3);
   const exact::ExactPoint point(1);
   for (int round = 0; round < 300; ++round) {
-    TurnWord word;
+    RotationSequence sequence;
     for (std::uint32_t k = random.below(7); k > 0; --k) {
       const bool free = random.chance(70);
-      word.push_back({random.chance(128) ? 0U : 2U,
-                      free ? symbol("t" + std::to_string(random.below(3))) : quarter(random.below(4))});
+      sequence.push_back({random.chance(128) ? 0U : 2U,
+                          free ? symbol("t" + std::to_string(random.below(3))) : quarter(random.below(4))});
     }
-    const TurnWord short_word = reduced(word);
-    EXPECT_LE(short_word.size(), word.size() + 2);
-    EXPECT_EQ(matrix_of(short_word, point), matrix_of(word, point));
+    const RotationSequence short_word = reduced(sequence);
+    EXPECT_LE(short_word.size(), sequence.size() + 2);
+    EXPECT_EQ(matrix_of(short_word, point), matrix_of(sequence, point));
   }
 }
 
 /// All 24 rotations of the cube are Rz Rx Rz with nothing left over, however they came about.
-TEST(TurnWord, RightAnglesNeedThreeTurns) {
+TEST(RotationSequence, RightAnglesNeedThreeTurns) {
   passes::search_detail::Random random(4);
   for (int round = 0; round < 300; ++round) {
-    TurnWord word;
-    for (int k = 0; k < 9; ++k) word.push_back({random.chance(128) ? 0U : 2U, quarter(random.below(4))});
-    const TurnWord short_word = reduced(word);
+    RotationSequence sequence;
+    for (int k = 0; k < 9; ++k) sequence.push_back({random.chance(128) ? 0U : 2U, quarter(random.below(4))});
+    const RotationSequence short_word = reduced(sequence);
     EXPECT_LE(short_word.size(), 3U);
     for (std::size_t i = 0; i + 1 < short_word.size(); ++i)
       EXPECT_NE(short_word[i].axis, short_word[i + 1].axis);
   }
 }
 
-TEST(TurnWord, TakesZToEachAxis) {
+TEST(RotationSequence, TakesZToEachAxis) {
   const exact::ExactPoint point(1);
   for (std::size_t k = 0; k < 3; ++k)
     for (const long sign : {1L, -1L}) {
@@ -72,24 +72,25 @@ TEST(TurnWord, TakesZToEachAxis) {
     }
 }
 
-TEST(TurnWord, InverseIsTheInverse) {
-  const TurnWord word = {{2, symbol("a")}, {0, quarter(1)}, {2, symbol("b")}};
-  EXPECT_TRUE(reduced(word * inverse(word)).empty());
+TEST(RotationSequence, InverseIsTheInverse) {
+  const RotationSequence sequence = {{2, symbol("a")}, {0, quarter(1)}, {2, symbol("b")}};
+  EXPECT_TRUE(reduced(sequence * inverse(sequence)).empty());
 }
 
 /// Rotations between oblique axes are z x z too, with angles that are known by sine and cosine.
-TEST(TurnWord, ConstantRotationsAreRecomposed) {
+TEST(RotationSequence, ConstantRotationsAreRecomposed) {
   passes::search_detail::Random random(5);
   const exact::ExactPoint point(1);
   const Number three = Number(3) / Number(5), four = Number(4) / Number(5);
   const exact::Angle oblique{{{exact::constant_angle({four, three}), 1}}, 0};
   for (int round = 0; round < 100; ++round) {
-    TurnWord word;
+    RotationSequence sequence;
     for (int k = 0; k < 7; ++k)
-      word.push_back({random.chance(128) ? 0U : 2U, random.chance(128) ? oblique : quarter(random.below(4))});
-    const TurnWord short_word = recomposed(reduced(word));
+      sequence.push_back(
+          {random.chance(128) ? 0U : 2U, random.chance(128) ? oblique : quarter(random.below(4))});
+    const RotationSequence short_word = recomposed(reduced(sequence));
     EXPECT_LE(short_word.size(), 3U);
-    EXPECT_EQ(matrix_of(short_word, point), matrix_of(word, point));
+    EXPECT_EQ(matrix_of(short_word, point), matrix_of(sequence, point));
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "derive/dynamics/turn_word.h"
+#include "derive/dynamics/rotation_sequence.h"
 
 #include <algorithm>
 #include <array>
@@ -21,7 +21,7 @@ using Kind = model::Expression::Kind;
 
 Angle quarter_turns(long count) { return {{}, cln::cl_RA(count) / 2}; }
 
-Turn turn(std::size_t axis, long quarters) { return {axis, quarter_turns(quarters)}; }
+ElementaryRotation turn(std::size_t axis, long quarters) { return {axis, quarter_turns(quarters)}; }
 
 Angle negative(const Angle& angle) { return cln::cl_RA(-1) * angle; }
 
@@ -32,7 +32,7 @@ std::optional<long> quarters(const Angle& angle) {
   return cln::cl_I_to_long(cln::mod(cln::numerator(count), 4));
 }
 
-bool is(const Turn& turn, long wanted) { return quarters(turn.angle) == wanted; }
+bool is(const ElementaryRotation& turn, long wanted) { return quarters(turn.angle) == wanted; }
 
 std::optional<std::pair<std::size_t, long>> signed_axis(const model::Vector3& axis) {
   std::optional<std::pair<std::size_t, long>> result;
@@ -109,7 +109,7 @@ Angle angle_of(const Number& cosine, const Number& sine) {
 }
 
 /// z(phi) x(alpha) takes +z to (sin phi sin alpha, -cos phi sin alpha, cos alpha).
-TurnWord from_z_to_oblique(const model::Vector3& axis) {
+RotationSequence from_z_to_oblique(const model::Vector3& axis) {
   const Number x = number_of(axis[0]), y = number_of(axis[1]), z = number_of(axis[2]);
   const Number sine = root_of(Number(1) - z * z);
   return {{2, angle_of(-y / sine, x / sine)}, {0, angle_of(z, sine)}};
@@ -127,18 +127,19 @@ void turn_columns(Matrix& m, std::size_t axis, const exact::CosineSine& by) {
   }
 }
 
-bool drop_identity(TurnWord& word) {
-  const auto place = std::find_if(word.begin(), word.end(), [](const Turn& t) { return is(t, 0); });
-  if (place == word.end()) return false;
-  word.erase(place);
+bool drop_identity(RotationSequence& sequence) {
+  const auto place =
+      std::find_if(sequence.begin(), sequence.end(), [](const ElementaryRotation& t) { return is(t, 0); });
+  if (place == sequence.end()) return false;
+  sequence.erase(place);
   return true;
 }
 
-bool merge_neighbours(TurnWord& word) {
-  for (std::size_t i = 0; i + 1 < word.size(); ++i) {
-    if (word[i].axis != word[i + 1].axis) continue;
-    word[i].angle = word[i].angle + word[i + 1].angle;
-    word.erase(word.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+bool merge_neighbours(RotationSequence& sequence) {
+  for (std::size_t i = 0; i + 1 < sequence.size(); ++i) {
+    if (sequence[i].axis != sequence[i + 1].axis) continue;
+    sequence[i].angle = sequence[i].angle + sequence[i + 1].angle;
+    sequence.erase(sequence.begin() + static_cast<std::ptrdiff_t>(i) + 1);
     return true;
   }
   return false;
@@ -146,23 +147,23 @@ bool merge_neighbours(TurnWord& word) {
 
 /// A half turn about a passes a turn about b by changing its sign, so that the turns about a on both sides
 /// meet.
-bool pass_half_turn(TurnWord& word) {
-  for (std::size_t i = 0; i + 2 < word.size(); ++i) {
-    if (is(word[i + 2], 2)) {
-      word[i].angle = word[i].angle + word[i + 2].angle;
-      word[i + 1].angle = negative(word[i + 1].angle);
-      word.erase(word.begin() + static_cast<std::ptrdiff_t>(i) + 2);
+bool pass_half_turn(RotationSequence& sequence) {
+  for (std::size_t i = 0; i + 2 < sequence.size(); ++i) {
+    if (is(sequence[i + 2], 2)) {
+      sequence[i].angle = sequence[i].angle + sequence[i + 2].angle;
+      sequence[i + 1].angle = negative(sequence[i + 1].angle);
+      sequence.erase(sequence.begin() + static_cast<std::ptrdiff_t>(i) + 2);
       return true;
     }
-    if (is(word[i], 2)) {
-      word[i + 2].angle = word[i + 2].angle + word[i].angle;
-      word[i + 1].angle = negative(word[i + 1].angle);
-      word.erase(word.begin() + static_cast<std::ptrdiff_t>(i));
+    if (is(sequence[i], 2)) {
+      sequence[i + 2].angle = sequence[i + 2].angle + sequence[i].angle;
+      sequence[i + 1].angle = negative(sequence[i + 1].angle);
+      sequence.erase(sequence.begin() + static_cast<std::ptrdiff_t>(i));
       return true;
     }
-    if (is(word[i + 1], 2)) {
-      word[i + 2].angle = word[i + 2].angle + negative(word[i].angle);
-      word.erase(word.begin() + static_cast<std::ptrdiff_t>(i));
+    if (is(sequence[i + 1], 2)) {
+      sequence[i + 2].angle = sequence[i + 2].angle + negative(sequence[i].angle);
+      sequence.erase(sequence.begin() + static_cast<std::ptrdiff_t>(i));
       return true;
     }
   }
@@ -171,18 +172,18 @@ bool pass_half_turn(TurnWord& word) {
 
 /// x(+-pi/2) z(gamma) x(-+pi/2) is a rotation by gamma about -+y, z(pi/2) x(..) z(-pi/2); with equal signs a
 /// half turn about x remains.
-bool turn_between_quarters(TurnWord& word) {
-  for (std::size_t i = 0; i + 2 < word.size(); ++i) {
-    const auto first = quarters(word[i].angle);
-    const auto last = quarters(word[i + 2].angle);
-    if (word[i].axis != 0 || !first || !last || *first % 2 == 0 || *last % 2 == 0) continue;
-    const Angle gamma = word[i + 1].angle;
+bool turn_between_quarters(RotationSequence& sequence) {
+  for (std::size_t i = 0; i + 2 < sequence.size(); ++i) {
+    const auto first = quarters(sequence[i].angle);
+    const auto last = quarters(sequence[i + 2].angle);
+    if (sequence[i].axis != 0 || !first || !last || *first % 2 == 0 || *last % 2 == 0) continue;
+    const Angle gamma = sequence[i + 1].angle;
     // x(pi/2) z(g) x(-pi/2) turns about x(pi/2) z = -y by g.
-    TurnWord about_y = {turn(2, 1), {0, *first == 1 ? negative(gamma) : gamma}, turn(2, -1)};
+    RotationSequence about_y = {turn(2, 1), {0, *first == 1 ? negative(gamma) : gamma}, turn(2, -1)};
     if (*first == *last) about_y.push_back(turn(0, 2));
-    word.erase(word.begin() + static_cast<std::ptrdiff_t>(i),
-               word.begin() + static_cast<std::ptrdiff_t>(i) + 3);
-    word.insert(word.begin() + static_cast<std::ptrdiff_t>(i), about_y.begin(), about_y.end());
+    sequence.erase(sequence.begin() + static_cast<std::ptrdiff_t>(i),
+                   sequence.begin() + static_cast<std::ptrdiff_t>(i) + 3);
+    sequence.insert(sequence.begin() + static_cast<std::ptrdiff_t>(i), about_y.begin(), about_y.end());
     return true;
   }
   return false;
@@ -190,53 +191,54 @@ bool turn_between_quarters(TurnWord& word) {
 
 }  // namespace
 
-TurnWord from_z_to(const model::Vector3& axis) {
+RotationSequence from_z_to(const model::Vector3& axis) {
   const auto known = signed_axis(axis);
   if (!known) return from_z_to_oblique(axis);
   const auto [index, sign] = *known;
   if (index == 0) return {turn(2, sign), turn(0, 1)};
   if (index == 1) return {turn(0, -sign)};
-  return sign > 0 ? TurnWord{} : TurnWord{turn(0, 2)};
+  return sign > 0 ? RotationSequence{} : RotationSequence{turn(0, 2)};
 }
 
-TurnWord to_word(const std::vector<model::Turn>& turns) {
-  TurnWord word;
+RotationSequence to_sequence(const std::vector<model::Turn>& turns) {
+  RotationSequence sequence;
   for (const model::Turn& t : turns) {
-    const TurnWord frame = from_z_to(t.axis);
-    word = word * frame * TurnWord{{2, to_angle(t.angle)}} * inverse(frame);
+    const RotationSequence frame = from_z_to(t.axis);
+    sequence = sequence * frame * RotationSequence{{2, to_angle(t.angle)}} * inverse(frame);
   }
-  return word;
+  return sequence;
 }
 
-TurnWord inverse(const TurnWord& word) {
-  TurnWord result(word.rbegin(), word.rend());
-  for (Turn& t : result) t.angle = negative(t.angle);
+RotationSequence inverse(const RotationSequence& sequence) {
+  RotationSequence result(sequence.rbegin(), sequence.rend());
+  for (ElementaryRotation& t : result) t.angle = negative(t.angle);
   return result;
 }
 
-TurnWord operator*(TurnWord a, const TurnWord& b) {
+RotationSequence operator*(RotationSequence a, const RotationSequence& b) {
   a.insert(a.end(), b.begin(), b.end());
   return a;
 }
 
-TurnWord reduced(TurnWord word) {
-  while (drop_identity(word) || merge_neighbours(word) || pass_half_turn(word) ||
-         turn_between_quarters(word)) {
+RotationSequence reduced(RotationSequence sequence) {
+  while (drop_identity(sequence) || merge_neighbours(sequence) || pass_half_turn(sequence) ||
+         turn_between_quarters(sequence)) {
   }
-  return word;
+  return sequence;
 }
 
-TurnWord recomposed(const TurnWord& word) {
-  const bool begins_with_x = !word.empty() && word.front().axis == 0;
-  if (word.size() < (begins_with_x ? 3U : 4U)) return word;  // the axes alternate: it is z x z or less
+RotationSequence recomposed(const RotationSequence& sequence) {
+  const bool begins_with_x = !sequence.empty() && sequence.front().axis == 0;
+  if (sequence.size() < (begins_with_x ? 3U : 4U))
+    return sequence;  // the axes alternate: it is z x z or less
   Matrix m{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  for (const Turn& t : word) {
+  for (const ElementaryRotation& t : sequence) {
     const auto known = exact::value_of(t.angle);
-    if (!known) return word;
+    if (!known) return sequence;
     turn_columns(m, t.axis, *known);
   }
   const Number square = Number(1) - m[2][2] * m[2][2];
-  if (!square.is_rational()) return word;
+  if (!square.is_rational()) return sequence;
   if (square.is_zero()) return {{2, angle_of(m[0][0], m[1][0])}, {0, angle_of(m[2][2], 0)}};
   const Number sine = Number::root(square.rational());
   return {{2, angle_of(-m[1][2] / sine, m[0][2] / sine)},

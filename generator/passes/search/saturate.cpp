@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "passes/search/enrich.h"
+#include "passes/search/saturate.h"
 
 #include <map>
 #include <vector>
@@ -7,11 +7,11 @@
 namespace qvgen::passes::search_detail {
 namespace {
 
-using Definitions = std::vector<Definition>;
+using Definitions = std::vector<ENode>;
 
-Definitions of_kind(const ValueClass& entry, dag::Op op) {
+Definitions of_kind(const EClass& entry, dag::Op op) {
   Definitions result;
-  for (const Definition& d : entry.definitions)
+  for (const ENode& d : entry.nodes)
     if (d.op == op) result.push_back(d);
   return result;
 }
@@ -21,11 +21,11 @@ void factor_out(Classes& classes, std::uint32_t common, Ref x, Ref y) {
   if (common != Classes::one) classes.product({common, false}, classes.sum(x, y));
 }
 
-void factor_sum(Classes& classes, const Definition& sum) {
+void factor_sum(Classes& classes, const ENode& sum) {
   const Definitions left = of_kind(classes[sum.a.id], dag::Op::product);
   const Definitions right = of_kind(classes[sum.b.id], dag::Op::product);
-  for (const Definition& l : left)
-    for (const Definition& r : right) {
+  for (const ENode& l : left)
+    for (const ENode& r : right) {
       const bool sign_l = sum.a.negative != l.negative;
       const bool sign_r = sum.b.negative != r.negative;
       for (const auto& [lf, lx] : {std::pair{l.a, l.b}, std::pair{l.b, l.a}})
@@ -36,7 +36,7 @@ void factor_sum(Classes& classes, const Definition& sum) {
 
 /// factor * (free * rest), if the class is such a product.
 std::optional<Ref> absorbed(Classes& classes, Ref factor, Ref into) {
-  for (const Definition& d : of_kind(classes[into.id], dag::Op::product))
+  for (const ENode& d : of_kind(classes[into.id], dag::Op::product))
     for (const auto& [free, rest] : {std::pair{d.a, d.b}, std::pair{d.b, d.a}})
       if (classes[free.id].free)
         return classes.product(classes.product(factor, free), rest).signed_by(into.negative != d.negative);
@@ -46,7 +46,7 @@ std::optional<Ref> absorbed(Classes& classes, Ref factor, Ref into) {
 /// Other ways to multiply by a free factor; none unless it meets another one on its way in.
 void push_inward(Classes& classes, Ref factor, Ref into) {
   absorbed(classes, factor, into);
-  for (const Definition& sum : of_kind(classes[into.id], dag::Op::sum)) {
+  for (const ENode& sum : of_kind(classes[into.id], dag::Op::sum)) {
     const auto left = absorbed(classes, factor, sum.a);
     const auto right = absorbed(classes, factor, sum.b);
     if (!left && !right) continue;
@@ -113,7 +113,7 @@ void factor(Classes& classes, std::uint32_t limit) {
   const std::uint32_t before = classes.size();
   for (std::uint32_t id = 0; id < before && classes.size() < limit; ++id) {
     if (classes[id].free) continue;
-    for (const Definition& sum : of_kind(classes[id], dag::Op::sum)) factor_sum(classes, sum);
+    for (const ENode& sum : of_kind(classes[id], dag::Op::sum)) factor_sum(classes, sum);
   }
 }
 
@@ -121,7 +121,7 @@ void gather_free_factors(Classes& classes, std::uint32_t limit) {
   const std::uint32_t before = classes.size();
   for (std::uint32_t id = 0; id < before && classes.size() < limit; ++id) {
     if (classes[id].free) continue;
-    for (const Definition& product : of_kind(classes[id], dag::Op::product))
+    for (const ENode& product : of_kind(classes[id], dag::Op::product))
       for (const auto& [factor, rest] : {std::pair{product.a, product.b}, std::pair{product.b, product.a}})
         if (classes[factor.id].free && !classes[rest.id].free) push_inward(classes, factor, rest);
   }
@@ -130,7 +130,7 @@ void gather_free_factors(Classes& classes, std::uint32_t limit) {
 void share_reciprocals(Classes& classes) {
   std::map<std::uint32_t, std::vector<Ref>> numerators;
   for (std::uint32_t id = 0; id < classes.size(); ++id)
-    for (const Definition& d : of_kind(classes[id], dag::Op::quotient)) numerators[d.b.id].push_back(d.a);
+    for (const ENode& d : of_kind(classes[id], dag::Op::quotient)) numerators[d.b.id].push_back(d.a);
   for (const auto& [denominator, users] : numerators) {
     if (users.size() < 2) continue;
     const Ref reciprocal = classes.quotient({Classes::one, false}, {denominator, false});

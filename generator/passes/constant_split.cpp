@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "passes/free_part.h"
+#include "passes/constant_split.h"
 
-#include <algorithm>
 #include <map>
 #include <optional>
 #include <vector>
@@ -19,8 +18,7 @@ class Splitter {
  public:
   Splitter(const dag::Function& function, const dag::Function& meanings, const dag::IsFree& is_free)
       : function_(function),
-        is_free_(is_free),
-        free_(function.graph.size(), false),
+        free_(dag::free_nodes(function, is_free)),
         moved_(function.graph.size()),
         set_up_(function.graph.size()) {
     const dag::Function copy = dag::rebuild(meanings);
@@ -28,28 +26,15 @@ class Splitter {
     for (const dag::Output& output : copy.outputs) meaning_.emplace(output.name, output.value);
   }
 
-  FreePart run() {
-    for (const std::uint32_t id : dag::reachable(function_)) {
-      free_[id] = is_free(function_.graph.node(id));
+  ConstantSplit run() {
+    for (const std::uint32_t id : dag::reachable(function_))
       if (!free_[id]) moved_[id] = move(function_.graph.node(id));
-    }
     for (const dag::Output& output : function_.outputs)
       result_.function.outputs.push_back({output.name, moved(output.value)});
     return std::move(result_);
   }
 
  private:
-  bool is_free(const Node& node) const {
-    if (node.op == Op::constant) return true;
-    if (node.op == Op::symbol) return is_free_(function_.graph.symbol_of(node));
-    const auto term_is_free = [&](const auto& term) { return is_free_(term.first); };
-    if (node.op == Op::sine || node.op == Op::cosine) {
-      const dag::Angle& angle = function_.graph.angle_of(node);
-      return std::all_of(angle.terms.begin(), angle.terms.end(), term_is_free);
-    }
-    return std::all_of(node.operands.begin(), node.operands.end(), [&](Edge e) { return free_[e.node]; });
-  }
-
   Edge move(const Node& node) {
     std::vector<Edge> operands;
     for (const Edge operand : node.operands) operands.push_back(moved(operand));
@@ -83,28 +68,25 @@ class Splitter {
 
   Edge slot(Edge value) {
     const auto [place, inserted] = slots_.try_emplace(value.node, slots_.size());
-    const std::string name = free_part_name(place->second);
+    const std::string name = "$" + std::to_string(place->second);
     if (inserted) result_.constants.outputs.push_back({name, {value.node, false}});
     const Edge symbol = result_.function.graph.symbol(name);
     return value.negative ? -symbol : symbol;
   }
 
   const dag::Function& function_;
-  const dag::IsFree& is_free_;
   std::vector<bool> free_;
   std::vector<std::optional<Edge>> moved_, set_up_;
   std::map<std::string, Edge> meaning_;
   std::map<std::uint32_t, std::size_t> slots_;
-  FreePart result_;
+  ConstantSplit result_;
 };
 
 }  // namespace
 
-FreePart split_free_part(const dag::Function& function, const dag::Function& meanings,
-                         const dag::IsFree& is_free) {
+ConstantSplit split_constants(const dag::Function& function, const dag::Function& meanings,
+                              const dag::IsFree& is_free) {
   return Splitter(function, meanings, is_free).run();
 }
-
-std::string free_part_name(std::size_t index) { return "$" + std::to_string(index); }
 
 }  // namespace qvgen::passes
