@@ -6,6 +6,7 @@
 #include <kainjow/mustache.hpp>
 
 #include "emit/builtin_templates.h"
+#include "emit/cpp/tidy.h"
 
 namespace qvgen::emit {
 namespace {
@@ -63,7 +64,8 @@ std::string render(const std::string& template_name, const nlohmann::json& value
   const std::string result = text.render(context);
   if (!context.missing().empty())
     throw std::invalid_argument("template " + template_name + ": no value for the key " + context.missing());
-  return result;
+  const bool is_code = template_name.ends_with(".h") || template_name.ends_with(".cpp");
+  return is_code ? tidy(result) : result;
 }
 
 }  // namespace qvgen::emit

@@ -13,9 +13,9 @@ namespace {
 using namespace qvgen;
 using dag::Edge;
 
-const emit::Names names{[](const std::string& symbol) { return "g." + symbol; },
-                        [](const dag::Angle& angle) { return "sin<" + to_string(angle) + ">"; },
-                        [](const dag::Angle& angle) { return "cos<" + to_string(angle) + ">"; }};
+const emit::SymbolTable names{[](const std::string& symbol) { return "g." + symbol; },
+                              [](const dag::Angle& angle) { return "sin<" + to_string(angle) + ">"; },
+                              [](const dag::Angle& angle) { return "cos<" + to_string(angle) + ">"; }};
 
 class CodeTest : public testing::Test {
  protected:

@@ -25,12 +25,14 @@ struct Sample {
   Expect expect = Expect::joints;
 };
 
-/// One of the ten sets of poses, at ordinary places and at those where solvers fail.
+/// A set of poses, at ordinary places and at those where solvers fail.
 struct PoseSet {
   std::string name;
   /// The i-th pose; nothing if the arm has no such pose (then it has none for any i) or the search for it
   /// failed.
   std::function<std::optional<Sample>(Case&, int i)> draw;
+  /// Whether an arm must have such poses; others may.
+  std::function<bool(const Case&)> is_for = [](const Case&) { return true; };
 };
 
 const std::vector<PoseSet>& pose_sets();

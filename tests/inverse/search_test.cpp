@@ -53,7 +53,7 @@ TEST_P(InverseSearch, ConfirmsTheBranches) {
 /// At singular places, where solutions form curves, every end of the search is on what was returned.
 void InverseSearch::expect_nothing_new(const std::string& set, int poses) {
   for (int i = 0; i < poses && !HasFailure(); ++i) {
-    const auto sample = pose_set(set).draw(test(), i);
+    const auto sample = draw(pose_set(set), i);
     if (!sample) continue;
     const double given = test().given(sample->q);
     const Found found = test().robot().solve(sample->pose, given, inverse::default_tolerance);

@@ -6,14 +6,25 @@
 namespace qvgen::robots::general_6r {
 
 template RegressorAngles<double> regressor_angles(const JointVector<double>&);
-template Eigen::Matrix<double, base_parameter_count, 1> base_parameters(const StandardParameters<double>&, const BasicGeometry<double>&);
-template Eigen::Matrix<double, dof, base_parameter_count> regressor(const JointVector<double>&, const JointVector<double>&, const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&, double);
-template RegressorConstants<double> regressor_constants(const BasicGeometry<double>&, const BasicInertia<double>&, double);
-template Eigen::Matrix<double, dof, base_parameter_count> regressor(const JointVector<double>&, const JointVector<double>&, const JointVector<double>&, const RegressorAngles<double>&, const RegressorConstants<double>&);
+template Eigen::Matrix<double, base_parameter_count, 1> base_parameters(const StandardParameters<double>&,
+    const BasicGeometry<double>&);
+template Eigen::Matrix<double, dof, base_parameter_count> regressor(const JointVector<double>&,
+    const JointVector<double>&, const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&,
+    double);
+template RegressorConstants<double> regressor_constants(const BasicGeometry<double>&, const BasicInertia<double>&,
+    double);
+template Eigen::Matrix<double, dof, base_parameter_count> regressor(const JointVector<double>&,
+    const JointVector<double>&, const JointVector<double>&, const RegressorAngles<double>&,
+    const RegressorConstants<double>&);
 template RegressorAngles<float> regressor_angles(const JointVector<float>&);
-template Eigen::Matrix<float, base_parameter_count, 1> base_parameters(const StandardParameters<float>&, const BasicGeometry<float>&);
-template Eigen::Matrix<float, dof, base_parameter_count> regressor(const JointVector<float>&, const JointVector<float>&, const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&, float);
+template Eigen::Matrix<float, base_parameter_count, 1> base_parameters(const StandardParameters<float>&,
+    const BasicGeometry<float>&);
+template Eigen::Matrix<float, dof, base_parameter_count> regressor(const JointVector<float>&,
+    const JointVector<float>&, const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&,
+    float);
 template RegressorConstants<float> regressor_constants(const BasicGeometry<float>&, const BasicInertia<float>&, float);
-template Eigen::Matrix<float, dof, base_parameter_count> regressor(const JointVector<float>&, const JointVector<float>&, const JointVector<float>&, const RegressorAngles<float>&, const RegressorConstants<float>&);
+template Eigen::Matrix<float, dof, base_parameter_count> regressor(const JointVector<float>&,
+    const JointVector<float>&, const JointVector<float>&, const RegressorAngles<float>&,
+    const RegressorConstants<float>&);
 
 }  // namespace qvgen::robots::general_6r

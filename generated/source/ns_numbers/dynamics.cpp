@@ -6,54 +6,100 @@
 namespace qvgen::robots::ns_numbers {
 
 template DynamicsAngles<double> dynamics_angles(const JointVector<double>&);
-template JointVector<double> inverse_dynamics(const JointVector<double>&, const JointVector<double>&, const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&, double);
-template InverseDynamicsConstants<double> inverse_dynamics_constants(const BasicGeometry<double>&, const BasicInertia<double>&, double);
-template JointVector<double> inverse_dynamics(const JointVector<double>&, const JointVector<double>&, const JointVector<double>&, const DynamicsAngles<double>&, const InverseDynamicsConstants<double>&);
-template JointVector<double> gravity_torque(const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&, double);
-template GravityTorqueConstants<double> gravity_torque_constants(const BasicGeometry<double>&, const BasicInertia<double>&, double);
-template JointVector<double> gravity_torque(const JointVector<double>&, const DynamicsAngles<double>&, const GravityTorqueConstants<double>&);
-template JointVector<double> coriolis_torque(const JointVector<double>&, const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&);
-template CoriolisTorqueConstants<double> coriolis_torque_constants(const BasicGeometry<double>&, const BasicInertia<double>&);
-template JointVector<double> coriolis_torque(const JointVector<double>&, const JointVector<double>&, const DynamicsAngles<double>&, const CoriolisTorqueConstants<double>&);
-template Eigen::Matrix<double, dof, dof> mass_matrix(const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&);
+template JointVector<double> inverse_dynamics(const JointVector<double>&, const JointVector<double>&,
+    const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&, double);
+template InverseDynamicsConstants<double> inverse_dynamics_constants(const BasicGeometry<double>&,
+    const BasicInertia<double>&, double);
+template JointVector<double> inverse_dynamics(const JointVector<double>&, const JointVector<double>&,
+    const JointVector<double>&, const DynamicsAngles<double>&, const InverseDynamicsConstants<double>&);
+template JointVector<double> gravity_torque(const JointVector<double>&, const BasicGeometry<double>&,
+    const BasicInertia<double>&, double);
+template GravityTorqueConstants<double> gravity_torque_constants(const BasicGeometry<double>&,
+    const BasicInertia<double>&, double);
+template JointVector<double> gravity_torque(const JointVector<double>&, const DynamicsAngles<double>&,
+    const GravityTorqueConstants<double>&);
+template JointVector<double> coriolis_torque(const JointVector<double>&, const JointVector<double>&,
+    const BasicGeometry<double>&, const BasicInertia<double>&);
+template CoriolisTorqueConstants<double> coriolis_torque_constants(const BasicGeometry<double>&,
+    const BasicInertia<double>&);
+template JointVector<double> coriolis_torque(const JointVector<double>&, const JointVector<double>&,
+    const DynamicsAngles<double>&, const CoriolisTorqueConstants<double>&);
+template Eigen::Matrix<double, dof, dof> mass_matrix(const JointVector<double>&, const BasicGeometry<double>&,
+    const BasicInertia<double>&);
 template MassMatrixConstants<double> mass_matrix_constants(const BasicGeometry<double>&, const BasicInertia<double>&);
-template Eigen::Matrix<double, dof, dof> mass_matrix(const JointVector<double>&, const DynamicsAngles<double>&, const MassMatrixConstants<double>&);
-template Eigen::Matrix<double, dof, dof> coriolis_matrix(const JointVector<double>&, const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&);
-template CoriolisMatrixConstants<double> coriolis_matrix_constants(const BasicGeometry<double>&, const BasicInertia<double>&);
-template Eigen::Matrix<double, dof, dof> coriolis_matrix(const JointVector<double>&, const JointVector<double>&, const DynamicsAngles<double>&, const CoriolisMatrixConstants<double>&);
-template JointVector<double> forward_dynamics(const JointVector<double>&, const JointVector<double>&, const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&, double);
-template ForwardDynamicsConstants<double> forward_dynamics_constants(const BasicGeometry<double>&, const BasicInertia<double>&, double);
-template JointVector<double> forward_dynamics(const JointVector<double>&, const JointVector<double>&, const JointVector<double>&, const DynamicsAngles<double>&, const ForwardDynamicsConstants<double>&);
-template double kinetic_energy(const JointVector<double>&, const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&);
-template KineticEnergyConstants<double> kinetic_energy_constants(const BasicGeometry<double>&, const BasicInertia<double>&);
-template double kinetic_energy(const JointVector<double>&, const JointVector<double>&, const DynamicsAngles<double>&, const KineticEnergyConstants<double>&);
-template double potential_energy(const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&, double);
-template PotentialEnergyConstants<double> potential_energy_constants(const BasicGeometry<double>&, const BasicInertia<double>&, double);
-template double potential_energy(const JointVector<double>&, const DynamicsAngles<double>&, const PotentialEnergyConstants<double>&);
+template Eigen::Matrix<double, dof, dof> mass_matrix(const JointVector<double>&, const DynamicsAngles<double>&,
+    const MassMatrixConstants<double>&);
+template Eigen::Matrix<double, dof, dof> coriolis_matrix(const JointVector<double>&, const JointVector<double>&,
+    const BasicGeometry<double>&, const BasicInertia<double>&);
+template CoriolisMatrixConstants<double> coriolis_matrix_constants(const BasicGeometry<double>&,
+    const BasicInertia<double>&);
+template Eigen::Matrix<double, dof, dof> coriolis_matrix(const JointVector<double>&, const JointVector<double>&,
+    const DynamicsAngles<double>&, const CoriolisMatrixConstants<double>&);
+template JointVector<double> forward_dynamics(const JointVector<double>&, const JointVector<double>&,
+    const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&, double);
+template ForwardDynamicsConstants<double> forward_dynamics_constants(const BasicGeometry<double>&,
+    const BasicInertia<double>&, double);
+template JointVector<double> forward_dynamics(const JointVector<double>&, const JointVector<double>&,
+    const JointVector<double>&, const DynamicsAngles<double>&, const ForwardDynamicsConstants<double>&);
+template double kinetic_energy(const JointVector<double>&, const JointVector<double>&, const BasicGeometry<double>&,
+    const BasicInertia<double>&);
+template KineticEnergyConstants<double> kinetic_energy_constants(const BasicGeometry<double>&,
+    const BasicInertia<double>&);
+template double kinetic_energy(const JointVector<double>&, const JointVector<double>&, const DynamicsAngles<double>&,
+    const KineticEnergyConstants<double>&);
+template double potential_energy(const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&,
+    double);
+template PotentialEnergyConstants<double> potential_energy_constants(const BasicGeometry<double>&,
+    const BasicInertia<double>&, double);
+template double potential_energy(const JointVector<double>&, const DynamicsAngles<double>&,
+    const PotentialEnergyConstants<double>&);
 template DynamicsAngles<float> dynamics_angles(const JointVector<float>&);
-template JointVector<float> inverse_dynamics(const JointVector<float>&, const JointVector<float>&, const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&, float);
-template InverseDynamicsConstants<float> inverse_dynamics_constants(const BasicGeometry<float>&, const BasicInertia<float>&, float);
-template JointVector<float> inverse_dynamics(const JointVector<float>&, const JointVector<float>&, const JointVector<float>&, const DynamicsAngles<float>&, const InverseDynamicsConstants<float>&);
-template JointVector<float> gravity_torque(const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&, float);
-template GravityTorqueConstants<float> gravity_torque_constants(const BasicGeometry<float>&, const BasicInertia<float>&, float);
-template JointVector<float> gravity_torque(const JointVector<float>&, const DynamicsAngles<float>&, const GravityTorqueConstants<float>&);
-template JointVector<float> coriolis_torque(const JointVector<float>&, const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&);
-template CoriolisTorqueConstants<float> coriolis_torque_constants(const BasicGeometry<float>&, const BasicInertia<float>&);
-template JointVector<float> coriolis_torque(const JointVector<float>&, const JointVector<float>&, const DynamicsAngles<float>&, const CoriolisTorqueConstants<float>&);
-template Eigen::Matrix<float, dof, dof> mass_matrix(const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&);
+template JointVector<float> inverse_dynamics(const JointVector<float>&, const JointVector<float>&,
+    const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&, float);
+template InverseDynamicsConstants<float> inverse_dynamics_constants(const BasicGeometry<float>&,
+    const BasicInertia<float>&, float);
+template JointVector<float> inverse_dynamics(const JointVector<float>&, const JointVector<float>&,
+    const JointVector<float>&, const DynamicsAngles<float>&, const InverseDynamicsConstants<float>&);
+template JointVector<float> gravity_torque(const JointVector<float>&, const BasicGeometry<float>&,
+    const BasicInertia<float>&, float);
+template GravityTorqueConstants<float> gravity_torque_constants(const BasicGeometry<float>&,
+    const BasicInertia<float>&, float);
+template JointVector<float> gravity_torque(const JointVector<float>&, const DynamicsAngles<float>&,
+    const GravityTorqueConstants<float>&);
+template JointVector<float> coriolis_torque(const JointVector<float>&, const JointVector<float>&,
+    const BasicGeometry<float>&, const BasicInertia<float>&);
+template CoriolisTorqueConstants<float> coriolis_torque_constants(const BasicGeometry<float>&,
+    const BasicInertia<float>&);
+template JointVector<float> coriolis_torque(const JointVector<float>&, const JointVector<float>&,
+    const DynamicsAngles<float>&, const CoriolisTorqueConstants<float>&);
+template Eigen::Matrix<float, dof, dof> mass_matrix(const JointVector<float>&, const BasicGeometry<float>&,
+    const BasicInertia<float>&);
 template MassMatrixConstants<float> mass_matrix_constants(const BasicGeometry<float>&, const BasicInertia<float>&);
-template Eigen::Matrix<float, dof, dof> mass_matrix(const JointVector<float>&, const DynamicsAngles<float>&, const MassMatrixConstants<float>&);
-template Eigen::Matrix<float, dof, dof> coriolis_matrix(const JointVector<float>&, const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&);
-template CoriolisMatrixConstants<float> coriolis_matrix_constants(const BasicGeometry<float>&, const BasicInertia<float>&);
-template Eigen::Matrix<float, dof, dof> coriolis_matrix(const JointVector<float>&, const JointVector<float>&, const DynamicsAngles<float>&, const CoriolisMatrixConstants<float>&);
-template JointVector<float> forward_dynamics(const JointVector<float>&, const JointVector<float>&, const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&, float);
-template ForwardDynamicsConstants<float> forward_dynamics_constants(const BasicGeometry<float>&, const BasicInertia<float>&, float);
-template JointVector<float> forward_dynamics(const JointVector<float>&, const JointVector<float>&, const JointVector<float>&, const DynamicsAngles<float>&, const ForwardDynamicsConstants<float>&);
-template float kinetic_energy(const JointVector<float>&, const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&);
-template KineticEnergyConstants<float> kinetic_energy_constants(const BasicGeometry<float>&, const BasicInertia<float>&);
-template float kinetic_energy(const JointVector<float>&, const JointVector<float>&, const DynamicsAngles<float>&, const KineticEnergyConstants<float>&);
-template float potential_energy(const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&, float);
-template PotentialEnergyConstants<float> potential_energy_constants(const BasicGeometry<float>&, const BasicInertia<float>&, float);
-template float potential_energy(const JointVector<float>&, const DynamicsAngles<float>&, const PotentialEnergyConstants<float>&);
+template Eigen::Matrix<float, dof, dof> mass_matrix(const JointVector<float>&, const DynamicsAngles<float>&,
+    const MassMatrixConstants<float>&);
+template Eigen::Matrix<float, dof, dof> coriolis_matrix(const JointVector<float>&, const JointVector<float>&,
+    const BasicGeometry<float>&, const BasicInertia<float>&);
+template CoriolisMatrixConstants<float> coriolis_matrix_constants(const BasicGeometry<float>&,
+    const BasicInertia<float>&);
+template Eigen::Matrix<float, dof, dof> coriolis_matrix(const JointVector<float>&, const JointVector<float>&,
+    const DynamicsAngles<float>&, const CoriolisMatrixConstants<float>&);
+template JointVector<float> forward_dynamics(const JointVector<float>&, const JointVector<float>&,
+    const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&, float);
+template ForwardDynamicsConstants<float> forward_dynamics_constants(const BasicGeometry<float>&,
+    const BasicInertia<float>&, float);
+template JointVector<float> forward_dynamics(const JointVector<float>&, const JointVector<float>&,
+    const JointVector<float>&, const DynamicsAngles<float>&, const ForwardDynamicsConstants<float>&);
+template float kinetic_energy(const JointVector<float>&, const JointVector<float>&, const BasicGeometry<float>&,
+    const BasicInertia<float>&);
+template KineticEnergyConstants<float> kinetic_energy_constants(const BasicGeometry<float>&,
+    const BasicInertia<float>&);
+template float kinetic_energy(const JointVector<float>&, const JointVector<float>&, const DynamicsAngles<float>&,
+    const KineticEnergyConstants<float>&);
+template float potential_energy(const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&,
+    float);
+template PotentialEnergyConstants<float> potential_energy_constants(const BasicGeometry<float>&,
+    const BasicInertia<float>&, float);
+template float potential_energy(const JointVector<float>&, const DynamicsAngles<float>&,
+    const PotentialEnergyConstants<float>&);
 
 }  // namespace qvgen::robots::ns_numbers

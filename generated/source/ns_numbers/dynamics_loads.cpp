@@ -6,42 +6,90 @@
 namespace qvgen::robots::ns_numbers {
 
 template LoadAngles<double> load_angles(const JointVector<double>&);
-template JointVector<double> inverse_dynamics(const JointVector<double>&, const JointVector<double>&, const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&);
-template InverseDynamicsWithGravityVectorConstants<double> inverse_dynamics_with_gravity_vector_constants(const BasicGeometry<double>&, const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&);
-template JointVector<double> inverse_dynamics(const JointVector<double>&, const JointVector<double>&, const JointVector<double>&, const LoadAngles<double>&, const InverseDynamicsWithGravityVectorConstants<double>&);
-template JointVector<double> inverse_dynamics(const JointVector<double>&, const JointVector<double>&, const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&, const Wrench<double>&);
-template InverseDynamicsWithWrenchConstants<double> inverse_dynamics_with_wrench_constants(const BasicGeometry<double>&, const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&);
-template JointVector<double> inverse_dynamics(const JointVector<double>&, const JointVector<double>&, const JointVector<double>&, const Wrench<double>&, const LoadAngles<double>&, const InverseDynamicsWithWrenchConstants<double>&);
-template JointVector<double> gravity_torque(const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&);
-template GravityTorqueWithGravityVectorConstants<double> gravity_torque_with_gravity_vector_constants(const BasicGeometry<double>&, const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&);
-template JointVector<double> gravity_torque(const JointVector<double>&, const LoadAngles<double>&, const GravityTorqueWithGravityVectorConstants<double>&);
-template JointVector<double> forward_dynamics(const JointVector<double>&, const JointVector<double>&, const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&);
-template ForwardDynamicsWithGravityVectorConstants<double> forward_dynamics_with_gravity_vector_constants(const BasicGeometry<double>&, const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&);
-template JointVector<double> forward_dynamics(const JointVector<double>&, const JointVector<double>&, const JointVector<double>&, const LoadAngles<double>&, const ForwardDynamicsWithGravityVectorConstants<double>&);
-template JointVector<double> forward_dynamics(const JointVector<double>&, const JointVector<double>&, const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&, const Wrench<double>&);
-template ForwardDynamicsWithWrenchConstants<double> forward_dynamics_with_wrench_constants(const BasicGeometry<double>&, const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&);
-template JointVector<double> forward_dynamics(const JointVector<double>&, const JointVector<double>&, const JointVector<double>&, const Wrench<double>&, const LoadAngles<double>&, const ForwardDynamicsWithWrenchConstants<double>&);
-template double potential_energy(const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&);
-template PotentialEnergyWithGravityVectorConstants<double> potential_energy_with_gravity_vector_constants(const BasicGeometry<double>&, const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&);
-template double potential_energy(const JointVector<double>&, const LoadAngles<double>&, const PotentialEnergyWithGravityVectorConstants<double>&);
+template JointVector<double> inverse_dynamics(const JointVector<double>&, const JointVector<double>&,
+    const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&,
+    const Eigen::Matrix<double, 3, 1>&);
+template InverseDynamicsWithGravityVectorConstants<double> inverse_dynamics_with_gravity_vector_constants(
+    const BasicGeometry<double>&, const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&);
+template JointVector<double> inverse_dynamics(const JointVector<double>&, const JointVector<double>&,
+    const JointVector<double>&, const LoadAngles<double>&, const InverseDynamicsWithGravityVectorConstants<double>&);
+template JointVector<double> inverse_dynamics(const JointVector<double>&, const JointVector<double>&,
+    const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&,
+    const Eigen::Matrix<double, 3, 1>&, const Wrench<double>&);
+template InverseDynamicsWithWrenchConstants<double> inverse_dynamics_with_wrench_constants(
+    const BasicGeometry<double>&, const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&);
+template JointVector<double> inverse_dynamics(const JointVector<double>&, const JointVector<double>&,
+    const JointVector<double>&, const Wrench<double>&, const LoadAngles<double>&,
+    const InverseDynamicsWithWrenchConstants<double>&);
+template JointVector<double> gravity_torque(const JointVector<double>&, const BasicGeometry<double>&,
+    const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&);
+template GravityTorqueWithGravityVectorConstants<double> gravity_torque_with_gravity_vector_constants(
+    const BasicGeometry<double>&, const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&);
+template JointVector<double> gravity_torque(const JointVector<double>&, const LoadAngles<double>&,
+    const GravityTorqueWithGravityVectorConstants<double>&);
+template JointVector<double> forward_dynamics(const JointVector<double>&, const JointVector<double>&,
+    const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&,
+    const Eigen::Matrix<double, 3, 1>&);
+template ForwardDynamicsWithGravityVectorConstants<double> forward_dynamics_with_gravity_vector_constants(
+    const BasicGeometry<double>&, const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&);
+template JointVector<double> forward_dynamics(const JointVector<double>&, const JointVector<double>&,
+    const JointVector<double>&, const LoadAngles<double>&, const ForwardDynamicsWithGravityVectorConstants<double>&);
+template JointVector<double> forward_dynamics(const JointVector<double>&, const JointVector<double>&,
+    const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&,
+    const Eigen::Matrix<double, 3, 1>&, const Wrench<double>&);
+template ForwardDynamicsWithWrenchConstants<double> forward_dynamics_with_wrench_constants(
+    const BasicGeometry<double>&, const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&);
+template JointVector<double> forward_dynamics(const JointVector<double>&, const JointVector<double>&,
+    const JointVector<double>&, const Wrench<double>&, const LoadAngles<double>&,
+    const ForwardDynamicsWithWrenchConstants<double>&);
+template double potential_energy(const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&,
+    const Eigen::Matrix<double, 3, 1>&);
+template PotentialEnergyWithGravityVectorConstants<double> potential_energy_with_gravity_vector_constants(
+    const BasicGeometry<double>&, const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&);
+template double potential_energy(const JointVector<double>&, const LoadAngles<double>&,
+    const PotentialEnergyWithGravityVectorConstants<double>&);
 template LoadAngles<float> load_angles(const JointVector<float>&);
-template JointVector<float> inverse_dynamics(const JointVector<float>&, const JointVector<float>&, const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&);
-template InverseDynamicsWithGravityVectorConstants<float> inverse_dynamics_with_gravity_vector_constants(const BasicGeometry<float>&, const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&);
-template JointVector<float> inverse_dynamics(const JointVector<float>&, const JointVector<float>&, const JointVector<float>&, const LoadAngles<float>&, const InverseDynamicsWithGravityVectorConstants<float>&);
-template JointVector<float> inverse_dynamics(const JointVector<float>&, const JointVector<float>&, const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&, const Wrench<float>&);
-template InverseDynamicsWithWrenchConstants<float> inverse_dynamics_with_wrench_constants(const BasicGeometry<float>&, const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&);
-template JointVector<float> inverse_dynamics(const JointVector<float>&, const JointVector<float>&, const JointVector<float>&, const Wrench<float>&, const LoadAngles<float>&, const InverseDynamicsWithWrenchConstants<float>&);
-template JointVector<float> gravity_torque(const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&);
-template GravityTorqueWithGravityVectorConstants<float> gravity_torque_with_gravity_vector_constants(const BasicGeometry<float>&, const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&);
-template JointVector<float> gravity_torque(const JointVector<float>&, const LoadAngles<float>&, const GravityTorqueWithGravityVectorConstants<float>&);
-template JointVector<float> forward_dynamics(const JointVector<float>&, const JointVector<float>&, const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&);
-template ForwardDynamicsWithGravityVectorConstants<float> forward_dynamics_with_gravity_vector_constants(const BasicGeometry<float>&, const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&);
-template JointVector<float> forward_dynamics(const JointVector<float>&, const JointVector<float>&, const JointVector<float>&, const LoadAngles<float>&, const ForwardDynamicsWithGravityVectorConstants<float>&);
-template JointVector<float> forward_dynamics(const JointVector<float>&, const JointVector<float>&, const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&, const Wrench<float>&);
-template ForwardDynamicsWithWrenchConstants<float> forward_dynamics_with_wrench_constants(const BasicGeometry<float>&, const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&);
-template JointVector<float> forward_dynamics(const JointVector<float>&, const JointVector<float>&, const JointVector<float>&, const Wrench<float>&, const LoadAngles<float>&, const ForwardDynamicsWithWrenchConstants<float>&);
-template float potential_energy(const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&);
-template PotentialEnergyWithGravityVectorConstants<float> potential_energy_with_gravity_vector_constants(const BasicGeometry<float>&, const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&);
-template float potential_energy(const JointVector<float>&, const LoadAngles<float>&, const PotentialEnergyWithGravityVectorConstants<float>&);
+template JointVector<float> inverse_dynamics(const JointVector<float>&, const JointVector<float>&,
+    const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&,
+    const Eigen::Matrix<float, 3, 1>&);
+template InverseDynamicsWithGravityVectorConstants<float> inverse_dynamics_with_gravity_vector_constants(
+    const BasicGeometry<float>&, const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&);
+template JointVector<float> inverse_dynamics(const JointVector<float>&, const JointVector<float>&,
+    const JointVector<float>&, const LoadAngles<float>&, const InverseDynamicsWithGravityVectorConstants<float>&);
+template JointVector<float> inverse_dynamics(const JointVector<float>&, const JointVector<float>&,
+    const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&,
+    const Eigen::Matrix<float, 3, 1>&, const Wrench<float>&);
+template InverseDynamicsWithWrenchConstants<float> inverse_dynamics_with_wrench_constants(const BasicGeometry<float>&,
+    const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&);
+template JointVector<float> inverse_dynamics(const JointVector<float>&, const JointVector<float>&,
+    const JointVector<float>&, const Wrench<float>&, const LoadAngles<float>&,
+    const InverseDynamicsWithWrenchConstants<float>&);
+template JointVector<float> gravity_torque(const JointVector<float>&, const BasicGeometry<float>&,
+    const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&);
+template GravityTorqueWithGravityVectorConstants<float> gravity_torque_with_gravity_vector_constants(
+    const BasicGeometry<float>&, const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&);
+template JointVector<float> gravity_torque(const JointVector<float>&, const LoadAngles<float>&,
+    const GravityTorqueWithGravityVectorConstants<float>&);
+template JointVector<float> forward_dynamics(const JointVector<float>&, const JointVector<float>&,
+    const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&,
+    const Eigen::Matrix<float, 3, 1>&);
+template ForwardDynamicsWithGravityVectorConstants<float> forward_dynamics_with_gravity_vector_constants(
+    const BasicGeometry<float>&, const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&);
+template JointVector<float> forward_dynamics(const JointVector<float>&, const JointVector<float>&,
+    const JointVector<float>&, const LoadAngles<float>&, const ForwardDynamicsWithGravityVectorConstants<float>&);
+template JointVector<float> forward_dynamics(const JointVector<float>&, const JointVector<float>&,
+    const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&,
+    const Eigen::Matrix<float, 3, 1>&, const Wrench<float>&);
+template ForwardDynamicsWithWrenchConstants<float> forward_dynamics_with_wrench_constants(const BasicGeometry<float>&,
+    const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&);
+template JointVector<float> forward_dynamics(const JointVector<float>&, const JointVector<float>&,
+    const JointVector<float>&, const Wrench<float>&, const LoadAngles<float>&,
+    const ForwardDynamicsWithWrenchConstants<float>&);
+template float potential_energy(const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&,
+    const Eigen::Matrix<float, 3, 1>&);
+template PotentialEnergyWithGravityVectorConstants<float> potential_energy_with_gravity_vector_constants(
+    const BasicGeometry<float>&, const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&);
+template float potential_energy(const JointVector<float>&, const LoadAngles<float>&,
+    const PotentialEnergyWithGravityVectorConstants<float>&);
 
 }  // namespace qvgen::robots::ns_numbers

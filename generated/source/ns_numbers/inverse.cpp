@@ -12,6 +12,7 @@
 namespace qvgen::robots::ns_numbers {
 namespace detail::all {
 namespace {
+
 /// All of a target that the pose does not say.
 Target given([[maybe_unused]] const Geometry& g, double tolerance, const inverse::Preference<dof>& preference) {
   Target t;
@@ -22,9 +23,11 @@ Target given([[maybe_unused]] const Geometry& g, double tolerance, const inverse
 }
 
 /// All branches, one after the other. Returns whether rounding has decided nothing, of a valid pose.
-[[gnu::flatten, gnu::noinline]] bool solve_one_by_one(inverse::PoseNumbers pose, const Target& given, Solutions& found) {
+[[gnu::flatten, gnu::noinline]] bool solve_one_by_one(inverse::PoseNumbers pose, const Target& given,
+    Solutions& found) {
   Target t = given;
-  if (const inverse::Outlook outlook = look_at(pose, t); outlook != inverse::Outlook::open) return outlook == inverse::Outlook::unreachable;
+  if (const inverse::Outlook outlook =
+      look_at(pose, t); outlook != inverse::Outlook::open) return outlook == inverse::Outlook::unreachable;
   Work<double> w;
   JointVector<double> q;
   const inverse::Branch<double> above0 = w.branch;
@@ -95,7 +98,8 @@ using Visited = inverse::Visited<double, 3, 4>;
   found.conclude();
 }
 
-[[gnu::always_inline]] inline void solve(const Pose<double>& pose, const Target& given, [[maybe_unused]] inverse::Form form, Solutions& found) {
+[[gnu::always_inline]] inline void solve(const Pose<double>& pose, const Target& given, inverse::Form form,
+    Solutions& found) {
   // Branches side by side where machine and compiler know AVX2.
   if (form == inverse::Form::fastest && solve_in_lanes != nullptr && inverse::machine_has_avx2()) {
     const inverse::RowCount count = solve_in_lanes(inverse::numbers_of(pose), given, inverse::row_places(found));
@@ -117,7 +121,8 @@ Solutions inverse_kinematics(const Pose<double>& pose, const Geometry& g, double
   return found;
 }
 
-Solutions inverse_kinematics(const Pose<double>& pose, const JointVector<double>& seed, const Geometry& g, double tolerance) {
+Solutions inverse_kinematics(const Pose<double>& pose, const JointVector<double>& seed, const Geometry& g,
+    double tolerance) {
   Solutions found;
   if (!seed.allFinite()) {
     found.status = Status::invalid;
@@ -129,7 +134,8 @@ Solutions inverse_kinematics(const Pose<double>& pose, const JointVector<double>
   return found;
 }
 
-Solutions inverse_kinematics(const Matrix3<double>& rotation, const Vector3<double>& position, const Geometry& g, double tolerance) {
+Solutions inverse_kinematics(const Matrix3<double>& rotation, const Vector3<double>& position, const Geometry& g,
+    double tolerance) {
   if (!inverse::is_rotation(rotation)) {
     Solutions none;
     none.status = Status::invalid;
@@ -138,7 +144,8 @@ Solutions inverse_kinematics(const Matrix3<double>& rotation, const Vector3<doub
   return inverse_kinematics(Pose<double>::from_matrix(rotation, position), g, tolerance);
 }
 
-LimitedSolutions<dof, 4> inverse_kinematics(const Pose<double>& pose, const JointLimits<dof>& limits, const Geometry& g, double tolerance) {
+LimitedSolutions<dof, 4> inverse_kinematics(const Pose<double>& pose, const JointLimits<dof>& limits,
+    const Geometry& g, double tolerance) {
   return within_limits(inverse_kinematics(pose, g, tolerance), limits, is_revolute);
 }
 

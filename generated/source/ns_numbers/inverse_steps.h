@@ -13,6 +13,7 @@
 // One function for each step of the derivation; `sign` chooses a branch. Values that later steps need stand in Work. No
 // Eigen here: a file that is compiled for wider vectors than the rest reads this too.
 namespace qvgen::robots::ns_numbers::detail::all {
+
 /// What the pose says, once for all branches.
 struct Target : inverse::TargetBase<3> {
   double size_square;
@@ -21,32 +22,34 @@ struct Target : inverse::TargetBase<3> {
   double pose_p_z;
 };
 
-/// All branches, four at a time in the lanes of AVX2 registers; null if the compiler was not asked for it. Aims at the pose
+/// All branches, four at a time in the lanes of AVX2 registers; null if the compiler was not asked for it. Aims at the
+/// pose
 /// itself, which spares what it reads of it the way through memory.
 using LaneSolver = inverse::RowCount (*)(inverse::PoseNumbers, const Target& given, inverse::RowPlaces);
 extern const LaneSolver solve_in_lanes;
 
 namespace {
+
 /// What the tool's distance from the base cannot exceed, m: no bound.
 constexpr double farthest = 1e150;
 
 /// Fills in what the pose says, for a first pass; `excess` is what its quaternion's square has beyond 1.
 inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
-  using Scalar [[maybe_unused]] = double;
+  using Scalar = double;
   using std::sqrt;
-  [[maybe_unused]] const double pose_r_w = pose.quaternion[3];
-  [[maybe_unused]] const double pose_r_x = pose.quaternion[0];
-  [[maybe_unused]] const double pose_r_y = pose.quaternion[1];
-  [[maybe_unused]] const double pose_r_z = pose.quaternion[2];
+  const double pose_r_w = pose.quaternion[3];
+  const double pose_r_x = pose.quaternion[0];
+  const double pose_r_y = pose.quaternion[1];
+  const double pose_r_z = pose.quaternion[2];
   [[maybe_unused]] const double pose_s = inverse::square_scale(excess);
   const double scale = inverse::unit_scale(excess);
   [[maybe_unused]] const double pose_q_w = scale * pose_r_w;
   [[maybe_unused]] const double pose_q_x = scale * pose_r_x;
   [[maybe_unused]] const double pose_q_y = scale * pose_r_y;
   [[maybe_unused]] const double pose_q_z = scale * pose_r_z;
-  [[maybe_unused]] const double pose_p_x = pose.position[0];
-  [[maybe_unused]] const double pose_p_y = pose.position[1];
-  [[maybe_unused]] const double pose_p_z = pose.position[2];
+  const double pose_p_x = pose.position[0];
+  const double pose_p_y = pose.position[1];
+  const double pose_p_z = pose.position[2];
 
   t.size_square = Scalar(0.85) + pose_p_y * pose_p_y + pose_p_z * pose_p_z + pose_p_x * pose_p_x;
   t.pose_p_x = pose_p_x;
@@ -84,7 +87,7 @@ struct Work {
 /// From: height along the axis of theta2: the same.
 /// Degenerate: boundary of reach: the two solutions coincide; the point on the axis: theta1 is free.
 template <typename Scalar>
-inline void solve_theta1([[maybe_unused]] const Target& t, const Scalar& sign,
+inline void solve_theta1(const Target& t, const Scalar& sign,
     Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
@@ -94,7 +97,9 @@ inline void solve_theta1([[maybe_unused]] const Target& t, const Scalar& sign,
     const Scalar y = Scalar(t.pose_p_x);
     const Scalar low = t0 - Scalar(0.2);
     const Scalar high = Scalar(0.2) + t0;
-    result = inverse::free_circle_angle<Scalar>(low, high, inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny1), inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)}, sign, t.boundary, w.branch);
+    result = inverse::free_circle_angle<Scalar>(low, high, inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny1),
+        inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)}, sign,
+        t.boundary, w.branch);
   }
 
   const Scalar t0 = Scalar(0.5) - Scalar(t.pose_p_z);
@@ -110,7 +115,7 @@ inline void solve_theta1([[maybe_unused]] const Target& t, const Scalar& sign,
 /// From: distance from the axis of theta2: the same.
 /// Degenerate: the point at the foot of the perpendicular: the two solutions coincide.
 template <typename Scalar>
-inline void solve_d3([[maybe_unused]] const Target& t, const Scalar& sign,
+inline void solve_d3(const Target& t, const Scalar& sign,
     Work<Scalar>& w) {
   using std::sqrt;
   Scalar result;
@@ -129,7 +134,7 @@ inline void solve_d3([[maybe_unused]] const Target& t, const Scalar& sign,
 /// From: the turn about the axis of theta2 from one side's point to the other's.
 /// Degenerate: the point lies on the axis: theta2 is free.
 template <typename Scalar>
-inline void solve_theta2([[maybe_unused]] const Target& t,
+inline void solve_theta2(const Target& t,
     Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
@@ -137,7 +142,9 @@ inline void solve_theta2([[maybe_unused]] const Target& t,
     const Scalar x = w.plane_d3_x * w.plane_theta1_x;
     const Scalar y = w.plane_d3_x * w.plane_theta1_y;
     const Scalar length = w.square_d3;
-    result = inverse::span_of_length<Scalar>(inverse::Rotor<Scalar>{x, y}, length, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->brief[1].cosine), Scalar(t.preference->brief[1].sine)}, w.length_theta2, w.branch);
+    result = inverse::span_of_length<Scalar>(inverse::Rotor<Scalar>{x, y}, length, Scalar(t.tiny4),
+        inverse::Rotor<Scalar>{Scalar(t.preference->brief[1].cosine), Scalar(t.preference->brief[1].sine)},
+        w.length_theta2, w.branch);
   }
 
   w.cos_theta2 = result.cosine;
@@ -147,7 +154,7 @@ inline void solve_theta2([[maybe_unused]] const Target& t,
 /// arm: Newton steps, one value.
 /// From: Newton steps: near a singular place, and after a quartic, closed forms lose digits.
 template <typename Scalar, class Visited>
-inline bool solve_arm([[maybe_unused]] const Target& t, int label, Visited& visited, Work<Scalar>& w) {
+inline bool solve_arm(const Target& t, int label, Visited& visited, Work<Scalar>& w) {
   using std::sqrt;
 
   const Scalar axis1_x = Scalar(0);
@@ -174,10 +181,16 @@ inline bool solve_arm([[maybe_unused]] const Target& t, int label, Visited& visi
   const Scalar goal1_x = Scalar(t.pose_p_x);
   const Scalar goal1_y = Scalar(t.pose_p_y);
   const Scalar goal1_z = Scalar(t.pose_p_z);
-  inverse::JointValues<Scalar, 3> values{{inverse::Rotor<Scalar>{w.cos_theta1, w.sin_theta1}, inverse::Rotor<Scalar>{w.cos_theta2, w.sin_theta2}, inverse::Rotor<Scalar>{w.d3, Scalar(0)}}};
-  const inverse::JointValues<Scalar, 3> seed{{inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)}, inverse::Rotor<Scalar>{Scalar(t.preference->turn[1].cosine), Scalar(t.preference->turn[1].sine)}, inverse::Rotor<Scalar>{Scalar(t.preference->slide[2]), Scalar(0)}}};
+  inverse::JointValues<Scalar, 3> values{{inverse::Rotor<Scalar>{w.cos_theta1, w.sin_theta1},
+      inverse::Rotor<Scalar>{w.cos_theta2, w.sin_theta2}, inverse::Rotor<Scalar>{w.d3, Scalar(0)}}};
+  const inverse::JointValues<Scalar,
+      3> seed{{inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)},
+      inverse::Rotor<Scalar>{Scalar(t.preference->turn[1].cosine), Scalar(t.preference->turn[1].sine)},
+      inverse::Rotor<Scalar>{Scalar(t.preference->slide[2]), Scalar(0)}}};
   const inverse::Carrying<Scalar, 3, 1> task{
-      {{inverse::Screw<Scalar>{true, {axis1_x, axis1_y, axis1_z}, {point1_x, point1_y, point1_z}}, inverse::Screw<Scalar>{true, {axis2_x, axis2_y, axis2_z}, {point2_x, point2_y, point2_z}}, inverse::Screw<Scalar>{false, {axis3_x, axis3_y, axis3_z}, {point3_x, point3_y, point3_z}}}},
+      {{inverse::Screw<Scalar>{true, {axis1_x, axis1_y, axis1_z}, {point1_x, point1_y, point1_z}},
+          inverse::Screw<Scalar>{true, {axis2_x, axis2_y, axis2_z}, {point2_x, point2_y, point2_z}},
+          inverse::Screw<Scalar>{false, {axis3_x, axis3_y, axis3_z}, {point3_x, point3_y, point3_z}}}},
       {{inverse::Triple<Scalar>{start1_x, start1_y, start1_z}}},
       {{inverse::Triple<Scalar>{goal1_x, goal1_y, goal1_z}}}, Scalar(t.size_square)};
   if (!visited.settle(label, task, t.boundary, t.preference->seeded ? &seed : nullptr, values, w.branch)) return false;

@@ -12,8 +12,9 @@
 namespace qvgen::robots::planar_3r {
 namespace detail::all {
 namespace {
+
 /// All of a target that the pose does not say.
-Target given([[maybe_unused]] const Geometry& g, double tolerance, const inverse::Preference<dof>& preference) {
+Target given(const Geometry& g, double tolerance, const inverse::Preference<dof>& preference) {
   Target t;
   t.tolerance = tolerance;
   t.preference = &preference;
@@ -25,9 +26,11 @@ Target given([[maybe_unused]] const Geometry& g, double tolerance, const inverse
 }
 
 /// All branches, one after the other. Returns whether rounding has decided nothing, of a valid pose.
-[[gnu::flatten, gnu::noinline]] bool solve_one_by_one(inverse::PoseNumbers pose, const Target& given, Solutions& found) {
+[[gnu::flatten, gnu::noinline]] bool solve_one_by_one(inverse::PoseNumbers pose, const Target& given,
+    Solutions& found) {
   Target t = given;
-  if (const inverse::Outlook outlook = look_at(pose, t); outlook != inverse::Outlook::open) return outlook == inverse::Outlook::unreachable;
+  if (const inverse::Outlook outlook =
+      look_at(pose, t); outlook != inverse::Outlook::open) return outlook == inverse::Outlook::unreachable;
   Work<double> w;
   JointVector<double> q;
   solve_condition_1(t, w);
@@ -98,7 +101,8 @@ using Visited = inverse::Visited<double, 2, 2>;
   found.conclude();
 }
 
-[[gnu::always_inline]] inline void solve(const Pose<double>& pose, const Target& given, [[maybe_unused]] inverse::Form form, Solutions& found) {
+[[gnu::always_inline]] inline void solve(const Pose<double>& pose, const Target& given,
+    [[maybe_unused]] inverse::Form form, Solutions& found) {
   if (solve_one_by_one(inverse::numbers_of(pose), given, found)) return found.conclude();
   solve_carefully(pose, given, found);
 }
@@ -107,8 +111,9 @@ using Visited = inverse::Visited<double, 2, 2>;
 }  // namespace detail::all
 namespace detail::given_theta3 {
 namespace {
+
 /// All of a target that the pose does not say.
-Target given([[maybe_unused]] const Geometry& g, double tolerance, const inverse::Preference<dof>& preference, double locked) {
+Target given(const Geometry& g, double tolerance, const inverse::Preference<dof>& preference, double locked) {
   Target t;
   t.tolerance = tolerance;
   t.preference = &preference;
@@ -120,9 +125,11 @@ Target given([[maybe_unused]] const Geometry& g, double tolerance, const inverse
 }
 
 /// All branches, one after the other. Returns whether rounding has decided nothing, of a valid pose.
-[[gnu::flatten, gnu::noinline]] bool solve_one_by_one(inverse::PoseNumbers pose, const Target& given, SolutionsGiven_theta3& found) {
+[[gnu::flatten, gnu::noinline]] bool solve_one_by_one(inverse::PoseNumbers pose, const Target& given,
+    SolutionsGiven_theta3& found) {
   Target t = given;
-  if (const inverse::Outlook outlook = look_at(pose, t); outlook != inverse::Outlook::open) return outlook == inverse::Outlook::unreachable;
+  if (const inverse::Outlook outlook =
+      look_at(pose, t); outlook != inverse::Outlook::open) return outlook == inverse::Outlook::unreachable;
   Work<double> w;
   JointVector<double> q;
   q[2] = t.locked;
@@ -145,7 +152,8 @@ using Visited = inverse::Visited<double, 2, 2>;
 
 /// One pass near singular poses: every branch that may exist at one target, its joints polished by Newton steps towards
 /// another. Returns whether an angle was free.
-[[gnu::noinline]] bool follow_carefully(const Target& t, const Target& goal, Visited& visited, SolutionsGiven_theta3& found) {
+[[gnu::noinline]] bool follow_carefully(const Target& t, const Target& goal, Visited& visited,
+    SolutionsGiven_theta3& found) {
   Work<double> w;
   JointVector<double> q;
   q[2] = t.locked;
@@ -183,7 +191,8 @@ using Visited = inverse::Visited<double, 2, 2>;
   found.conclude();
 }
 
-[[gnu::always_inline]] inline void solve(const Pose<double>& pose, const Target& given, [[maybe_unused]] inverse::Form form, SolutionsGiven_theta3& found) {
+[[gnu::always_inline]] inline void solve(const Pose<double>& pose, const Target& given,
+    [[maybe_unused]] inverse::Form form, SolutionsGiven_theta3& found) {
   if (solve_one_by_one(inverse::numbers_of(pose), given, found)) return found.conclude();
   solve_carefully(pose, given, found);
 }
@@ -198,7 +207,8 @@ Solutions inverse_kinematics(const Pose<double>& pose, const Geometry& g, double
   return found;
 }
 
-Solutions inverse_kinematics(const Pose<double>& pose, const JointVector<double>& seed, const Geometry& g, double tolerance) {
+Solutions inverse_kinematics(const Pose<double>& pose, const JointVector<double>& seed, const Geometry& g,
+    double tolerance) {
   Solutions found;
   if (!seed.allFinite()) {
     found.status = Status::invalid;
@@ -210,7 +220,8 @@ Solutions inverse_kinematics(const Pose<double>& pose, const JointVector<double>
   return found;
 }
 
-Solutions inverse_kinematics(const Matrix3<double>& rotation, const Vector3<double>& position, const Geometry& g, double tolerance) {
+Solutions inverse_kinematics(const Matrix3<double>& rotation, const Vector3<double>& position, const Geometry& g,
+    double tolerance) {
   if (!inverse::is_rotation(rotation)) {
     Solutions none;
     none.status = Status::invalid;
@@ -219,30 +230,36 @@ Solutions inverse_kinematics(const Matrix3<double>& rotation, const Vector3<doub
   return inverse_kinematics(Pose<double>::from_matrix(rotation, position), g, tolerance);
 }
 
-LimitedSolutions<dof, 2> inverse_kinematics(const Pose<double>& pose, const JointLimits<dof>& limits, const Geometry& g, double tolerance) {
+LimitedSolutions<dof, 2> inverse_kinematics(const Pose<double>& pose, const JointLimits<dof>& limits,
+    const Geometry& g, double tolerance) {
   return within_limits(inverse_kinematics(pose, g, tolerance), limits, is_revolute);
 }
 
-SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Pose<double>& pose, double theta3, const Geometry& g, double tolerance,
+SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Pose<double>& pose, double theta3, const Geometry& g,
+    double tolerance,
     inverse::Form form) {
   SolutionsGiven_theta3 found;
-  detail::given_theta3::solve(pose, detail::given_theta3::given(g, tolerance, inverse::zero_preference<dof>, theta3), form, found);
+  detail::given_theta3::solve(pose, detail::given_theta3::given(g, tolerance, inverse::zero_preference<dof>, theta3),
+      form, found);
   return found;
 }
 
-SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Pose<double>& pose, double theta3, const JointVector<double>& seed, const Geometry& g, double tolerance) {
+SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Pose<double>& pose, double theta3,
+    const JointVector<double>& seed, const Geometry& g, double tolerance) {
   SolutionsGiven_theta3 found;
   if (!seed.allFinite()) {
     found.status = Status::invalid;
     return found;
   }
   const inverse::Preference<dof> preference = inverse::preference<dof>(seed);
-  detail::given_theta3::solve(pose, detail::given_theta3::given(g, tolerance, preference, theta3), inverse::Form::fastest, found);
+  detail::given_theta3::solve(pose, detail::given_theta3::given(g, tolerance, preference, theta3),
+      inverse::Form::fastest, found);
   sort_by_distance(found, seed, is_revolute);
   return found;
 }
 
-SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Matrix3<double>& rotation, const Vector3<double>& position, double theta3, const Geometry& g, double tolerance) {
+SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Matrix3<double>& rotation, const Vector3<double>& position,
+    double theta3, const Geometry& g, double tolerance) {
   if (!inverse::is_rotation(rotation)) {
     SolutionsGiven_theta3 none;
     none.status = Status::invalid;
@@ -251,7 +268,8 @@ SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Matrix3<double>& rot
   return inverse_kinematics_given_theta3(Pose<double>::from_matrix(rotation, position), theta3, g, tolerance);
 }
 
-LimitedSolutions<dof, 2> inverse_kinematics_given_theta3(const Pose<double>& pose, double theta3, const JointLimits<dof>& limits, const Geometry& g, double tolerance) {
+LimitedSolutions<dof, 2> inverse_kinematics_given_theta3(const Pose<double>& pose, double theta3,
+    const JointLimits<dof>& limits, const Geometry& g, double tolerance) {
   return within_limits(inverse_kinematics_given_theta3(pose, theta3, g, tolerance), limits, is_revolute);
 }
 

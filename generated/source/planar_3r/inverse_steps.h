@@ -13,6 +13,7 @@
 // One function for each step of the derivation; `sign` chooses a branch. Values that later steps need stand in Work. No
 // Eigen here: a file that is compiled for wider vectors than the rest reads this too.
 namespace qvgen::robots::planar_3r::detail::all {
+
 /// What the pose says, once for all branches.
 struct Target : inverse::TargetBase<3> {
   struct {
@@ -34,29 +35,32 @@ struct Target : inverse::TargetBase<3> {
 };
 
 namespace {
+
 /// What the tool's distance from the base cannot exceed, m: no bound.
 constexpr double farthest = 1e150;
 
 /// Fills in what the pose says, for a first pass; `excess` is what its quaternion's square has beyond 1.
 inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
-  using Scalar [[maybe_unused]] = double;
+  using Scalar = double;
   using std::sqrt;
-  [[maybe_unused]] const double pose_r_w = pose.quaternion[3];
-  [[maybe_unused]] const double pose_r_x = pose.quaternion[0];
-  [[maybe_unused]] const double pose_r_y = pose.quaternion[1];
-  [[maybe_unused]] const double pose_r_z = pose.quaternion[2];
-  [[maybe_unused]] const double pose_s = inverse::square_scale(excess);
+  const double pose_r_w = pose.quaternion[3];
+  const double pose_r_x = pose.quaternion[0];
+  const double pose_r_y = pose.quaternion[1];
+  const double pose_r_z = pose.quaternion[2];
+  const double pose_s = inverse::square_scale(excess);
   const double scale = inverse::unit_scale(excess);
-  [[maybe_unused]] const double pose_q_w = scale * pose_r_w;
-  [[maybe_unused]] const double pose_q_x = scale * pose_r_x;
-  [[maybe_unused]] const double pose_q_y = scale * pose_r_y;
-  [[maybe_unused]] const double pose_q_z = scale * pose_r_z;
-  [[maybe_unused]] const double pose_p_x = pose.position[0];
-  [[maybe_unused]] const double pose_p_y = pose.position[1];
-  [[maybe_unused]] const double pose_p_z = pose.position[2];
+  const double pose_q_w = scale * pose_r_w;
+  const double pose_q_x = scale * pose_r_x;
+  const double pose_q_y = scale * pose_r_y;
+  const double pose_q_z = scale * pose_r_z;
+  const double pose_p_x = pose.position[0];
+  const double pose_p_y = pose.position[1];
+  const double pose_p_z = pose.position[2];
 
   const Scalar t0 = Scalar(2) * pose_s * (pose_r_y * pose_r_y + pose_r_z * pose_r_z);
-  const Scalar t1 = Scalar(2) * t.geometry.l2 * t.geometry.l3 + t.geometry.l2 * t.geometry.l2 + Scalar(2) * t.geometry.l1 * t.geometry.l2 + pose_p_y * pose_p_y + pose_p_z * pose_p_z + t.geometry.l1 * t.geometry.l1 + pose_p_x * pose_p_x + t.geometry.l3 * t.geometry.l3 + Scalar(2) * t.geometry.l1 * t.geometry.l3;
+  const Scalar t1 = Scalar(2) * t.geometry.l2 * t.geometry.l3 + t.geometry.l2 * t.geometry.l2 + Scalar(2)
+      * t.geometry.l1 * t.geometry.l2 + pose_p_y * pose_p_y + pose_p_z * pose_p_z + t.geometry.l1 * t.geometry.l1
+      + pose_p_x * pose_p_x + t.geometry.l3 * t.geometry.l3 + Scalar(2) * t.geometry.l1 * t.geometry.l3;
   t.turn_11 = Scalar(1) - t0;
   t.turn_21 = Scalar(2) * pose_s * (pose_r_x * pose_r_y + pose_r_w * pose_r_z);
   t.turn_31 = Scalar(2) * pose_s * (pose_r_x * pose_r_z - pose_r_w * pose_r_y);
@@ -112,7 +116,7 @@ struct Work {
 /// : condition, one value.
 /// From: no tilt out of the plane.
 template <typename Scalar>
-inline void solve_condition_1([[maybe_unused]] const Target& t,
+inline void solve_condition_1(const Target& t,
     Work<Scalar>& w) {
   using std::sqrt;
 
@@ -124,7 +128,7 @@ inline void solve_condition_1([[maybe_unused]] const Target& t,
 /// : condition, one value.
 /// From: no tilt out of the plane.
 template <typename Scalar>
-inline void solve_condition_2([[maybe_unused]] const Target& t,
+inline void solve_condition_2(const Target& t,
     Work<Scalar>& w) {
   using std::sqrt;
 
@@ -136,7 +140,7 @@ inline void solve_condition_2([[maybe_unused]] const Target& t,
 /// : condition, one value.
 /// From: the height along the axes.
 template <typename Scalar>
-inline void solve_condition_3([[maybe_unused]] const Target& t,
+inline void solve_condition_3(const Target& t,
     Work<Scalar>& w) {
   using std::sqrt;
 
@@ -155,7 +159,7 @@ inline void solve_condition_3([[maybe_unused]] const Target& t,
 /// From: distance from the axis of theta1: the same.
 /// Degenerate: stretched or folded: the two solutions coincide.
 template <typename Scalar>
-inline void solve_theta2([[maybe_unused]] const Target& t, const Scalar& sign,
+inline void solve_theta2(const Target& t, const Scalar& sign,
     Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
@@ -176,7 +180,7 @@ inline void solve_theta2([[maybe_unused]] const Target& t, const Scalar& sign,
 /// From: the turn about the axis of theta1.
 /// Degenerate: the point lies on the axis: theta1 is free.
 template <typename Scalar>
-inline void solve_theta1([[maybe_unused]] const Target& t,
+inline void solve_theta1(const Target& t,
     Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
@@ -185,7 +189,8 @@ inline void solve_theta1([[maybe_unused]] const Target& t,
     const Scalar t1 = Scalar(t.geometry.l1) + w.cos_theta2 * Scalar(t.geometry.l2);
     const Scalar x = w.reach_theta1_y * t0 + w.reach_theta1_x * t1;
     const Scalar y = w.reach_theta1_y * t1 - w.reach_theta1_x * t0;
-    result = inverse::direction<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)}, w.branch);
+    result = inverse::direction<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4),
+        inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)}, w.branch);
   }
 
   w.cos_theta1 = result.cosine;
@@ -195,7 +200,7 @@ inline void solve_theta1([[maybe_unused]] const Target& t,
 /// arm: Newton steps, one value.
 /// From: Newton steps: near a singular place, and after a quartic, closed forms lose digits.
 template <typename Scalar, class Visited>
-inline bool solve_arm([[maybe_unused]] const Target& t, int label, Visited& visited, Work<Scalar>& w) {
+inline bool solve_arm(const Target& t, int label, Visited& visited, Work<Scalar>& w) {
   using std::sqrt;
 
   const Scalar axis1_x = Scalar(0);
@@ -216,10 +221,14 @@ inline bool solve_arm([[maybe_unused]] const Target& t, int label, Visited& visi
   const Scalar goal1_x = Scalar(t.pose_p_x) - Scalar(t.geometry.l3) * Scalar(t.turn_11);
   const Scalar goal1_y = Scalar(t.pose_p_y) - Scalar(t.geometry.l3) * Scalar(t.turn_21);
   const Scalar goal1_z = Scalar(t.pose_p_z) - Scalar(t.geometry.l3) * Scalar(t.turn_31);
-  inverse::JointValues<Scalar, 2> values{{inverse::Rotor<Scalar>{w.cos_theta1, w.sin_theta1}, inverse::Rotor<Scalar>{w.cos_theta2, w.sin_theta2}}};
-  const inverse::JointValues<Scalar, 2> seed{{inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)}, inverse::Rotor<Scalar>{Scalar(t.preference->turn[1].cosine), Scalar(t.preference->turn[1].sine)}}};
+  inverse::JointValues<Scalar, 2> values{{inverse::Rotor<Scalar>{w.cos_theta1, w.sin_theta1},
+      inverse::Rotor<Scalar>{w.cos_theta2, w.sin_theta2}}};
+  const inverse::JointValues<Scalar,
+      2> seed{{inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)},
+      inverse::Rotor<Scalar>{Scalar(t.preference->turn[1].cosine), Scalar(t.preference->turn[1].sine)}}};
   const inverse::Carrying<Scalar, 2, 1> task{
-      {{inverse::Screw<Scalar>{true, {axis1_x, axis1_y, axis1_z}, {point1_x, point1_y, point1_z}}, inverse::Screw<Scalar>{true, {axis2_x, axis2_y, axis2_z}, {point2_x, point2_y, point2_z}}}},
+      {{inverse::Screw<Scalar>{true, {axis1_x, axis1_y, axis1_z}, {point1_x, point1_y, point1_z}},
+          inverse::Screw<Scalar>{true, {axis2_x, axis2_y, axis2_z}, {point2_x, point2_y, point2_z}}}},
       {{inverse::Triple<Scalar>{start1_x, start1_y, start1_z}}},
       {{inverse::Triple<Scalar>{goal1_x, goal1_y, goal1_z}}}, Scalar(t.size_square)};
   if (!visited.settle(label, task, t.boundary, t.preference->seeded ? &seed : nullptr, values, w.branch)) return false;
@@ -234,7 +243,7 @@ inline bool solve_arm([[maybe_unused]] const Target& t, int label, Visited& visi
 /// From: the rest of the orientation.
 /// Degenerate: the point lies on the axis: theta3 is free.
 template <typename Scalar>
-inline void solve_theta3([[maybe_unused]] const Target& t,
+inline void solve_theta3(const Target& t,
     Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
@@ -245,7 +254,9 @@ inline void solve_theta3([[maybe_unused]] const Target& t,
     const Scalar t3 = w.cos_theta1 * t0 + Scalar(2) * w.sin_theta1 * t1;
     const Scalar x = w.cos_theta2 * t3 - w.sin_theta2 * t2;
     const Scalar y = -w.sin_theta2 * t3 - w.cos_theta2 * t2;
-    result = inverse::span<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->brief[2].cosine), Scalar(t.preference->brief[2].sine)}, w.length_theta3, w.branch);
+    result = inverse::span<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4),
+        inverse::Rotor<Scalar>{Scalar(t.preference->brief[2].cosine), Scalar(t.preference->brief[2].sine)},
+        w.length_theta3, w.branch);
   }
 
   w.cos_theta3 = result.cosine;
@@ -255,6 +266,7 @@ inline void solve_theta3([[maybe_unused]] const Target& t,
 }  // namespace
 }  // namespace qvgen::robots::planar_3r::detail::all
 namespace qvgen::robots::planar_3r::detail::given_theta3 {
+
 /// What the pose says, once for all branches.
 struct Target : inverse::TargetBase<3> {
   struct {
@@ -271,29 +283,32 @@ struct Target : inverse::TargetBase<3> {
 };
 
 namespace {
+
 /// What the tool's distance from the base cannot exceed, m: no bound.
 constexpr double farthest = 1e150;
 
 /// Fills in what the pose says, for a first pass; `excess` is what its quaternion's square has beyond 1.
 inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
-  using Scalar [[maybe_unused]] = double;
+  using Scalar = double;
   using std::sqrt;
-  [[maybe_unused]] const double pose_r_w = pose.quaternion[3];
-  [[maybe_unused]] const double pose_r_x = pose.quaternion[0];
-  [[maybe_unused]] const double pose_r_y = pose.quaternion[1];
-  [[maybe_unused]] const double pose_r_z = pose.quaternion[2];
+  const double pose_r_w = pose.quaternion[3];
+  const double pose_r_x = pose.quaternion[0];
+  const double pose_r_y = pose.quaternion[1];
+  const double pose_r_z = pose.quaternion[2];
   [[maybe_unused]] const double pose_s = inverse::square_scale(excess);
   const double scale = inverse::unit_scale(excess);
   [[maybe_unused]] const double pose_q_w = scale * pose_r_w;
   [[maybe_unused]] const double pose_q_x = scale * pose_r_x;
   [[maybe_unused]] const double pose_q_y = scale * pose_r_y;
   [[maybe_unused]] const double pose_q_z = scale * pose_r_z;
-  [[maybe_unused]] const double pose_p_x = pose.position[0];
-  [[maybe_unused]] const double pose_p_y = pose.position[1];
-  [[maybe_unused]] const double pose_p_z = pose.position[2];
-  [[maybe_unused]] const double cos_locked = t.cos_locked;
-  [[maybe_unused]] const double sin_locked = t.sin_locked;
-  const Scalar t0 = Scalar(2) * t.geometry.l2 * t.geometry.l3 + t.geometry.l2 * t.geometry.l2 + Scalar(2) * t.geometry.l1 * t.geometry.l2 + pose_p_y * pose_p_y + pose_p_z * pose_p_z + t.geometry.l1 * t.geometry.l1 + pose_p_x * pose_p_x + t.geometry.l3 * t.geometry.l3 + Scalar(2) * t.geometry.l1 * t.geometry.l3;
+  const double pose_p_x = pose.position[0];
+  const double pose_p_y = pose.position[1];
+  const double pose_p_z = pose.position[2];
+  const double cos_locked = t.cos_locked;
+  const double sin_locked = t.sin_locked;
+  const Scalar t0 = Scalar(2) * t.geometry.l2 * t.geometry.l3 + t.geometry.l2 * t.geometry.l2 + Scalar(2)
+      * t.geometry.l1 * t.geometry.l2 + pose_p_y * pose_p_y + pose_p_z * pose_p_z + t.geometry.l1 * t.geometry.l1
+      + pose_p_x * pose_p_x + t.geometry.l3 * t.geometry.l3 + Scalar(2) * t.geometry.l1 * t.geometry.l3;
   t.size_square = t0;
   t.start_x = t.geometry.l1 + t.geometry.l2 + cos_locked * t.geometry.l3;
   t.start_y = t.geometry.l3 * sin_locked;
@@ -327,7 +342,7 @@ struct Work {
 /// : condition, one value.
 /// From: the height along the axes.
 template <typename Scalar>
-inline void solve_condition_1([[maybe_unused]] const Target& t,
+inline void solve_condition_1(const Target& t,
     Work<Scalar>& w) {
   using std::sqrt;
 
@@ -342,7 +357,7 @@ inline void solve_condition_1([[maybe_unused]] const Target& t,
 /// From: distance from the axis of theta1: the same.
 /// Degenerate: stretched or folded: the two solutions coincide; the point on the axis: theta2 is free.
 template <typename Scalar>
-inline void solve_theta2([[maybe_unused]] const Target& t, const Scalar& sign,
+inline void solve_theta2(const Target& t, const Scalar& sign,
     Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
@@ -355,7 +370,9 @@ inline void solve_theta2([[maybe_unused]] const Target& t, const Scalar& sign,
     const Scalar y = -Scalar(t.start_y);
     const Scalar low = t2 * t2 - w.square_theta2;
     const Scalar high = w.square_theta2 - t3 * t3;
-    result = inverse::free_circle_angle<Scalar>(low, high, inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny1), inverse::Rotor<Scalar>{Scalar(t.preference->turn[1].cosine), Scalar(t.preference->turn[1].sine)}, sign, t.boundary, w.branch);
+    result = inverse::free_circle_angle<Scalar>(low, high, inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny1),
+        inverse::Rotor<Scalar>{Scalar(t.preference->turn[1].cosine), Scalar(t.preference->turn[1].sine)}, sign,
+        t.boundary, w.branch);
   }
 
   w.cos_theta2 = result.cosine;
@@ -366,16 +383,19 @@ inline void solve_theta2([[maybe_unused]] const Target& t, const Scalar& sign,
 /// From: the turn about the axis of theta1.
 /// Degenerate: the point lies on the axis: theta1 is free.
 template <typename Scalar>
-inline void solve_theta1([[maybe_unused]] const Target& t,
+inline void solve_theta1(const Target& t,
     Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
   {
-    const Scalar t0 = (w.sin_theta2 * Scalar(t.start_y) - w.cos_theta2 * Scalar(t.start_x)) - Scalar(t.geometry.l1) * (Scalar(1) - w.cos_theta2);
+    const Scalar t0 = (w.sin_theta2 * Scalar(t.start_y) - w.cos_theta2 * Scalar(t.start_x)) - Scalar(t.geometry.l1)
+        * (Scalar(1) - w.cos_theta2);
     const Scalar t1 = w.cos_theta2 * Scalar(t.start_y) - w.sin_theta2 * (Scalar(t.geometry.l1) - Scalar(t.start_x));
     const Scalar x = Scalar(t.pose_p_y) * t1 - Scalar(t.pose_p_x) * t0;
     const Scalar y = -Scalar(t.pose_p_y) * t0 - Scalar(t.pose_p_x) * t1;
-    result = inverse::span<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->brief[0].cosine), Scalar(t.preference->brief[0].sine)}, w.length_theta1, w.branch);
+    result = inverse::span<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4),
+        inverse::Rotor<Scalar>{Scalar(t.preference->brief[0].cosine), Scalar(t.preference->brief[0].sine)},
+        w.length_theta1, w.branch);
   }
 
   w.cos_theta1 = result.cosine;
@@ -385,7 +405,7 @@ inline void solve_theta1([[maybe_unused]] const Target& t,
 /// arm: Newton steps, one value.
 /// From: Newton steps: near a singular place, and after a quartic, closed forms lose digits.
 template <typename Scalar, class Visited>
-inline bool solve_arm([[maybe_unused]] const Target& t, int label, Visited& visited, Work<Scalar>& w) {
+inline bool solve_arm(const Target& t, int label, Visited& visited, Work<Scalar>& w) {
   using std::sqrt;
 
   const Scalar axis1_x = Scalar(0);
@@ -406,10 +426,14 @@ inline bool solve_arm([[maybe_unused]] const Target& t, int label, Visited& visi
   const Scalar goal1_x = Scalar(t.pose_p_x);
   const Scalar goal1_y = Scalar(t.pose_p_y);
   const Scalar goal1_z = Scalar(t.pose_p_z);
-  inverse::JointValues<Scalar, 2> values{{inverse::Rotor<Scalar>{w.cos_theta1, w.sin_theta1}, inverse::Rotor<Scalar>{w.cos_theta2, w.sin_theta2}}};
-  const inverse::JointValues<Scalar, 2> seed{{inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)}, inverse::Rotor<Scalar>{Scalar(t.preference->turn[1].cosine), Scalar(t.preference->turn[1].sine)}}};
+  inverse::JointValues<Scalar, 2> values{{inverse::Rotor<Scalar>{w.cos_theta1, w.sin_theta1},
+      inverse::Rotor<Scalar>{w.cos_theta2, w.sin_theta2}}};
+  const inverse::JointValues<Scalar,
+      2> seed{{inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)},
+      inverse::Rotor<Scalar>{Scalar(t.preference->turn[1].cosine), Scalar(t.preference->turn[1].sine)}}};
   const inverse::Carrying<Scalar, 2, 1> task{
-      {{inverse::Screw<Scalar>{true, {axis1_x, axis1_y, axis1_z}, {point1_x, point1_y, point1_z}}, inverse::Screw<Scalar>{true, {axis2_x, axis2_y, axis2_z}, {point2_x, point2_y, point2_z}}}},
+      {{inverse::Screw<Scalar>{true, {axis1_x, axis1_y, axis1_z}, {point1_x, point1_y, point1_z}},
+          inverse::Screw<Scalar>{true, {axis2_x, axis2_y, axis2_z}, {point2_x, point2_y, point2_z}}}},
       {{inverse::Triple<Scalar>{start1_x, start1_y, start1_z}}},
       {{inverse::Triple<Scalar>{goal1_x, goal1_y, goal1_z}}}, Scalar(t.size_square)};
   if (!visited.settle(label, task, t.boundary, t.preference->seeded ? &seed : nullptr, values, w.branch)) return false;

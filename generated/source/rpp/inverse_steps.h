@@ -13,6 +13,7 @@
 // One function for each step of the derivation; `sign` chooses a branch. Values that later steps need stand in Work. No
 // Eigen here: a file that is compiled for wider vectors than the rest reads this too.
 namespace qvgen::robots::rpp::detail::all {
+
 /// What the pose says, once for all branches.
 struct Target : inverse::TargetBase<3> {
   struct {
@@ -25,26 +26,27 @@ struct Target : inverse::TargetBase<3> {
 };
 
 namespace {
+
 /// What the tool's distance from the base cannot exceed, m: no bound.
 constexpr double farthest = 1e150;
 
 /// Fills in what the pose says, for a first pass; `excess` is what its quaternion's square has beyond 1.
 inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
-  using Scalar [[maybe_unused]] = double;
+  using Scalar = double;
   using std::sqrt;
-  [[maybe_unused]] const double pose_r_w = pose.quaternion[3];
-  [[maybe_unused]] const double pose_r_x = pose.quaternion[0];
-  [[maybe_unused]] const double pose_r_y = pose.quaternion[1];
-  [[maybe_unused]] const double pose_r_z = pose.quaternion[2];
+  const double pose_r_w = pose.quaternion[3];
+  const double pose_r_x = pose.quaternion[0];
+  const double pose_r_y = pose.quaternion[1];
+  const double pose_r_z = pose.quaternion[2];
   [[maybe_unused]] const double pose_s = inverse::square_scale(excess);
   const double scale = inverse::unit_scale(excess);
   [[maybe_unused]] const double pose_q_w = scale * pose_r_w;
   [[maybe_unused]] const double pose_q_x = scale * pose_r_x;
   [[maybe_unused]] const double pose_q_y = scale * pose_r_y;
   [[maybe_unused]] const double pose_q_z = scale * pose_r_z;
-  [[maybe_unused]] const double pose_p_x = pose.position[0];
-  [[maybe_unused]] const double pose_p_y = pose.position[1];
-  [[maybe_unused]] const double pose_p_z = pose.position[2];
+  const double pose_p_x = pose.position[0];
+  const double pose_p_y = pose.position[1];
+  const double pose_p_z = pose.position[2];
 
   const Scalar t0 = pose_p_y * pose_p_y + pose_p_z * pose_p_z + t.geometry.l1 * t.geometry.l1 + pose_p_x * pose_p_x;
   t.size_square = t0;
@@ -78,7 +80,7 @@ struct Work {
 /// From: perpendicular to d2, nothing changes.
 /// Degenerate: boundary of reach: the two solutions coincide; the point on the axis: theta1 is free.
 template <typename Scalar>
-inline void solve_theta1([[maybe_unused]] const Target& t, const Scalar& sign,
+inline void solve_theta1(const Target& t, const Scalar& sign,
     Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
@@ -88,7 +90,9 @@ inline void solve_theta1([[maybe_unused]] const Target& t, const Scalar& sign,
     const Scalar y = -Scalar(t.pose_p_y);
     const Scalar low = Scalar(t.geometry.l1) + t0;
     const Scalar high = t0 - Scalar(t.geometry.l1);
-    result = inverse::free_circle_angle<Scalar>(low, high, inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny1), inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)}, sign, t.boundary, w.branch);
+    result = inverse::free_circle_angle<Scalar>(low, high, inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny1),
+        inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)}, sign,
+        t.boundary, w.branch);
   }
 
   w.cos_theta1 = result.cosine;
@@ -109,7 +113,7 @@ inline void solve_d3([[maybe_unused]] const Target& t,
 /// d2: linear, one value.
 /// From: the displacement along d2.
 template <typename Scalar>
-inline void solve_d2([[maybe_unused]] const Target& t,
+inline void solve_d2(const Target& t,
     Work<Scalar>& w) {
   using std::sqrt;
 
@@ -119,7 +123,7 @@ inline void solve_d2([[maybe_unused]] const Target& t,
 /// arm: Newton steps, one value.
 /// From: Newton steps: near a singular place, and after a quartic, closed forms lose digits.
 template <typename Scalar, class Visited>
-inline bool solve_arm([[maybe_unused]] const Target& t, int label, Visited& visited, Work<Scalar>& w) {
+inline bool solve_arm(const Target& t, int label, Visited& visited, Work<Scalar>& w) {
   using std::sqrt;
 
   const Scalar axis1_x = Scalar(0);
@@ -146,10 +150,16 @@ inline bool solve_arm([[maybe_unused]] const Target& t, int label, Visited& visi
   const Scalar goal1_x = Scalar(t.pose_p_x);
   const Scalar goal1_y = Scalar(t.pose_p_y);
   const Scalar goal1_z = Scalar(t.pose_p_z);
-  inverse::JointValues<Scalar, 3> values{{inverse::Rotor<Scalar>{w.cos_theta1, w.sin_theta1}, inverse::Rotor<Scalar>{w.d2, Scalar(0)}, inverse::Rotor<Scalar>{w.d3, Scalar(0)}}};
-  const inverse::JointValues<Scalar, 3> seed{{inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)}, inverse::Rotor<Scalar>{Scalar(t.preference->slide[1]), Scalar(0)}, inverse::Rotor<Scalar>{Scalar(t.preference->slide[2]), Scalar(0)}}};
+  inverse::JointValues<Scalar, 3> values{{inverse::Rotor<Scalar>{w.cos_theta1, w.sin_theta1},
+      inverse::Rotor<Scalar>{w.d2, Scalar(0)}, inverse::Rotor<Scalar>{w.d3, Scalar(0)}}};
+  const inverse::JointValues<Scalar,
+      3> seed{{inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)},
+      inverse::Rotor<Scalar>{Scalar(t.preference->slide[1]), Scalar(0)},
+      inverse::Rotor<Scalar>{Scalar(t.preference->slide[2]), Scalar(0)}}};
   const inverse::Carrying<Scalar, 3, 1> task{
-      {{inverse::Screw<Scalar>{true, {axis1_x, axis1_y, axis1_z}, {point1_x, point1_y, point1_z}}, inverse::Screw<Scalar>{false, {axis2_x, axis2_y, axis2_z}, {point2_x, point2_y, point2_z}}, inverse::Screw<Scalar>{false, {axis3_x, axis3_y, axis3_z}, {point3_x, point3_y, point3_z}}}},
+      {{inverse::Screw<Scalar>{true, {axis1_x, axis1_y, axis1_z}, {point1_x, point1_y, point1_z}},
+          inverse::Screw<Scalar>{false, {axis2_x, axis2_y, axis2_z}, {point2_x, point2_y, point2_z}},
+          inverse::Screw<Scalar>{false, {axis3_x, axis3_y, axis3_z}, {point3_x, point3_y, point3_z}}}},
       {{inverse::Triple<Scalar>{start1_x, start1_y, start1_z}}},
       {{inverse::Triple<Scalar>{goal1_x, goal1_y, goal1_z}}}, Scalar(t.size_square)};
   if (!visited.settle(label, task, t.boundary, t.preference->seeded ? &seed : nullptr, values, w.branch)) return false;

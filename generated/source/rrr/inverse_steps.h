@@ -13,6 +13,7 @@
 // One function for each step of the derivation; `sign` chooses a branch. Values that later steps need stand in Work. No
 // Eigen here: a file that is compiled for wider vectors than the rest reads this too.
 namespace qvgen::robots::rrr::detail::all {
+
 /// What the pose says, once for all branches.
 struct Target : inverse::TargetBase<3> {
   struct {
@@ -27,34 +28,38 @@ struct Target : inverse::TargetBase<3> {
   double pose_p_z;
 };
 
-/// All branches, four at a time in the lanes of AVX2 registers; null if the compiler was not asked for it. Aims at the pose
+/// All branches, four at a time in the lanes of AVX2 registers; null if the compiler was not asked for it. Aims at the
+/// pose
 /// itself, which spares what it reads of it the way through memory.
 using LaneSolver = inverse::RowCount (*)(inverse::PoseNumbers, const Target& given, inverse::RowPlaces);
 extern const LaneSolver solve_in_lanes;
 
 namespace {
+
 /// What the tool's distance from the base cannot exceed, m: no bound.
 constexpr double farthest = 1e150;
 
 /// Fills in what the pose says, for a first pass; `excess` is what its quaternion's square has beyond 1.
 inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
-  using Scalar [[maybe_unused]] = double;
+  using Scalar = double;
   using std::sqrt;
-  [[maybe_unused]] const double pose_r_w = pose.quaternion[3];
-  [[maybe_unused]] const double pose_r_x = pose.quaternion[0];
-  [[maybe_unused]] const double pose_r_y = pose.quaternion[1];
-  [[maybe_unused]] const double pose_r_z = pose.quaternion[2];
+  const double pose_r_w = pose.quaternion[3];
+  const double pose_r_x = pose.quaternion[0];
+  const double pose_r_y = pose.quaternion[1];
+  const double pose_r_z = pose.quaternion[2];
   [[maybe_unused]] const double pose_s = inverse::square_scale(excess);
   const double scale = inverse::unit_scale(excess);
   [[maybe_unused]] const double pose_q_w = scale * pose_r_w;
   [[maybe_unused]] const double pose_q_x = scale * pose_r_x;
   [[maybe_unused]] const double pose_q_y = scale * pose_r_y;
   [[maybe_unused]] const double pose_q_z = scale * pose_r_z;
-  [[maybe_unused]] const double pose_p_x = pose.position[0];
-  [[maybe_unused]] const double pose_p_y = pose.position[1];
-  [[maybe_unused]] const double pose_p_z = pose.position[2];
+  const double pose_p_x = pose.position[0];
+  const double pose_p_y = pose.position[1];
+  const double pose_p_z = pose.position[2];
 
-  const Scalar t0 = Scalar(2) * t.geometry.l2 * t.geometry.l3 + t.geometry.l2 * t.geometry.l2 + pose_p_y * pose_p_y + pose_p_z * pose_p_z + pose_p_x * pose_p_x + t.geometry.l3 * t.geometry.l3 + t.geometry.h1 * t.geometry.h1 + t.geometry.d2 * t.geometry.d2;
+  const Scalar t0 = Scalar(2) * t.geometry.l2 * t.geometry.l3 + t.geometry.l2 * t.geometry.l2 + pose_p_y * pose_p_y
+      + pose_p_z * pose_p_z + pose_p_x * pose_p_x + t.geometry.l3 * t.geometry.l3 + t.geometry.h1 * t.geometry.h1
+      + t.geometry.d2 * t.geometry.d2;
   t.size_square = t0;
   t.pose_p_x = pose_p_x;
   t.pose_p_y = pose_p_y;
@@ -69,7 +74,8 @@ inline bool is_out_of_reach(const Target& t) {
   using Scalar = double;
   const Scalar t0 = Scalar(t.geometry.l2) + Scalar(t.geometry.l3);
   const Scalar t1 = Scalar(t.geometry.h1) - Scalar(t.pose_p_z);
-  const Scalar t2 = (Scalar(t.pose_p_y) * Scalar(t.pose_p_y) + Scalar(t.pose_p_x) * Scalar(t.pose_p_x) - Scalar(t.geometry.d2) * Scalar(t.geometry.d2)) - t0 * t0 + t1 * t1;
+  const Scalar t2 = (Scalar(t.pose_p_y) * Scalar(t.pose_p_y) + Scalar(t.pose_p_x) * Scalar(t.pose_p_x)
+      - Scalar(t.geometry.d2) * Scalar(t.geometry.d2)) - t0 * t0 + t1 * t1;
   const Scalar middle = -Scalar(0.25) * t2 / (Scalar(t.geometry.l2) * Scalar(t.geometry.l3));
   const Scalar swing = Scalar(0);
   return inverse::is_out_of_range(middle, swing, t.boundary);
@@ -105,7 +111,7 @@ struct Work {
 /// From: height along the axis of theta2: the same.
 /// Degenerate: boundary of reach: the two solutions coincide; the point on the axis: theta1 is free.
 template <typename Scalar>
-inline void solve_theta1([[maybe_unused]] const Target& t, const Scalar& sign,
+inline void solve_theta1(const Target& t, const Scalar& sign,
     Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
@@ -115,7 +121,9 @@ inline void solve_theta1([[maybe_unused]] const Target& t, const Scalar& sign,
     const Scalar y = -Scalar(t.pose_p_x);
     const Scalar low = t0 - Scalar(t.geometry.d2);
     const Scalar high = Scalar(t.geometry.d2) + t0;
-    result = inverse::free_circle_angle<Scalar>(low, high, inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny1), inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)}, sign, t.boundary, w.branch);
+    result = inverse::free_circle_angle<Scalar>(low, high, inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny1),
+        inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)}, sign,
+        t.boundary, w.branch);
   }
 
   const Scalar t0 = Scalar(t.geometry.h1) - Scalar(t.pose_p_z);
@@ -131,7 +139,7 @@ inline void solve_theta1([[maybe_unused]] const Target& t, const Scalar& sign,
 /// From: distance from the axis of theta2: the same.
 /// Degenerate: stretched or folded: the two solutions coincide.
 template <typename Scalar>
-inline void solve_theta3([[maybe_unused]] const Target& t, const Scalar& sign,
+inline void solve_theta3(const Target& t, const Scalar& sign,
     Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
@@ -154,7 +162,7 @@ inline void solve_theta3([[maybe_unused]] const Target& t, const Scalar& sign,
 /// From: the turn about the axis of theta2 from one side's point to the other's.
 /// Degenerate: the point lies on the axis: theta2 is free.
 template <typename Scalar>
-inline void solve_theta2([[maybe_unused]] const Target& t,
+inline void solve_theta2(const Target& t,
     Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
@@ -162,7 +170,9 @@ inline void solve_theta2([[maybe_unused]] const Target& t,
     const Scalar x = w.plane_theta1_x * w.plane_theta3_x + w.plane_theta1_y * w.plane_theta3_y;
     const Scalar y = w.plane_theta1_y * w.plane_theta3_x - w.plane_theta1_x * w.plane_theta3_y;
     const Scalar length = w.square_theta3;
-    result = inverse::span_of_length<Scalar>(inverse::Rotor<Scalar>{x, y}, length, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->brief[1].cosine), Scalar(t.preference->brief[1].sine)}, w.length_theta2, w.branch);
+    result = inverse::span_of_length<Scalar>(inverse::Rotor<Scalar>{x, y}, length, Scalar(t.tiny4),
+        inverse::Rotor<Scalar>{Scalar(t.preference->brief[1].cosine), Scalar(t.preference->brief[1].sine)},
+        w.length_theta2, w.branch);
   }
 
   w.cos_theta2 = result.cosine;
@@ -172,7 +182,7 @@ inline void solve_theta2([[maybe_unused]] const Target& t,
 /// arm: Newton steps, one value.
 /// From: Newton steps: near a singular place, and after a quartic, closed forms lose digits.
 template <typename Scalar, class Visited>
-inline bool solve_arm([[maybe_unused]] const Target& t, int label, Visited& visited, Work<Scalar>& w) {
+inline bool solve_arm(const Target& t, int label, Visited& visited, Work<Scalar>& w) {
   using std::sqrt;
 
   const Scalar axis1_x = Scalar(0);
@@ -199,10 +209,16 @@ inline bool solve_arm([[maybe_unused]] const Target& t, int label, Visited& visi
   const Scalar goal1_x = Scalar(t.pose_p_x);
   const Scalar goal1_y = Scalar(t.pose_p_y);
   const Scalar goal1_z = Scalar(t.pose_p_z);
-  inverse::JointValues<Scalar, 3> values{{inverse::Rotor<Scalar>{w.cos_theta1, w.sin_theta1}, inverse::Rotor<Scalar>{w.cos_theta2, w.sin_theta2}, inverse::Rotor<Scalar>{w.cos_theta3, w.sin_theta3}}};
-  const inverse::JointValues<Scalar, 3> seed{{inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)}, inverse::Rotor<Scalar>{Scalar(t.preference->turn[1].cosine), Scalar(t.preference->turn[1].sine)}, inverse::Rotor<Scalar>{Scalar(t.preference->turn[2].cosine), Scalar(t.preference->turn[2].sine)}}};
+  inverse::JointValues<Scalar, 3> values{{inverse::Rotor<Scalar>{w.cos_theta1, w.sin_theta1},
+      inverse::Rotor<Scalar>{w.cos_theta2, w.sin_theta2}, inverse::Rotor<Scalar>{w.cos_theta3, w.sin_theta3}}};
+  const inverse::JointValues<Scalar,
+      3> seed{{inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)},
+      inverse::Rotor<Scalar>{Scalar(t.preference->turn[1].cosine), Scalar(t.preference->turn[1].sine)},
+      inverse::Rotor<Scalar>{Scalar(t.preference->turn[2].cosine), Scalar(t.preference->turn[2].sine)}}};
   const inverse::Carrying<Scalar, 3, 1> task{
-      {{inverse::Screw<Scalar>{true, {axis1_x, axis1_y, axis1_z}, {point1_x, point1_y, point1_z}}, inverse::Screw<Scalar>{true, {axis2_x, axis2_y, axis2_z}, {point2_x, point2_y, point2_z}}, inverse::Screw<Scalar>{true, {axis3_x, axis3_y, axis3_z}, {point3_x, point3_y, point3_z}}}},
+      {{inverse::Screw<Scalar>{true, {axis1_x, axis1_y, axis1_z}, {point1_x, point1_y, point1_z}},
+          inverse::Screw<Scalar>{true, {axis2_x, axis2_y, axis2_z}, {point2_x, point2_y, point2_z}},
+          inverse::Screw<Scalar>{true, {axis3_x, axis3_y, axis3_z}, {point3_x, point3_y, point3_z}}}},
       {{inverse::Triple<Scalar>{start1_x, start1_y, start1_z}}},
       {{inverse::Triple<Scalar>{goal1_x, goal1_y, goal1_z}}}, Scalar(t.size_square)};
   if (!visited.settle(label, task, t.boundary, t.preference->seeded ? &seed : nullptr, values, w.branch)) return false;

@@ -12,11 +12,14 @@
 namespace qvgen::robots::rx90::detail::all {
 #if defined(__AVX2__)
 namespace {
+
 /// The steps of inverse_steps.h, each once for four branches.
-[[gnu::flatten]] inverse::RowCount all_lanes(inverse::PoseNumbers pose, const Target& given, inverse::RowPlaces places) {
+[[gnu::flatten]] inverse::RowCount all_lanes(inverse::PoseNumbers pose, const Target& given,
+    inverse::RowPlaces places) {
   using inverse::avx2::Pack;
   Target t = given;
-  if (const inverse::Outlook outlook = look_at(pose, t); outlook != inverse::Outlook::open) return inverse::no_rows(outlook);
+  if (const inverse::Outlook outlook =
+      look_at(pose, t); outlook != inverse::Outlook::open) return inverse::no_rows(outlook);
   inverse::avx2::LaneRows<6> rows(places);
   Work<Pack> w;
   Pack q[6];

@@ -13,6 +13,7 @@
 // One function for each step of the derivation; `sign` chooses a branch. Values that later steps need stand in Work. No
 // Eigen here: a file that is compiled for wider vectors than the rest reads this too.
 namespace qvgen::robots::ss::detail::all {
+
 /// What the pose says, once for all branches.
 struct Target : inverse::TargetBase<6> {
   double size_square;
@@ -26,6 +27,7 @@ struct Target : inverse::TargetBase<6> {
 };
 
 namespace {
+
 /// What the tool's distance from the base cannot exceed, m: no bound.
 constexpr double farthest = 1e150;
 
@@ -33,19 +35,19 @@ constexpr double farthest = 1e150;
 inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
   using Scalar [[maybe_unused]] = double;
   using std::sqrt;
-  [[maybe_unused]] const double pose_r_w = pose.quaternion[3];
-  [[maybe_unused]] const double pose_r_x = pose.quaternion[0];
-  [[maybe_unused]] const double pose_r_y = pose.quaternion[1];
-  [[maybe_unused]] const double pose_r_z = pose.quaternion[2];
+  const double pose_r_w = pose.quaternion[3];
+  const double pose_r_x = pose.quaternion[0];
+  const double pose_r_y = pose.quaternion[1];
+  const double pose_r_z = pose.quaternion[2];
   [[maybe_unused]] const double pose_s = inverse::square_scale(excess);
   const double scale = inverse::unit_scale(excess);
-  [[maybe_unused]] const double pose_q_w = scale * pose_r_w;
-  [[maybe_unused]] const double pose_q_x = scale * pose_r_x;
-  [[maybe_unused]] const double pose_q_y = scale * pose_r_y;
-  [[maybe_unused]] const double pose_q_z = scale * pose_r_z;
-  [[maybe_unused]] const double pose_p_x = pose.position[0];
-  [[maybe_unused]] const double pose_p_y = pose.position[1];
-  [[maybe_unused]] const double pose_p_z = pose.position[2];
+  const double pose_q_w = scale * pose_r_w;
+  const double pose_q_x = scale * pose_r_x;
+  const double pose_q_y = scale * pose_r_y;
+  const double pose_q_z = scale * pose_r_z;
+  const double pose_p_x = pose.position[0];
+  const double pose_p_y = pose.position[1];
+  const double pose_p_z = pose.position[2];
 
   t.size_square = pose_p_y * pose_p_y + pose_p_z * pose_p_z + pose_p_x * pose_p_x;
   t.pose_p_x = pose_p_x;
@@ -79,7 +81,7 @@ struct Work {
 /// d3: linear, one value.
 /// From: perpendicular to d2, nothing changes.
 template <typename Scalar>
-inline void solve_d3([[maybe_unused]] const Target& t,
+inline void solve_d3(const Target& t,
     Work<Scalar>& w) {
   using std::sqrt;
 
@@ -89,7 +91,7 @@ inline void solve_d3([[maybe_unused]] const Target& t,
 /// d1: linear, one value.
 /// From: perpendicular to d2, nothing changes.
 template <typename Scalar>
-inline void solve_d1([[maybe_unused]] const Target& t,
+inline void solve_d1(const Target& t,
     Work<Scalar>& w) {
   using std::sqrt;
 
@@ -99,7 +101,7 @@ inline void solve_d1([[maybe_unused]] const Target& t,
 /// d2: linear, one value.
 /// From: the displacement along d2.
 template <typename Scalar>
-inline void solve_d2([[maybe_unused]] const Target& t,
+inline void solve_d2(const Target& t,
     Work<Scalar>& w) {
   using std::sqrt;
 
@@ -109,7 +111,7 @@ inline void solve_d2([[maybe_unused]] const Target& t,
 /// arm: Newton steps, one value.
 /// From: Newton steps: near a singular place, and after a quartic, closed forms lose digits.
 template <typename Scalar, class Visited>
-inline bool solve_arm([[maybe_unused]] const Target& t, int label, Visited& visited, Work<Scalar>& w) {
+inline bool solve_arm(const Target& t, int label, Visited& visited, Work<Scalar>& w) {
   using std::sqrt;
 
   const Scalar axis1_x = Scalar(0);
@@ -136,10 +138,16 @@ inline bool solve_arm([[maybe_unused]] const Target& t, int label, Visited& visi
   const Scalar goal1_x = Scalar(t.pose_p_x);
   const Scalar goal1_y = Scalar(t.pose_p_y);
   const Scalar goal1_z = Scalar(t.pose_p_z);
-  inverse::JointValues<Scalar, 3> values{{inverse::Rotor<Scalar>{w.d1, Scalar(0)}, inverse::Rotor<Scalar>{w.d2, Scalar(0)}, inverse::Rotor<Scalar>{w.d3, Scalar(0)}}};
-  const inverse::JointValues<Scalar, 3> seed{{inverse::Rotor<Scalar>{Scalar(t.preference->slide[0]), Scalar(0)}, inverse::Rotor<Scalar>{Scalar(t.preference->slide[1]), Scalar(0)}, inverse::Rotor<Scalar>{Scalar(t.preference->slide[2]), Scalar(0)}}};
+  inverse::JointValues<Scalar, 3> values{{inverse::Rotor<Scalar>{w.d1, Scalar(0)},
+      inverse::Rotor<Scalar>{w.d2, Scalar(0)}, inverse::Rotor<Scalar>{w.d3, Scalar(0)}}};
+  const inverse::JointValues<Scalar,
+      3> seed{{inverse::Rotor<Scalar>{Scalar(t.preference->slide[0]), Scalar(0)},
+      inverse::Rotor<Scalar>{Scalar(t.preference->slide[1]), Scalar(0)},
+      inverse::Rotor<Scalar>{Scalar(t.preference->slide[2]), Scalar(0)}}};
   const inverse::Carrying<Scalar, 3, 1> task{
-      {{inverse::Screw<Scalar>{false, {axis1_x, axis1_y, axis1_z}, {point1_x, point1_y, point1_z}}, inverse::Screw<Scalar>{false, {axis2_x, axis2_y, axis2_z}, {point2_x, point2_y, point2_z}}, inverse::Screw<Scalar>{false, {axis3_x, axis3_y, axis3_z}, {point3_x, point3_y, point3_z}}}},
+      {{inverse::Screw<Scalar>{false, {axis1_x, axis1_y, axis1_z}, {point1_x, point1_y, point1_z}},
+          inverse::Screw<Scalar>{false, {axis2_x, axis2_y, axis2_z}, {point2_x, point2_y, point2_z}},
+          inverse::Screw<Scalar>{false, {axis3_x, axis3_y, axis3_z}, {point3_x, point3_y, point3_z}}}},
       {{inverse::Triple<Scalar>{start1_x, start1_y, start1_z}}},
       {{inverse::Triple<Scalar>{goal1_x, goal1_y, goal1_z}}}, Scalar(t.size_square)};
   if (!visited.settle(label, task, t.boundary, t.preference->seeded ? &seed : nullptr, values, w.branch)) return false;
@@ -153,7 +161,7 @@ inline bool solve_arm([[maybe_unused]] const Target& t, int label, Visited& visi
 /// From: the orientation that the wrist's three axes have to make, in half angles.
 /// Degenerate: first and last axis in line: their sum or difference is free.
 template <typename Scalar>
-inline inverse::WristBranches<Scalar> solve_wrist([[maybe_unused]] const Target& t,
+inline inverse::WristBranches<Scalar> solve_wrist(const Target& t,
     Work<Scalar>& w) {
   using std::sqrt;
 
@@ -162,7 +170,8 @@ inline inverse::WristBranches<Scalar> solve_wrist([[maybe_unused]] const Target&
   const Scalar v_x = -Scalar(t.pose_q_z);
   const Scalar v_y = Scalar(t.pose_q_y);
 
-  return inverse::right_wrist<Scalar>(inverse::Rotor<Scalar>{u_x, u_y}, inverse::Rotor<Scalar>{v_x, v_y}, false, Scalar(t.preference->angle[3]), inverse::pi<Scalar>(), w.branch);
+  return inverse::right_wrist<Scalar>(inverse::Rotor<Scalar>{u_x, u_y}, inverse::Rotor<Scalar>{v_x, v_y}, false,
+      Scalar(t.preference->angle[3]), inverse::pi<Scalar>(), w.branch);
 }
 
 }  // namespace

@@ -5,11 +5,21 @@
 
 namespace qvgen::robots::stanford {
 
-template InverseDynamicsDerivatives<double> inverse_dynamics_derivatives(const JointVector<double>&, const JointVector<double>&, const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&, double);
-template InverseDynamicsDerivativesConstants<double> inverse_dynamics_derivatives_constants(const BasicGeometry<double>&, const BasicInertia<double>&, double);
-template InverseDynamicsDerivatives<double> inverse_dynamics_derivatives(const JointVector<double>&, const JointVector<double>&, const JointVector<double>&, const DynamicsAngles<double>&, const InverseDynamicsDerivativesConstants<double>&);
-template InverseDynamicsDerivatives<float> inverse_dynamics_derivatives(const JointVector<float>&, const JointVector<float>&, const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&, float);
-template InverseDynamicsDerivativesConstants<float> inverse_dynamics_derivatives_constants(const BasicGeometry<float>&, const BasicInertia<float>&, float);
-template InverseDynamicsDerivatives<float> inverse_dynamics_derivatives(const JointVector<float>&, const JointVector<float>&, const JointVector<float>&, const DynamicsAngles<float>&, const InverseDynamicsDerivativesConstants<float>&);
+template InverseDynamicsDerivatives<double> inverse_dynamics_derivatives(const JointVector<double>&,
+    const JointVector<double>&, const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&,
+    double);
+template InverseDynamicsDerivativesConstants<double> inverse_dynamics_derivatives_constants(
+    const BasicGeometry<double>&, const BasicInertia<double>&, double);
+template InverseDynamicsDerivatives<double> inverse_dynamics_derivatives(const JointVector<double>&,
+    const JointVector<double>&, const JointVector<double>&, const DynamicsAngles<double>&,
+    const InverseDynamicsDerivativesConstants<double>&);
+template InverseDynamicsDerivatives<float> inverse_dynamics_derivatives(const JointVector<float>&,
+    const JointVector<float>&, const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&,
+    float);
+template InverseDynamicsDerivativesConstants<float> inverse_dynamics_derivatives_constants(const BasicGeometry<float>&,
+    const BasicInertia<float>&, float);
+template InverseDynamicsDerivatives<float> inverse_dynamics_derivatives(const JointVector<float>&,
+    const JointVector<float>&, const JointVector<float>&, const DynamicsAngles<float>&,
+    const InverseDynamicsDerivativesConstants<float>&);
 
 }  // namespace qvgen::robots::stanford

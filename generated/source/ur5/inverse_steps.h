@@ -13,6 +13,7 @@
 // One function for each step of the derivation; `sign` chooses a branch. Values that later steps need stand in Work. No
 // Eigen here: a file that is compiled for wider vectors than the rest reads this too.
 namespace qvgen::robots::ur5::detail::all {
+
 /// What the pose says, once for all branches.
 struct Target : inverse::TargetBase<6> {
   double turn_11;
@@ -34,32 +35,34 @@ struct Target : inverse::TargetBase<6> {
   double pose_p_z;
 };
 
-/// All branches, four at a time in the lanes of AVX2 registers; null if the compiler was not asked for it. Aims at the pose
+/// All branches, four at a time in the lanes of AVX2 registers; null if the compiler was not asked for it. Aims at the
+/// pose
 /// itself, which spares what it reads of it the way through memory.
 using LaneSolver = inverse::RowCount (*)(inverse::PoseNumbers, const Target& given, inverse::RowPlaces);
 extern const LaneSolver solve_in_lanes;
 
 namespace {
+
 /// What the tool's distance from the base cannot exceed, m.
 constexpr double farthest = 1.192509;
 
 /// Fills in what the pose says, for a first pass; `excess` is what its quaternion's square has beyond 1.
 inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
-  using Scalar [[maybe_unused]] = double;
+  using Scalar = double;
   using std::sqrt;
-  [[maybe_unused]] const double pose_r_w = pose.quaternion[3];
-  [[maybe_unused]] const double pose_r_x = pose.quaternion[0];
-  [[maybe_unused]] const double pose_r_y = pose.quaternion[1];
-  [[maybe_unused]] const double pose_r_z = pose.quaternion[2];
-  [[maybe_unused]] const double pose_s = inverse::square_scale(excess);
+  const double pose_r_w = pose.quaternion[3];
+  const double pose_r_x = pose.quaternion[0];
+  const double pose_r_y = pose.quaternion[1];
+  const double pose_r_z = pose.quaternion[2];
+  const double pose_s = inverse::square_scale(excess);
   const double scale = inverse::unit_scale(excess);
-  [[maybe_unused]] const double pose_q_w = scale * pose_r_w;
-  [[maybe_unused]] const double pose_q_x = scale * pose_r_x;
-  [[maybe_unused]] const double pose_q_y = scale * pose_r_y;
-  [[maybe_unused]] const double pose_q_z = scale * pose_r_z;
-  [[maybe_unused]] const double pose_p_x = pose.position[0];
-  [[maybe_unused]] const double pose_p_y = pose.position[1];
-  [[maybe_unused]] const double pose_p_z = pose.position[2];
+  const double pose_q_w = scale * pose_r_w;
+  const double pose_q_x = scale * pose_r_x;
+  const double pose_q_y = scale * pose_r_y;
+  const double pose_q_z = scale * pose_r_z;
+  const double pose_p_x = pose.position[0];
+  const double pose_p_y = pose.position[1];
+  const double pose_p_z = pose.position[2];
 
   const Scalar t0 = pose_r_y * pose_r_y;
   const Scalar t1 = Scalar(1) - Scalar(2) * pose_s * (t0 + pose_r_z * pose_r_z);
@@ -137,7 +140,7 @@ struct Work {
 /// From: height along the axes of theta2, theta3, theta4.
 /// Degenerate: boundary of reach: the two solutions coincide; the point on the axis: theta1 is free.
 template <typename Scalar>
-inline void solve_theta1([[maybe_unused]] const Target& t, const Scalar& sign,
+inline void solve_theta1(const Target& t, const Scalar& sign,
     Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
@@ -147,7 +150,9 @@ inline void solve_theta1([[maybe_unused]] const Target& t, const Scalar& sign,
     const Scalar y = Scalar(t.goal_x);
     const Scalar low = t0 - Scalar(0.10915);
     const Scalar high = Scalar(0.10915) + t0;
-    result = inverse::free_circle_angle<Scalar>(low, high, inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny1), inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)}, sign, t.boundary, w.branch);
+    result = inverse::free_circle_angle<Scalar>(low, high, inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny1),
+        inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)}, sign,
+        t.boundary, w.branch);
   }
 
   w.cos_theta1 = result.cosine;
@@ -159,7 +164,7 @@ inline void solve_theta1([[maybe_unused]] const Target& t, const Scalar& sign,
 /// theta1: half angle, one value.
 /// From: half angle of theta1.
 template <typename Scalar>
-inline void solve_half_theta1([[maybe_unused]] const Target& t,
+inline void solve_half_theta1(const Target& t,
     Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
@@ -178,7 +183,7 @@ inline void solve_half_theta1([[maybe_unused]] const Target& t,
 /// free_sum: a choice within reach, one value.
 /// From: the distance that the two links between leave open.
 template <typename Scalar>
-inline void solve_free_sum([[maybe_unused]] const Target& t,
+inline void solve_free_sum(const Target& t,
     Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
@@ -189,7 +194,11 @@ inline void solve_free_sum([[maybe_unused]] const Target& t,
     const Scalar offset_y = Scalar(0);
     const Scalar inner = Scalar(0.0010725625);
     const Scalar outer = Scalar(0.6678975625);
-    result = inverse::reachable_direction<Scalar>(inverse::Rotor<Scalar>{point_x, point_y}, inverse::Rotor<Scalar>{offset_x, offset_y}, inner, outer, inverse::Rotor<Scalar>{Scalar(t.preference->turn[1].cosine), Scalar(t.preference->turn[1].sine)} * inverse::Rotor<Scalar>{Scalar(t.preference->turn[2].cosine), Scalar(t.preference->turn[2].sine)} * inverse::Rotor<Scalar>{Scalar(t.preference->turn[3].cosine), Scalar(t.preference->turn[3].sine)});
+    result = inverse::reachable_direction<Scalar>(inverse::Rotor<Scalar>{point_x, point_y},
+        inverse::Rotor<Scalar>{offset_x, offset_y}, inner, outer,
+        inverse::Rotor<Scalar>{Scalar(t.preference->turn[1].cosine), Scalar(t.preference->turn[1].sine)}
+        * inverse::Rotor<Scalar>{Scalar(t.preference->turn[2].cosine), Scalar(t.preference->turn[2].sine)}
+        * inverse::Rotor<Scalar>{Scalar(t.preference->turn[3].cosine), Scalar(t.preference->turn[3].sine)});
   }
 
   w.cos_free_sum = result.cosine;
@@ -200,7 +209,7 @@ inline void solve_free_sum([[maybe_unused]] const Target& t,
 /// From: the orientation that the wrist's three axes have to make, in half angles.
 /// Degenerate: first and last axis in line: their sum or difference is free.
 template <typename Scalar>
-inline void solve_wrist([[maybe_unused]] const Target& t, const Scalar& sign,
+inline void solve_wrist(const Target& t, const Scalar& sign,
     Work<Scalar>& w) {
   using std::sqrt;
   inverse::WristTurns<Scalar> result;
@@ -211,7 +220,8 @@ inline void solve_wrist([[maybe_unused]] const Target& t, const Scalar& sign,
     const Scalar v_y = w.after_theta1_x;
     const Scalar choice_x = w.cos_free_sum;
     const Scalar choice_y = w.sin_free_sum;
-    result = inverse::right_wrist_turns<Scalar>(inverse::Rotor<Scalar>{u_x, u_y}, inverse::Rotor<Scalar>{v_x, v_y}, false, inverse::Rotor<Scalar>{choice_x, choice_y}, sign, t.boundary, w.branch);
+    result = inverse::right_wrist_turns<Scalar>(inverse::Rotor<Scalar>{u_x, u_y}, inverse::Rotor<Scalar>{v_x, v_y},
+        false, inverse::Rotor<Scalar>{choice_x, choice_y}, sign, t.boundary, w.branch);
   }
 
   w.cos_sum = result.first.cosine;
@@ -231,7 +241,7 @@ inline void solve_wrist([[maybe_unused]] const Target& t, const Scalar& sign,
 /// From: distance from the axis of theta2: the same.
 /// Degenerate: stretched or folded: the two solutions coincide.
 template <typename Scalar>
-inline void solve_theta3([[maybe_unused]] const Target& t, const Scalar& sign,
+inline void solve_theta3(const Target& t, const Scalar& sign,
     Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
@@ -250,7 +260,7 @@ inline void solve_theta3([[maybe_unused]] const Target& t, const Scalar& sign,
 /// From: the turn about the axis of theta2.
 /// Degenerate: the point lies on the axis: theta2 is free.
 template <typename Scalar>
-inline void solve_theta2([[maybe_unused]] const Target& t,
+inline void solve_theta2(const Target& t,
     Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
@@ -260,7 +270,8 @@ inline void solve_theta2([[maybe_unused]] const Target& t,
     const Scalar t2 = Scalar(0.00025) * w.reach_theta2_x * t0 + Scalar(0.39225) * w.reach_theta2_y * w.sin_theta3;
     const Scalar x = -t1;
     const Scalar y = -t2;
-    result = inverse::direction<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->turn[1].cosine), Scalar(t.preference->turn[1].sine)}, w.branch);
+    result = inverse::direction<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4),
+        inverse::Rotor<Scalar>{Scalar(t.preference->turn[1].cosine), Scalar(t.preference->turn[1].sine)}, w.branch);
   }
 
   w.cos_theta2 = result.cosine;
@@ -271,7 +282,7 @@ inline void solve_theta2([[maybe_unused]] const Target& t,
 /// From: what the sum of the three leaves for theta4.
 /// Degenerate: the point lies on the axis: theta4 is free.
 template <typename Scalar>
-inline void solve_theta4([[maybe_unused]] const Target& t,
+inline void solve_theta4(const Target& t,
     Work<Scalar>& w) {
   using std::sqrt;
   inverse::Rotor<Scalar> result;
@@ -280,7 +291,9 @@ inline void solve_theta4([[maybe_unused]] const Target& t,
     const Scalar t1 = w.cos_sum * w.sin_theta2 - w.cos_theta2 * w.sin_sum;
     const Scalar x = w.cos_theta3 * t0 - w.sin_theta3 * t1;
     const Scalar y = -w.sin_theta3 * t0 - w.cos_theta3 * t1;
-    result = inverse::span<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4), inverse::Rotor<Scalar>{Scalar(t.preference->brief[3].cosine), Scalar(t.preference->brief[3].sine)}, w.length_theta4, w.branch);
+    result = inverse::span<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4),
+        inverse::Rotor<Scalar>{Scalar(t.preference->brief[3].cosine), Scalar(t.preference->brief[3].sine)},
+        w.length_theta4, w.branch);
   }
 
   w.cos_theta4 = result.cosine;
@@ -290,7 +303,7 @@ inline void solve_theta4([[maybe_unused]] const Target& t,
 /// arm: Newton steps, one value.
 /// From: Newton steps: near a singular place, and after a quartic, closed forms lose digits.
 template <typename Scalar, class Visited>
-inline bool solve_arm([[maybe_unused]] const Target& t, int label, Visited& visited, Work<Scalar>& w) {
+inline bool solve_arm(const Target& t, int label, Visited& visited, Work<Scalar>& w) {
   using std::sqrt;
   const Scalar t0 = sqrt(Scalar(t.size_square));
   const Scalar axis1_x = Scalar(0);
@@ -347,12 +360,28 @@ inline bool solve_arm([[maybe_unused]] const Target& t, int label, Visited& visi
   const Scalar goal3_x = Scalar(t.pose_p_x) - Scalar(t.turn_13) * t0;
   const Scalar goal3_y = Scalar(t.pose_p_y) - Scalar(t.turn_23) * t0;
   const Scalar goal3_z = Scalar(t.pose_p_z) - Scalar(t.turn_33) * t0;
-  inverse::JointValues<Scalar, 6> values{{inverse::Rotor<Scalar>{w.cos_theta1, w.sin_theta1}, inverse::Rotor<Scalar>{w.cos_theta2, w.sin_theta2}, inverse::Rotor<Scalar>{w.cos_theta3, w.sin_theta3}, inverse::Rotor<Scalar>{w.cos_theta4, w.sin_theta4}, inverse::Rotor<Scalar>{w.cos_theta5, w.sin_theta5}, inverse::Rotor<Scalar>{w.cos_theta6, w.sin_theta6}}};
-  const inverse::JointValues<Scalar, 6> seed{{inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)}, inverse::Rotor<Scalar>{Scalar(t.preference->turn[1].cosine), Scalar(t.preference->turn[1].sine)}, inverse::Rotor<Scalar>{Scalar(t.preference->turn[2].cosine), Scalar(t.preference->turn[2].sine)}, inverse::Rotor<Scalar>{Scalar(t.preference->turn[3].cosine), Scalar(t.preference->turn[3].sine)}, inverse::Rotor<Scalar>{Scalar(t.preference->turn[4].cosine), Scalar(t.preference->turn[4].sine)}, inverse::Rotor<Scalar>{Scalar(t.preference->turn[5].cosine), Scalar(t.preference->turn[5].sine)}}};
+  inverse::JointValues<Scalar, 6> values{{inverse::Rotor<Scalar>{w.cos_theta1, w.sin_theta1},
+      inverse::Rotor<Scalar>{w.cos_theta2, w.sin_theta2}, inverse::Rotor<Scalar>{w.cos_theta3, w.sin_theta3},
+      inverse::Rotor<Scalar>{w.cos_theta4, w.sin_theta4}, inverse::Rotor<Scalar>{w.cos_theta5, w.sin_theta5},
+      inverse::Rotor<Scalar>{w.cos_theta6, w.sin_theta6}}};
+  const inverse::JointValues<Scalar,
+      6> seed{{inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)},
+      inverse::Rotor<Scalar>{Scalar(t.preference->turn[1].cosine), Scalar(t.preference->turn[1].sine)},
+      inverse::Rotor<Scalar>{Scalar(t.preference->turn[2].cosine), Scalar(t.preference->turn[2].sine)},
+      inverse::Rotor<Scalar>{Scalar(t.preference->turn[3].cosine), Scalar(t.preference->turn[3].sine)},
+      inverse::Rotor<Scalar>{Scalar(t.preference->turn[4].cosine), Scalar(t.preference->turn[4].sine)},
+      inverse::Rotor<Scalar>{Scalar(t.preference->turn[5].cosine), Scalar(t.preference->turn[5].sine)}}};
   const inverse::Carrying<Scalar, 6, 3> task{
-      {{inverse::Screw<Scalar>{true, {axis1_x, axis1_y, axis1_z}, {point1_x, point1_y, point1_z}}, inverse::Screw<Scalar>{true, {axis2_x, axis2_y, axis2_z}, {point2_x, point2_y, point2_z}}, inverse::Screw<Scalar>{true, {axis3_x, axis3_y, axis3_z}, {point3_x, point3_y, point3_z}}, inverse::Screw<Scalar>{true, {axis4_x, axis4_y, axis4_z}, {point4_x, point4_y, point4_z}}, inverse::Screw<Scalar>{true, {axis5_x, axis5_y, axis5_z}, {point5_x, point5_y, point5_z}}, inverse::Screw<Scalar>{true, {axis6_x, axis6_y, axis6_z}, {point6_x, point6_y, point6_z}}}},
-      {{inverse::Triple<Scalar>{start1_x, start1_y, start1_z}, inverse::Triple<Scalar>{start2_x, start2_y, start2_z}, inverse::Triple<Scalar>{start3_x, start3_y, start3_z}}},
-      {{inverse::Triple<Scalar>{goal1_x, goal1_y, goal1_z}, inverse::Triple<Scalar>{goal2_x, goal2_y, goal2_z}, inverse::Triple<Scalar>{goal3_x, goal3_y, goal3_z}}}, Scalar(t.size_square)};
+      {{inverse::Screw<Scalar>{true, {axis1_x, axis1_y, axis1_z}, {point1_x, point1_y, point1_z}},
+          inverse::Screw<Scalar>{true, {axis2_x, axis2_y, axis2_z}, {point2_x, point2_y, point2_z}},
+          inverse::Screw<Scalar>{true, {axis3_x, axis3_y, axis3_z}, {point3_x, point3_y, point3_z}},
+          inverse::Screw<Scalar>{true, {axis4_x, axis4_y, axis4_z}, {point4_x, point4_y, point4_z}},
+          inverse::Screw<Scalar>{true, {axis5_x, axis5_y, axis5_z}, {point5_x, point5_y, point5_z}},
+          inverse::Screw<Scalar>{true, {axis6_x, axis6_y, axis6_z}, {point6_x, point6_y, point6_z}}}},
+      {{inverse::Triple<Scalar>{start1_x, start1_y, start1_z}, inverse::Triple<Scalar>{start2_x, start2_y, start2_z},
+          inverse::Triple<Scalar>{start3_x, start3_y, start3_z}}},
+      {{inverse::Triple<Scalar>{goal1_x, goal1_y, goal1_z}, inverse::Triple<Scalar>{goal2_x, goal2_y, goal2_z},
+          inverse::Triple<Scalar>{goal3_x, goal3_y, goal3_z}}}, Scalar(t.size_square)};
   if (!visited.settle(label, task, t.boundary, t.preference->seeded ? &seed : nullptr, values, w.branch)) return false;
   w.cos_theta1 = values[0].cosine;
   w.sin_theta1 = values[0].sine;

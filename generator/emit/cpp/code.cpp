@@ -17,7 +17,7 @@ constexpr int longest_inline = 4;
 
 class Writer {
  public:
-  Writer(const dag::Function& function, const Names& names)
+  Writer(const dag::Function& function, const SymbolTable& names)
       : graph_(function.graph),
         names_(names),
         uses_(graph_.size(), 0),
@@ -117,7 +117,7 @@ class Writer {
   }
 
   const dag::Graph& graph_;
-  const Names& names_;
+  const SymbolTable& names_;
   std::vector<int> uses_;
   std::vector<std::string> text_;
   std::vector<int> length_;
@@ -126,7 +126,7 @@ class Writer {
 
 }  // namespace
 
-Code cpp_code(const dag::Function& function, const Names& names) {
+Code cpp_code(const dag::Function& function, const SymbolTable& names) {
   return Writer(function, names).write(function);
 }
 

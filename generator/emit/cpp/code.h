@@ -11,7 +11,7 @@
 namespace qvgen::emit {
 
 /// How the leaves of a graph are written in the generated function.
-struct Names {
+struct SymbolTable {
   std::function<std::string(const std::string& symbol)> symbol;
   std::function<std::string(const dag::Angle&)> sine;
   std::function<std::string(const dag::Angle&)> cosine;
@@ -29,6 +29,6 @@ struct Code {
 
 /// Writes a function down. A value used more than once, or too long to read inline, becomes a temporary `t0,
 /// t1, ...`; sums are written with a positive term first. The text depends on the graph's structure alone.
-Code cpp_code(const dag::Function& function, const Names& names);
+Code cpp_code(const dag::Function& function, const SymbolTable& names);
 
 }  // namespace qvgen::emit

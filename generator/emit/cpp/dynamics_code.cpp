@@ -5,8 +5,9 @@
 #include <map>
 #include <stdexcept>
 
-#include "emit/cpp/leaf_names.h"
 #include "emit/cpp/literal.h"
+#include "emit/cpp/symbol_table.h"
+#include "emit/cpp/template_values.h"
 #include "emit/math/dynamics_choices.h"
 #include "verify/counts_json.h"
 
@@ -32,26 +33,6 @@ std::string replaced(std::string text, const std::string& what, const std::strin
   return text;
 }
 
-/// tau3 -> result[2], m1_2 -> result(0, 1) = result(1, 0), energy -> result, and q1_2, v1_2 -> by_position,
-/// by_rate(0, 1) of a result that is a struct.
-std::string place_of(const std::string& output, bool in_struct) {
-  const auto digits = output.find_first_of("0123456789");
-  if (digits == std::string::npos) return "result";
-  const auto bar = output.find('_');
-  const int row = std::stoi(output.substr(digits)) - 1;
-  if (bar == std::string::npos) return (in_struct ? "result.torque[" : "result[") + std::to_string(row) + "]";
-  const int column = std::stoi(output.substr(bar + 1)) - 1;
-  const std::string matrix = !in_struct              ? "result"
-                             : output.front() == 'q' ? "result.by_position"
-                                                     : "result.by_rate";
-  const auto entry = [&](int i, int k) {
-    return matrix + "(" + std::to_string(i) + ", " + std::to_string(k) + ")";
-  };
-  return in_struct || row == column || output.front() != 'm'
-             ? entry(row, column)
-             : entry(row, column) + " = " + entry(column, row);
-}
-
 /// Constants as the code writes them: numbers in place, the others by their place in the set-up function's
 /// array.
 struct Constants {
@@ -73,18 +54,16 @@ Constants constants_of(const DynamicsFunction& function) {
   return result;
 }
 
-json list_of(const std::vector<Code::Value>& values, bool in_struct = false) {
-  json list = json::array();
-  for (const auto& value : values)
-    list.push_back({{"name", value.name},
-                    {"expression", value.expression},
-                    {"place", place_of(value.name, in_struct)},
-                    {"last", &value == &values.back()}});
+/// The outputs with the places where they go.
+json statements_of(const std::vector<Code::Value>& outputs, Result result, std::size_t dof) {
+  const std::vector<std::string> places = places_of(result, dof, outputs.size());
+  json list = values_of(outputs);
+  for (std::size_t i = 0; i < outputs.size(); ++i) list[i]["place"] = places.at(i);
   return list;
 }
 
-Names names_of(const model::Robot& robot, const std::vector<dag::Angle>& angles,
-               const std::map<std::string, std::string>& constants) {
+SymbolTable names_of(const model::Robot& robot, const std::vector<dag::Angle>& angles,
+                     const std::map<std::string, std::string>& constants) {
   std::map<std::string, std::string> known = constants;
   for (std::size_t i = 0; i < robot.joints.size(); ++i) {
     const std::string& variable = robot.joints[i].variable;
@@ -97,18 +76,18 @@ Names names_of(const model::Robot& robot, const std::vector<dag::Angle>& angles,
   }
   for (std::size_t k = 0; k < 6; ++k)
     known[derive::dynamics::wrench_component(k)] = "wrench[" + std::to_string(k) + "]";
-  return leaf_names(robot, angles, [known](const std::string& name) { return known.at(name); });
+  return symbol_table(robot, angles, [known](const std::string& name) { return known.at(name); });
 }
 
 /// In the set-up function, sines and cosines are of constant angles.
-Names set_up_names(const model::Robot& robot) {
+SymbolTable set_up_names(const model::Robot& robot) {
   std::map<std::string, std::string> known{{derive::dynamics::gravity_symbol, "gravity"}};
   for (std::size_t k = 0; k < 3; ++k)
     known[derive::dynamics::gravity_component(k)] = "gravity[" + std::to_string(k) + "]";
   for (const model::Parameter& parameter : robot.inertia_parameters)
     known[parameter.name] = "inertia." + parameter.name;
-  Names names = leaf_names(robot, {}, [known](const std::string& name) { return known.at(name); });
-  const Names leaves = names;
+  SymbolTable names = symbol_table(robot, {}, [known](const std::string& name) { return known.at(name); });
+  const SymbolTable leaves = names;
   names.sine = [leaves](const dag::Angle& angle) { return "sin(" + angle_code(angle, leaves) + ")"; };
   names.cosine = [leaves](const dag::Angle& angle) { return "cos(" + angle_code(angle, leaves) + ")"; };
   return names;
@@ -140,14 +119,9 @@ std::string joined(const std::vector<std::string>& items, const std::string& bef
 }  // namespace
 
 std::vector<dag::Angle> angles_of(const std::vector<DynamicsFunction>& functions) {
-  std::map<std::string, dag::Angle> found;
-  for (const DynamicsFunction& function : functions)
-    for (const dag::Angle& angle : angles_of(function.function)) found.emplace(to_string(angle), angle);
-  std::vector<dag::Angle> angles;
-  for (const auto& [text, angle] : found) angles.push_back(angle);
-  std::stable_sort(angles.begin(), angles.end(),
-                   [](const auto& a, const auto& b) { return a.terms.size() < b.terms.size(); });
-  return angles;
+  std::vector<std::vector<dag::Angle>> lists;
+  for (const DynamicsFunction& function : functions) lists.push_back(angles_of(function.function));
+  return merged(lists);
 }
 
 namespace {
@@ -192,7 +166,7 @@ json dynamics_values(const model::Robot& robot, const DynamicsFunction& function
   json values{{"entry", function.name},
               {"function", interface.overloads.empty() ? function.name : interface.overloads},
               {"doc", doc_of(robot, function, interface)},
-              {"type", replaced(interface.type, "{scalar}", scalar)},
+              {"type", type_of(interface.result, scalar)},
               {"parameters", joined(interface.arguments, vector, " ")},
               {"unused_parameters", unused},
               {"types", joined(interface.arguments, vector, "")},
@@ -200,10 +174,11 @@ json dynamics_values(const model::Robot& robot, const DynamicsFunction& function
               {"default", interface.gravity == Gravity::vector ? "" : " = {}"},
               {"constants", camel_case(function.name) + "Constants"},
               {"constant_count", constants.stored.outputs.size()},
-              {"set_up", list_of(set_up.temporaries)},
-              {"stored", list_of(set_up.outputs)},
-              {"temporaries", list_of(code.temporaries)},
-              {"statements", list_of(code.outputs, interface.in_struct)}};
+              {"set_up", values_of(set_up.temporaries)},
+              {"stored", values_of(set_up.outputs)},
+              {"named_angles", lines_of(sine_cosine_declarations(robot, function.function, angles))},
+              {"temporaries", values_of(code.temporaries)},
+              {"statements", statements_of(code.outputs, interface.result, robot.joints.size())}};
   values.update(gravity_values(interface.gravity, scalar));
   values.update(wrench_values(interface.wrench, scalar));
   return values;
@@ -213,8 +188,8 @@ json base_parameter_values(const model::Robot& robot, const derive::dynamics::Re
   std::map<std::string, std::string> known;
   for (std::size_t i = 0; i < 10 * robot.joints.size(); ++i)
     known[derive::dynamics::standard_parameter(i)] = "standard[" + std::to_string(i) + "]";
-  Names names = leaf_names(robot, {}, [known](const std::string& name) { return known.at(name); });
-  const Names leaves = names;
+  SymbolTable names = symbol_table(robot, {}, [known](const std::string& name) { return known.at(name); });
+  const SymbolTable leaves = names;
   names.sine = [leaves](const dag::Angle& angle) { return "sin(" + angle_code(angle, leaves) + ")"; };
   names.cosine = [leaves](const dag::Angle& angle) { return "cos(" + angle_code(angle, leaves) + ")"; };
   const Code code = cpp_code(regressor.base_parameters, names);
@@ -225,7 +200,7 @@ json base_parameter_values(const model::Robot& robot, const derive::dynamics::Re
                           {"expression", code.outputs[i].expression},
                           {"last", i + 1 == code.outputs.size()}});
   return {{"parameters_of_base", parameters},
-          {"base_set_up", list_of(code.temporaries)},
+          {"base_set_up", values_of(code.temporaries)},
           {"base_count", code.outputs.size()}};
 }
 

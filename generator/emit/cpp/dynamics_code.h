@@ -15,13 +15,22 @@ namespace qvgen::emit {
 /// the acceleration of free fall.
 enum class Gravity { none, magnitude, vector };
 
+/// What a function returns, and so the order of its outputs.
+enum class Result {
+  scalar,
+  vector,            ///< a number for each joint
+  symmetric_matrix,  ///< joints by joints; the outputs are the upper triangle, row by row
+  matrix,            ///< joints by joints, row by row
+  regressor,         ///< joints by base parameters, column by column
+  derivatives        ///< a vector, then for each joint its derivatives by position, and those by rate
+};
+
 /// How a generated function of dynamics looks from outside.
 struct DynamicsInterface {
   std::vector<std::string> arguments;  ///< of "q", "qd", "qdd", "torque"
-  std::string type;                    ///< what it returns, in terms of {scalar}
+  Result result = Result::vector;
   Gravity gravity = Gravity::none;
   std::string summary;         ///< first lines of its doc comment, without ///
-  bool in_struct = false;      ///< the result has members: torque, by_position, by_rate
   std::string overloads = {};  ///< the function that it is an overload of, or nothing
   bool wrench = false;         ///< whether it takes a wrench on the tool
 };
@@ -39,5 +48,10 @@ nlohmann::json base_parameter_values(const model::Robot& robot, const derive::dy
 
 /// Interface of a quantity by its name.
 DynamicsInterface dynamics_interface(const std::string& name);
+
+/// What a function returns, as a C++ type.
+std::string type_of(Result result, const std::string& scalar);
+/// Where each of `count` outputs goes in what is returned: "result(0, 1) = result(1, 0)".
+std::vector<std::string> places_of(Result result, std::size_t dof, std::size_t count);
 
 }  // namespace qvgen::emit

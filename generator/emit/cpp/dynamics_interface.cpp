@@ -6,101 +6,176 @@
 namespace qvgen::emit {
 
 DynamicsInterface dynamics_interface(const std::string& name) {
-  const std::string vector = "JointVector<{scalar}>";
-  const std::string matrix = "Eigen::Matrix<{scalar}, dof, dof>";
   static const std::map<std::string, DynamicsInterface> known = {
       {"inverse_dynamics",
        {{"q", "qd", "qdd"},
-        vector,
+        Result::vector,
         Gravity::magnitude,
         "Joint forces for a motion: Newton-Euler recursion in base parameters (thesis 5.1-5.15)."}},
       {"gravity_torque",
-       {{"q"}, vector, Gravity::magnitude, "Joint forces that hold the robot against gravity at rest."}},
+       {{"q"},
+        Result::vector,
+        Gravity::magnitude,
+        "Joint forces that hold the robot against gravity at rest."}},
       {"coriolis_torque",
        {{"q", "qd"},
-        vector,
+        Result::vector,
         Gravity::none,
         "Joint forces that come from the joint rates alone, C(q, qd) qd, without friction."}},
       {"mass_matrix",
        {{"q"},
-        matrix,
+        Result::symmetric_matrix,
         Gravity::none,
         "Symmetric, positive definite M(q), by composite bodies in base parameters; rotors included."}},
       {"coriolis_matrix",
        {{"q", "qd"},
-        matrix,
+        Result::matrix,
         Gravity::none,
         "C(q, qd) of Christoffel's symbols: C qd is coriolis_torque, dM/dt - 2 C is skew-symmetric."}},
       {"forward_dynamics",
        {{"q", "qd", "torque"},
-        vector,
+        Result::vector,
         Gravity::magnitude,
         "Joint accelerations for given joint forces: M qdd = torque - C qd - gravity, by M = U D U^T."}},
-      {"kinetic_energy", {{"q", "qd"}, "{scalar}", Gravity::none, "qd^T M qd / 2, J."}},
+      {"kinetic_energy", {{"q", "qd"}, Result::scalar, Gravity::none, "qd^T M qd / 2, J."}},
       {"potential_energy",
        {{"q"},
-        "{scalar}",
+        Result::scalar,
         Gravity::magnitude,
         "Sum of m g z over the links, z of the centre of mass in the world, J."}},
       {"regressor",
        {{"q", "qd", "qdd"},
-        "Eigen::Matrix<{scalar}, dof, base_parameter_count>",
+        Result::regressor,
         Gravity::magnitude,
         "Y with inverse_dynamics = Y base_parameters for all inertias, without drives. `inertia` has no "
         "influence."}},
       {"inverse_dynamics_derivatives",
        {{"q", "qd", "qdd"},
-        "InverseDynamicsDerivatives<{scalar}>",
+        Result::derivatives,
         Gravity::magnitude,
-        "Joint forces for a motion, and their derivatives by q and qd; the one by qdd is mass_matrix.",
-        true}},
+        "Joint forces for a motion, and their derivatives by q and qd; the one by qdd is mass_matrix."}},
       {"inverse_dynamics_with_gravity_vector",
        {{"q", "qd", "qdd"},
-        vector,
+        Result::vector,
         Gravity::vector,
         "Joint forces for a motion, under gravity in any direction.",
-        false,
         "inverse_dynamics"}},
       {"inverse_dynamics_with_wrench",
        {{"q", "qd", "qdd"},
-        vector,
+        Result::vector,
         Gravity::vector,
         "Joint forces for a motion while a wrench acts on the tool from outside: those without it minus "
         "jacobian(q)^T wrench.",
-        false,
         "inverse_dynamics",
         true}},
       {"gravity_torque_with_gravity_vector",
        {{"q"},
-        vector,
+        Result::vector,
         Gravity::vector,
         "Joint forces that hold the robot at rest, under gravity in any direction.",
-        false,
         "gravity_torque"}},
       {"forward_dynamics_with_gravity_vector",
        {{"q", "qd", "torque"},
-        vector,
+        Result::vector,
         Gravity::vector,
         "Joint accelerations for given joint forces, under gravity in any direction.",
-        false,
         "forward_dynamics"}},
       {"forward_dynamics_with_wrench",
        {{"q", "qd", "torque"},
-        vector,
+        Result::vector,
         Gravity::vector,
         "Joint accelerations for given joint forces while a wrench acts on the tool from outside.",
-        false,
         "forward_dynamics",
         true}},
       {"potential_energy_with_gravity_vector",
        {{"q"},
-        "{scalar}",
+        Result::scalar,
         Gravity::vector,
         "Minus the sum of m gravity . r over the links, r the centre of mass in the world, J.",
-        false,
         "potential_energy"}},
   };
   return known.at(name);
+}
+
+std::string type_of(Result result, const std::string& scalar) {
+  switch (result) {
+    case Result::scalar:
+      return scalar;
+    case Result::vector:
+      return "JointVector<" + scalar + ">";
+    case Result::symmetric_matrix:
+    case Result::matrix:
+      return "Eigen::Matrix<" + scalar + ", dof, dof>";
+    case Result::regressor:
+      return "Eigen::Matrix<" + scalar + ", dof, base_parameter_count>";
+    case Result::derivatives:
+      return "InverseDynamicsDerivatives<" + scalar + ">";
+  }
+  return {};
+}
+
+namespace {
+
+std::string entry(const std::string& matrix, std::size_t row, std::size_t column) {
+  return matrix + "(" + std::to_string(row) + ", " + std::to_string(column) + ")";
+}
+
+std::vector<std::string> vector_places(const std::string& vector, std::size_t size) {
+  std::vector<std::string> places;
+  for (std::size_t i = 0; i < size; ++i) places.push_back(vector + "[" + std::to_string(i) + "]");
+  return places;
+}
+
+std::vector<std::string> places_by_rows(std::size_t size) {
+  std::vector<std::string> places;
+  for (std::size_t i = 0; i < size; ++i)
+    for (std::size_t k = 0; k < size; ++k) places.push_back(entry("result", i, k));
+  return places;
+}
+
+std::vector<std::string> places_by_columns(const std::string& matrix, std::size_t rows, std::size_t columns) {
+  std::vector<std::string> places;
+  for (std::size_t k = 0; k < columns; ++k)
+    for (std::size_t i = 0; i < rows; ++i) places.push_back(entry(matrix, i, k));
+  return places;
+}
+
+std::vector<std::string> symmetric_places(std::size_t size) {
+  std::vector<std::string> places;
+  for (std::size_t i = 0; i < size; ++i) {
+    places.push_back(entry("result", i, i));
+    for (std::size_t k = i + 1; k < size; ++k)
+      places.push_back(entry("result", i, k) + " = " + entry("result", k, i));
+  }
+  return places;
+}
+
+std::vector<std::string> derivative_places(std::size_t dof) {
+  std::vector<std::string> places = vector_places("result.torque", dof);
+  for (std::size_t k = 0; k < dof; ++k)
+    for (const char* matrix : {"result.by_position", "result.by_rate"})
+      for (std::size_t i = 0; i < dof; ++i) places.push_back(entry(matrix, i, k));
+  return places;
+}
+
+}  // namespace
+
+std::vector<std::string> places_of(Result result, std::size_t dof, std::size_t count) {
+  switch (result) {
+    case Result::scalar:
+      return {"result"};
+    case Result::vector:
+      return vector_places("result", dof);
+    case Result::symmetric_matrix:
+      return symmetric_places(dof);
+    case Result::matrix:
+      return places_by_rows(dof);
+    case Result::regressor:
+      return places_by_columns("result", dof, count / dof);
+    case Result::derivatives:
+      return derivative_places(dof);
+  }
+  return {};
 }
 
 }  // namespace qvgen::emit

@@ -6,7 +6,8 @@
 
 #include "derive/jacobian/rates.h"
 #include "emit/cpp/code.h"
-#include "emit/cpp/leaf_names.h"
+#include "emit/cpp/symbol_table.h"
+#include "emit/cpp/template_values.h"
 #include "optimise/optimised_json.h"
 #include "verify/counts_json.h"
 
@@ -16,8 +17,8 @@ namespace {
 using nlohmann::json;
 
 /// Joint rates are qd[i], the free point is point[i].
-Names names_of(const model::Robot& robot, const std::vector<dag::Angle>& angles) {
-  return leaf_names(robot, angles, [&robot](const std::string& name) -> std::string {
+SymbolTable names_of(const model::Robot& robot, const std::vector<dag::Angle>& angles) {
+  return symbol_table(robot, angles, [&robot](const std::string& name) -> std::string {
     for (std::size_t i = 0; i < robot.joints.size(); ++i)
       if (name == derive::rate_name(robot.joints[i].variable)) return "qd[" + std::to_string(i) + "]";
     const std::string axes = "xyz";
@@ -25,12 +26,6 @@ Names names_of(const model::Robot& robot, const std::vector<dag::Angle>& angles)
       if (name == std::string("point.") + axes[i]) return "point[" + std::to_string(i) + "]";
     throw std::logic_error("symbol " + name + " has no place in the generated code");
   });
-}
-
-json lines(const std::vector<std::string>& text) {
-  json list = json::array();
-  for (const std::string& line : text) list.push_back({{"line", line}});
-  return list;
 }
 
 /// The places of a function's angles among those of the header.
@@ -56,22 +51,17 @@ json assignments(const JacobianFunction& function, const Code& code) {
 }  // namespace
 
 std::vector<dag::Angle> angles_of(const std::vector<JacobianFunction>& functions) {
-  std::vector<dag::Angle> all;
-  for (const JacobianFunction& function : functions)
-    for (const dag::Angle& angle : angles_of(function.optimised.function))
-      if (std::find(all.begin(), all.end(), angle) == all.end()) all.push_back(angle);
-  std::sort(all.begin(), all.end(), [](const dag::Angle& a, const dag::Angle& b) {
-    return std::pair(a.terms.size(), to_string(a)) < std::pair(b.terms.size(), to_string(b));
-  });
-  return all;
+  std::vector<std::vector<dag::Angle>> lists;
+  for (const JacobianFunction& function : functions) lists.push_back(angles_of(function.optimised.function));
+  return merged(lists);
 }
 
 json to_values(const JacobianFunction& function, const model::Robot& robot,
                const std::vector<dag::Angle>& all) {
   const auto angles = angles_of(function.optimised.function);
-  const Names names = names_of(robot, angles);
+  const SymbolTable names = names_of(robot, angles);
   const Code code = cpp_code(function.optimised.function, names);
-  json values{{"function", function.name}, {"result", function.result}, {"text", lines(function.text)}};
+  json values{{"function", function.name}, {"result", function.result}, {"text", lines_of(function.text)}};
   values["counts"] = verify::describe(function.optimised.counts);
   values["points"] = function.optimised.certified_points;
   values["ulp"] = to_json(function.optimised).at("largest_error_ulp").dump();
@@ -82,9 +72,8 @@ json to_values(const JacobianFunction& function, const model::Robot& robot,
   values["angle_count"] = angles.size();
   values["sines"] = selection(angles, all, "sine");
   values["cosines"] = selection(angles, all, "cosine");
-  values["temporaries"] = json::array();
-  for (const auto& value : code.temporaries)
-    values["temporaries"].push_back({{"temporary", value.name}, {"expression", value.expression}});
+  values["named_angles"] = lines_of(sine_cosine_declarations(robot, function.optimised.function, angles));
+  values["temporaries"] = values_of(code.temporaries);
   values["assignments"] = assignments(function, code);
   values["last_statements"] = json::array();
   if (!function.last_statement.empty())

@@ -4,7 +4,6 @@
 #include <map>
 #include <stdexcept>
 
-#include "dag/evaluate.h"
 #include "dag/import.h"
 #include "derive/dynamics/formulation.h"
 #include "emit/math/notation.h"
@@ -19,27 +18,6 @@ using derive::dynamics::velocity_of;
 using GiNaC::ex;
 
 constexpr std::size_t most_joints = 3;
-
-/// Leaves of a graph as GiNaC writes them.
-struct SymbolicLeaves {
-  std::map<std::string, ex> known;
-
-  [[nodiscard]] ex constant(const exact::Number& value) const { return GiNaC::numeric(value.rational()); }
-  [[nodiscard]] ex symbol(const std::string& name) const {
-    const auto place = known.find(name);
-    return place != known.end() ? place->second : ex(symbolic::symbol(name));
-  }
-  static ex argument(const dag::Angle& angle) {
-    ex sum = GiNaC::numeric(angle.pi) * GiNaC::Pi;
-    for (const auto& [name, coefficient] : angle.terms)
-      sum += GiNaC::numeric(coefficient) * symbolic::symbol(name);
-    return sum;
-  }
-  [[nodiscard]] ex sine(const dag::Angle& angle) const { return GiNaC::sin(argument(angle)); }
-  [[nodiscard]] ex cosine(const dag::Angle& angle) const { return GiNaC::cos(argument(angle)); }
-  [[nodiscard]] ex root(const ex& value) const { return GiNaC::sqrt(value); }
-  [[nodiscard]] ex arctangent(const ex& y, const ex& x) const { return GiNaC::atan2(y, x); }
-};
 
 /// cos^2 -> 1 - sin^2 until no square of a cosine is left.
 ex without_cosine_squares(const ex& value) {
@@ -56,16 +34,16 @@ ex without_cosine_squares(const ex& value) {
 }
 
 std::vector<ex> forces(const model::Robot& robot) {
-  const derive::dynamics::Choices choices;
+  const derive::dynamics::FormulationOptions choices;
   derive::dynamics::Formulation formulation = inverse_dynamics(robot, choices);
   std::erase_if(formulation.function.outputs,
                 [](const dag::Output& output) { return output.name.front() == '?'; });
-  SymbolicLeaves leaves;
-  const auto constants = dag::evaluate<ex>(formulation.constants, leaves);
+  std::map<std::string, ex> known;
+  const std::vector<ex> constants = dag::to_symbolic(formulation.constants, {});
   for (std::size_t i = 0; i < constants.size(); ++i)
-    leaves.known[formulation.constants.outputs[i].name] = constants[i];
+    known[formulation.constants.outputs[i].name] = constants[i];
   std::vector<ex> result;
-  for (const ex& force : dag::evaluate<ex>(formulation.function, leaves))
+  for (const ex& force : dag::to_symbolic(formulation.function, known))
     result.push_back(without_cosine_squares(force));
   return result;
 }

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "emit/cpp/dynamics_code.h"
-#include "emit/cpp/leaf_names.h"
+#include "emit/cpp/symbol_table.h"
 #include "emit/math/dynamics_choices.h"
 #include "emit/render.h"
 #include "model/evaluate.h"
@@ -86,7 +86,7 @@ void add_files(const model::Robot& robot, const std::string& part, const json& v
 
 json angles_and_name(const model::Robot& robot, const std::vector<dag::Angle>& angles,
                      const std::string& angles_type) {
-  const emit::Names names = emit::leaf_names(robot, angles);
+  const emit::SymbolTable names = emit::symbol_table(robot, angles);
   return {{"name", robot.name},
           {"angles", emit::angle_values(angles, names)},
           {"angle_count", angles.size()},

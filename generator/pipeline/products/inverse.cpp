@@ -7,9 +7,10 @@
 #include <fmt/format.h>
 
 #include "derive/inverse/inverse.h"
-#include "emit/cpp/inverse/lane_code.h"
-#include "emit/cpp/inverse/nest_code.h"
+#include "emit/cpp/inverse/scalar_loops.h"
+#include "emit/cpp/inverse/simd_loops.h"
 #include "emit/cpp/inverse/step_code.h"
+#include "emit/cpp/template_values.h"
 #include "emit/math/describe.h"
 #include "emit/render.h"
 #include "model/evaluate.h"
@@ -27,25 +28,6 @@ json fields_of(const std::vector<std::string>& names) {
   json list = json::array();
   for (const std::string& name : names) list.push_back({{"field", name}});
   return list;
-}
-
-/// Rendered text without the blank lines that empty sections leave.
-std::string tidy(const std::string& text) {
-  std::string result;
-  std::string last = "{";
-  for (std::size_t start = 0; start < text.size();) {
-    const std::size_t end = text.find('\n', start);
-    const std::string line = text.substr(start, end - start);
-    start = end + 1;
-    const bool spare = line.empty() && (last.empty() || last.back() == '{');
-    const bool closes =
-        line.find_first_not_of(' ') != std::string::npos && line[line.find_first_not_of(' ')] == '}';
-    if (spare) continue;
-    if (closes && last.empty() && result.size() > 1 && line.size() == line.find('}') + 1) result.pop_back();
-    result += line + "\n";
-    last = line;
-  }
-  return result;
 }
 
 /// One line for each unknown, for the head of the public function.
@@ -133,13 +115,14 @@ json variant(const model::Robot& robot, const derive::inverse::Plan& derived,
       {"dof", robot.joints.size()},
       {"has_geometry", !constants.empty()},
       {"geometry", fields_of(constants)},
-      {"first_pass", derived.quartic()
-                         ? json(false)
-                         : json{{"lines", emit::lines_of(emit::nest_lines(robot, plan, emit::Pass::first))}}},
+      {"first_pass",
+       derived.quartic()
+           ? json(false)
+           : json{{"lines", emit::lines_of(emit::scalar_loop_lines(robot, plan, emit::Pass::first))}}},
       {"polished_joints", std::to_string(polished_joints(derived))},
-      {"careful_pass", emit::lines_of(emit::nest_lines(robot, plan, emit::Pass::careful))},
+      {"careful_pass", emit::lines_of(emit::scalar_loop_lines(robot, plan, emit::Pass::careful))},
       {"has_lanes", lanes ? "true" : "false"},
-      {"lanes", lanes ? json{{"lines", emit::lines_of(emit::lane_lines(robot, plan))}} : json(false)}};
+      {"lanes", lanes ? json{{"lines", emit::lines_of(emit::simd_loop_lines(robot, plan))}} : json(false)}};
 }
 
 }  // namespace
@@ -155,17 +138,17 @@ void generate_inverse(const model::Robot& robot, RobotOutput& output) {
   values["found"] = found;
   values["reasons"] = emit::lines_of(reasons);
   output.files.push_back(
-      {"include/qvgen/robots/" + robot.name + "/inverse.h", tidy(emit::render("inverse.h", values))});
+      {"include/qvgen/robots/" + robot.name + "/inverse.h", emit::render("inverse.h", values)});
   if (!found) {
     for (const std::string& reason : reasons) output.missing.push_back("no inverse kinematics: " + reason);
     return;
   }
   const std::string sources = "source/" + robot.name + "/";
-  output.files.push_back({sources + "inverse_steps.h", tidy(emit::render("inverse_steps.h", values))});
-  output.files.push_back({sources + "inverse.cpp", tidy(emit::render("inverse.cpp", values))});
+  output.files.push_back({sources + "inverse_steps.h", emit::render("inverse_steps.h", values)});
+  output.files.push_back({sources + "inverse.cpp", emit::render("inverse.cpp", values)});
   const auto in_lanes = [](const json& variant) { return variant["has_lanes"] == "true"; };
   if (std::any_of(values["variants"].begin(), values["variants"].end(), in_lanes))
-    output.files.push_back({sources + "inverse_avx2.cpp", tidy(emit::render("inverse_avx2.cpp", values))});
+    output.files.push_back({sources + "inverse_avx2.cpp", emit::render("inverse_avx2.cpp", values)});
 }
 
 }  // namespace qvgen::pipeline

@@ -6,7 +6,7 @@
 #include "derive/jacobian/wrist.h"
 #include "emit/cpp/code.h"
 #include "emit/cpp/jacobian_function.h"
-#include "emit/cpp/leaf_names.h"
+#include "emit/cpp/symbol_table.h"
 #include "emit/math/singularities.h"
 #include "emit/render.h"
 #include "optimise/optimised_json.h"
@@ -185,7 +185,7 @@ json wrist_values(const model::Robot& robot) {
   program.output("y", centre->y);
   program.output("z", centre->z);
   json values;
-  for (const auto& value : emit::cpp_code(dag::import(program), emit::leaf_names(robot, {})).outputs)
+  for (const auto& value : emit::cpp_code(dag::import(program), emit::symbol_table(robot, {})).outputs)
     values[value.name] = value.expression;
   return json::array({values});
 }
@@ -196,7 +196,7 @@ void generate_jacobian(const model::Robot& robot, RobotOutput& output) {
   const emit::SingularityMeasures measures = emit::singularity_measures(robot);
   const std::vector<emit::JacobianFunction> functions = functions_of(robot, measures);
   const std::vector<dag::Angle> angles = emit::angles_of(functions);
-  const emit::Names names = emit::leaf_names(robot, angles);
+  const emit::SymbolTable names = emit::symbol_table(robot, angles);
   json values{{"name", robot.name}, {"scalars", {{{"scalar", "double"}}, {{"scalar", "float"}}}}};
   values["angles"] = emit::angle_values(angles, names);
   values["all_angle_count"] = angles.size();

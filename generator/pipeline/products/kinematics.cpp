@@ -2,7 +2,8 @@
 #include "pipeline/products/kinematics.h"
 
 #include "derive/kinematics/forward_kinematics.h"
-#include "emit/cpp/leaf_names.h"
+#include "emit/cpp/symbol_table.h"
+#include "emit/cpp/template_values.h"
 #include "emit/math/closed_form.h"
 #include "emit/render.h"
 #include "optimise/optimised_json.h"
@@ -15,13 +16,6 @@ namespace {
 using nlohmann::json;
 
 constexpr int accuracy_points = 200;
-
-json temporaries(const emit::Code& code) {
-  json list = json::array();
-  for (const auto& value : code.temporaries)
-    list.push_back({{"name", value.name}, {"expression", value.expression}});
-  return list;
-}
 
 /// What the head of a function says: counts, certificate, rounding error.
 std::string notes(const optimise::Optimised& optimised) {
@@ -39,27 +33,29 @@ optimise::Optimised optimise_with_accuracy(const derive::Quantity& quantity,
   return optimised;
 }
 
+/// Template values of a function, whose keys begin with `prefix`; returns its code.
+emit::Code add_function(const model::Robot& robot, const optimise::Optimised& optimised,
+                        const std::string& prefix, const std::string& angles_type, json& values) {
+  const auto angles = emit::angles_of(optimised.function);
+  const emit::SymbolTable names = emit::symbol_table(robot, angles);
+  emit::Code code = emit::cpp_code(optimised.function, names);
+  values[prefix + "notes"] = notes(optimised);
+  values[prefix + "angles"] = emit::angle_values(angles, names);
+  values[prefix + "angle_count"] = angles.size();
+  values[prefix + "sines_cosines"] = emit::sines_cosines_code(angles, names, angles_type);
+  values[prefix + "named_angles"] =
+      emit::lines_of(emit::sine_cosine_declarations(robot, optimised.function, angles));
+  values[prefix + "temporaries"] = emit::values_of(code.temporaries);
+  return code;
+}
+
 void add_pose(const model::Robot& robot, const optimise::Optimised& pose, json& values) {
-  const auto angles = emit::angles_of(pose.function);
-  const emit::Names names = emit::leaf_names(robot, angles);
-  const emit::Code code = emit::cpp_code(pose.function, names);
-  values["pose_notes"] = notes(pose);
-  values["pose_angles"] = emit::angle_values(angles, names);
-  values["pose_angle_count"] = angles.size();
-  values["pose_sines_cosines"] = sines_cosines_code(angles, names, "PoseAngles");
-  values["pose_temporaries"] = temporaries(code);
+  const emit::Code code = add_function(robot, pose, "pose_", "PoseAngles", values);
   for (const auto& output : code.outputs) values[output.name] = output.expression;
 }
 
 void add_transform(const model::Robot& robot, const optimise::Optimised& transform, json& values) {
-  const auto angles = emit::angles_of(transform.function);
-  const emit::Names names = emit::leaf_names(robot, angles);
-  const emit::Code code = emit::cpp_code(transform.function, names);
-  values["transform_notes"] = notes(transform);
-  values["transform_angles"] = emit::angle_values(angles, names);
-  values["transform_angle_count"] = angles.size();
-  values["transform_sines_cosines"] = sines_cosines_code(angles, names, "TransformAngles");
-  values["transform_temporaries"] = temporaries(code);
+  const emit::Code code = add_function(robot, transform, "transform_", "TransformAngles", values);
   values["transform_entries"] = json::array();
   for (std::size_t i = 0; i < code.outputs.size(); ++i)
     values["transform_entries"].push_back({{"row", i < 9 ? i / 3 : i - 9},
@@ -79,9 +75,7 @@ void generate_kinematics(const model::Robot& robot, RobotOutput& output) {
   json values{{"name", robot.name}, {"scalars", {{{"scalar", "double"}}, {{"scalar", "float"}}}}};
   add_pose(robot, pose, values);
   add_transform(robot, transform, values);
-  values["closed_form"] = json::array();
-  for (const std::string& line : emit::closed_form_lines(robot, emit::Notation::text))
-    values["closed_form"].push_back({{"line", line}});
+  values["closed_form"] = emit::lines_of(emit::closed_form_lines(robot, emit::Notation::text));
   const std::string headers = "include/qvgen/robots/" + robot.name + "/";
   output.files.push_back({headers + "kinematics.h", emit::render("kinematics.h", values)});
   output.files.push_back(

@@ -17,7 +17,7 @@ std::string number(const model::Expression& expression, const model::Robot& robo
 }
 
 json joint(const model::Joint& joint, const model::Robot& robot, bool last) {
-  const std::string infinity = "std::numeric_limits<double>::infinity()";
+  const std::string infinity = "unlimited";
   return {{"variable", joint.variable},
           {"revolute", joint.type == model::JointType::revolute ? "true" : "false"},
           {"lower", joint.limits ? number(joint.limits->lower, robot) : "-" + infinity},
@@ -39,8 +39,10 @@ void generate_model_header(const model::Robot& robot, RobotOutput& output) {
     has_defaults = has_defaults || parameter.default_value.has_value();
     values["parameters"].push_back(
         {{"name", parameter.name},
-         {"default", parameter.default_value ? number(*parameter.default_value, robot) : "0"}});
+         {"default", parameter.default_value ? number(*parameter.default_value, robot) : "0"},
+         {"last", &parameter == &robot.geometry.back()}});
   }
+  values["parameter_count"] = robot.geometry.size();
   values["has_parameters"] = !robot.geometry.empty();
   values["has_defaults"] = has_defaults;
   output.files.push_back(

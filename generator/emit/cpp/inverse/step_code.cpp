@@ -7,7 +7,8 @@
 #include "derive/inverse/inverse.h"
 #include "derive/inverse/schedule.h"
 #include "emit/cpp/code.h"
-#include "emit/cpp/leaf_names.h"
+#include "emit/cpp/symbol_table.h"
+#include "emit/cpp/template_values.h"
 #include "emit/math/describe.h"
 
 namespace qvgen::emit {
@@ -28,7 +29,7 @@ std::string length_place(const std::string& unknown) { return "w.length_" + unkn
 
 /// Symbols of a step: geometry and the target's values from t, what earlier steps left from w, the block's
 /// results.
-Names names_of(const model::Robot& robot, const LoweredPlan& plan, const Step& step) {
+SymbolTable names_of(const model::Robot& robot, const LoweredPlan& plan, const Step& step) {
   std::set<std::string> parameters;
   for (const auto& parameter : robot.geometry) parameters.insert(parameter.name);
   const std::vector<std::string> target = plan.plan.target_kept;
@@ -54,14 +55,8 @@ Names names_of(const model::Robot& robot, const LoweredPlan& plan, const Step& s
   return {symbol, refuse, refuse};
 }
 
-json values(const std::vector<Code::Value>& list) {
-  json result = json::array();
-  for (const auto& value : list) result.push_back({{"name", value.name}, {"expression", value.expression}});
-  return result;
-}
-
 json to_json(const Code& code) {
-  return {{"temporaries", values(code.temporaries)}, {"outputs", values(code.outputs)}};
+  return {{"temporaries", values_of(code.temporaries)}, {"outputs", values_of(code.outputs)}};
 }
 
 std::string rotor(const std::string& x, const std::string& y) {
@@ -269,12 +264,6 @@ std::vector<std::string> wrist_turn_lines(const Step& step) {
 
 }  // namespace
 
-json lines_of(const std::vector<std::string>& lines) {
-  json list = json::array();
-  for (const std::string& line : lines) list.push_back({{"line", line}});
-  return list;
-}
-
 std::vector<std::string> work_fields(const LoweredPlan& plan) {
   std::vector<std::string> fields;
   for (const Step& step : plan.plan.steps) {
@@ -295,7 +284,7 @@ json target_values(const model::Robot& robot, const LoweredPlan& plan) {
     return parameters.count(name) > 0 ? "t.geometry." + name : name;
   };
   // Sines of twists that are symbols.
-  const Names plain{symbol, {}, {}};
+  const SymbolTable plain{symbol, {}, {}};
   const auto function = [&](const std::string& name) {
     return [&, name](const dag::Angle& angle) { return name + "(" + angle_code(angle, plain) + ")"; };
   };
@@ -315,7 +304,7 @@ json step_values(const model::Robot& robot, const LoweredPlan& plan) {
   json steps = json::array();
   for (std::size_t i = 0; i < plan.steps.size(); ++i) {
     const Step& step = plan.plan.steps[i];
-    const Names names = names_of(robot, plan, step);
+    const SymbolTable names = names_of(robot, plan, step);
     const Code before = cpp_code(plan.steps[i].before, names);
     const Code after = cpp_code(plan.steps[i].after, names);
     const auto [type, call] = block(plan, step);

@@ -8,9 +8,6 @@
 
 namespace qvgen::emit {
 
-/// Text for a template, a line an entry.
-nlohmann::json lines_of(const std::vector<std::string>& lines);
-
 /// Template values of the function that computes a plan's target from pose and geometry.
 nlohmann::json target_values(const model::Robot& robot, const derive::inverse::LoweredPlan& plan);
 
@@ -20,7 +17,7 @@ nlohmann::json range_test_values(const model::Robot& robot, const derive::invers
 /// Template values of every step's function, in order.
 nlohmann::json step_values(const model::Robot& robot, const derive::inverse::LoweredPlan& plan);
 
-/// Names of what steps leave for later steps: the fields of the generated Work struct.
+/// SymbolTable of what steps leave for later steps: the fields of the generated Work struct.
 std::vector<std::string> work_fields(const derive::inverse::LoweredPlan& plan);
 
 }  // namespace qvgen::emit

@@ -10,6 +10,7 @@
 #include <qvgen/robots/cn/model.h>
 
 namespace qvgen::robots::cn {
+
 using Solutions = qvgen::Solutions<dof, 8>;
 /// At most 8 solutions; what of the pose is used; the joint that the caller gives, -1 for none; has lanes.
 inline constexpr InverseInfo inverse_info{ 8, true, -1, true };
@@ -26,8 +27,10 @@ inline constexpr InverseInfo inverse_info{ 8, true, -1, true };
 /// the sampled joints among them.
 ///
 /// The pose's quaternion may be off its length by rounding (float's too) and is normalised; NaN, infinity or no
-/// rotation gives Status::invalid. `tolerance` is how far beyond the boundary of reach, as a share of the arm's size, a pose
-/// is still solved by the nearest joints. What a singular pose leaves free is taken as 0, or near it where the other joints
+/// rotation gives Status::invalid. `tolerance` is how far beyond the boundary of reach, as a share of the arm's size, a
+/// pose
+/// is still solved by the nearest joints. What a singular pose leaves free is taken as 0, or near it where the other
+/// joints
 /// cannot follow. No heap, no exceptions.
 /// Four branches at a time in the lanes of AVX2 registers, if the machine has them; `form` is for comparisons.
 Solutions inverse_kinematics(const Pose<double>& pose, const Geometry& g = {},
@@ -38,8 +41,10 @@ Solutions inverse_kinematics(const Pose<double>& pose, const JointVector<double>
 /// The same for a rotation matrix and a position (m).
 Solutions inverse_kinematics(const Matrix3<double>& rotation, const Vector3<double>& position, const Geometry& g = {},
     double tolerance = inverse::default_tolerance);
-/// The solutions within joint limits, with every representative of an angle that differs by whole turns and lies inside.
-LimitedSolutions<dof, 8> inverse_kinematics(const Pose<double>& pose, const JointLimits<dof>& limits, const Geometry& g = {},
+/// The solutions within joint limits, with every representative of an angle that differs by whole turns and lies
+/// inside.
+LimitedSolutions<dof, 8> inverse_kinematics(const Pose<double>& pose, const JointLimits<dof>& limits,
+    const Geometry& g = {},
     double tolerance = inverse::default_tolerance);
 
 }  // namespace qvgen::robots::cn

@@ -21,8 +21,11 @@ inline constexpr std::array<const char*, dof> joint_names{ "d2", "theta2", "thet
 inline constexpr std::array<bool, dof> is_revolute{ false, true, true, true, true, true };
 
 /// Joint limits of the description, rad or m; infinite where it has none.
-inline constexpr std::array<double, dof> lower_limits{ -std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity() };
-inline constexpr std::array<double, dof> upper_limits{ std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity() };
+inline constexpr double unlimited = std::numeric_limits<double>::infinity();
+inline constexpr std::array<double, dof> lower_limits{ -unlimited, -unlimited, -unlimited, -unlimited, -unlimited,
+    -unlimited };
+inline constexpr std::array<double, dof> upper_limits{ unlimited, unlimited, unlimited, unlimited, unlimited,
+    unlimited };
 
 /// Geometric constants, metres or radians; defaults from the description.
 template <class Scalar>
@@ -32,5 +35,6 @@ struct BasicGeometry {
   Scalar d4 = Scalar(0.25);
 };
 using Geometry = BasicGeometry<double>;
+inline constexpr std::array<const char*, 3> geometry_names{ "h1", "l1", "d4" };
 
 }  // namespace qvgen::robots::cn

@@ -23,7 +23,8 @@ using Twist = Eigen::Matrix<Scalar, 6, 1>;
 
 /// Factors of the Jacobian's determinant; what they mean for this arm: ./qvgen show cr --singularities
 inline constexpr int singularity_count = 3;
-inline constexpr std::array<const char*, singularity_count> singularity_names{ "shoulder", "workspace boundary", "wrist" };
+inline constexpr std::array<const char*, singularity_count> singularity_names{ "shoulder", "workspace boundary",
+    "wrist" };
 template <class Scalar>
 using SingularityMeasures = Eigen::Matrix<Scalar, singularity_count, 1>;
 
@@ -44,7 +45,8 @@ struct JacobianAngles {
 template <class Scalar>
 JacobianAngles<Scalar> jacobian_angles(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g = {});
 
-// For all functions: NaN or infinite arguments give NaN in what depends on them. No heap, no exceptions. Each is equal to
+// For all functions: NaN or infinite arguments give NaN in what depends on them. No heap, no exceptions. Each is equal
+// to
 // its definition, by differentiation of the plain product of the joints' pairs, at random exact points, tolerance zero.
 
 /// Jacobian of the tool point in the base frame: the twist of the tool is `jacobian(q) * qd` (m/s, rad/s); linear rows
@@ -84,7 +86,8 @@ Jacobian<Scalar> tool_jacobian(const JointVector<Scalar>& q,
 
 /// The Jacobian in the base frame at a point that moves with the tool, given in the tool frame (m).
 ///
-/// 61 multiplications, 30 additions, 5 sine/cosine pairs. Certified at 3 points; largest rounding error found 13.99 ulp.
+/// 61 multiplications, 30 additions, 5 sine/cosine pairs. Certified at 3 points; largest rounding error found 13.99
+/// ulp.
 template <class Scalar>
 Jacobian<Scalar> jacobian_at(const JointVector<Scalar>& q, const Vector3<Scalar>& point,
     const BasicGeometry<Scalar>& g = {});
@@ -115,7 +118,8 @@ template <class Scalar>
 Jacobian<Scalar> jacobian_dot(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JacobianAngles<Scalar>& angles, const BasicGeometry<Scalar>& g = {});
 
-/// The tool's acceleration (m/s², rad/s²) at constant joint rates qd: `jacobian_dot(q, qd) * qd`; with joint accelerations
+/// The tool's acceleration (m/s², rad/s²) at constant joint rates qd: `jacobian_dot(q, qd) * qd`; with joint
+/// accelerations
 /// it is `jacobian(q) * qdd` plus this.
 ///
 /// 44 multiplications, 23 additions, 4 sine/cosine pairs. Certified at 3 points; largest rounding error found 2.58 ulp.
@@ -154,7 +158,6 @@ InverseVelocity<Scalar, dof> inverse_velocity(const JointVector<Scalar>& q, cons
   const TransformAndJacobian<Scalar> tool = forward_kinematics_and_jacobian(q, g);
   const Vector3<Scalar> to_wrist = tool.transform.linear() * wrist_centre(g);
   return qvgen::inverse_velocity_decoupled<Scalar>(tool.jacobian, to_wrist, twist, options);
-
 }
 
 // Compiled into the library for double and float; other scalar types include jacobian_definitions.h.

@@ -75,7 +75,11 @@ struct BasicInertia {
   Scalar I6xz = Scalar(0);
 };
 using Inertia = BasicInertia<double>;
-inline constexpr std::array<const char*, 60> inertia_names{ "m1", "c1x", "c1y", "c1z", "I1xx", "I1yy", "I1zz", "I1xy", "I1yz", "I1xz", "m2", "c2x", "c2y", "c2z", "I2xx", "I2yy", "I2zz", "I2xy", "I2yz", "I2xz", "m3", "c3x", "c3y", "c3z", "I3xx", "I3yy", "I3zz", "I3xy", "I3yz", "I3xz", "m4", "c4x", "c4y", "c4z", "I4xx", "I4yy", "I4zz", "I4xy", "I4yz", "I4xz", "m5", "c5x", "c5y", "c5z", "I5xx", "I5yy", "I5zz", "I5xy", "I5yz", "I5xz", "m6", "c6x", "c6y", "c6z", "I6xx", "I6yy", "I6zz", "I6xy", "I6yz", "I6xz" };
+inline constexpr std::array<const char*, 60> inertia_names{ "m1", "c1x", "c1y", "c1z", "I1xx", "I1yy", "I1zz", "I1xy",
+    "I1yz", "I1xz", "m2", "c2x", "c2y", "c2z", "I2xx", "I2yy", "I2zz", "I2xy", "I2yz", "I2xz", "m3", "c3x", "c3y",
+    "c3z", "I3xx", "I3yy", "I3zz", "I3xy", "I3yz", "I3xz", "m4", "c4x", "c4y", "c4z", "I4xx", "I4yy", "I4zz", "I4xy",
+    "I4yz", "I4xz", "m5", "c5x", "c5y", "c5z", "I5xx", "I5yy", "I5zz", "I5xy", "I5yz", "I5xz", "m6", "c6x", "c6y",
+    "c6z", "I6xx", "I6yy", "I6zz", "I6xy", "I6yz", "I6xz" };
 
 /// Sines and cosines that the functions below share, of the angles theta2, theta3, theta4, theta5, theta6.
 template <class Scalar>
@@ -93,11 +97,13 @@ DynamicsAngles<Scalar> dynamics_angles(const JointVector<Scalar>& q);
 
 /// Joint forces for a motion: Newton-Euler recursion in base parameters (thesis 5.1-5.15).
 ///
-/// 363 multiplications, 306 additions, 5 sine/cosine pairs. Set-up: 161 multiplications, 178 additions, 10 divisions, 5 sine/cosine pairs.
+/// 363 multiplications, 306 additions, 5 sine/cosine pairs. Set-up: 161 multiplications, 178 additions, 10 divisions, 5
+/// sine/cosine pairs.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is a3, which must not be zero.
 template <class Scalar>
-JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g = {},
+JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
+    const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
 using InverseDynamicsConstants = std::array<Scalar, 62>;
@@ -105,12 +111,14 @@ template <class Scalar>
 InverseDynamicsConstants<Scalar> inverse_dynamics_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
-JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const DynamicsAngles<Scalar>& angles,
+JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
+    const JointVector<Scalar>& qdd, const DynamicsAngles<Scalar>& angles,
     const InverseDynamicsConstants<Scalar>& constants);
 
 /// Joint forces that hold the robot against gravity at rest.
 ///
-/// 73 multiplications, 43 additions, 5 sine/cosine pairs. Set-up: 40 multiplications, 24 additions, 5 sine/cosine pairs.
+/// 73 multiplications, 43 additions, 5 sine/cosine pairs. Set-up: 40 multiplications, 24 additions, 5 sine/cosine
+/// pairs.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g = {},
@@ -126,11 +134,13 @@ JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const DynamicsA
 
 /// Joint forces that come from the joint rates alone, C(q, qd) qd, without friction.
 ///
-/// 349 multiplications, 279 additions, 5 sine/cosine pairs. Set-up: 150 multiplications, 160 additions, 9 divisions, 5 sine/cosine pairs.
+/// 349 multiplications, 279 additions, 5 sine/cosine pairs. Set-up: 150 multiplications, 160 additions, 9 divisions, 5
+/// sine/cosine pairs.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is d2, which must not be zero.
 template <class Scalar>
-JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const BasicGeometry<Scalar>& g = {},
+JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
+    const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
 template <class Scalar>
 using CoriolisTorqueConstants = std::array<Scalar, 58>;
@@ -138,12 +148,14 @@ template <class Scalar>
 CoriolisTorqueConstants<Scalar> coriolis_torque_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
 template <class Scalar>
-JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const DynamicsAngles<Scalar>& angles,
+JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
+    const DynamicsAngles<Scalar>& angles,
     const CoriolisTorqueConstants<Scalar>& constants);
 
 /// Symmetric, positive definite M(q), by composite bodies in base parameters; rotors included.
 ///
-/// 308 multiplications, 257 additions, 5 sine/cosine pairs. Set-up: 168 multiplications, 166 additions, 8 divisions, 5 sine/cosine pairs.
+/// 308 multiplications, 257 additions, 5 sine/cosine pairs. Set-up: 168 multiplications, 166 additions, 8 divisions, 5
+/// sine/cosine pairs.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is d2, which must not be zero.
 template <class Scalar>
@@ -160,11 +172,13 @@ Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q, const 
 
 /// C(q, qd) of Christoffel's symbols: C qd is coriolis_torque, dM/dt - 2 C is skew-symmetric.
 ///
-/// 987 multiplications, 757 additions, 5 sine/cosine pairs. Set-up: 158 multiplications, 143 additions, 8 divisions, 5 sine/cosine pairs.
+/// 987 multiplications, 757 additions, 5 sine/cosine pairs. Set-up: 158 multiplications, 143 additions, 8 divisions, 5
+/// sine/cosine pairs.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is d2, which must not be zero.
 template <class Scalar>
-Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const BasicGeometry<Scalar>& g = {},
+Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
+    const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
 template <class Scalar>
 using CoriolisMatrixConstants = std::array<Scalar, 92>;
@@ -172,16 +186,19 @@ template <class Scalar>
 CoriolisMatrixConstants<Scalar> coriolis_matrix_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
 template <class Scalar>
-Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const DynamicsAngles<Scalar>& angles,
+Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
+    const DynamicsAngles<Scalar>& angles,
     const CoriolisMatrixConstants<Scalar>& constants);
 
 /// Joint accelerations for given joint forces: M qdd = torque - C qd - gravity, by M = U D U^T.
 ///
-/// 735 multiplications, 604 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 171 multiplications, 167 additions, 10 divisions, 5 sine/cosine pairs.
+/// 735 multiplications, 604 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 171 multiplications, 167 additions, 10
+/// divisions, 5 sine/cosine pairs.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is d2, which must not be zero.
 template <class Scalar>
-JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g = {},
+JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
+    const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
 using ForwardDynamicsConstants = std::array<Scalar, 92>;
@@ -189,12 +206,14 @@ template <class Scalar>
 ForwardDynamicsConstants<Scalar> forward_dynamics_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
-JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const JointVector<Scalar>& torque, const DynamicsAngles<Scalar>& angles,
+JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
+    const JointVector<Scalar>& torque, const DynamicsAngles<Scalar>& angles,
     const ForwardDynamicsConstants<Scalar>& constants);
 
 /// qd^T M qd / 2, J.
 ///
-/// 343 multiplications, 276 additions, 5 sine/cosine pairs. Set-up: 168 multiplications, 166 additions, 8 divisions, 5 sine/cosine pairs.
+/// 343 multiplications, 276 additions, 5 sine/cosine pairs. Set-up: 168 multiplications, 166 additions, 8 divisions, 5
+/// sine/cosine pairs.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is d2, which must not be zero.
 template <class Scalar>
@@ -211,7 +230,8 @@ Scalar kinetic_energy(const JointVector<Scalar>& q, const JointVector<Scalar>& q
 
 /// Sum of m g z over the links, z of the centre of mass in the world, J.
 ///
-/// 35 multiplications, 39 additions, 5 sine/cosine pairs. Set-up: 31 multiplications, 13 additions, 5 sine/cosine pairs.
+/// 35 multiplications, 39 additions, 5 sine/cosine pairs. Set-up: 31 multiplications, 13 additions, 5 sine/cosine
+/// pairs.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 Scalar potential_energy(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g = {},
@@ -227,54 +247,102 @@ Scalar potential_energy(const JointVector<Scalar>& q, const DynamicsAngles<Scala
 
 // Compiled into the library for double and float; other scalar types include dynamics_definitions.h.
 extern template DynamicsAngles<double> dynamics_angles(const JointVector<double>&);
-extern template JointVector<double> inverse_dynamics(const JointVector<double>&, const JointVector<double>&, const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&, double);
-extern template InverseDynamicsConstants<double> inverse_dynamics_constants(const BasicGeometry<double>&, const BasicInertia<double>&, double);
-extern template JointVector<double> inverse_dynamics(const JointVector<double>&, const JointVector<double>&, const JointVector<double>&, const DynamicsAngles<double>&, const InverseDynamicsConstants<double>&);
-extern template JointVector<double> gravity_torque(const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&, double);
-extern template GravityTorqueConstants<double> gravity_torque_constants(const BasicGeometry<double>&, const BasicInertia<double>&, double);
-extern template JointVector<double> gravity_torque(const JointVector<double>&, const DynamicsAngles<double>&, const GravityTorqueConstants<double>&);
-extern template JointVector<double> coriolis_torque(const JointVector<double>&, const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&);
-extern template CoriolisTorqueConstants<double> coriolis_torque_constants(const BasicGeometry<double>&, const BasicInertia<double>&);
-extern template JointVector<double> coriolis_torque(const JointVector<double>&, const JointVector<double>&, const DynamicsAngles<double>&, const CoriolisTorqueConstants<double>&);
-extern template Eigen::Matrix<double, dof, dof> mass_matrix(const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&);
-extern template MassMatrixConstants<double> mass_matrix_constants(const BasicGeometry<double>&, const BasicInertia<double>&);
-extern template Eigen::Matrix<double, dof, dof> mass_matrix(const JointVector<double>&, const DynamicsAngles<double>&, const MassMatrixConstants<double>&);
-extern template Eigen::Matrix<double, dof, dof> coriolis_matrix(const JointVector<double>&, const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&);
-extern template CoriolisMatrixConstants<double> coriolis_matrix_constants(const BasicGeometry<double>&, const BasicInertia<double>&);
-extern template Eigen::Matrix<double, dof, dof> coriolis_matrix(const JointVector<double>&, const JointVector<double>&, const DynamicsAngles<double>&, const CoriolisMatrixConstants<double>&);
-extern template JointVector<double> forward_dynamics(const JointVector<double>&, const JointVector<double>&, const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&, double);
-extern template ForwardDynamicsConstants<double> forward_dynamics_constants(const BasicGeometry<double>&, const BasicInertia<double>&, double);
-extern template JointVector<double> forward_dynamics(const JointVector<double>&, const JointVector<double>&, const JointVector<double>&, const DynamicsAngles<double>&, const ForwardDynamicsConstants<double>&);
-extern template double kinetic_energy(const JointVector<double>&, const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&);
-extern template KineticEnergyConstants<double> kinetic_energy_constants(const BasicGeometry<double>&, const BasicInertia<double>&);
-extern template double kinetic_energy(const JointVector<double>&, const JointVector<double>&, const DynamicsAngles<double>&, const KineticEnergyConstants<double>&);
-extern template double potential_energy(const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&, double);
-extern template PotentialEnergyConstants<double> potential_energy_constants(const BasicGeometry<double>&, const BasicInertia<double>&, double);
-extern template double potential_energy(const JointVector<double>&, const DynamicsAngles<double>&, const PotentialEnergyConstants<double>&);
+extern template JointVector<double> inverse_dynamics(const JointVector<double>&, const JointVector<double>&,
+    const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&, double);
+extern template InverseDynamicsConstants<double> inverse_dynamics_constants(const BasicGeometry<double>&,
+    const BasicInertia<double>&, double);
+extern template JointVector<double> inverse_dynamics(const JointVector<double>&, const JointVector<double>&,
+    const JointVector<double>&, const DynamicsAngles<double>&, const InverseDynamicsConstants<double>&);
+extern template JointVector<double> gravity_torque(const JointVector<double>&, const BasicGeometry<double>&,
+    const BasicInertia<double>&, double);
+extern template GravityTorqueConstants<double> gravity_torque_constants(const BasicGeometry<double>&,
+    const BasicInertia<double>&, double);
+extern template JointVector<double> gravity_torque(const JointVector<double>&, const DynamicsAngles<double>&,
+    const GravityTorqueConstants<double>&);
+extern template JointVector<double> coriolis_torque(const JointVector<double>&, const JointVector<double>&,
+    const BasicGeometry<double>&, const BasicInertia<double>&);
+extern template CoriolisTorqueConstants<double> coriolis_torque_constants(const BasicGeometry<double>&,
+    const BasicInertia<double>&);
+extern template JointVector<double> coriolis_torque(const JointVector<double>&, const JointVector<double>&,
+    const DynamicsAngles<double>&, const CoriolisTorqueConstants<double>&);
+extern template Eigen::Matrix<double, dof, dof> mass_matrix(const JointVector<double>&, const BasicGeometry<double>&,
+    const BasicInertia<double>&);
+extern template MassMatrixConstants<double> mass_matrix_constants(const BasicGeometry<double>&,
+    const BasicInertia<double>&);
+extern template Eigen::Matrix<double, dof, dof> mass_matrix(const JointVector<double>&, const DynamicsAngles<double>&,
+    const MassMatrixConstants<double>&);
+extern template Eigen::Matrix<double, dof, dof> coriolis_matrix(const JointVector<double>&, const JointVector<double>&,
+    const BasicGeometry<double>&, const BasicInertia<double>&);
+extern template CoriolisMatrixConstants<double> coriolis_matrix_constants(const BasicGeometry<double>&,
+    const BasicInertia<double>&);
+extern template Eigen::Matrix<double, dof, dof> coriolis_matrix(const JointVector<double>&, const JointVector<double>&,
+    const DynamicsAngles<double>&, const CoriolisMatrixConstants<double>&);
+extern template JointVector<double> forward_dynamics(const JointVector<double>&, const JointVector<double>&,
+    const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&, double);
+extern template ForwardDynamicsConstants<double> forward_dynamics_constants(const BasicGeometry<double>&,
+    const BasicInertia<double>&, double);
+extern template JointVector<double> forward_dynamics(const JointVector<double>&, const JointVector<double>&,
+    const JointVector<double>&, const DynamicsAngles<double>&, const ForwardDynamicsConstants<double>&);
+extern template double kinetic_energy(const JointVector<double>&, const JointVector<double>&,
+    const BasicGeometry<double>&, const BasicInertia<double>&);
+extern template KineticEnergyConstants<double> kinetic_energy_constants(const BasicGeometry<double>&,
+    const BasicInertia<double>&);
+extern template double kinetic_energy(const JointVector<double>&, const JointVector<double>&,
+    const DynamicsAngles<double>&, const KineticEnergyConstants<double>&);
+extern template double potential_energy(const JointVector<double>&, const BasicGeometry<double>&,
+    const BasicInertia<double>&, double);
+extern template PotentialEnergyConstants<double> potential_energy_constants(const BasicGeometry<double>&,
+    const BasicInertia<double>&, double);
+extern template double potential_energy(const JointVector<double>&, const DynamicsAngles<double>&,
+    const PotentialEnergyConstants<double>&);
 extern template DynamicsAngles<float> dynamics_angles(const JointVector<float>&);
-extern template JointVector<float> inverse_dynamics(const JointVector<float>&, const JointVector<float>&, const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&, float);
-extern template InverseDynamicsConstants<float> inverse_dynamics_constants(const BasicGeometry<float>&, const BasicInertia<float>&, float);
-extern template JointVector<float> inverse_dynamics(const JointVector<float>&, const JointVector<float>&, const JointVector<float>&, const DynamicsAngles<float>&, const InverseDynamicsConstants<float>&);
-extern template JointVector<float> gravity_torque(const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&, float);
-extern template GravityTorqueConstants<float> gravity_torque_constants(const BasicGeometry<float>&, const BasicInertia<float>&, float);
-extern template JointVector<float> gravity_torque(const JointVector<float>&, const DynamicsAngles<float>&, const GravityTorqueConstants<float>&);
-extern template JointVector<float> coriolis_torque(const JointVector<float>&, const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&);
-extern template CoriolisTorqueConstants<float> coriolis_torque_constants(const BasicGeometry<float>&, const BasicInertia<float>&);
-extern template JointVector<float> coriolis_torque(const JointVector<float>&, const JointVector<float>&, const DynamicsAngles<float>&, const CoriolisTorqueConstants<float>&);
-extern template Eigen::Matrix<float, dof, dof> mass_matrix(const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&);
-extern template MassMatrixConstants<float> mass_matrix_constants(const BasicGeometry<float>&, const BasicInertia<float>&);
-extern template Eigen::Matrix<float, dof, dof> mass_matrix(const JointVector<float>&, const DynamicsAngles<float>&, const MassMatrixConstants<float>&);
-extern template Eigen::Matrix<float, dof, dof> coriolis_matrix(const JointVector<float>&, const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&);
-extern template CoriolisMatrixConstants<float> coriolis_matrix_constants(const BasicGeometry<float>&, const BasicInertia<float>&);
-extern template Eigen::Matrix<float, dof, dof> coriolis_matrix(const JointVector<float>&, const JointVector<float>&, const DynamicsAngles<float>&, const CoriolisMatrixConstants<float>&);
-extern template JointVector<float> forward_dynamics(const JointVector<float>&, const JointVector<float>&, const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&, float);
-extern template ForwardDynamicsConstants<float> forward_dynamics_constants(const BasicGeometry<float>&, const BasicInertia<float>&, float);
-extern template JointVector<float> forward_dynamics(const JointVector<float>&, const JointVector<float>&, const JointVector<float>&, const DynamicsAngles<float>&, const ForwardDynamicsConstants<float>&);
-extern template float kinetic_energy(const JointVector<float>&, const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&);
-extern template KineticEnergyConstants<float> kinetic_energy_constants(const BasicGeometry<float>&, const BasicInertia<float>&);
-extern template float kinetic_energy(const JointVector<float>&, const JointVector<float>&, const DynamicsAngles<float>&, const KineticEnergyConstants<float>&);
-extern template float potential_energy(const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&, float);
-extern template PotentialEnergyConstants<float> potential_energy_constants(const BasicGeometry<float>&, const BasicInertia<float>&, float);
-extern template float potential_energy(const JointVector<float>&, const DynamicsAngles<float>&, const PotentialEnergyConstants<float>&);
+extern template JointVector<float> inverse_dynamics(const JointVector<float>&, const JointVector<float>&,
+    const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&, float);
+extern template InverseDynamicsConstants<float> inverse_dynamics_constants(const BasicGeometry<float>&,
+    const BasicInertia<float>&, float);
+extern template JointVector<float> inverse_dynamics(const JointVector<float>&, const JointVector<float>&,
+    const JointVector<float>&, const DynamicsAngles<float>&, const InverseDynamicsConstants<float>&);
+extern template JointVector<float> gravity_torque(const JointVector<float>&, const BasicGeometry<float>&,
+    const BasicInertia<float>&, float);
+extern template GravityTorqueConstants<float> gravity_torque_constants(const BasicGeometry<float>&,
+    const BasicInertia<float>&, float);
+extern template JointVector<float> gravity_torque(const JointVector<float>&, const DynamicsAngles<float>&,
+    const GravityTorqueConstants<float>&);
+extern template JointVector<float> coriolis_torque(const JointVector<float>&, const JointVector<float>&,
+    const BasicGeometry<float>&, const BasicInertia<float>&);
+extern template CoriolisTorqueConstants<float> coriolis_torque_constants(const BasicGeometry<float>&,
+    const BasicInertia<float>&);
+extern template JointVector<float> coriolis_torque(const JointVector<float>&, const JointVector<float>&,
+    const DynamicsAngles<float>&, const CoriolisTorqueConstants<float>&);
+extern template Eigen::Matrix<float, dof, dof> mass_matrix(const JointVector<float>&, const BasicGeometry<float>&,
+    const BasicInertia<float>&);
+extern template MassMatrixConstants<float> mass_matrix_constants(const BasicGeometry<float>&,
+    const BasicInertia<float>&);
+extern template Eigen::Matrix<float, dof, dof> mass_matrix(const JointVector<float>&, const DynamicsAngles<float>&,
+    const MassMatrixConstants<float>&);
+extern template Eigen::Matrix<float, dof, dof> coriolis_matrix(const JointVector<float>&, const JointVector<float>&,
+    const BasicGeometry<float>&, const BasicInertia<float>&);
+extern template CoriolisMatrixConstants<float> coriolis_matrix_constants(const BasicGeometry<float>&,
+    const BasicInertia<float>&);
+extern template Eigen::Matrix<float, dof, dof> coriolis_matrix(const JointVector<float>&, const JointVector<float>&,
+    const DynamicsAngles<float>&, const CoriolisMatrixConstants<float>&);
+extern template JointVector<float> forward_dynamics(const JointVector<float>&, const JointVector<float>&,
+    const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&, float);
+extern template ForwardDynamicsConstants<float> forward_dynamics_constants(const BasicGeometry<float>&,
+    const BasicInertia<float>&, float);
+extern template JointVector<float> forward_dynamics(const JointVector<float>&, const JointVector<float>&,
+    const JointVector<float>&, const DynamicsAngles<float>&, const ForwardDynamicsConstants<float>&);
+extern template float kinetic_energy(const JointVector<float>&, const JointVector<float>&, const BasicGeometry<float>&,
+    const BasicInertia<float>&);
+extern template KineticEnergyConstants<float> kinetic_energy_constants(const BasicGeometry<float>&,
+    const BasicInertia<float>&);
+extern template float kinetic_energy(const JointVector<float>&, const JointVector<float>&,
+    const DynamicsAngles<float>&, const KineticEnergyConstants<float>&);
+extern template float potential_energy(const JointVector<float>&, const BasicGeometry<float>&,
+    const BasicInertia<float>&, float);
+extern template PotentialEnergyConstants<float> potential_energy_constants(const BasicGeometry<float>&,
+    const BasicInertia<float>&, float);
+extern template float potential_energy(const JointVector<float>&, const DynamicsAngles<float>&,
+    const PotentialEnergyConstants<float>&);
 
 }  // namespace qvgen::robots::general_6r

@@ -26,41 +26,50 @@ LoadAngles<Scalar> load_angles(const JointVector<Scalar>& q);
 
 /// Joint forces for a motion, under gravity in any direction.
 ///
-/// 367 multiplications, 314 additions, 6 sine/cosine pairs. Set-up: 163 multiplications, 182 additions, 12 divisions, 5 sine/cosine pairs.
+/// 367 multiplications, 314 additions, 6 sine/cosine pairs. Set-up: 163 multiplications, 182 additions, 12 divisions, 5
+/// sine/cosine pairs.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is a3, which must not be zero.
 template <class Scalar>
-JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g,
+JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
+    const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
 template <class Scalar>
 using InverseDynamicsWithGravityVectorConstants = std::array<Scalar, 64>;
 template <class Scalar>
-InverseDynamicsWithGravityVectorConstants<Scalar> inverse_dynamics_with_gravity_vector_constants(const BasicGeometry<Scalar>& g,
+InverseDynamicsWithGravityVectorConstants<Scalar> inverse_dynamics_with_gravity_vector_constants(
+    const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
 template <class Scalar>
-JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const LoadAngles<Scalar>& angles,
+JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
+    const JointVector<Scalar>& qdd, const LoadAngles<Scalar>& angles,
     const InverseDynamicsWithGravityVectorConstants<Scalar>& constants);
 
 /// Joint forces for a motion while a wrench acts on the tool from outside: those without it minus jacobian(q)^T wrench.
 ///
-/// 450 multiplications, 362 additions, 6 sine/cosine pairs. Set-up: 166 multiplications, 182 additions, 13 divisions, 5 sine/cosine pairs.
+/// 450 multiplications, 362 additions, 6 sine/cosine pairs. Set-up: 166 multiplications, 182 additions, 13 divisions, 5
+/// sine/cosine pairs.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is a3, which must not be zero.
 template <class Scalar>
-JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g,
-    const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity, const NonDeduced<Wrench<Scalar>>& wrench);
+JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
+    const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g,
+    const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity,
+        const NonDeduced<Wrench<Scalar>>& wrench);
 template <class Scalar>
 using InverseDynamicsWithWrenchConstants = std::array<Scalar, 69>;
 template <class Scalar>
 InverseDynamicsWithWrenchConstants<Scalar> inverse_dynamics_with_wrench_constants(const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
 template <class Scalar>
-JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const NonDeduced<Wrench<Scalar>>& wrench, const LoadAngles<Scalar>& angles,
+JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
+    const JointVector<Scalar>& qdd, const NonDeduced<Wrench<Scalar>>& wrench, const LoadAngles<Scalar>& angles,
     const InverseDynamicsWithWrenchConstants<Scalar>& constants);
 
 /// Joint forces that hold the robot at rest, under gravity in any direction.
 ///
-/// 96 multiplications, 57 additions, 6 sine/cosine pairs. Set-up: 42 multiplications, 31 additions, 5 sine/cosine pairs.
+/// 96 multiplications, 57 additions, 6 sine/cosine pairs. Set-up: 42 multiplications, 31 additions, 5 sine/cosine
+/// pairs.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g,
@@ -68,7 +77,8 @@ JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const BasicGeom
 template <class Scalar>
 using GravityTorqueWithGravityVectorConstants = std::array<Scalar, 26>;
 template <class Scalar>
-GravityTorqueWithGravityVectorConstants<Scalar> gravity_torque_with_gravity_vector_constants(const BasicGeometry<Scalar>& g,
+GravityTorqueWithGravityVectorConstants<Scalar> gravity_torque_with_gravity_vector_constants(
+    const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
 template <class Scalar>
 JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const LoadAngles<Scalar>& angles,
@@ -76,41 +86,50 @@ JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const LoadAngle
 
 /// Joint accelerations for given joint forces, under gravity in any direction.
 ///
-/// 742 multiplications, 611 additions, 5 divisions, 6 sine/cosine pairs. Set-up: 175 multiplications, 169 additions, 12 divisions, 5 sine/cosine pairs.
+/// 742 multiplications, 611 additions, 5 divisions, 6 sine/cosine pairs. Set-up: 175 multiplications, 169 additions, 12
+/// divisions, 5 sine/cosine pairs.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is d2, which must not be zero.
 template <class Scalar>
-JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g,
+JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
+    const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
 template <class Scalar>
 using ForwardDynamicsWithGravityVectorConstants = std::array<Scalar, 97>;
 template <class Scalar>
-ForwardDynamicsWithGravityVectorConstants<Scalar> forward_dynamics_with_gravity_vector_constants(const BasicGeometry<Scalar>& g,
+ForwardDynamicsWithGravityVectorConstants<Scalar> forward_dynamics_with_gravity_vector_constants(
+    const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
 template <class Scalar>
-JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const JointVector<Scalar>& torque, const LoadAngles<Scalar>& angles,
+JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
+    const JointVector<Scalar>& torque, const LoadAngles<Scalar>& angles,
     const ForwardDynamicsWithGravityVectorConstants<Scalar>& constants);
 
 /// Joint accelerations for given joint forces while a wrench acts on the tool from outside.
 ///
-/// 826 multiplications, 658 additions, 5 divisions, 6 sine/cosine pairs. Set-up: 173 multiplications, 169 additions, 13 divisions, 5 sine/cosine pairs.
+/// 826 multiplications, 658 additions, 5 divisions, 6 sine/cosine pairs. Set-up: 173 multiplications, 169 additions, 13
+/// divisions, 5 sine/cosine pairs.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is d2, which must not be zero.
 template <class Scalar>
-JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g,
-    const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity, const NonDeduced<Wrench<Scalar>>& wrench);
+JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
+    const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g,
+    const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity,
+        const NonDeduced<Wrench<Scalar>>& wrench);
 template <class Scalar>
 using ForwardDynamicsWithWrenchConstants = std::array<Scalar, 97>;
 template <class Scalar>
 ForwardDynamicsWithWrenchConstants<Scalar> forward_dynamics_with_wrench_constants(const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
 template <class Scalar>
-JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const JointVector<Scalar>& torque, const NonDeduced<Wrench<Scalar>>& wrench, const LoadAngles<Scalar>& angles,
+JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
+    const JointVector<Scalar>& torque, const NonDeduced<Wrench<Scalar>>& wrench, const LoadAngles<Scalar>& angles,
     const ForwardDynamicsWithWrenchConstants<Scalar>& constants);
 
 /// Minus the sum of m gravity . r over the links, r the centre of mass in the world, J.
 ///
-/// 45 multiplications, 48 additions, 6 sine/cosine pairs. Set-up: 34 multiplications, 13 additions, 5 sine/cosine pairs.
+/// 45 multiplications, 48 additions, 6 sine/cosine pairs. Set-up: 34 multiplications, 13 additions, 5 sine/cosine
+/// pairs.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 Scalar potential_energy(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g,
@@ -118,7 +137,8 @@ Scalar potential_energy(const JointVector<Scalar>& q, const BasicGeometry<Scalar
 template <class Scalar>
 using PotentialEnergyWithGravityVectorConstants = std::array<Scalar, 41>;
 template <class Scalar>
-PotentialEnergyWithGravityVectorConstants<Scalar> potential_energy_with_gravity_vector_constants(const BasicGeometry<Scalar>& g,
+PotentialEnergyWithGravityVectorConstants<Scalar> potential_energy_with_gravity_vector_constants(
+    const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
 template <class Scalar>
 Scalar potential_energy(const JointVector<Scalar>& q, const LoadAngles<Scalar>& angles,
@@ -126,42 +146,90 @@ Scalar potential_energy(const JointVector<Scalar>& q, const LoadAngles<Scalar>& 
 
 // Compiled into the library for double and float; other scalar types include dynamics_loads_definitions.h.
 extern template LoadAngles<double> load_angles(const JointVector<double>&);
-extern template JointVector<double> inverse_dynamics(const JointVector<double>&, const JointVector<double>&, const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&);
-extern template InverseDynamicsWithGravityVectorConstants<double> inverse_dynamics_with_gravity_vector_constants(const BasicGeometry<double>&, const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&);
-extern template JointVector<double> inverse_dynamics(const JointVector<double>&, const JointVector<double>&, const JointVector<double>&, const LoadAngles<double>&, const InverseDynamicsWithGravityVectorConstants<double>&);
-extern template JointVector<double> inverse_dynamics(const JointVector<double>&, const JointVector<double>&, const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&, const Wrench<double>&);
-extern template InverseDynamicsWithWrenchConstants<double> inverse_dynamics_with_wrench_constants(const BasicGeometry<double>&, const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&);
-extern template JointVector<double> inverse_dynamics(const JointVector<double>&, const JointVector<double>&, const JointVector<double>&, const Wrench<double>&, const LoadAngles<double>&, const InverseDynamicsWithWrenchConstants<double>&);
-extern template JointVector<double> gravity_torque(const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&);
-extern template GravityTorqueWithGravityVectorConstants<double> gravity_torque_with_gravity_vector_constants(const BasicGeometry<double>&, const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&);
-extern template JointVector<double> gravity_torque(const JointVector<double>&, const LoadAngles<double>&, const GravityTorqueWithGravityVectorConstants<double>&);
-extern template JointVector<double> forward_dynamics(const JointVector<double>&, const JointVector<double>&, const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&);
-extern template ForwardDynamicsWithGravityVectorConstants<double> forward_dynamics_with_gravity_vector_constants(const BasicGeometry<double>&, const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&);
-extern template JointVector<double> forward_dynamics(const JointVector<double>&, const JointVector<double>&, const JointVector<double>&, const LoadAngles<double>&, const ForwardDynamicsWithGravityVectorConstants<double>&);
-extern template JointVector<double> forward_dynamics(const JointVector<double>&, const JointVector<double>&, const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&, const Wrench<double>&);
-extern template ForwardDynamicsWithWrenchConstants<double> forward_dynamics_with_wrench_constants(const BasicGeometry<double>&, const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&);
-extern template JointVector<double> forward_dynamics(const JointVector<double>&, const JointVector<double>&, const JointVector<double>&, const Wrench<double>&, const LoadAngles<double>&, const ForwardDynamicsWithWrenchConstants<double>&);
-extern template double potential_energy(const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&);
-extern template PotentialEnergyWithGravityVectorConstants<double> potential_energy_with_gravity_vector_constants(const BasicGeometry<double>&, const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&);
-extern template double potential_energy(const JointVector<double>&, const LoadAngles<double>&, const PotentialEnergyWithGravityVectorConstants<double>&);
+extern template JointVector<double> inverse_dynamics(const JointVector<double>&, const JointVector<double>&,
+    const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&,
+    const Eigen::Matrix<double, 3, 1>&);
+extern template InverseDynamicsWithGravityVectorConstants<double> inverse_dynamics_with_gravity_vector_constants(
+    const BasicGeometry<double>&, const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&);
+extern template JointVector<double> inverse_dynamics(const JointVector<double>&, const JointVector<double>&,
+    const JointVector<double>&, const LoadAngles<double>&, const InverseDynamicsWithGravityVectorConstants<double>&);
+extern template JointVector<double> inverse_dynamics(const JointVector<double>&, const JointVector<double>&,
+    const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&,
+    const Eigen::Matrix<double, 3, 1>&, const Wrench<double>&);
+extern template InverseDynamicsWithWrenchConstants<double> inverse_dynamics_with_wrench_constants(
+    const BasicGeometry<double>&, const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&);
+extern template JointVector<double> inverse_dynamics(const JointVector<double>&, const JointVector<double>&,
+    const JointVector<double>&, const Wrench<double>&, const LoadAngles<double>&,
+    const InverseDynamicsWithWrenchConstants<double>&);
+extern template JointVector<double> gravity_torque(const JointVector<double>&, const BasicGeometry<double>&,
+    const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&);
+extern template GravityTorqueWithGravityVectorConstants<double> gravity_torque_with_gravity_vector_constants(
+    const BasicGeometry<double>&, const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&);
+extern template JointVector<double> gravity_torque(const JointVector<double>&, const LoadAngles<double>&,
+    const GravityTorqueWithGravityVectorConstants<double>&);
+extern template JointVector<double> forward_dynamics(const JointVector<double>&, const JointVector<double>&,
+    const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&,
+    const Eigen::Matrix<double, 3, 1>&);
+extern template ForwardDynamicsWithGravityVectorConstants<double> forward_dynamics_with_gravity_vector_constants(
+    const BasicGeometry<double>&, const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&);
+extern template JointVector<double> forward_dynamics(const JointVector<double>&, const JointVector<double>&,
+    const JointVector<double>&, const LoadAngles<double>&, const ForwardDynamicsWithGravityVectorConstants<double>&);
+extern template JointVector<double> forward_dynamics(const JointVector<double>&, const JointVector<double>&,
+    const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&,
+    const Eigen::Matrix<double, 3, 1>&, const Wrench<double>&);
+extern template ForwardDynamicsWithWrenchConstants<double> forward_dynamics_with_wrench_constants(
+    const BasicGeometry<double>&, const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&);
+extern template JointVector<double> forward_dynamics(const JointVector<double>&, const JointVector<double>&,
+    const JointVector<double>&, const Wrench<double>&, const LoadAngles<double>&,
+    const ForwardDynamicsWithWrenchConstants<double>&);
+extern template double potential_energy(const JointVector<double>&, const BasicGeometry<double>&,
+    const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&);
+extern template PotentialEnergyWithGravityVectorConstants<double> potential_energy_with_gravity_vector_constants(
+    const BasicGeometry<double>&, const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&);
+extern template double potential_energy(const JointVector<double>&, const LoadAngles<double>&,
+    const PotentialEnergyWithGravityVectorConstants<double>&);
 extern template LoadAngles<float> load_angles(const JointVector<float>&);
-extern template JointVector<float> inverse_dynamics(const JointVector<float>&, const JointVector<float>&, const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&);
-extern template InverseDynamicsWithGravityVectorConstants<float> inverse_dynamics_with_gravity_vector_constants(const BasicGeometry<float>&, const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&);
-extern template JointVector<float> inverse_dynamics(const JointVector<float>&, const JointVector<float>&, const JointVector<float>&, const LoadAngles<float>&, const InverseDynamicsWithGravityVectorConstants<float>&);
-extern template JointVector<float> inverse_dynamics(const JointVector<float>&, const JointVector<float>&, const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&, const Wrench<float>&);
-extern template InverseDynamicsWithWrenchConstants<float> inverse_dynamics_with_wrench_constants(const BasicGeometry<float>&, const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&);
-extern template JointVector<float> inverse_dynamics(const JointVector<float>&, const JointVector<float>&, const JointVector<float>&, const Wrench<float>&, const LoadAngles<float>&, const InverseDynamicsWithWrenchConstants<float>&);
-extern template JointVector<float> gravity_torque(const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&);
-extern template GravityTorqueWithGravityVectorConstants<float> gravity_torque_with_gravity_vector_constants(const BasicGeometry<float>&, const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&);
-extern template JointVector<float> gravity_torque(const JointVector<float>&, const LoadAngles<float>&, const GravityTorqueWithGravityVectorConstants<float>&);
-extern template JointVector<float> forward_dynamics(const JointVector<float>&, const JointVector<float>&, const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&);
-extern template ForwardDynamicsWithGravityVectorConstants<float> forward_dynamics_with_gravity_vector_constants(const BasicGeometry<float>&, const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&);
-extern template JointVector<float> forward_dynamics(const JointVector<float>&, const JointVector<float>&, const JointVector<float>&, const LoadAngles<float>&, const ForwardDynamicsWithGravityVectorConstants<float>&);
-extern template JointVector<float> forward_dynamics(const JointVector<float>&, const JointVector<float>&, const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&, const Wrench<float>&);
-extern template ForwardDynamicsWithWrenchConstants<float> forward_dynamics_with_wrench_constants(const BasicGeometry<float>&, const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&);
-extern template JointVector<float> forward_dynamics(const JointVector<float>&, const JointVector<float>&, const JointVector<float>&, const Wrench<float>&, const LoadAngles<float>&, const ForwardDynamicsWithWrenchConstants<float>&);
-extern template float potential_energy(const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&);
-extern template PotentialEnergyWithGravityVectorConstants<float> potential_energy_with_gravity_vector_constants(const BasicGeometry<float>&, const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&);
-extern template float potential_energy(const JointVector<float>&, const LoadAngles<float>&, const PotentialEnergyWithGravityVectorConstants<float>&);
+extern template JointVector<float> inverse_dynamics(const JointVector<float>&, const JointVector<float>&,
+    const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&,
+    const Eigen::Matrix<float, 3, 1>&);
+extern template InverseDynamicsWithGravityVectorConstants<float> inverse_dynamics_with_gravity_vector_constants(
+    const BasicGeometry<float>&, const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&);
+extern template JointVector<float> inverse_dynamics(const JointVector<float>&, const JointVector<float>&,
+    const JointVector<float>&, const LoadAngles<float>&, const InverseDynamicsWithGravityVectorConstants<float>&);
+extern template JointVector<float> inverse_dynamics(const JointVector<float>&, const JointVector<float>&,
+    const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&,
+    const Eigen::Matrix<float, 3, 1>&, const Wrench<float>&);
+extern template InverseDynamicsWithWrenchConstants<float> inverse_dynamics_with_wrench_constants(
+    const BasicGeometry<float>&, const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&);
+extern template JointVector<float> inverse_dynamics(const JointVector<float>&, const JointVector<float>&,
+    const JointVector<float>&, const Wrench<float>&, const LoadAngles<float>&,
+    const InverseDynamicsWithWrenchConstants<float>&);
+extern template JointVector<float> gravity_torque(const JointVector<float>&, const BasicGeometry<float>&,
+    const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&);
+extern template GravityTorqueWithGravityVectorConstants<float> gravity_torque_with_gravity_vector_constants(
+    const BasicGeometry<float>&, const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&);
+extern template JointVector<float> gravity_torque(const JointVector<float>&, const LoadAngles<float>&,
+    const GravityTorqueWithGravityVectorConstants<float>&);
+extern template JointVector<float> forward_dynamics(const JointVector<float>&, const JointVector<float>&,
+    const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&,
+    const Eigen::Matrix<float, 3, 1>&);
+extern template ForwardDynamicsWithGravityVectorConstants<float> forward_dynamics_with_gravity_vector_constants(
+    const BasicGeometry<float>&, const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&);
+extern template JointVector<float> forward_dynamics(const JointVector<float>&, const JointVector<float>&,
+    const JointVector<float>&, const LoadAngles<float>&, const ForwardDynamicsWithGravityVectorConstants<float>&);
+extern template JointVector<float> forward_dynamics(const JointVector<float>&, const JointVector<float>&,
+    const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&,
+    const Eigen::Matrix<float, 3, 1>&, const Wrench<float>&);
+extern template ForwardDynamicsWithWrenchConstants<float> forward_dynamics_with_wrench_constants(
+    const BasicGeometry<float>&, const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&);
+extern template JointVector<float> forward_dynamics(const JointVector<float>&, const JointVector<float>&,
+    const JointVector<float>&, const Wrench<float>&, const LoadAngles<float>&,
+    const ForwardDynamicsWithWrenchConstants<float>&);
+extern template float potential_energy(const JointVector<float>&, const BasicGeometry<float>&,
+    const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&);
+extern template PotentialEnergyWithGravityVectorConstants<float> potential_energy_with_gravity_vector_constants(
+    const BasicGeometry<float>&, const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&);
+extern template float potential_energy(const JointVector<float>&, const LoadAngles<float>&,
+    const PotentialEnergyWithGravityVectorConstants<float>&);
 
 }  // namespace qvgen::robots::general_6r

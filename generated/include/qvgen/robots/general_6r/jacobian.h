@@ -33,7 +33,8 @@ struct TransformAndJacobian {
   Jacobian<Scalar> jacobian;
 };
 
-/// Sines and cosines that the functions of this header need, of the angles alpha2, alpha3, alpha4, alpha5, alpha6, theta1, theta2, theta3, theta4, theta5, theta6.
+/// Sines and cosines that the functions of this header need, of the angles alpha2, alpha3, alpha4, alpha5, alpha6,
+/// theta1, theta2, theta3, theta4, theta5, theta6.
 template <class Scalar>
 struct JacobianAngles {
   std::array<Scalar, 11> sine;
@@ -44,13 +45,15 @@ struct JacobianAngles {
 template <class Scalar>
 JacobianAngles<Scalar> jacobian_angles(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g = {});
 
-// For all functions: NaN or infinite arguments give NaN in what depends on them. No heap, no exceptions. Each is equal to
+// For all functions: NaN or infinite arguments give NaN in what depends on them. No heap, no exceptions. Each is equal
+// to
 // its definition, by differentiation of the plain product of the joints' pairs, at random exact points, tolerance zero.
 
 /// Jacobian of the tool point in the base frame: the twist of the tool is `jacobian(q) * qd` (m/s, rad/s); linear rows
 /// first (Jacobian lecture, section 5.4: iteration, cross products and differentiation all give it).
 ///
-/// 197 multiplications, 97 additions, 10 sine/cosine pairs. Certified at 3 points; largest rounding error found 6.95 ulp.
+/// 197 multiplications, 97 additions, 10 sine/cosine pairs. Certified at 3 points; largest rounding error found 6.95
+/// ulp.
 template <class Scalar>
 Jacobian<Scalar> jacobian(const JointVector<Scalar>& q,
     const BasicGeometry<Scalar>& g = {});
@@ -62,7 +65,8 @@ Jacobian<Scalar> jacobian(const JointVector<Scalar>& q,
 /// Pose of the tool in the world frame as a homogeneous transformation, and `jacobian`, with all that they share
 /// computed once.
 ///
-/// 273 multiplications, 134 additions, 11 sine/cosine pairs. Certified at 3 points; largest rounding error found 6.95 ulp.
+/// 273 multiplications, 134 additions, 11 sine/cosine pairs. Certified at 3 points; largest rounding error found 6.95
+/// ulp.
 template <class Scalar>
 TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointVector<Scalar>& q,
     const BasicGeometry<Scalar>& g = {});
@@ -73,7 +77,8 @@ TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointVector<S
 
 /// The Jacobian of the tool point in the tool frame: both halves of each column turned into it.
 ///
-/// 232 multiplications, 113 additions, 10 sine/cosine pairs. Certified at 3 points; largest rounding error found 4.19 ulp.
+/// 232 multiplications, 113 additions, 10 sine/cosine pairs. Certified at 3 points; largest rounding error found 4.19
+/// ulp.
 template <class Scalar>
 Jacobian<Scalar> tool_jacobian(const JointVector<Scalar>& q,
     const BasicGeometry<Scalar>& g = {});
@@ -84,7 +89,8 @@ Jacobian<Scalar> tool_jacobian(const JointVector<Scalar>& q,
 
 /// The Jacobian in the base frame at a point that moves with the tool, given in the tool frame (m).
 ///
-/// 242 multiplications, 121 additions, 11 sine/cosine pairs. Certified at 3 points; largest rounding error found 4.27 ulp.
+/// 242 multiplications, 121 additions, 11 sine/cosine pairs. Certified at 3 points; largest rounding error found 4.27
+/// ulp.
 template <class Scalar>
 Jacobian<Scalar> jacobian_at(const JointVector<Scalar>& q, const Vector3<Scalar>& point,
     const BasicGeometry<Scalar>& g = {});
@@ -95,7 +101,8 @@ Jacobian<Scalar> jacobian_at(const JointVector<Scalar>& q, const Vector3<Scalar>
 
 /// Twist of the tool in the base frame at the joint rates qd (rad/s, m/s): `jacobian(q) * qd`, linear part first.
 ///
-/// 108 multiplications, 66 additions, 10 sine/cosine pairs. Certified at 3 points; largest rounding error found 3.91 ulp.
+/// 108 multiplications, 66 additions, 10 sine/cosine pairs. Certified at 3 points; largest rounding error found 3.91
+/// ulp.
 template <class Scalar>
 Twist<Scalar> velocity(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const BasicGeometry<Scalar>& g = {});
@@ -106,7 +113,8 @@ Twist<Scalar> velocity(const JointVector<Scalar>& q, const JointVector<Scalar>& 
 
 /// Derivative of `jacobian` by time at the joint rates qd.
 ///
-/// 309 multiplications, 174 additions, 10 sine/cosine pairs. Certified at 3 points; largest rounding error found 11.1 ulp.
+/// 309 multiplications, 174 additions, 10 sine/cosine pairs. Certified at 3 points; largest rounding error found 11.1
+/// ulp.
 template <class Scalar>
 Jacobian<Scalar> jacobian_dot(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const BasicGeometry<Scalar>& g = {});
@@ -115,10 +123,12 @@ template <class Scalar>
 Jacobian<Scalar> jacobian_dot(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JacobianAngles<Scalar>& angles, const BasicGeometry<Scalar>& g = {});
 
-/// The tool's acceleration (m/s², rad/s²) at constant joint rates qd: `jacobian_dot(q, qd) * qd`; with joint accelerations
+/// The tool's acceleration (m/s², rad/s²) at constant joint rates qd: `jacobian_dot(q, qd) * qd`; with joint
+/// accelerations
 /// it is `jacobian(q) * qdd` plus this.
 ///
-/// 186 multiplications, 117 additions, 10 sine/cosine pairs. Certified at 3 points; largest rounding error found 5.38 ulp.
+/// 186 multiplications, 117 additions, 10 sine/cosine pairs. Certified at 3 points; largest rounding error found 5.38
+/// ulp.
 template <class Scalar>
 Twist<Scalar> jacobian_dot_times_qd(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const BasicGeometry<Scalar>& g = {});
@@ -130,7 +140,8 @@ Twist<Scalar> jacobian_dot_times_qd(const JointVector<Scalar>& q, const JointVec
 /// One value for each factor of the determinant of the Jacobian (named in `singularity_names`): the arm is singular
 /// exactly where one of them is zero. None for arms with more than six joints, see qvgen/manipulability.h.
 ///
-/// 178 multiplications, 96 additions, 9 sine/cosine pairs. Certified at 3 points; largest rounding error found 35.95 ulp.
+/// 178 multiplications, 96 additions, 9 sine/cosine pairs. Certified at 3 points; largest rounding error found 35.95
+/// ulp.
 template <class Scalar>
 SingularityMeasures<Scalar> singularity_measures(const JointVector<Scalar>& q,
     const BasicGeometry<Scalar>& g = {});
@@ -139,13 +150,12 @@ template <class Scalar>
 SingularityMeasures<Scalar> singularity_measures(const JointVector<Scalar>& q,
     const JacobianAngles<Scalar>& angles, const BasicGeometry<Scalar>& g = {});
 
-
-/// Joint rates for a twist of the tool (base frame, at the tool point): qvgen/inverse_velocity.h on the Jacobian. A status instead of infinities.
+/// Joint rates for a twist of the tool (base frame, at the tool point): qvgen/inverse_velocity.h on the Jacobian. A
+/// status instead of infinities.
 template <class Scalar>
 InverseVelocity<Scalar, dof> inverse_velocity(const JointVector<Scalar>& q, const Twist<Scalar>& twist,
                                               const BasicGeometry<Scalar>& g = {},
                                               const InverseVelocityOptions<Scalar>& options = {}) {
-
   return qvgen::inverse_velocity<Scalar, dof>(jacobian(q, g), twist, options);
 }
 

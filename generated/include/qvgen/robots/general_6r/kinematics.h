@@ -11,14 +11,16 @@
 
 namespace qvgen::robots::general_6r {
 
-/// Sines and cosines that forward_kinematics needs, of the angles alpha2/2, alpha3/2, alpha4/2, alpha5/2, alpha6/2, theta1/2, theta2/2, theta3/2, theta4/2, theta5/2, theta6/2.
+/// Sines and cosines that forward_kinematics needs, of the angles alpha2/2, alpha3/2, alpha4/2, alpha5/2, alpha6/2,
+/// theta1/2, theta2/2, theta3/2, theta4/2, theta5/2, theta6/2.
 template <class Scalar>
 struct PoseAngles {
   std::array<Scalar, 11> sine;
   std::array<Scalar, 11> cosine;
 };
 
-/// Sines and cosines that homogeneous_transform needs, of the angles alpha2/2, alpha3/2, alpha4/2, alpha5/2, alpha6/2, theta1/2, theta2/2, theta3/2, theta4/2, theta5/2, theta6/2.
+/// Sines and cosines that homogeneous_transform needs, of the angles alpha2/2, alpha3/2, alpha4/2, alpha5/2, alpha6/2,
+/// theta1/2, theta2/2, theta3/2, theta4/2, theta5/2, theta6/2.
 template <class Scalar>
 struct TransformAngles {
   std::array<Scalar, 11> sine;
@@ -31,9 +33,11 @@ PoseAngles<Scalar> pose_angles(const JointVector<Scalar>& q, const BasicGeometry
 template <class Scalar>
 TransformAngles<Scalar> transform_angles(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g = {});
 
-/// Pose of the tool in the world frame: unit quaternion and position (m), by quaternion/vector pairs (Aydin 2007, 1.12).
+/// Pose of the tool in the world frame: unit quaternion and position (m), by quaternion/vector pairs (Aydin 2007,
+/// 1.12).
 ///
-/// 154 multiplications, 103 additions, 11 sine/cosine pairs. Equal to the plain product of the joints' pairs at 4 random
+/// 154 multiplications, 103 additions, 11 sine/cosine pairs. Equal to the plain product of the joints' pairs at 4
+/// random
 /// exact points, tolerance zero; largest rounding error found 14.81 ulp.
 ///
 /// NaN or infinite joint variables give NaN. No heap, no exceptions.
@@ -46,7 +50,8 @@ Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const PoseAngles<S
 
 /// Pose of the tool in the world frame as a homogeneous transformation: rotation matrix and position (m).
 ///
-/// 168 multiplications, 116 additions, 11 sine/cosine pairs. Equal to the plain product of the joints' pairs at 4 random
+/// 168 multiplications, 116 additions, 11 sine/cosine pairs. Equal to the plain product of the joints' pairs at 4
+/// random
 /// exact points, tolerance zero; largest rounding error found 15.96 ulp.
 ///
 /// NaN or infinite joint variables give NaN. No heap, no exceptions.

@@ -21,8 +21,11 @@ inline constexpr std::array<const char*, dof> joint_names{ "theta1", "theta2", "
 inline constexpr std::array<bool, dof> is_revolute{ true, true, true, true, true, true };
 
 /// Joint limits of the description, rad or m; infinite where it has none.
-inline constexpr std::array<double, dof> lower_limits{ -std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity() };
-inline constexpr std::array<double, dof> upper_limits{ std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity() };
+inline constexpr double unlimited = std::numeric_limits<double>::infinity();
+inline constexpr std::array<double, dof> lower_limits{ -unlimited, -unlimited, -unlimited, -unlimited, -unlimited,
+    -unlimited };
+inline constexpr std::array<double, dof> upper_limits{ unlimited, unlimited, unlimited, unlimited, unlimited,
+    unlimited };
 
 /// Geometric constants, metres or radians; defaults from the description.
 template <class Scalar>
@@ -44,5 +47,7 @@ struct BasicGeometry {
   Scalar d6 = Scalar(0.09);
 };
 using Geometry = BasicGeometry<double>;
+inline constexpr std::array<const char*, 15> geometry_names{ "alpha2", "a2", "d2", "alpha3", "a3", "d3", "alpha4",
+    "a4", "d4", "alpha5", "a5", "d5", "alpha6", "a6", "d6" };
 
 }  // namespace qvgen::robots::general_6r

@@ -13,7 +13,6 @@ namespace qvgen::robots::iiwa14 {
 /// Inertial parameters, kg, m, kg m^2. All are numbers here, folded into the code.
 template <class Scalar>
 struct BasicInertia {
-
 };
 using Inertia = BasicInertia<double>;
 inline constexpr std::array<const char*, 0> inertia_names{  };
@@ -38,7 +37,8 @@ DynamicsAngles<Scalar> dynamics_angles(const JointVector<Scalar>& q);
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// Largest rounding error found 6.11 ulp of the largest component.
 template <class Scalar>
-JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g = {},
+JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
+    const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
 using InverseDynamicsConstants = std::array<Scalar, 3>;
@@ -46,7 +46,8 @@ template <class Scalar>
 InverseDynamicsConstants<Scalar> inverse_dynamics_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
-JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const DynamicsAngles<Scalar>& angles,
+JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
+    const JointVector<Scalar>& qdd, const DynamicsAngles<Scalar>& angles,
     const InverseDynamicsConstants<Scalar>& constants);
 
 /// Joint forces that hold the robot against gravity at rest.
@@ -72,7 +73,8 @@ JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const DynamicsA
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// Largest rounding error found 5.43 ulp of the largest component.
 template <class Scalar>
-JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const BasicGeometry<Scalar>& g = {},
+JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
+    const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
 template <class Scalar>
 using CoriolisTorqueConstants = std::array<Scalar, 0>;
@@ -80,7 +82,8 @@ template <class Scalar>
 CoriolisTorqueConstants<Scalar> coriolis_torque_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
 template <class Scalar>
-JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const DynamicsAngles<Scalar>& angles,
+JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
+    const DynamicsAngles<Scalar>& angles,
     const CoriolisTorqueConstants<Scalar>& constants);
 
 /// Symmetric, positive definite M(q), by composite bodies in base parameters; rotors included.
@@ -106,7 +109,8 @@ Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q, const 
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// Largest rounding error found 5.68 ulp of the largest component.
 template <class Scalar>
-Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const BasicGeometry<Scalar>& g = {},
+Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
+    const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
 template <class Scalar>
 using CoriolisMatrixConstants = std::array<Scalar, 0>;
@@ -114,7 +118,8 @@ template <class Scalar>
 CoriolisMatrixConstants<Scalar> coriolis_matrix_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
 template <class Scalar>
-Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const DynamicsAngles<Scalar>& angles,
+Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
+    const DynamicsAngles<Scalar>& angles,
     const CoriolisMatrixConstants<Scalar>& constants);
 
 /// Joint accelerations for given joint forces: M qdd = torque - C qd - gravity, by M = U D U^T.
@@ -123,7 +128,8 @@ Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, co
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// Largest rounding error found 6.86 ulp of the largest component.
 template <class Scalar>
-JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g = {},
+JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
+    const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
 using ForwardDynamicsConstants = std::array<Scalar, 1>;
@@ -131,7 +137,8 @@ template <class Scalar>
 ForwardDynamicsConstants<Scalar> forward_dynamics_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
-JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const JointVector<Scalar>& torque, const DynamicsAngles<Scalar>& angles,
+JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
+    const JointVector<Scalar>& torque, const DynamicsAngles<Scalar>& angles,
     const ForwardDynamicsConstants<Scalar>& constants);
 
 /// qd^T M qd / 2, J.
@@ -170,54 +177,102 @@ Scalar potential_energy(const JointVector<Scalar>& q, const DynamicsAngles<Scala
 
 // Compiled into the library for double and float; other scalar types include dynamics_definitions.h.
 extern template DynamicsAngles<double> dynamics_angles(const JointVector<double>&);
-extern template JointVector<double> inverse_dynamics(const JointVector<double>&, const JointVector<double>&, const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&, double);
-extern template InverseDynamicsConstants<double> inverse_dynamics_constants(const BasicGeometry<double>&, const BasicInertia<double>&, double);
-extern template JointVector<double> inverse_dynamics(const JointVector<double>&, const JointVector<double>&, const JointVector<double>&, const DynamicsAngles<double>&, const InverseDynamicsConstants<double>&);
-extern template JointVector<double> gravity_torque(const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&, double);
-extern template GravityTorqueConstants<double> gravity_torque_constants(const BasicGeometry<double>&, const BasicInertia<double>&, double);
-extern template JointVector<double> gravity_torque(const JointVector<double>&, const DynamicsAngles<double>&, const GravityTorqueConstants<double>&);
-extern template JointVector<double> coriolis_torque(const JointVector<double>&, const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&);
-extern template CoriolisTorqueConstants<double> coriolis_torque_constants(const BasicGeometry<double>&, const BasicInertia<double>&);
-extern template JointVector<double> coriolis_torque(const JointVector<double>&, const JointVector<double>&, const DynamicsAngles<double>&, const CoriolisTorqueConstants<double>&);
-extern template Eigen::Matrix<double, dof, dof> mass_matrix(const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&);
-extern template MassMatrixConstants<double> mass_matrix_constants(const BasicGeometry<double>&, const BasicInertia<double>&);
-extern template Eigen::Matrix<double, dof, dof> mass_matrix(const JointVector<double>&, const DynamicsAngles<double>&, const MassMatrixConstants<double>&);
-extern template Eigen::Matrix<double, dof, dof> coriolis_matrix(const JointVector<double>&, const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&);
-extern template CoriolisMatrixConstants<double> coriolis_matrix_constants(const BasicGeometry<double>&, const BasicInertia<double>&);
-extern template Eigen::Matrix<double, dof, dof> coriolis_matrix(const JointVector<double>&, const JointVector<double>&, const DynamicsAngles<double>&, const CoriolisMatrixConstants<double>&);
-extern template JointVector<double> forward_dynamics(const JointVector<double>&, const JointVector<double>&, const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&, double);
-extern template ForwardDynamicsConstants<double> forward_dynamics_constants(const BasicGeometry<double>&, const BasicInertia<double>&, double);
-extern template JointVector<double> forward_dynamics(const JointVector<double>&, const JointVector<double>&, const JointVector<double>&, const DynamicsAngles<double>&, const ForwardDynamicsConstants<double>&);
-extern template double kinetic_energy(const JointVector<double>&, const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&);
-extern template KineticEnergyConstants<double> kinetic_energy_constants(const BasicGeometry<double>&, const BasicInertia<double>&);
-extern template double kinetic_energy(const JointVector<double>&, const JointVector<double>&, const DynamicsAngles<double>&, const KineticEnergyConstants<double>&);
-extern template double potential_energy(const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&, double);
-extern template PotentialEnergyConstants<double> potential_energy_constants(const BasicGeometry<double>&, const BasicInertia<double>&, double);
-extern template double potential_energy(const JointVector<double>&, const DynamicsAngles<double>&, const PotentialEnergyConstants<double>&);
+extern template JointVector<double> inverse_dynamics(const JointVector<double>&, const JointVector<double>&,
+    const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&, double);
+extern template InverseDynamicsConstants<double> inverse_dynamics_constants(const BasicGeometry<double>&,
+    const BasicInertia<double>&, double);
+extern template JointVector<double> inverse_dynamics(const JointVector<double>&, const JointVector<double>&,
+    const JointVector<double>&, const DynamicsAngles<double>&, const InverseDynamicsConstants<double>&);
+extern template JointVector<double> gravity_torque(const JointVector<double>&, const BasicGeometry<double>&,
+    const BasicInertia<double>&, double);
+extern template GravityTorqueConstants<double> gravity_torque_constants(const BasicGeometry<double>&,
+    const BasicInertia<double>&, double);
+extern template JointVector<double> gravity_torque(const JointVector<double>&, const DynamicsAngles<double>&,
+    const GravityTorqueConstants<double>&);
+extern template JointVector<double> coriolis_torque(const JointVector<double>&, const JointVector<double>&,
+    const BasicGeometry<double>&, const BasicInertia<double>&);
+extern template CoriolisTorqueConstants<double> coriolis_torque_constants(const BasicGeometry<double>&,
+    const BasicInertia<double>&);
+extern template JointVector<double> coriolis_torque(const JointVector<double>&, const JointVector<double>&,
+    const DynamicsAngles<double>&, const CoriolisTorqueConstants<double>&);
+extern template Eigen::Matrix<double, dof, dof> mass_matrix(const JointVector<double>&, const BasicGeometry<double>&,
+    const BasicInertia<double>&);
+extern template MassMatrixConstants<double> mass_matrix_constants(const BasicGeometry<double>&,
+    const BasicInertia<double>&);
+extern template Eigen::Matrix<double, dof, dof> mass_matrix(const JointVector<double>&, const DynamicsAngles<double>&,
+    const MassMatrixConstants<double>&);
+extern template Eigen::Matrix<double, dof, dof> coriolis_matrix(const JointVector<double>&, const JointVector<double>&,
+    const BasicGeometry<double>&, const BasicInertia<double>&);
+extern template CoriolisMatrixConstants<double> coriolis_matrix_constants(const BasicGeometry<double>&,
+    const BasicInertia<double>&);
+extern template Eigen::Matrix<double, dof, dof> coriolis_matrix(const JointVector<double>&, const JointVector<double>&,
+    const DynamicsAngles<double>&, const CoriolisMatrixConstants<double>&);
+extern template JointVector<double> forward_dynamics(const JointVector<double>&, const JointVector<double>&,
+    const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&, double);
+extern template ForwardDynamicsConstants<double> forward_dynamics_constants(const BasicGeometry<double>&,
+    const BasicInertia<double>&, double);
+extern template JointVector<double> forward_dynamics(const JointVector<double>&, const JointVector<double>&,
+    const JointVector<double>&, const DynamicsAngles<double>&, const ForwardDynamicsConstants<double>&);
+extern template double kinetic_energy(const JointVector<double>&, const JointVector<double>&,
+    const BasicGeometry<double>&, const BasicInertia<double>&);
+extern template KineticEnergyConstants<double> kinetic_energy_constants(const BasicGeometry<double>&,
+    const BasicInertia<double>&);
+extern template double kinetic_energy(const JointVector<double>&, const JointVector<double>&,
+    const DynamicsAngles<double>&, const KineticEnergyConstants<double>&);
+extern template double potential_energy(const JointVector<double>&, const BasicGeometry<double>&,
+    const BasicInertia<double>&, double);
+extern template PotentialEnergyConstants<double> potential_energy_constants(const BasicGeometry<double>&,
+    const BasicInertia<double>&, double);
+extern template double potential_energy(const JointVector<double>&, const DynamicsAngles<double>&,
+    const PotentialEnergyConstants<double>&);
 extern template DynamicsAngles<float> dynamics_angles(const JointVector<float>&);
-extern template JointVector<float> inverse_dynamics(const JointVector<float>&, const JointVector<float>&, const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&, float);
-extern template InverseDynamicsConstants<float> inverse_dynamics_constants(const BasicGeometry<float>&, const BasicInertia<float>&, float);
-extern template JointVector<float> inverse_dynamics(const JointVector<float>&, const JointVector<float>&, const JointVector<float>&, const DynamicsAngles<float>&, const InverseDynamicsConstants<float>&);
-extern template JointVector<float> gravity_torque(const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&, float);
-extern template GravityTorqueConstants<float> gravity_torque_constants(const BasicGeometry<float>&, const BasicInertia<float>&, float);
-extern template JointVector<float> gravity_torque(const JointVector<float>&, const DynamicsAngles<float>&, const GravityTorqueConstants<float>&);
-extern template JointVector<float> coriolis_torque(const JointVector<float>&, const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&);
-extern template CoriolisTorqueConstants<float> coriolis_torque_constants(const BasicGeometry<float>&, const BasicInertia<float>&);
-extern template JointVector<float> coriolis_torque(const JointVector<float>&, const JointVector<float>&, const DynamicsAngles<float>&, const CoriolisTorqueConstants<float>&);
-extern template Eigen::Matrix<float, dof, dof> mass_matrix(const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&);
-extern template MassMatrixConstants<float> mass_matrix_constants(const BasicGeometry<float>&, const BasicInertia<float>&);
-extern template Eigen::Matrix<float, dof, dof> mass_matrix(const JointVector<float>&, const DynamicsAngles<float>&, const MassMatrixConstants<float>&);
-extern template Eigen::Matrix<float, dof, dof> coriolis_matrix(const JointVector<float>&, const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&);
-extern template CoriolisMatrixConstants<float> coriolis_matrix_constants(const BasicGeometry<float>&, const BasicInertia<float>&);
-extern template Eigen::Matrix<float, dof, dof> coriolis_matrix(const JointVector<float>&, const JointVector<float>&, const DynamicsAngles<float>&, const CoriolisMatrixConstants<float>&);
-extern template JointVector<float> forward_dynamics(const JointVector<float>&, const JointVector<float>&, const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&, float);
-extern template ForwardDynamicsConstants<float> forward_dynamics_constants(const BasicGeometry<float>&, const BasicInertia<float>&, float);
-extern template JointVector<float> forward_dynamics(const JointVector<float>&, const JointVector<float>&, const JointVector<float>&, const DynamicsAngles<float>&, const ForwardDynamicsConstants<float>&);
-extern template float kinetic_energy(const JointVector<float>&, const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&);
-extern template KineticEnergyConstants<float> kinetic_energy_constants(const BasicGeometry<float>&, const BasicInertia<float>&);
-extern template float kinetic_energy(const JointVector<float>&, const JointVector<float>&, const DynamicsAngles<float>&, const KineticEnergyConstants<float>&);
-extern template float potential_energy(const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&, float);
-extern template PotentialEnergyConstants<float> potential_energy_constants(const BasicGeometry<float>&, const BasicInertia<float>&, float);
-extern template float potential_energy(const JointVector<float>&, const DynamicsAngles<float>&, const PotentialEnergyConstants<float>&);
+extern template JointVector<float> inverse_dynamics(const JointVector<float>&, const JointVector<float>&,
+    const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&, float);
+extern template InverseDynamicsConstants<float> inverse_dynamics_constants(const BasicGeometry<float>&,
+    const BasicInertia<float>&, float);
+extern template JointVector<float> inverse_dynamics(const JointVector<float>&, const JointVector<float>&,
+    const JointVector<float>&, const DynamicsAngles<float>&, const InverseDynamicsConstants<float>&);
+extern template JointVector<float> gravity_torque(const JointVector<float>&, const BasicGeometry<float>&,
+    const BasicInertia<float>&, float);
+extern template GravityTorqueConstants<float> gravity_torque_constants(const BasicGeometry<float>&,
+    const BasicInertia<float>&, float);
+extern template JointVector<float> gravity_torque(const JointVector<float>&, const DynamicsAngles<float>&,
+    const GravityTorqueConstants<float>&);
+extern template JointVector<float> coriolis_torque(const JointVector<float>&, const JointVector<float>&,
+    const BasicGeometry<float>&, const BasicInertia<float>&);
+extern template CoriolisTorqueConstants<float> coriolis_torque_constants(const BasicGeometry<float>&,
+    const BasicInertia<float>&);
+extern template JointVector<float> coriolis_torque(const JointVector<float>&, const JointVector<float>&,
+    const DynamicsAngles<float>&, const CoriolisTorqueConstants<float>&);
+extern template Eigen::Matrix<float, dof, dof> mass_matrix(const JointVector<float>&, const BasicGeometry<float>&,
+    const BasicInertia<float>&);
+extern template MassMatrixConstants<float> mass_matrix_constants(const BasicGeometry<float>&,
+    const BasicInertia<float>&);
+extern template Eigen::Matrix<float, dof, dof> mass_matrix(const JointVector<float>&, const DynamicsAngles<float>&,
+    const MassMatrixConstants<float>&);
+extern template Eigen::Matrix<float, dof, dof> coriolis_matrix(const JointVector<float>&, const JointVector<float>&,
+    const BasicGeometry<float>&, const BasicInertia<float>&);
+extern template CoriolisMatrixConstants<float> coriolis_matrix_constants(const BasicGeometry<float>&,
+    const BasicInertia<float>&);
+extern template Eigen::Matrix<float, dof, dof> coriolis_matrix(const JointVector<float>&, const JointVector<float>&,
+    const DynamicsAngles<float>&, const CoriolisMatrixConstants<float>&);
+extern template JointVector<float> forward_dynamics(const JointVector<float>&, const JointVector<float>&,
+    const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&, float);
+extern template ForwardDynamicsConstants<float> forward_dynamics_constants(const BasicGeometry<float>&,
+    const BasicInertia<float>&, float);
+extern template JointVector<float> forward_dynamics(const JointVector<float>&, const JointVector<float>&,
+    const JointVector<float>&, const DynamicsAngles<float>&, const ForwardDynamicsConstants<float>&);
+extern template float kinetic_energy(const JointVector<float>&, const JointVector<float>&, const BasicGeometry<float>&,
+    const BasicInertia<float>&);
+extern template KineticEnergyConstants<float> kinetic_energy_constants(const BasicGeometry<float>&,
+    const BasicInertia<float>&);
+extern template float kinetic_energy(const JointVector<float>&, const JointVector<float>&,
+    const DynamicsAngles<float>&, const KineticEnergyConstants<float>&);
+extern template float potential_energy(const JointVector<float>&, const BasicGeometry<float>&,
+    const BasicInertia<float>&, float);
+extern template PotentialEnergyConstants<float> potential_energy_constants(const BasicGeometry<float>&,
+    const BasicInertia<float>&, float);
+extern template float potential_energy(const JointVector<float>&, const DynamicsAngles<float>&,
+    const PotentialEnergyConstants<float>&);
 
 }  // namespace qvgen::robots::iiwa14

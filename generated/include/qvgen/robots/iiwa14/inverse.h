@@ -10,11 +10,13 @@
 #include <qvgen/robots/iiwa14/model.h>
 
 namespace qvgen::robots::iiwa14 {
+
 using SolutionsGiven_theta3 = qvgen::Solutions<dof, 8>;
 /// At most 8 solutions; what of the pose is used; the joint that the caller gives, -1 for none; has lanes.
 inline constexpr InverseInfo inverse_info_given_theta3{ 8, true, 2, true };
 
-/// All joint values that bring the tool to a pose (position and orientation; theta3, rad, is given), angles in (-pi, pi], each once.
+/// All joint values that bring the tool to a pose (position and orientation; theta3, rad, is given), angles in (-pi,
+/// pi], each once.
 ///
 /// Derived from the description: with theta3 given, the axes of joints 5, 6 and 7 meet in one point.
 /// - theta4: line or circle meets circle, 2 values.
@@ -26,20 +28,26 @@ inline constexpr InverseInfo inverse_info_given_theta3{ 8, true, 2, true };
 /// the sampled joints among them.
 ///
 /// The pose's quaternion may be off its length by rounding (float's too) and is normalised; NaN, infinity or no
-/// rotation gives Status::invalid. `tolerance` is how far beyond the boundary of reach, as a share of the arm's size, a pose
-/// is still solved by the nearest joints. What a singular pose leaves free is taken as 0, or near it where the other joints
+/// rotation gives Status::invalid. `tolerance` is how far beyond the boundary of reach, as a share of the arm's size, a
+/// pose
+/// is still solved by the nearest joints. What a singular pose leaves free is taken as 0, or near it where the other
+/// joints
 /// cannot follow. No heap, no exceptions.
 /// Four branches at a time in the lanes of AVX2 registers, if the machine has them; `form` is for comparisons.
 SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Pose<double>& pose, double theta3, const Geometry& g = {},
     double tolerance = inverse::default_tolerance, inverse::Form form = inverse::Form::fastest);
 /// The same, nearest to the seed first (see `sort_by_distance`); free joints are taken from the seed.
-SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Pose<double>& pose, double theta3, const JointVector<double>& seed, const Geometry& g = {},
+SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Pose<double>& pose, double theta3,
+    const JointVector<double>& seed, const Geometry& g = {},
     double tolerance = inverse::default_tolerance);
 /// The same for a rotation matrix and a position (m).
-SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Matrix3<double>& rotation, const Vector3<double>& position, double theta3, const Geometry& g = {},
+SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Matrix3<double>& rotation, const Vector3<double>& position,
+    double theta3, const Geometry& g = {},
     double tolerance = inverse::default_tolerance);
-/// The solutions within joint limits, with every representative of an angle that differs by whole turns and lies inside.
-LimitedSolutions<dof, 8> inverse_kinematics_given_theta3(const Pose<double>& pose, double theta3, const JointLimits<dof>& limits, const Geometry& g = {},
+/// The solutions within joint limits, with every representative of an angle that differs by whole turns and lies
+/// inside.
+LimitedSolutions<dof, 8> inverse_kinematics_given_theta3(const Pose<double>& pose, double theta3,
+    const JointLimits<dof>& limits, const Geometry& g = {},
     double tolerance = inverse::default_tolerance);
 
 }  // namespace qvgen::robots::iiwa14

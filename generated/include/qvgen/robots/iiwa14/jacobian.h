@@ -33,7 +33,8 @@ struct TransformAndJacobian {
   Jacobian<Scalar> jacobian;
 };
 
-/// Sines and cosines that the functions of this header need, of the angles theta1, theta2, theta3, theta4, theta5, theta6, theta7.
+/// Sines and cosines that the functions of this header need, of the angles theta1, theta2, theta3, theta4, theta5,
+/// theta6, theta7.
 template <class Scalar>
 struct JacobianAngles {
   std::array<Scalar, 7> sine;
@@ -44,13 +45,15 @@ struct JacobianAngles {
 template <class Scalar>
 JacobianAngles<Scalar> jacobian_angles(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g = {});
 
-// For all functions: NaN or infinite arguments give NaN in what depends on them. No heap, no exceptions. Each is equal to
+// For all functions: NaN or infinite arguments give NaN in what depends on them. No heap, no exceptions. Each is equal
+// to
 // its definition, by differentiation of the plain product of the joints' pairs, at random exact points, tolerance zero.
 
 /// Jacobian of the tool point in the base frame: the twist of the tool is `jacobian(q) * qd` (m/s, rad/s); linear rows
 /// first (Jacobian lecture, section 5.4: iteration, cross products and differentiation all give it).
 ///
-/// 90 multiplications, 40 additions, 6 sine/cosine pairs. Certified at 3 points; largest rounding error found 12.83 ulp.
+/// 90 multiplications, 40 additions, 6 sine/cosine pairs. Certified at 3 points; largest rounding error found 12.83
+/// ulp.
 template <class Scalar>
 Jacobian<Scalar> jacobian(const JointVector<Scalar>& q,
     const BasicGeometry<Scalar>& g = {});
@@ -62,7 +65,8 @@ Jacobian<Scalar> jacobian(const JointVector<Scalar>& q,
 /// Pose of the tool in the world frame as a homogeneous transformation, and `jacobian`, with all that they share
 /// computed once.
 ///
-/// 97 multiplications, 46 additions, 7 sine/cosine pairs. Certified at 3 points; largest rounding error found 12.83 ulp.
+/// 97 multiplications, 46 additions, 7 sine/cosine pairs. Certified at 3 points; largest rounding error found 12.83
+/// ulp.
 template <class Scalar>
 TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointVector<Scalar>& q,
     const BasicGeometry<Scalar>& g = {});
@@ -73,7 +77,8 @@ TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointVector<S
 
 /// The Jacobian of the tool point in the tool frame: both halves of each column turned into it.
 ///
-/// 128 multiplications, 56 additions, 6 sine/cosine pairs. Certified at 3 points; largest rounding error found 10.94 ulp.
+/// 128 multiplications, 56 additions, 6 sine/cosine pairs. Certified at 3 points; largest rounding error found 10.94
+/// ulp.
 template <class Scalar>
 Jacobian<Scalar> tool_jacobian(const JointVector<Scalar>& q,
     const BasicGeometry<Scalar>& g = {});
@@ -106,7 +111,8 @@ Twist<Scalar> velocity(const JointVector<Scalar>& q, const JointVector<Scalar>& 
 
 /// Derivative of `jacobian` by time at the joint rates qd.
 ///
-/// 183 multiplications, 108 additions, 6 sine/cosine pairs. Certified at 3 points; largest rounding error found 14.62 ulp.
+/// 183 multiplications, 108 additions, 6 sine/cosine pairs. Certified at 3 points; largest rounding error found 14.62
+/// ulp.
 template <class Scalar>
 Jacobian<Scalar> jacobian_dot(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const BasicGeometry<Scalar>& g = {});
@@ -115,10 +121,12 @@ template <class Scalar>
 Jacobian<Scalar> jacobian_dot(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JacobianAngles<Scalar>& angles, const BasicGeometry<Scalar>& g = {});
 
-/// The tool's acceleration (m/s², rad/s²) at constant joint rates qd: `jacobian_dot(q, qd) * qd`; with joint accelerations
+/// The tool's acceleration (m/s², rad/s²) at constant joint rates qd: `jacobian_dot(q, qd) * qd`; with joint
+/// accelerations
 /// it is `jacobian(q) * qdd` plus this.
 ///
-/// 114 multiplications, 74 additions, 6 sine/cosine pairs. Certified at 3 points; largest rounding error found 2.61 ulp.
+/// 114 multiplications, 74 additions, 6 sine/cosine pairs. Certified at 3 points; largest rounding error found 2.61
+/// ulp.
 template <class Scalar>
 Twist<Scalar> jacobian_dot_times_qd(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const BasicGeometry<Scalar>& g = {});
@@ -139,13 +147,12 @@ template <class Scalar>
 SingularityMeasures<Scalar> singularity_measures(const JointVector<Scalar>& q,
     const JacobianAngles<Scalar>& angles, const BasicGeometry<Scalar>& g = {});
 
-
-/// Joint rates for a twist of the tool (base frame, at the tool point): qvgen/inverse_velocity.h on the Jacobian. A status instead of infinities.
+/// Joint rates for a twist of the tool (base frame, at the tool point): qvgen/inverse_velocity.h on the Jacobian. A
+/// status instead of infinities.
 template <class Scalar>
 InverseVelocity<Scalar, dof> inverse_velocity(const JointVector<Scalar>& q, const Twist<Scalar>& twist,
                                               const BasicGeometry<Scalar>& g = {},
                                               const InverseVelocityOptions<Scalar>& options = {}) {
-
   return qvgen::inverse_velocity<Scalar, dof>(jacobian(q, g), twist, options);
 }
 

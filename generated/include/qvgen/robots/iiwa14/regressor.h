@@ -10,7 +10,10 @@ namespace qvgen::robots::iiwa14 {
 /// The base parameters: what of the links' inertias motions and joint forces can tell. S are second moments, h first
 /// moments, m masses, regrouped toward the base, with the number of the link.
 inline constexpr int base_parameter_count = 43;
-inline constexpr std::array<const char*, base_parameter_count> base_parameter_names{ "Sxx1+Syy1", "Sxx2", "Sxy2", "Sxz2", "hx2", "Syy2", "Syz2", "hy2", "Sxx3", "Sxy3", "Sxz3", "hx3", "Syy3", "Syz3", "hy3", "Sxx4", "Sxy4", "Sxz4", "hx4", "Syy4", "Syz4", "hy4", "Sxx5", "Sxy5", "Sxz5", "hx5", "Syy5", "Syz5", "hy5", "Sxx6", "Sxy6", "Sxz6", "hx6", "Syy6", "Syz6", "hy6", "Sxx7", "Sxy7", "Sxz7", "hx7", "Syy7", "Syz7", "hy7" };
+inline constexpr std::array<const char*, base_parameter_count> base_parameter_names{ "Sxx1+Syy1", "Sxx2", "Sxy2",
+    "Sxz2", "hx2", "Syy2", "Syz2", "hy2", "Sxx3", "Sxy3", "Sxz3", "hx3", "Syy3", "Syz3", "hy3", "Sxx4", "Sxy4", "Sxz4",
+    "hx4", "Syy4", "Syz4", "hy4", "Sxx5", "Sxy5", "Sxz5", "hx5", "Syy5", "Syz5", "hy5", "Sxx6", "Sxy6", "Sxz6", "hx6",
+    "Syy6", "Syz6", "hy6", "Sxx7", "Sxy7", "Sxz7", "hx7", "Syy7", "Syz7", "hy7" };
 
 /// Ten of each link in its frame: mass, first moments x y z (kg m), inertia about the frame's origin xx yy zz xy yz xz.
 template <class Scalar>
@@ -18,7 +21,8 @@ using StandardParameters = Eigen::Matrix<Scalar, 10 * dof, 1>;
 
 /// Linear in the standard parameters.
 template <class Scalar>
-Eigen::Matrix<Scalar, base_parameter_count, 1> base_parameters(const StandardParameters<Scalar>& standard, const BasicGeometry<Scalar>& g = {});
+Eigen::Matrix<Scalar, base_parameter_count, 1> base_parameters(const StandardParameters<Scalar>& standard,
+    const BasicGeometry<Scalar>& g = {});
 
 /// Sines and cosines that regressor needs, of the angles theta2, theta3, theta4, theta5, theta6, theta7.
 template <class Scalar>
@@ -35,7 +39,8 @@ RegressorAngles<Scalar> regressor_angles(const JointVector<Scalar>& q);
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// Largest rounding error found 4.46 ulp of the largest component.
 template <class Scalar>
-Eigen::Matrix<Scalar, dof, base_parameter_count> regressor(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g = {},
+Eigen::Matrix<Scalar, dof, base_parameter_count> regressor(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
+    const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
 using RegressorConstants = std::array<Scalar, 1>;
@@ -43,19 +48,32 @@ template <class Scalar>
 RegressorConstants<Scalar> regressor_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
-Eigen::Matrix<Scalar, dof, base_parameter_count> regressor(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const RegressorAngles<Scalar>& angles,
+Eigen::Matrix<Scalar, dof, base_parameter_count> regressor(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
+    const JointVector<Scalar>& qdd, const RegressorAngles<Scalar>& angles,
     const RegressorConstants<Scalar>& constants);
 
 // Compiled into the library for double and float; other scalar types include regressor_definitions.h.
 extern template RegressorAngles<double> regressor_angles(const JointVector<double>&);
-extern template Eigen::Matrix<double, base_parameter_count, 1> base_parameters(const StandardParameters<double>&, const BasicGeometry<double>&);
-extern template Eigen::Matrix<double, dof, base_parameter_count> regressor(const JointVector<double>&, const JointVector<double>&, const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&, double);
-extern template RegressorConstants<double> regressor_constants(const BasicGeometry<double>&, const BasicInertia<double>&, double);
-extern template Eigen::Matrix<double, dof, base_parameter_count> regressor(const JointVector<double>&, const JointVector<double>&, const JointVector<double>&, const RegressorAngles<double>&, const RegressorConstants<double>&);
+extern template Eigen::Matrix<double, base_parameter_count, 1> base_parameters(const StandardParameters<double>&,
+    const BasicGeometry<double>&);
+extern template Eigen::Matrix<double, dof, base_parameter_count> regressor(const JointVector<double>&,
+    const JointVector<double>&, const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&,
+    double);
+extern template RegressorConstants<double> regressor_constants(const BasicGeometry<double>&,
+    const BasicInertia<double>&, double);
+extern template Eigen::Matrix<double, dof, base_parameter_count> regressor(const JointVector<double>&,
+    const JointVector<double>&, const JointVector<double>&, const RegressorAngles<double>&,
+    const RegressorConstants<double>&);
 extern template RegressorAngles<float> regressor_angles(const JointVector<float>&);
-extern template Eigen::Matrix<float, base_parameter_count, 1> base_parameters(const StandardParameters<float>&, const BasicGeometry<float>&);
-extern template Eigen::Matrix<float, dof, base_parameter_count> regressor(const JointVector<float>&, const JointVector<float>&, const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&, float);
-extern template RegressorConstants<float> regressor_constants(const BasicGeometry<float>&, const BasicInertia<float>&, float);
-extern template Eigen::Matrix<float, dof, base_parameter_count> regressor(const JointVector<float>&, const JointVector<float>&, const JointVector<float>&, const RegressorAngles<float>&, const RegressorConstants<float>&);
+extern template Eigen::Matrix<float, base_parameter_count, 1> base_parameters(const StandardParameters<float>&,
+    const BasicGeometry<float>&);
+extern template Eigen::Matrix<float, dof, base_parameter_count> regressor(const JointVector<float>&,
+    const JointVector<float>&, const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&,
+    float);
+extern template RegressorConstants<float> regressor_constants(const BasicGeometry<float>&, const BasicInertia<float>&,
+    float);
+extern template Eigen::Matrix<float, dof, base_parameter_count> regressor(const JointVector<float>&,
+    const JointVector<float>&, const JointVector<float>&, const RegressorAngles<float>&,
+    const RegressorConstants<float>&);
 
 }  // namespace qvgen::robots::iiwa14

@@ -11,7 +11,8 @@
 
 namespace qvgen::robots::nc {
 
-/// Sines and cosines that forward_kinematics needs, of the angles theta1/2, theta2/2, theta5/2, (theta2 + theta4 + theta6)/2, (theta2 + theta4 - theta6)/2.
+/// Sines and cosines that forward_kinematics needs, of the angles theta1/2, theta2/2, theta5/2, (theta2 + theta4 +
+/// theta6)/2, (theta2 + theta4 - theta6)/2.
 template <class Scalar>
 struct PoseAngles {
   std::array<Scalar, 5> sine;
@@ -31,7 +32,8 @@ PoseAngles<Scalar> pose_angles(const JointVector<Scalar>& q, const BasicGeometry
 template <class Scalar>
 TransformAngles<Scalar> transform_angles(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g = {});
 
-/// Pose of the tool in the world frame: unit quaternion and position (m), by quaternion/vector pairs (Aydin 2007, 1.12).
+/// Pose of the tool in the world frame: unit quaternion and position (m), by quaternion/vector pairs (Aydin 2007,
+/// 1.12).
 ///
 /// 23 multiplications, 12 additions, 5 sine/cosine pairs. Equal to the plain product of the joints' pairs at 4 random
 /// exact points, tolerance zero; largest rounding error found 3.56 ulp.

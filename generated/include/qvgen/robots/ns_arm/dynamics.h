@@ -28,7 +28,8 @@ struct BasicInertia {
   Scalar Izz3 = Scalar(0.01);
 };
 using Inertia = BasicInertia<double>;
-inline constexpr std::array<const char*, 13> inertia_names{ "m1", "Ixx1", "Iyy1", "Izz1", "m2", "Ixx2", "Izz2", "Iyy2", "m3", "l3", "Ixx3", "Iyy3", "Izz3" };
+inline constexpr std::array<const char*, 13> inertia_names{ "m1", "Ixx1", "Iyy1", "Izz1", "m2", "Ixx2", "Izz2", "Iyy2",
+    "m3", "l3", "Ixx3", "Iyy3", "Izz3" };
 
 /// Sines and cosines that the functions below share, of the angles theta2.
 template <class Scalar>
@@ -51,7 +52,8 @@ DynamicsAngles<Scalar> dynamics_angles(const JointVector<Scalar>& q);
 /// The unit of length is d2, which must not be zero.
 /// Largest rounding error found 4.61 ulp of the largest component.
 template <class Scalar>
-JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g = {},
+JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
+    const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
 using InverseDynamicsConstants = std::array<Scalar, 9>;
@@ -59,7 +61,8 @@ template <class Scalar>
 InverseDynamicsConstants<Scalar> inverse_dynamics_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
-JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const DynamicsAngles<Scalar>& angles,
+JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
+    const JointVector<Scalar>& qdd, const DynamicsAngles<Scalar>& angles,
     const InverseDynamicsConstants<Scalar>& constants);
 
 /// Joint forces that hold the robot against gravity at rest.
@@ -85,7 +88,8 @@ JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const DynamicsA
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// Largest rounding error found 2.7 ulp of the largest component.
 template <class Scalar>
-JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const BasicGeometry<Scalar>& g = {},
+JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
+    const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
 template <class Scalar>
 using CoriolisTorqueConstants = std::array<Scalar, 4>;
@@ -93,7 +97,8 @@ template <class Scalar>
 CoriolisTorqueConstants<Scalar> coriolis_torque_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
 template <class Scalar>
-JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const DynamicsAngles<Scalar>& angles,
+JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
+    const DynamicsAngles<Scalar>& angles,
     const CoriolisTorqueConstants<Scalar>& constants);
 
 /// Symmetric, positive definite M(q), by composite bodies in base parameters; rotors included.
@@ -119,7 +124,8 @@ Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q, const 
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// Largest rounding error found 2.07 ulp of the largest component.
 template <class Scalar>
-Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const BasicGeometry<Scalar>& g = {},
+Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
+    const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
 template <class Scalar>
 using CoriolisMatrixConstants = std::array<Scalar, 7>;
@@ -127,16 +133,19 @@ template <class Scalar>
 CoriolisMatrixConstants<Scalar> coriolis_matrix_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
 template <class Scalar>
-Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const DynamicsAngles<Scalar>& angles,
+Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
+    const DynamicsAngles<Scalar>& angles,
     const CoriolisMatrixConstants<Scalar>& constants);
 
 /// Joint accelerations for given joint forces: M qdd = torque - C qd - gravity, by M = U D U^T.
 ///
-/// 49 multiplications, 33 additions, 2 divisions, 1 sine/cosine pair. Set-up: 15 multiplications, 22 additions, 1 division.
+/// 49 multiplications, 33 additions, 2 divisions, 1 sine/cosine pair. Set-up: 15 multiplications, 22 additions, 1
+/// division.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// Largest rounding error found 6.18 ulp of the largest component.
 template <class Scalar>
-JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g = {},
+JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
+    const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
 using ForwardDynamicsConstants = std::array<Scalar, 12>;
@@ -144,7 +153,8 @@ template <class Scalar>
 ForwardDynamicsConstants<Scalar> forward_dynamics_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
-JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const JointVector<Scalar>& torque, const DynamicsAngles<Scalar>& angles,
+JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
+    const JointVector<Scalar>& torque, const DynamicsAngles<Scalar>& angles,
     const ForwardDynamicsConstants<Scalar>& constants);
 
 /// qd^T M qd / 2, J.
@@ -183,54 +193,102 @@ Scalar potential_energy(const JointVector<Scalar>& q, const DynamicsAngles<Scala
 
 // Compiled into the library for double and float; other scalar types include dynamics_definitions.h.
 extern template DynamicsAngles<double> dynamics_angles(const JointVector<double>&);
-extern template JointVector<double> inverse_dynamics(const JointVector<double>&, const JointVector<double>&, const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&, double);
-extern template InverseDynamicsConstants<double> inverse_dynamics_constants(const BasicGeometry<double>&, const BasicInertia<double>&, double);
-extern template JointVector<double> inverse_dynamics(const JointVector<double>&, const JointVector<double>&, const JointVector<double>&, const DynamicsAngles<double>&, const InverseDynamicsConstants<double>&);
-extern template JointVector<double> gravity_torque(const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&, double);
-extern template GravityTorqueConstants<double> gravity_torque_constants(const BasicGeometry<double>&, const BasicInertia<double>&, double);
-extern template JointVector<double> gravity_torque(const JointVector<double>&, const DynamicsAngles<double>&, const GravityTorqueConstants<double>&);
-extern template JointVector<double> coriolis_torque(const JointVector<double>&, const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&);
-extern template CoriolisTorqueConstants<double> coriolis_torque_constants(const BasicGeometry<double>&, const BasicInertia<double>&);
-extern template JointVector<double> coriolis_torque(const JointVector<double>&, const JointVector<double>&, const DynamicsAngles<double>&, const CoriolisTorqueConstants<double>&);
-extern template Eigen::Matrix<double, dof, dof> mass_matrix(const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&);
-extern template MassMatrixConstants<double> mass_matrix_constants(const BasicGeometry<double>&, const BasicInertia<double>&);
-extern template Eigen::Matrix<double, dof, dof> mass_matrix(const JointVector<double>&, const DynamicsAngles<double>&, const MassMatrixConstants<double>&);
-extern template Eigen::Matrix<double, dof, dof> coriolis_matrix(const JointVector<double>&, const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&);
-extern template CoriolisMatrixConstants<double> coriolis_matrix_constants(const BasicGeometry<double>&, const BasicInertia<double>&);
-extern template Eigen::Matrix<double, dof, dof> coriolis_matrix(const JointVector<double>&, const JointVector<double>&, const DynamicsAngles<double>&, const CoriolisMatrixConstants<double>&);
-extern template JointVector<double> forward_dynamics(const JointVector<double>&, const JointVector<double>&, const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&, double);
-extern template ForwardDynamicsConstants<double> forward_dynamics_constants(const BasicGeometry<double>&, const BasicInertia<double>&, double);
-extern template JointVector<double> forward_dynamics(const JointVector<double>&, const JointVector<double>&, const JointVector<double>&, const DynamicsAngles<double>&, const ForwardDynamicsConstants<double>&);
-extern template double kinetic_energy(const JointVector<double>&, const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&);
-extern template KineticEnergyConstants<double> kinetic_energy_constants(const BasicGeometry<double>&, const BasicInertia<double>&);
-extern template double kinetic_energy(const JointVector<double>&, const JointVector<double>&, const DynamicsAngles<double>&, const KineticEnergyConstants<double>&);
-extern template double potential_energy(const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&, double);
-extern template PotentialEnergyConstants<double> potential_energy_constants(const BasicGeometry<double>&, const BasicInertia<double>&, double);
-extern template double potential_energy(const JointVector<double>&, const DynamicsAngles<double>&, const PotentialEnergyConstants<double>&);
+extern template JointVector<double> inverse_dynamics(const JointVector<double>&, const JointVector<double>&,
+    const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&, double);
+extern template InverseDynamicsConstants<double> inverse_dynamics_constants(const BasicGeometry<double>&,
+    const BasicInertia<double>&, double);
+extern template JointVector<double> inverse_dynamics(const JointVector<double>&, const JointVector<double>&,
+    const JointVector<double>&, const DynamicsAngles<double>&, const InverseDynamicsConstants<double>&);
+extern template JointVector<double> gravity_torque(const JointVector<double>&, const BasicGeometry<double>&,
+    const BasicInertia<double>&, double);
+extern template GravityTorqueConstants<double> gravity_torque_constants(const BasicGeometry<double>&,
+    const BasicInertia<double>&, double);
+extern template JointVector<double> gravity_torque(const JointVector<double>&, const DynamicsAngles<double>&,
+    const GravityTorqueConstants<double>&);
+extern template JointVector<double> coriolis_torque(const JointVector<double>&, const JointVector<double>&,
+    const BasicGeometry<double>&, const BasicInertia<double>&);
+extern template CoriolisTorqueConstants<double> coriolis_torque_constants(const BasicGeometry<double>&,
+    const BasicInertia<double>&);
+extern template JointVector<double> coriolis_torque(const JointVector<double>&, const JointVector<double>&,
+    const DynamicsAngles<double>&, const CoriolisTorqueConstants<double>&);
+extern template Eigen::Matrix<double, dof, dof> mass_matrix(const JointVector<double>&, const BasicGeometry<double>&,
+    const BasicInertia<double>&);
+extern template MassMatrixConstants<double> mass_matrix_constants(const BasicGeometry<double>&,
+    const BasicInertia<double>&);
+extern template Eigen::Matrix<double, dof, dof> mass_matrix(const JointVector<double>&, const DynamicsAngles<double>&,
+    const MassMatrixConstants<double>&);
+extern template Eigen::Matrix<double, dof, dof> coriolis_matrix(const JointVector<double>&, const JointVector<double>&,
+    const BasicGeometry<double>&, const BasicInertia<double>&);
+extern template CoriolisMatrixConstants<double> coriolis_matrix_constants(const BasicGeometry<double>&,
+    const BasicInertia<double>&);
+extern template Eigen::Matrix<double, dof, dof> coriolis_matrix(const JointVector<double>&, const JointVector<double>&,
+    const DynamicsAngles<double>&, const CoriolisMatrixConstants<double>&);
+extern template JointVector<double> forward_dynamics(const JointVector<double>&, const JointVector<double>&,
+    const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&, double);
+extern template ForwardDynamicsConstants<double> forward_dynamics_constants(const BasicGeometry<double>&,
+    const BasicInertia<double>&, double);
+extern template JointVector<double> forward_dynamics(const JointVector<double>&, const JointVector<double>&,
+    const JointVector<double>&, const DynamicsAngles<double>&, const ForwardDynamicsConstants<double>&);
+extern template double kinetic_energy(const JointVector<double>&, const JointVector<double>&,
+    const BasicGeometry<double>&, const BasicInertia<double>&);
+extern template KineticEnergyConstants<double> kinetic_energy_constants(const BasicGeometry<double>&,
+    const BasicInertia<double>&);
+extern template double kinetic_energy(const JointVector<double>&, const JointVector<double>&,
+    const DynamicsAngles<double>&, const KineticEnergyConstants<double>&);
+extern template double potential_energy(const JointVector<double>&, const BasicGeometry<double>&,
+    const BasicInertia<double>&, double);
+extern template PotentialEnergyConstants<double> potential_energy_constants(const BasicGeometry<double>&,
+    const BasicInertia<double>&, double);
+extern template double potential_energy(const JointVector<double>&, const DynamicsAngles<double>&,
+    const PotentialEnergyConstants<double>&);
 extern template DynamicsAngles<float> dynamics_angles(const JointVector<float>&);
-extern template JointVector<float> inverse_dynamics(const JointVector<float>&, const JointVector<float>&, const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&, float);
-extern template InverseDynamicsConstants<float> inverse_dynamics_constants(const BasicGeometry<float>&, const BasicInertia<float>&, float);
-extern template JointVector<float> inverse_dynamics(const JointVector<float>&, const JointVector<float>&, const JointVector<float>&, const DynamicsAngles<float>&, const InverseDynamicsConstants<float>&);
-extern template JointVector<float> gravity_torque(const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&, float);
-extern template GravityTorqueConstants<float> gravity_torque_constants(const BasicGeometry<float>&, const BasicInertia<float>&, float);
-extern template JointVector<float> gravity_torque(const JointVector<float>&, const DynamicsAngles<float>&, const GravityTorqueConstants<float>&);
-extern template JointVector<float> coriolis_torque(const JointVector<float>&, const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&);
-extern template CoriolisTorqueConstants<float> coriolis_torque_constants(const BasicGeometry<float>&, const BasicInertia<float>&);
-extern template JointVector<float> coriolis_torque(const JointVector<float>&, const JointVector<float>&, const DynamicsAngles<float>&, const CoriolisTorqueConstants<float>&);
-extern template Eigen::Matrix<float, dof, dof> mass_matrix(const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&);
-extern template MassMatrixConstants<float> mass_matrix_constants(const BasicGeometry<float>&, const BasicInertia<float>&);
-extern template Eigen::Matrix<float, dof, dof> mass_matrix(const JointVector<float>&, const DynamicsAngles<float>&, const MassMatrixConstants<float>&);
-extern template Eigen::Matrix<float, dof, dof> coriolis_matrix(const JointVector<float>&, const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&);
-extern template CoriolisMatrixConstants<float> coriolis_matrix_constants(const BasicGeometry<float>&, const BasicInertia<float>&);
-extern template Eigen::Matrix<float, dof, dof> coriolis_matrix(const JointVector<float>&, const JointVector<float>&, const DynamicsAngles<float>&, const CoriolisMatrixConstants<float>&);
-extern template JointVector<float> forward_dynamics(const JointVector<float>&, const JointVector<float>&, const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&, float);
-extern template ForwardDynamicsConstants<float> forward_dynamics_constants(const BasicGeometry<float>&, const BasicInertia<float>&, float);
-extern template JointVector<float> forward_dynamics(const JointVector<float>&, const JointVector<float>&, const JointVector<float>&, const DynamicsAngles<float>&, const ForwardDynamicsConstants<float>&);
-extern template float kinetic_energy(const JointVector<float>&, const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&);
-extern template KineticEnergyConstants<float> kinetic_energy_constants(const BasicGeometry<float>&, const BasicInertia<float>&);
-extern template float kinetic_energy(const JointVector<float>&, const JointVector<float>&, const DynamicsAngles<float>&, const KineticEnergyConstants<float>&);
-extern template float potential_energy(const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&, float);
-extern template PotentialEnergyConstants<float> potential_energy_constants(const BasicGeometry<float>&, const BasicInertia<float>&, float);
-extern template float potential_energy(const JointVector<float>&, const DynamicsAngles<float>&, const PotentialEnergyConstants<float>&);
+extern template JointVector<float> inverse_dynamics(const JointVector<float>&, const JointVector<float>&,
+    const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&, float);
+extern template InverseDynamicsConstants<float> inverse_dynamics_constants(const BasicGeometry<float>&,
+    const BasicInertia<float>&, float);
+extern template JointVector<float> inverse_dynamics(const JointVector<float>&, const JointVector<float>&,
+    const JointVector<float>&, const DynamicsAngles<float>&, const InverseDynamicsConstants<float>&);
+extern template JointVector<float> gravity_torque(const JointVector<float>&, const BasicGeometry<float>&,
+    const BasicInertia<float>&, float);
+extern template GravityTorqueConstants<float> gravity_torque_constants(const BasicGeometry<float>&,
+    const BasicInertia<float>&, float);
+extern template JointVector<float> gravity_torque(const JointVector<float>&, const DynamicsAngles<float>&,
+    const GravityTorqueConstants<float>&);
+extern template JointVector<float> coriolis_torque(const JointVector<float>&, const JointVector<float>&,
+    const BasicGeometry<float>&, const BasicInertia<float>&);
+extern template CoriolisTorqueConstants<float> coriolis_torque_constants(const BasicGeometry<float>&,
+    const BasicInertia<float>&);
+extern template JointVector<float> coriolis_torque(const JointVector<float>&, const JointVector<float>&,
+    const DynamicsAngles<float>&, const CoriolisTorqueConstants<float>&);
+extern template Eigen::Matrix<float, dof, dof> mass_matrix(const JointVector<float>&, const BasicGeometry<float>&,
+    const BasicInertia<float>&);
+extern template MassMatrixConstants<float> mass_matrix_constants(const BasicGeometry<float>&,
+    const BasicInertia<float>&);
+extern template Eigen::Matrix<float, dof, dof> mass_matrix(const JointVector<float>&, const DynamicsAngles<float>&,
+    const MassMatrixConstants<float>&);
+extern template Eigen::Matrix<float, dof, dof> coriolis_matrix(const JointVector<float>&, const JointVector<float>&,
+    const BasicGeometry<float>&, const BasicInertia<float>&);
+extern template CoriolisMatrixConstants<float> coriolis_matrix_constants(const BasicGeometry<float>&,
+    const BasicInertia<float>&);
+extern template Eigen::Matrix<float, dof, dof> coriolis_matrix(const JointVector<float>&, const JointVector<float>&,
+    const DynamicsAngles<float>&, const CoriolisMatrixConstants<float>&);
+extern template JointVector<float> forward_dynamics(const JointVector<float>&, const JointVector<float>&,
+    const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&, float);
+extern template ForwardDynamicsConstants<float> forward_dynamics_constants(const BasicGeometry<float>&,
+    const BasicInertia<float>&, float);
+extern template JointVector<float> forward_dynamics(const JointVector<float>&, const JointVector<float>&,
+    const JointVector<float>&, const DynamicsAngles<float>&, const ForwardDynamicsConstants<float>&);
+extern template float kinetic_energy(const JointVector<float>&, const JointVector<float>&, const BasicGeometry<float>&,
+    const BasicInertia<float>&);
+extern template KineticEnergyConstants<float> kinetic_energy_constants(const BasicGeometry<float>&,
+    const BasicInertia<float>&);
+extern template float kinetic_energy(const JointVector<float>&, const JointVector<float>&,
+    const DynamicsAngles<float>&, const KineticEnergyConstants<float>&);
+extern template float potential_energy(const JointVector<float>&, const BasicGeometry<float>&,
+    const BasicInertia<float>&, float);
+extern template PotentialEnergyConstants<float> potential_energy_constants(const BasicGeometry<float>&,
+    const BasicInertia<float>&, float);
+extern template float potential_energy(const JointVector<float>&, const DynamicsAngles<float>&,
+    const PotentialEnergyConstants<float>&);
 
 }  // namespace qvgen::robots::ns_arm

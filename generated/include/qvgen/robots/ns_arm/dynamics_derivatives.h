@@ -22,7 +22,8 @@ struct InverseDynamicsDerivatives {
 /// The unit of length is d2, which must not be zero.
 /// Largest rounding error found 3.19 ulp of the largest component.
 template <class Scalar>
-InverseDynamicsDerivatives<Scalar> inverse_dynamics_derivatives(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g = {},
+InverseDynamicsDerivatives<Scalar> inverse_dynamics_derivatives(const JointVector<Scalar>& q,
+    const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
 using InverseDynamicsDerivativesConstants = std::array<Scalar, 9>;
@@ -30,15 +31,26 @@ template <class Scalar>
 InverseDynamicsDerivativesConstants<Scalar> inverse_dynamics_derivatives_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
-InverseDynamicsDerivatives<Scalar> inverse_dynamics_derivatives(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const DynamicsAngles<Scalar>& angles,
+InverseDynamicsDerivatives<Scalar> inverse_dynamics_derivatives(const JointVector<Scalar>& q,
+    const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const DynamicsAngles<Scalar>& angles,
     const InverseDynamicsDerivativesConstants<Scalar>& constants);
 
 // Compiled into the library for double and float; other scalar types include dynamics_derivatives_definitions.h.
-extern template InverseDynamicsDerivatives<double> inverse_dynamics_derivatives(const JointVector<double>&, const JointVector<double>&, const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&, double);
-extern template InverseDynamicsDerivativesConstants<double> inverse_dynamics_derivatives_constants(const BasicGeometry<double>&, const BasicInertia<double>&, double);
-extern template InverseDynamicsDerivatives<double> inverse_dynamics_derivatives(const JointVector<double>&, const JointVector<double>&, const JointVector<double>&, const DynamicsAngles<double>&, const InverseDynamicsDerivativesConstants<double>&);
-extern template InverseDynamicsDerivatives<float> inverse_dynamics_derivatives(const JointVector<float>&, const JointVector<float>&, const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&, float);
-extern template InverseDynamicsDerivativesConstants<float> inverse_dynamics_derivatives_constants(const BasicGeometry<float>&, const BasicInertia<float>&, float);
-extern template InverseDynamicsDerivatives<float> inverse_dynamics_derivatives(const JointVector<float>&, const JointVector<float>&, const JointVector<float>&, const DynamicsAngles<float>&, const InverseDynamicsDerivativesConstants<float>&);
+extern template InverseDynamicsDerivatives<double> inverse_dynamics_derivatives(const JointVector<double>&,
+    const JointVector<double>&, const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&,
+    double);
+extern template InverseDynamicsDerivativesConstants<double> inverse_dynamics_derivatives_constants(
+    const BasicGeometry<double>&, const BasicInertia<double>&, double);
+extern template InverseDynamicsDerivatives<double> inverse_dynamics_derivatives(const JointVector<double>&,
+    const JointVector<double>&, const JointVector<double>&, const DynamicsAngles<double>&,
+    const InverseDynamicsDerivativesConstants<double>&);
+extern template InverseDynamicsDerivatives<float> inverse_dynamics_derivatives(const JointVector<float>&,
+    const JointVector<float>&, const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&,
+    float);
+extern template InverseDynamicsDerivativesConstants<float> inverse_dynamics_derivatives_constants(
+    const BasicGeometry<float>&, const BasicInertia<float>&, float);
+extern template InverseDynamicsDerivatives<float> inverse_dynamics_derivatives(const JointVector<float>&,
+    const JointVector<float>&, const JointVector<float>&, const DynamicsAngles<float>&,
+    const InverseDynamicsDerivativesConstants<float>&);
 
 }  // namespace qvgen::robots::ns_arm

@@ -21,8 +21,9 @@ inline constexpr std::array<const char*, dof> joint_names{ "theta1", "theta2", "
 inline constexpr std::array<bool, dof> is_revolute{ true, true, false };
 
 /// Joint limits of the description, rad or m; infinite where it has none.
-inline constexpr std::array<double, dof> lower_limits{ -std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity() };
-inline constexpr std::array<double, dof> upper_limits{ std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity() };
+inline constexpr double unlimited = std::numeric_limits<double>::infinity();
+inline constexpr std::array<double, dof> lower_limits{ -unlimited, -unlimited, -unlimited };
+inline constexpr std::array<double, dof> upper_limits{ unlimited, unlimited, unlimited };
 
 /// Geometric constants, metres or radians; defaults from the description.
 template <class Scalar>
@@ -31,5 +32,6 @@ struct BasicGeometry {
   Scalar d2 = Scalar(0.2);
 };
 using Geometry = BasicGeometry<double>;
+inline constexpr std::array<const char*, 2> geometry_names{ "h1", "d2" };
 
 }  // namespace qvgen::robots::ns_arm

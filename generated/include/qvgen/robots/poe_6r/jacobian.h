@@ -33,7 +33,8 @@ struct TransformAndJacobian {
   Jacobian<Scalar> jacobian;
 };
 
-/// Sines and cosines that the functions of this header need, of the angles theta1, theta2, theta3, theta4, theta5, theta6, theta2 + theta3.
+/// Sines and cosines that the functions of this header need, of the angles theta1, theta2, theta3, theta4, theta5,
+/// theta6, theta2 + theta3.
 template <class Scalar>
 struct JacobianAngles {
   std::array<Scalar, 7> sine;
@@ -44,7 +45,8 @@ struct JacobianAngles {
 template <class Scalar>
 JacobianAngles<Scalar> jacobian_angles(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g = {});
 
-// For all functions: NaN or infinite arguments give NaN in what depends on them. No heap, no exceptions. Each is equal to
+// For all functions: NaN or infinite arguments give NaN in what depends on them. No heap, no exceptions. Each is equal
+// to
 // its definition, by differentiation of the plain product of the joints' pairs, at random exact points, tolerance zero.
 
 /// Jacobian of the tool point in the base frame: the twist of the tool is `jacobian(q) * qd` (m/s, rad/s); linear rows
@@ -73,7 +75,8 @@ TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointVector<S
 
 /// The Jacobian of the tool point in the tool frame: both halves of each column turned into it.
 ///
-/// 64 multiplications, 26 additions, 5 sine/cosine pairs. Certified at 3 points; largest rounding error found 10.75 ulp.
+/// 64 multiplications, 26 additions, 5 sine/cosine pairs. Certified at 3 points; largest rounding error found 10.75
+/// ulp.
 template <class Scalar>
 Jacobian<Scalar> tool_jacobian(const JointVector<Scalar>& q,
     const BasicGeometry<Scalar>& g = {});
@@ -106,7 +109,8 @@ Twist<Scalar> velocity(const JointVector<Scalar>& q, const JointVector<Scalar>& 
 
 /// Derivative of `jacobian` by time at the joint rates qd.
 ///
-/// 108 multiplications, 61 additions, 5 sine/cosine pairs. Certified at 3 points; largest rounding error found 3.62 ulp.
+/// 108 multiplications, 61 additions, 5 sine/cosine pairs. Certified at 3 points; largest rounding error found 3.62
+/// ulp.
 template <class Scalar>
 Jacobian<Scalar> jacobian_dot(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const BasicGeometry<Scalar>& g = {});
@@ -115,7 +119,8 @@ template <class Scalar>
 Jacobian<Scalar> jacobian_dot(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JacobianAngles<Scalar>& angles, const BasicGeometry<Scalar>& g = {});
 
-/// The tool's acceleration (m/s², rad/s²) at constant joint rates qd: `jacobian_dot(q, qd) * qd`; with joint accelerations
+/// The tool's acceleration (m/s², rad/s²) at constant joint rates qd: `jacobian_dot(q, qd) * qd`; with joint
+/// accelerations
 /// it is `jacobian(q) * qdd` plus this.
 ///
 /// 84 multiplications, 56 additions, 5 sine/cosine pairs. Certified at 3 points; largest rounding error found 4.72 ulp.
@@ -141,7 +146,7 @@ SingularityMeasures<Scalar> singularity_measures(const JointVector<Scalar>& q,
 
 /// From the tool point to the wrist centre, where the last three axes meet, in the tool frame (m).
 template <class Scalar>
-Vector3<Scalar> wrist_centre([[maybe_unused]] const BasicGeometry<Scalar>& g = {}) {
+Vector3<Scalar> wrist_centre(const BasicGeometry<Scalar>& g = {}) {
   return Vector3<Scalar>(-g.d3, Scalar(0), Scalar(0));
 }
 
@@ -154,7 +159,6 @@ InverseVelocity<Scalar, dof> inverse_velocity(const JointVector<Scalar>& q, cons
   const TransformAndJacobian<Scalar> tool = forward_kinematics_and_jacobian(q, g);
   const Vector3<Scalar> to_wrist = tool.transform.linear() * wrist_centre(g);
   return qvgen::inverse_velocity_decoupled<Scalar>(tool.jacobian, to_wrist, twist, options);
-
 }
 
 // Compiled into the library for double and float; other scalar types include jacobian_definitions.h.

@@ -30,15 +30,18 @@ LoadAngles<Scalar> load_angles(const JointVector<Scalar>& q);
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// Largest rounding error found 5.76 ulp of the largest component.
 template <class Scalar>
-JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g,
+JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
+    const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
 template <class Scalar>
 using InverseDynamicsWithGravityVectorConstants = std::array<Scalar, 3>;
 template <class Scalar>
-InverseDynamicsWithGravityVectorConstants<Scalar> inverse_dynamics_with_gravity_vector_constants(const BasicGeometry<Scalar>& g,
+InverseDynamicsWithGravityVectorConstants<Scalar> inverse_dynamics_with_gravity_vector_constants(
+    const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
 template <class Scalar>
-JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const LoadAngles<Scalar>& angles,
+JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
+    const JointVector<Scalar>& qdd, const LoadAngles<Scalar>& angles,
     const InverseDynamicsWithGravityVectorConstants<Scalar>& constants);
 
 /// Joint forces for a motion while a wrench acts on the tool from outside: those without it minus jacobian(q)^T wrench.
@@ -47,15 +50,18 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// Largest rounding error found 7.72 ulp of the largest component.
 template <class Scalar>
-JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g,
-    const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity, const NonDeduced<Wrench<Scalar>>& wrench);
+JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
+    const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g,
+    const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity,
+        const NonDeduced<Wrench<Scalar>>& wrench);
 template <class Scalar>
 using InverseDynamicsWithWrenchConstants = std::array<Scalar, 3>;
 template <class Scalar>
 InverseDynamicsWithWrenchConstants<Scalar> inverse_dynamics_with_wrench_constants(const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
 template <class Scalar>
-JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const NonDeduced<Wrench<Scalar>>& wrench, const LoadAngles<Scalar>& angles,
+JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
+    const JointVector<Scalar>& qdd, const NonDeduced<Wrench<Scalar>>& wrench, const LoadAngles<Scalar>& angles,
     const InverseDynamicsWithWrenchConstants<Scalar>& constants);
 
 /// Joint forces that hold the robot at rest, under gravity in any direction.
@@ -69,7 +75,8 @@ JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const BasicGeom
 template <class Scalar>
 using GravityTorqueWithGravityVectorConstants = std::array<Scalar, 3>;
 template <class Scalar>
-GravityTorqueWithGravityVectorConstants<Scalar> gravity_torque_with_gravity_vector_constants(const BasicGeometry<Scalar>& g,
+GravityTorqueWithGravityVectorConstants<Scalar> gravity_torque_with_gravity_vector_constants(
+    const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
 template <class Scalar>
 JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const LoadAngles<Scalar>& angles,
@@ -81,15 +88,18 @@ JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const LoadAngle
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// Largest rounding error found 1.66 ulp of the largest component.
 template <class Scalar>
-JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g,
+JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
+    const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
 template <class Scalar>
 using ForwardDynamicsWithGravityVectorConstants = std::array<Scalar, 3>;
 template <class Scalar>
-ForwardDynamicsWithGravityVectorConstants<Scalar> forward_dynamics_with_gravity_vector_constants(const BasicGeometry<Scalar>& g,
+ForwardDynamicsWithGravityVectorConstants<Scalar> forward_dynamics_with_gravity_vector_constants(
+    const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
 template <class Scalar>
-JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const JointVector<Scalar>& torque, const LoadAngles<Scalar>& angles,
+JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
+    const JointVector<Scalar>& torque, const LoadAngles<Scalar>& angles,
     const ForwardDynamicsWithGravityVectorConstants<Scalar>& constants);
 
 /// Joint accelerations for given joint forces while a wrench acts on the tool from outside.
@@ -98,15 +108,18 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// Largest rounding error found 11.83 ulp of the largest component.
 template <class Scalar>
-JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g,
-    const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity, const NonDeduced<Wrench<Scalar>>& wrench);
+JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
+    const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g,
+    const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity,
+        const NonDeduced<Wrench<Scalar>>& wrench);
 template <class Scalar>
 using ForwardDynamicsWithWrenchConstants = std::array<Scalar, 3>;
 template <class Scalar>
 ForwardDynamicsWithWrenchConstants<Scalar> forward_dynamics_with_wrench_constants(const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
 template <class Scalar>
-JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const JointVector<Scalar>& torque, const NonDeduced<Wrench<Scalar>>& wrench, const LoadAngles<Scalar>& angles,
+JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
+    const JointVector<Scalar>& torque, const NonDeduced<Wrench<Scalar>>& wrench, const LoadAngles<Scalar>& angles,
     const ForwardDynamicsWithWrenchConstants<Scalar>& constants);
 
 /// Minus the sum of m gravity . r over the links, r the centre of mass in the world, J.
@@ -120,7 +133,8 @@ Scalar potential_energy(const JointVector<Scalar>& q, const BasicGeometry<Scalar
 template <class Scalar>
 using PotentialEnergyWithGravityVectorConstants = std::array<Scalar, 3>;
 template <class Scalar>
-PotentialEnergyWithGravityVectorConstants<Scalar> potential_energy_with_gravity_vector_constants(const BasicGeometry<Scalar>& g,
+PotentialEnergyWithGravityVectorConstants<Scalar> potential_energy_with_gravity_vector_constants(
+    const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
 template <class Scalar>
 Scalar potential_energy(const JointVector<Scalar>& q, const LoadAngles<Scalar>& angles,
@@ -128,42 +142,90 @@ Scalar potential_energy(const JointVector<Scalar>& q, const LoadAngles<Scalar>& 
 
 // Compiled into the library for double and float; other scalar types include dynamics_loads_definitions.h.
 extern template LoadAngles<double> load_angles(const JointVector<double>&);
-extern template JointVector<double> inverse_dynamics(const JointVector<double>&, const JointVector<double>&, const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&);
-extern template InverseDynamicsWithGravityVectorConstants<double> inverse_dynamics_with_gravity_vector_constants(const BasicGeometry<double>&, const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&);
-extern template JointVector<double> inverse_dynamics(const JointVector<double>&, const JointVector<double>&, const JointVector<double>&, const LoadAngles<double>&, const InverseDynamicsWithGravityVectorConstants<double>&);
-extern template JointVector<double> inverse_dynamics(const JointVector<double>&, const JointVector<double>&, const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&, const Wrench<double>&);
-extern template InverseDynamicsWithWrenchConstants<double> inverse_dynamics_with_wrench_constants(const BasicGeometry<double>&, const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&);
-extern template JointVector<double> inverse_dynamics(const JointVector<double>&, const JointVector<double>&, const JointVector<double>&, const Wrench<double>&, const LoadAngles<double>&, const InverseDynamicsWithWrenchConstants<double>&);
-extern template JointVector<double> gravity_torque(const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&);
-extern template GravityTorqueWithGravityVectorConstants<double> gravity_torque_with_gravity_vector_constants(const BasicGeometry<double>&, const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&);
-extern template JointVector<double> gravity_torque(const JointVector<double>&, const LoadAngles<double>&, const GravityTorqueWithGravityVectorConstants<double>&);
-extern template JointVector<double> forward_dynamics(const JointVector<double>&, const JointVector<double>&, const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&);
-extern template ForwardDynamicsWithGravityVectorConstants<double> forward_dynamics_with_gravity_vector_constants(const BasicGeometry<double>&, const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&);
-extern template JointVector<double> forward_dynamics(const JointVector<double>&, const JointVector<double>&, const JointVector<double>&, const LoadAngles<double>&, const ForwardDynamicsWithGravityVectorConstants<double>&);
-extern template JointVector<double> forward_dynamics(const JointVector<double>&, const JointVector<double>&, const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&, const Wrench<double>&);
-extern template ForwardDynamicsWithWrenchConstants<double> forward_dynamics_with_wrench_constants(const BasicGeometry<double>&, const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&);
-extern template JointVector<double> forward_dynamics(const JointVector<double>&, const JointVector<double>&, const JointVector<double>&, const Wrench<double>&, const LoadAngles<double>&, const ForwardDynamicsWithWrenchConstants<double>&);
-extern template double potential_energy(const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&);
-extern template PotentialEnergyWithGravityVectorConstants<double> potential_energy_with_gravity_vector_constants(const BasicGeometry<double>&, const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&);
-extern template double potential_energy(const JointVector<double>&, const LoadAngles<double>&, const PotentialEnergyWithGravityVectorConstants<double>&);
+extern template JointVector<double> inverse_dynamics(const JointVector<double>&, const JointVector<double>&,
+    const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&,
+    const Eigen::Matrix<double, 3, 1>&);
+extern template InverseDynamicsWithGravityVectorConstants<double> inverse_dynamics_with_gravity_vector_constants(
+    const BasicGeometry<double>&, const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&);
+extern template JointVector<double> inverse_dynamics(const JointVector<double>&, const JointVector<double>&,
+    const JointVector<double>&, const LoadAngles<double>&, const InverseDynamicsWithGravityVectorConstants<double>&);
+extern template JointVector<double> inverse_dynamics(const JointVector<double>&, const JointVector<double>&,
+    const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&,
+    const Eigen::Matrix<double, 3, 1>&, const Wrench<double>&);
+extern template InverseDynamicsWithWrenchConstants<double> inverse_dynamics_with_wrench_constants(
+    const BasicGeometry<double>&, const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&);
+extern template JointVector<double> inverse_dynamics(const JointVector<double>&, const JointVector<double>&,
+    const JointVector<double>&, const Wrench<double>&, const LoadAngles<double>&,
+    const InverseDynamicsWithWrenchConstants<double>&);
+extern template JointVector<double> gravity_torque(const JointVector<double>&, const BasicGeometry<double>&,
+    const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&);
+extern template GravityTorqueWithGravityVectorConstants<double> gravity_torque_with_gravity_vector_constants(
+    const BasicGeometry<double>&, const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&);
+extern template JointVector<double> gravity_torque(const JointVector<double>&, const LoadAngles<double>&,
+    const GravityTorqueWithGravityVectorConstants<double>&);
+extern template JointVector<double> forward_dynamics(const JointVector<double>&, const JointVector<double>&,
+    const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&,
+    const Eigen::Matrix<double, 3, 1>&);
+extern template ForwardDynamicsWithGravityVectorConstants<double> forward_dynamics_with_gravity_vector_constants(
+    const BasicGeometry<double>&, const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&);
+extern template JointVector<double> forward_dynamics(const JointVector<double>&, const JointVector<double>&,
+    const JointVector<double>&, const LoadAngles<double>&, const ForwardDynamicsWithGravityVectorConstants<double>&);
+extern template JointVector<double> forward_dynamics(const JointVector<double>&, const JointVector<double>&,
+    const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&,
+    const Eigen::Matrix<double, 3, 1>&, const Wrench<double>&);
+extern template ForwardDynamicsWithWrenchConstants<double> forward_dynamics_with_wrench_constants(
+    const BasicGeometry<double>&, const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&);
+extern template JointVector<double> forward_dynamics(const JointVector<double>&, const JointVector<double>&,
+    const JointVector<double>&, const Wrench<double>&, const LoadAngles<double>&,
+    const ForwardDynamicsWithWrenchConstants<double>&);
+extern template double potential_energy(const JointVector<double>&, const BasicGeometry<double>&,
+    const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&);
+extern template PotentialEnergyWithGravityVectorConstants<double> potential_energy_with_gravity_vector_constants(
+    const BasicGeometry<double>&, const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&);
+extern template double potential_energy(const JointVector<double>&, const LoadAngles<double>&,
+    const PotentialEnergyWithGravityVectorConstants<double>&);
 extern template LoadAngles<float> load_angles(const JointVector<float>&);
-extern template JointVector<float> inverse_dynamics(const JointVector<float>&, const JointVector<float>&, const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&);
-extern template InverseDynamicsWithGravityVectorConstants<float> inverse_dynamics_with_gravity_vector_constants(const BasicGeometry<float>&, const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&);
-extern template JointVector<float> inverse_dynamics(const JointVector<float>&, const JointVector<float>&, const JointVector<float>&, const LoadAngles<float>&, const InverseDynamicsWithGravityVectorConstants<float>&);
-extern template JointVector<float> inverse_dynamics(const JointVector<float>&, const JointVector<float>&, const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&, const Wrench<float>&);
-extern template InverseDynamicsWithWrenchConstants<float> inverse_dynamics_with_wrench_constants(const BasicGeometry<float>&, const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&);
-extern template JointVector<float> inverse_dynamics(const JointVector<float>&, const JointVector<float>&, const JointVector<float>&, const Wrench<float>&, const LoadAngles<float>&, const InverseDynamicsWithWrenchConstants<float>&);
-extern template JointVector<float> gravity_torque(const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&);
-extern template GravityTorqueWithGravityVectorConstants<float> gravity_torque_with_gravity_vector_constants(const BasicGeometry<float>&, const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&);
-extern template JointVector<float> gravity_torque(const JointVector<float>&, const LoadAngles<float>&, const GravityTorqueWithGravityVectorConstants<float>&);
-extern template JointVector<float> forward_dynamics(const JointVector<float>&, const JointVector<float>&, const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&);
-extern template ForwardDynamicsWithGravityVectorConstants<float> forward_dynamics_with_gravity_vector_constants(const BasicGeometry<float>&, const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&);
-extern template JointVector<float> forward_dynamics(const JointVector<float>&, const JointVector<float>&, const JointVector<float>&, const LoadAngles<float>&, const ForwardDynamicsWithGravityVectorConstants<float>&);
-extern template JointVector<float> forward_dynamics(const JointVector<float>&, const JointVector<float>&, const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&, const Wrench<float>&);
-extern template ForwardDynamicsWithWrenchConstants<float> forward_dynamics_with_wrench_constants(const BasicGeometry<float>&, const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&);
-extern template JointVector<float> forward_dynamics(const JointVector<float>&, const JointVector<float>&, const JointVector<float>&, const Wrench<float>&, const LoadAngles<float>&, const ForwardDynamicsWithWrenchConstants<float>&);
-extern template float potential_energy(const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&);
-extern template PotentialEnergyWithGravityVectorConstants<float> potential_energy_with_gravity_vector_constants(const BasicGeometry<float>&, const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&);
-extern template float potential_energy(const JointVector<float>&, const LoadAngles<float>&, const PotentialEnergyWithGravityVectorConstants<float>&);
+extern template JointVector<float> inverse_dynamics(const JointVector<float>&, const JointVector<float>&,
+    const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&,
+    const Eigen::Matrix<float, 3, 1>&);
+extern template InverseDynamicsWithGravityVectorConstants<float> inverse_dynamics_with_gravity_vector_constants(
+    const BasicGeometry<float>&, const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&);
+extern template JointVector<float> inverse_dynamics(const JointVector<float>&, const JointVector<float>&,
+    const JointVector<float>&, const LoadAngles<float>&, const InverseDynamicsWithGravityVectorConstants<float>&);
+extern template JointVector<float> inverse_dynamics(const JointVector<float>&, const JointVector<float>&,
+    const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&,
+    const Eigen::Matrix<float, 3, 1>&, const Wrench<float>&);
+extern template InverseDynamicsWithWrenchConstants<float> inverse_dynamics_with_wrench_constants(
+    const BasicGeometry<float>&, const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&);
+extern template JointVector<float> inverse_dynamics(const JointVector<float>&, const JointVector<float>&,
+    const JointVector<float>&, const Wrench<float>&, const LoadAngles<float>&,
+    const InverseDynamicsWithWrenchConstants<float>&);
+extern template JointVector<float> gravity_torque(const JointVector<float>&, const BasicGeometry<float>&,
+    const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&);
+extern template GravityTorqueWithGravityVectorConstants<float> gravity_torque_with_gravity_vector_constants(
+    const BasicGeometry<float>&, const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&);
+extern template JointVector<float> gravity_torque(const JointVector<float>&, const LoadAngles<float>&,
+    const GravityTorqueWithGravityVectorConstants<float>&);
+extern template JointVector<float> forward_dynamics(const JointVector<float>&, const JointVector<float>&,
+    const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&,
+    const Eigen::Matrix<float, 3, 1>&);
+extern template ForwardDynamicsWithGravityVectorConstants<float> forward_dynamics_with_gravity_vector_constants(
+    const BasicGeometry<float>&, const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&);
+extern template JointVector<float> forward_dynamics(const JointVector<float>&, const JointVector<float>&,
+    const JointVector<float>&, const LoadAngles<float>&, const ForwardDynamicsWithGravityVectorConstants<float>&);
+extern template JointVector<float> forward_dynamics(const JointVector<float>&, const JointVector<float>&,
+    const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&,
+    const Eigen::Matrix<float, 3, 1>&, const Wrench<float>&);
+extern template ForwardDynamicsWithWrenchConstants<float> forward_dynamics_with_wrench_constants(
+    const BasicGeometry<float>&, const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&);
+extern template JointVector<float> forward_dynamics(const JointVector<float>&, const JointVector<float>&,
+    const JointVector<float>&, const Wrench<float>&, const LoadAngles<float>&,
+    const ForwardDynamicsWithWrenchConstants<float>&);
+extern template float potential_energy(const JointVector<float>&, const BasicGeometry<float>&,
+    const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&);
+extern template PotentialEnergyWithGravityVectorConstants<float> potential_energy_with_gravity_vector_constants(
+    const BasicGeometry<float>&, const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&);
+extern template float potential_energy(const JointVector<float>&, const LoadAngles<float>&,
+    const PotentialEnergyWithGravityVectorConstants<float>&);
 
 }  // namespace qvgen::robots::puma560

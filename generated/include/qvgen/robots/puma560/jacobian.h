@@ -33,7 +33,8 @@ struct TransformAndJacobian {
   Jacobian<Scalar> jacobian;
 };
 
-/// Sines and cosines that the functions of this header need, of the angles theta1, theta2, theta3, theta4, theta5, theta6, theta2 + theta3.
+/// Sines and cosines that the functions of this header need, of the angles theta1, theta2, theta3, theta4, theta5,
+/// theta6, theta2 + theta3.
 template <class Scalar>
 struct JacobianAngles {
   std::array<Scalar, 7> sine;
@@ -44,13 +45,15 @@ struct JacobianAngles {
 template <class Scalar>
 JacobianAngles<Scalar> jacobian_angles(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g = {});
 
-// For all functions: NaN or infinite arguments give NaN in what depends on them. No heap, no exceptions. Each is equal to
+// For all functions: NaN or infinite arguments give NaN in what depends on them. No heap, no exceptions. Each is equal
+// to
 // its definition, by differentiation of the plain product of the joints' pairs, at random exact points, tolerance zero.
 
 /// Jacobian of the tool point in the base frame: the twist of the tool is `jacobian(q) * qd` (m/s, rad/s); linear rows
 /// first (Jacobian lecture, section 5.4: iteration, cross products and differentiation all give it).
 ///
-/// 32 multiplications, 12 additions, 5 sine/cosine pairs. Certified at 3 points; largest rounding error found 22.49 ulp.
+/// 32 multiplications, 12 additions, 5 sine/cosine pairs. Certified at 3 points; largest rounding error found 22.49
+/// ulp.
 template <class Scalar>
 Jacobian<Scalar> jacobian(const JointVector<Scalar>& q,
     const BasicGeometry<Scalar>& g = {});
@@ -62,7 +65,8 @@ Jacobian<Scalar> jacobian(const JointVector<Scalar>& q,
 /// Pose of the tool in the world frame as a homogeneous transformation, and `jacobian`, with all that they share
 /// computed once.
 ///
-/// 47 multiplications, 21 additions, 6 sine/cosine pairs. Certified at 3 points; largest rounding error found 22.49 ulp.
+/// 47 multiplications, 21 additions, 6 sine/cosine pairs. Certified at 3 points; largest rounding error found 22.49
+/// ulp.
 template <class Scalar>
 TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointVector<Scalar>& q,
     const BasicGeometry<Scalar>& g = {});
@@ -84,7 +88,8 @@ Jacobian<Scalar> tool_jacobian(const JointVector<Scalar>& q,
 
 /// The Jacobian in the base frame at a point that moves with the tool, given in the tool frame (m).
 ///
-/// 69 multiplications, 33 additions, 6 sine/cosine pairs. Certified at 3 points; largest rounding error found 10.54 ulp.
+/// 69 multiplications, 33 additions, 6 sine/cosine pairs. Certified at 3 points; largest rounding error found 10.54
+/// ulp.
 template <class Scalar>
 Jacobian<Scalar> jacobian_at(const JointVector<Scalar>& q, const Vector3<Scalar>& point,
     const BasicGeometry<Scalar>& g = {});
@@ -115,7 +120,8 @@ template <class Scalar>
 Jacobian<Scalar> jacobian_dot(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JacobianAngles<Scalar>& angles, const BasicGeometry<Scalar>& g = {});
 
-/// The tool's acceleration (m/s², rad/s²) at constant joint rates qd: `jacobian_dot(q, qd) * qd`; with joint accelerations
+/// The tool's acceleration (m/s², rad/s²) at constant joint rates qd: `jacobian_dot(q, qd) * qd`; with joint
+/// accelerations
 /// it is `jacobian(q) * qdd` plus this.
 ///
 /// 57 multiplications, 32 additions, 5 sine/cosine pairs. Certified at 3 points; largest rounding error found 4.16 ulp.
@@ -154,7 +160,6 @@ InverseVelocity<Scalar, dof> inverse_velocity(const JointVector<Scalar>& q, cons
   const TransformAndJacobian<Scalar> tool = forward_kinematics_and_jacobian(q, g);
   const Vector3<Scalar> to_wrist = tool.transform.linear() * wrist_centre(g);
   return qvgen::inverse_velocity_decoupled<Scalar>(tool.jacobian, to_wrist, twist, options);
-
 }
 
 // Compiled into the library for double and float; other scalar types include jacobian_definitions.h.

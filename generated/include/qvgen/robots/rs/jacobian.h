@@ -33,7 +33,8 @@ struct TransformAndJacobian {
   Jacobian<Scalar> jacobian;
 };
 
-/// Sines and cosines that the functions of this header need, of the angles theta1, theta2, theta4, theta5, theta6, theta1 + theta2, theta2 - theta4, theta1 + theta2 - theta4.
+/// Sines and cosines that the functions of this header need, of the angles theta1, theta2, theta4, theta5, theta6,
+/// theta1 + theta2, theta2 - theta4, theta1 + theta2 - theta4.
 template <class Scalar>
 struct JacobianAngles {
   std::array<Scalar, 8> sine;
@@ -44,7 +45,8 @@ struct JacobianAngles {
 template <class Scalar>
 JacobianAngles<Scalar> jacobian_angles(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g = {});
 
-// For all functions: NaN or infinite arguments give NaN in what depends on them. No heap, no exceptions. Each is equal to
+// For all functions: NaN or infinite arguments give NaN in what depends on them. No heap, no exceptions. Each is equal
+// to
 // its definition, by differentiation of the plain product of the joints' pairs, at random exact points, tolerance zero.
 
 /// Jacobian of the tool point in the base frame: the twist of the tool is `jacobian(q) * qd` (m/s, rad/s); linear rows
@@ -115,7 +117,8 @@ template <class Scalar>
 Jacobian<Scalar> jacobian_dot(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JacobianAngles<Scalar>& angles, const BasicGeometry<Scalar>& g = {});
 
-/// The tool's acceleration (m/s², rad/s²) at constant joint rates qd: `jacobian_dot(q, qd) * qd`; with joint accelerations
+/// The tool's acceleration (m/s², rad/s²) at constant joint rates qd: `jacobian_dot(q, qd) * qd`; with joint
+/// accelerations
 /// it is `jacobian(q) * qdd` plus this.
 ///
 /// 21 multiplications, 7 additions, 4 sine/cosine pairs. Certified at 3 points; largest rounding error found 3.09 ulp.
@@ -154,7 +157,6 @@ InverseVelocity<Scalar, dof> inverse_velocity(const JointVector<Scalar>& q, cons
   const TransformAndJacobian<Scalar> tool = forward_kinematics_and_jacobian(q, g);
   const Vector3<Scalar> to_wrist = tool.transform.linear() * wrist_centre(g);
   return qvgen::inverse_velocity_decoupled<Scalar>(tool.jacobian, to_wrist, twist, options);
-
 }
 
 // Compiled into the library for double and float; other scalar types include jacobian_definitions.h.

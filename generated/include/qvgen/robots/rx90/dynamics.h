@@ -75,7 +75,11 @@ struct BasicInertia {
   Scalar I6xz = Scalar(0);
 };
 using Inertia = BasicInertia<double>;
-inline constexpr std::array<const char*, 60> inertia_names{ "m1", "c1x", "c1y", "c1z", "I1xx", "I1yy", "I1zz", "I1xy", "I1yz", "I1xz", "m2", "c2x", "c2y", "c2z", "I2xx", "I2yy", "I2zz", "I2xy", "I2yz", "I2xz", "m3", "c3x", "c3y", "c3z", "I3xx", "I3yy", "I3zz", "I3xy", "I3yz", "I3xz", "m4", "c4x", "c4y", "c4z", "I4xx", "I4yy", "I4zz", "I4xy", "I4yz", "I4xz", "m5", "c5x", "c5y", "c5z", "I5xx", "I5yy", "I5zz", "I5xy", "I5yz", "I5xz", "m6", "c6x", "c6y", "c6z", "I6xx", "I6yy", "I6zz", "I6xy", "I6yz", "I6xz" };
+inline constexpr std::array<const char*, 60> inertia_names{ "m1", "c1x", "c1y", "c1z", "I1xx", "I1yy", "I1zz", "I1xy",
+    "I1yz", "I1xz", "m2", "c2x", "c2y", "c2z", "I2xx", "I2yy", "I2zz", "I2xy", "I2yz", "I2xz", "m3", "c3x", "c3y",
+    "c3z", "I3xx", "I3yy", "I3zz", "I3xy", "I3yz", "I3xz", "m4", "c4x", "c4y", "c4z", "I4xx", "I4yy", "I4zz", "I4xy",
+    "I4yz", "I4xz", "m5", "c5x", "c5y", "c5z", "I5xx", "I5yy", "I5zz", "I5xy", "I5yz", "I5xz", "m6", "c6x", "c6y",
+    "c6z", "I6xx", "I6yy", "I6zz", "I6xy", "I6yz", "I6xz" };
 
 /// Sines and cosines that the functions below share, of the angles theta2, theta3, theta4, theta5, theta6.
 template <class Scalar>
@@ -97,7 +101,8 @@ DynamicsAngles<Scalar> dynamics_angles(const JointVector<Scalar>& q);
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is RL4, which must not be zero.
 template <class Scalar>
-JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g = {},
+JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
+    const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
 using InverseDynamicsConstants = std::array<Scalar, 42>;
@@ -105,7 +110,8 @@ template <class Scalar>
 InverseDynamicsConstants<Scalar> inverse_dynamics_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
-JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const DynamicsAngles<Scalar>& angles,
+JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
+    const JointVector<Scalar>& qdd, const DynamicsAngles<Scalar>& angles,
     const InverseDynamicsConstants<Scalar>& constants);
 
 /// Joint forces that hold the robot against gravity at rest.
@@ -130,7 +136,8 @@ JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const DynamicsA
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is D3, which must not be zero.
 template <class Scalar>
-JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const BasicGeometry<Scalar>& g = {},
+JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
+    const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
 template <class Scalar>
 using CoriolisTorqueConstants = std::array<Scalar, 39>;
@@ -138,7 +145,8 @@ template <class Scalar>
 CoriolisTorqueConstants<Scalar> coriolis_torque_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
 template <class Scalar>
-JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const DynamicsAngles<Scalar>& angles,
+JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
+    const DynamicsAngles<Scalar>& angles,
     const CoriolisTorqueConstants<Scalar>& constants);
 
 /// Symmetric, positive definite M(q), by composite bodies in base parameters; rotors included.
@@ -164,7 +172,8 @@ Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q, const 
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is D3, which must not be zero.
 template <class Scalar>
-Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const BasicGeometry<Scalar>& g = {},
+Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
+    const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
 template <class Scalar>
 using CoriolisMatrixConstants = std::array<Scalar, 37>;
@@ -172,16 +181,19 @@ template <class Scalar>
 CoriolisMatrixConstants<Scalar> coriolis_matrix_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
 template <class Scalar>
-Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const DynamicsAngles<Scalar>& angles,
+Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
+    const DynamicsAngles<Scalar>& angles,
     const CoriolisMatrixConstants<Scalar>& constants);
 
 /// Joint accelerations for given joint forces: M qdd = torque - C qd - gravity, by M = U D U^T.
 ///
-/// 369 multiplications, 340 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 85 multiplications, 95 additions, 4 divisions.
+/// 369 multiplications, 340 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 85 multiplications, 95 additions, 4
+/// divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is D3, which must not be zero.
 template <class Scalar>
-JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g = {},
+JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
+    const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
 using ForwardDynamicsConstants = std::array<Scalar, 49>;
@@ -189,7 +201,8 @@ template <class Scalar>
 ForwardDynamicsConstants<Scalar> forward_dynamics_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
-JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const JointVector<Scalar>& torque, const DynamicsAngles<Scalar>& angles,
+JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
+    const JointVector<Scalar>& torque, const DynamicsAngles<Scalar>& angles,
     const ForwardDynamicsConstants<Scalar>& constants);
 
 /// qd^T M qd / 2, J.
@@ -227,54 +240,102 @@ Scalar potential_energy(const JointVector<Scalar>& q, const DynamicsAngles<Scala
 
 // Compiled into the library for double and float; other scalar types include dynamics_definitions.h.
 extern template DynamicsAngles<double> dynamics_angles(const JointVector<double>&);
-extern template JointVector<double> inverse_dynamics(const JointVector<double>&, const JointVector<double>&, const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&, double);
-extern template InverseDynamicsConstants<double> inverse_dynamics_constants(const BasicGeometry<double>&, const BasicInertia<double>&, double);
-extern template JointVector<double> inverse_dynamics(const JointVector<double>&, const JointVector<double>&, const JointVector<double>&, const DynamicsAngles<double>&, const InverseDynamicsConstants<double>&);
-extern template JointVector<double> gravity_torque(const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&, double);
-extern template GravityTorqueConstants<double> gravity_torque_constants(const BasicGeometry<double>&, const BasicInertia<double>&, double);
-extern template JointVector<double> gravity_torque(const JointVector<double>&, const DynamicsAngles<double>&, const GravityTorqueConstants<double>&);
-extern template JointVector<double> coriolis_torque(const JointVector<double>&, const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&);
-extern template CoriolisTorqueConstants<double> coriolis_torque_constants(const BasicGeometry<double>&, const BasicInertia<double>&);
-extern template JointVector<double> coriolis_torque(const JointVector<double>&, const JointVector<double>&, const DynamicsAngles<double>&, const CoriolisTorqueConstants<double>&);
-extern template Eigen::Matrix<double, dof, dof> mass_matrix(const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&);
-extern template MassMatrixConstants<double> mass_matrix_constants(const BasicGeometry<double>&, const BasicInertia<double>&);
-extern template Eigen::Matrix<double, dof, dof> mass_matrix(const JointVector<double>&, const DynamicsAngles<double>&, const MassMatrixConstants<double>&);
-extern template Eigen::Matrix<double, dof, dof> coriolis_matrix(const JointVector<double>&, const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&);
-extern template CoriolisMatrixConstants<double> coriolis_matrix_constants(const BasicGeometry<double>&, const BasicInertia<double>&);
-extern template Eigen::Matrix<double, dof, dof> coriolis_matrix(const JointVector<double>&, const JointVector<double>&, const DynamicsAngles<double>&, const CoriolisMatrixConstants<double>&);
-extern template JointVector<double> forward_dynamics(const JointVector<double>&, const JointVector<double>&, const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&, double);
-extern template ForwardDynamicsConstants<double> forward_dynamics_constants(const BasicGeometry<double>&, const BasicInertia<double>&, double);
-extern template JointVector<double> forward_dynamics(const JointVector<double>&, const JointVector<double>&, const JointVector<double>&, const DynamicsAngles<double>&, const ForwardDynamicsConstants<double>&);
-extern template double kinetic_energy(const JointVector<double>&, const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&);
-extern template KineticEnergyConstants<double> kinetic_energy_constants(const BasicGeometry<double>&, const BasicInertia<double>&);
-extern template double kinetic_energy(const JointVector<double>&, const JointVector<double>&, const DynamicsAngles<double>&, const KineticEnergyConstants<double>&);
-extern template double potential_energy(const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&, double);
-extern template PotentialEnergyConstants<double> potential_energy_constants(const BasicGeometry<double>&, const BasicInertia<double>&, double);
-extern template double potential_energy(const JointVector<double>&, const DynamicsAngles<double>&, const PotentialEnergyConstants<double>&);
+extern template JointVector<double> inverse_dynamics(const JointVector<double>&, const JointVector<double>&,
+    const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&, double);
+extern template InverseDynamicsConstants<double> inverse_dynamics_constants(const BasicGeometry<double>&,
+    const BasicInertia<double>&, double);
+extern template JointVector<double> inverse_dynamics(const JointVector<double>&, const JointVector<double>&,
+    const JointVector<double>&, const DynamicsAngles<double>&, const InverseDynamicsConstants<double>&);
+extern template JointVector<double> gravity_torque(const JointVector<double>&, const BasicGeometry<double>&,
+    const BasicInertia<double>&, double);
+extern template GravityTorqueConstants<double> gravity_torque_constants(const BasicGeometry<double>&,
+    const BasicInertia<double>&, double);
+extern template JointVector<double> gravity_torque(const JointVector<double>&, const DynamicsAngles<double>&,
+    const GravityTorqueConstants<double>&);
+extern template JointVector<double> coriolis_torque(const JointVector<double>&, const JointVector<double>&,
+    const BasicGeometry<double>&, const BasicInertia<double>&);
+extern template CoriolisTorqueConstants<double> coriolis_torque_constants(const BasicGeometry<double>&,
+    const BasicInertia<double>&);
+extern template JointVector<double> coriolis_torque(const JointVector<double>&, const JointVector<double>&,
+    const DynamicsAngles<double>&, const CoriolisTorqueConstants<double>&);
+extern template Eigen::Matrix<double, dof, dof> mass_matrix(const JointVector<double>&, const BasicGeometry<double>&,
+    const BasicInertia<double>&);
+extern template MassMatrixConstants<double> mass_matrix_constants(const BasicGeometry<double>&,
+    const BasicInertia<double>&);
+extern template Eigen::Matrix<double, dof, dof> mass_matrix(const JointVector<double>&, const DynamicsAngles<double>&,
+    const MassMatrixConstants<double>&);
+extern template Eigen::Matrix<double, dof, dof> coriolis_matrix(const JointVector<double>&, const JointVector<double>&,
+    const BasicGeometry<double>&, const BasicInertia<double>&);
+extern template CoriolisMatrixConstants<double> coriolis_matrix_constants(const BasicGeometry<double>&,
+    const BasicInertia<double>&);
+extern template Eigen::Matrix<double, dof, dof> coriolis_matrix(const JointVector<double>&, const JointVector<double>&,
+    const DynamicsAngles<double>&, const CoriolisMatrixConstants<double>&);
+extern template JointVector<double> forward_dynamics(const JointVector<double>&, const JointVector<double>&,
+    const JointVector<double>&, const BasicGeometry<double>&, const BasicInertia<double>&, double);
+extern template ForwardDynamicsConstants<double> forward_dynamics_constants(const BasicGeometry<double>&,
+    const BasicInertia<double>&, double);
+extern template JointVector<double> forward_dynamics(const JointVector<double>&, const JointVector<double>&,
+    const JointVector<double>&, const DynamicsAngles<double>&, const ForwardDynamicsConstants<double>&);
+extern template double kinetic_energy(const JointVector<double>&, const JointVector<double>&,
+    const BasicGeometry<double>&, const BasicInertia<double>&);
+extern template KineticEnergyConstants<double> kinetic_energy_constants(const BasicGeometry<double>&,
+    const BasicInertia<double>&);
+extern template double kinetic_energy(const JointVector<double>&, const JointVector<double>&,
+    const DynamicsAngles<double>&, const KineticEnergyConstants<double>&);
+extern template double potential_energy(const JointVector<double>&, const BasicGeometry<double>&,
+    const BasicInertia<double>&, double);
+extern template PotentialEnergyConstants<double> potential_energy_constants(const BasicGeometry<double>&,
+    const BasicInertia<double>&, double);
+extern template double potential_energy(const JointVector<double>&, const DynamicsAngles<double>&,
+    const PotentialEnergyConstants<double>&);
 extern template DynamicsAngles<float> dynamics_angles(const JointVector<float>&);
-extern template JointVector<float> inverse_dynamics(const JointVector<float>&, const JointVector<float>&, const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&, float);
-extern template InverseDynamicsConstants<float> inverse_dynamics_constants(const BasicGeometry<float>&, const BasicInertia<float>&, float);
-extern template JointVector<float> inverse_dynamics(const JointVector<float>&, const JointVector<float>&, const JointVector<float>&, const DynamicsAngles<float>&, const InverseDynamicsConstants<float>&);
-extern template JointVector<float> gravity_torque(const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&, float);
-extern template GravityTorqueConstants<float> gravity_torque_constants(const BasicGeometry<float>&, const BasicInertia<float>&, float);
-extern template JointVector<float> gravity_torque(const JointVector<float>&, const DynamicsAngles<float>&, const GravityTorqueConstants<float>&);
-extern template JointVector<float> coriolis_torque(const JointVector<float>&, const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&);
-extern template CoriolisTorqueConstants<float> coriolis_torque_constants(const BasicGeometry<float>&, const BasicInertia<float>&);
-extern template JointVector<float> coriolis_torque(const JointVector<float>&, const JointVector<float>&, const DynamicsAngles<float>&, const CoriolisTorqueConstants<float>&);
-extern template Eigen::Matrix<float, dof, dof> mass_matrix(const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&);
-extern template MassMatrixConstants<float> mass_matrix_constants(const BasicGeometry<float>&, const BasicInertia<float>&);
-extern template Eigen::Matrix<float, dof, dof> mass_matrix(const JointVector<float>&, const DynamicsAngles<float>&, const MassMatrixConstants<float>&);
-extern template Eigen::Matrix<float, dof, dof> coriolis_matrix(const JointVector<float>&, const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&);
-extern template CoriolisMatrixConstants<float> coriolis_matrix_constants(const BasicGeometry<float>&, const BasicInertia<float>&);
-extern template Eigen::Matrix<float, dof, dof> coriolis_matrix(const JointVector<float>&, const JointVector<float>&, const DynamicsAngles<float>&, const CoriolisMatrixConstants<float>&);
-extern template JointVector<float> forward_dynamics(const JointVector<float>&, const JointVector<float>&, const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&, float);
-extern template ForwardDynamicsConstants<float> forward_dynamics_constants(const BasicGeometry<float>&, const BasicInertia<float>&, float);
-extern template JointVector<float> forward_dynamics(const JointVector<float>&, const JointVector<float>&, const JointVector<float>&, const DynamicsAngles<float>&, const ForwardDynamicsConstants<float>&);
-extern template float kinetic_energy(const JointVector<float>&, const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&);
-extern template KineticEnergyConstants<float> kinetic_energy_constants(const BasicGeometry<float>&, const BasicInertia<float>&);
-extern template float kinetic_energy(const JointVector<float>&, const JointVector<float>&, const DynamicsAngles<float>&, const KineticEnergyConstants<float>&);
-extern template float potential_energy(const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&, float);
-extern template PotentialEnergyConstants<float> potential_energy_constants(const BasicGeometry<float>&, const BasicInertia<float>&, float);
-extern template float potential_energy(const JointVector<float>&, const DynamicsAngles<float>&, const PotentialEnergyConstants<float>&);
+extern template JointVector<float> inverse_dynamics(const JointVector<float>&, const JointVector<float>&,
+    const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&, float);
+extern template InverseDynamicsConstants<float> inverse_dynamics_constants(const BasicGeometry<float>&,
+    const BasicInertia<float>&, float);
+extern template JointVector<float> inverse_dynamics(const JointVector<float>&, const JointVector<float>&,
+    const JointVector<float>&, const DynamicsAngles<float>&, const InverseDynamicsConstants<float>&);
+extern template JointVector<float> gravity_torque(const JointVector<float>&, const BasicGeometry<float>&,
+    const BasicInertia<float>&, float);
+extern template GravityTorqueConstants<float> gravity_torque_constants(const BasicGeometry<float>&,
+    const BasicInertia<float>&, float);
+extern template JointVector<float> gravity_torque(const JointVector<float>&, const DynamicsAngles<float>&,
+    const GravityTorqueConstants<float>&);
+extern template JointVector<float> coriolis_torque(const JointVector<float>&, const JointVector<float>&,
+    const BasicGeometry<float>&, const BasicInertia<float>&);
+extern template CoriolisTorqueConstants<float> coriolis_torque_constants(const BasicGeometry<float>&,
+    const BasicInertia<float>&);
+extern template JointVector<float> coriolis_torque(const JointVector<float>&, const JointVector<float>&,
+    const DynamicsAngles<float>&, const CoriolisTorqueConstants<float>&);
+extern template Eigen::Matrix<float, dof, dof> mass_matrix(const JointVector<float>&, const BasicGeometry<float>&,
+    const BasicInertia<float>&);
+extern template MassMatrixConstants<float> mass_matrix_constants(const BasicGeometry<float>&,
+    const BasicInertia<float>&);
+extern template Eigen::Matrix<float, dof, dof> mass_matrix(const JointVector<float>&, const DynamicsAngles<float>&,
+    const MassMatrixConstants<float>&);
+extern template Eigen::Matrix<float, dof, dof> coriolis_matrix(const JointVector<float>&, const JointVector<float>&,
+    const BasicGeometry<float>&, const BasicInertia<float>&);
+extern template CoriolisMatrixConstants<float> coriolis_matrix_constants(const BasicGeometry<float>&,
+    const BasicInertia<float>&);
+extern template Eigen::Matrix<float, dof, dof> coriolis_matrix(const JointVector<float>&, const JointVector<float>&,
+    const DynamicsAngles<float>&, const CoriolisMatrixConstants<float>&);
+extern template JointVector<float> forward_dynamics(const JointVector<float>&, const JointVector<float>&,
+    const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&, float);
+extern template ForwardDynamicsConstants<float> forward_dynamics_constants(const BasicGeometry<float>&,
+    const BasicInertia<float>&, float);
+extern template JointVector<float> forward_dynamics(const JointVector<float>&, const JointVector<float>&,
+    const JointVector<float>&, const DynamicsAngles<float>&, const ForwardDynamicsConstants<float>&);
+extern template float kinetic_energy(const JointVector<float>&, const JointVector<float>&, const BasicGeometry<float>&,
+    const BasicInertia<float>&);
+extern template KineticEnergyConstants<float> kinetic_energy_constants(const BasicGeometry<float>&,
+    const BasicInertia<float>&);
+extern template float kinetic_energy(const JointVector<float>&, const JointVector<float>&,
+    const DynamicsAngles<float>&, const KineticEnergyConstants<float>&);
+extern template float potential_energy(const JointVector<float>&, const BasicGeometry<float>&,
+    const BasicInertia<float>&, float);
+extern template PotentialEnergyConstants<float> potential_energy_constants(const BasicGeometry<float>&,
+    const BasicInertia<float>&, float);
+extern template float potential_energy(const JointVector<float>&, const DynamicsAngles<float>&,
+    const PotentialEnergyConstants<float>&);
 
 }  // namespace qvgen::robots::rx90

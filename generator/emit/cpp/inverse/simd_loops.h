@@ -16,6 +16,6 @@ bool has_lanes(const derive::inverse::LoweredPlan& plan);
 /// Body of the function that follows four branches in the lanes of packs: the last two branching steps take
 /// their signs from the lanes, those before them are loops. An angle is taken once a branch is known to
 /// exist.
-std::vector<std::string> lane_lines(const model::Robot& robot, const derive::inverse::LoweredPlan& plan);
+std::vector<std::string> simd_loop_lines(const model::Robot& robot, const derive::inverse::LoweredPlan& plan);
 
 }  // namespace qvgen::emit

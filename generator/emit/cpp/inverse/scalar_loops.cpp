@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "emit/cpp/inverse/nest_code.h"
+#include "emit/cpp/inverse/scalar_loops.h"
 
 #include "emit/cpp/inverse/joint_code.h"
 #include "emit/cpp/inverse/step_code.h"
@@ -11,9 +11,9 @@ using derive::inverse::Kind;
 using derive::inverse::LoweredPlan;
 using derive::inverse::Step;
 
-class Nest {
+class ScalarLoops {
  public:
-  Nest(const model::Robot& robot, const LoweredPlan& plan, Pass pass)
+  ScalarLoops(const model::Robot& robot, const LoweredPlan& plan, Pass pass)
       : robot_(robot), plan_(plan), careful_(pass == Pass::careful) {}
 
   std::vector<std::string> write() {
@@ -176,8 +176,8 @@ class Nest {
 
 }  // namespace
 
-std::vector<std::string> nest_lines(const model::Robot& robot, const LoweredPlan& plan, Pass pass) {
-  return Nest(robot, plan, pass).write();
+std::vector<std::string> scalar_loop_lines(const model::Robot& robot, const LoweredPlan& plan, Pass pass) {
+  return ScalarLoops(robot, plan, pass).write();
 }
 
 }  // namespace qvgen::emit

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "emit/cpp/inverse/lane_code.h"
+#include "emit/cpp/inverse/simd_loops.h"
 
 #include <algorithm>
 
@@ -24,9 +24,9 @@ int branchings(const LoweredPlan& plan) {
                     [&](const Step& step) { return step.branches == 2 && !is_last_wrist(plan, step); }));
 }
 
-class Lanes {
+class SimdLoops {
  public:
-  Lanes(const model::Robot& robot, const LoweredPlan& plan)
+  SimdLoops(const model::Robot& robot, const LoweredPlan& plan)
       : robot_(robot), plan_(plan), loops_left_(branchings(plan) - 2) {}
 
   std::vector<std::string> write() {
@@ -177,8 +177,8 @@ class Lanes {
 
 bool has_lanes(const LoweredPlan& plan) { return !plan.plan.quartic() && branchings(plan) >= 2; }
 
-std::vector<std::string> lane_lines(const model::Robot& robot, const LoweredPlan& plan) {
-  return Lanes(robot, plan).write();
+std::vector<std::string> simd_loop_lines(const model::Robot& robot, const LoweredPlan& plan) {
+  return SimdLoops(robot, plan).write();
 }
 
 }  // namespace qvgen::emit

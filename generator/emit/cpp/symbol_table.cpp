@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+#include "emit/cpp/symbol_table.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <stdexcept>
+#include <tuple>
+#include <utility>
+
+#include <cln/integer.h>
+
+#include "dag/rebuild.h"
+#include "emit/cpp/literal.h"
+#include "exact/constant_angle.h"
+
+namespace qvgen::emit {
+
+using dag::Angle;
+using dag::Op;
+
+std::vector<Angle> angles_of(const dag::Function& function) {
+  std::vector<Angle> angles;
+  for (const std::uint32_t id : dag::reachable(function)) {
+    const dag::Node& node = function.graph.node(id);
+    if (node.op != Op::sine && node.op != Op::cosine) continue;
+    const Angle& angle = function.graph.angle_of(node);
+    if (!exact::radians(angle)) angles.push_back(angle);
+  }
+  return merged({angles});
+}
+
+std::vector<Angle> merged(const std::vector<std::vector<Angle>>& lists) {
+  std::map<std::pair<std::size_t, std::string>, Angle> found;
+  for (const std::vector<Angle>& list : lists)
+    for (const Angle& angle : list) found.emplace(std::pair(angle.terms.size(), to_string(angle)), angle);
+  std::vector<Angle> angles;
+  for (const auto& [place, angle] : found) angles.push_back(angle);
+  return angles;
+}
+
+namespace {
+
+std::size_t place_of(const std::vector<Angle>& angles, const Angle& angle) {
+  const auto place = std::find(angles.begin(), angles.end(), angle);
+  if (place == angles.end()) throw std::logic_error("angle " + to_string(angle) + " has no place");
+  return static_cast<std::size_t>(place - angles.begin());
+}
+
+/// A term of an angle: its joint's number, or its name and no number.
+struct Term {
+  std::size_t joint = 0;
+  std::string symbol;
+  bool negative = false;
+
+  friend bool operator<(const Term& a, const Term& b) {
+    return std::tie(a.joint, a.symbol) < std::tie(b.joint, b.symbol);
+  }
+};
+
+Term term_of(const model::Robot& robot, const std::string& symbol, bool negative) {
+  for (std::size_t i = 0; i < robot.joints.size(); ++i)
+    if (robot.joints[i].variable == symbol) return {i + 1, "", negative};
+  return {robot.joints.size() + 1, symbol, negative};
+}
+
+cln::cl_I common_denominator(const Angle& angle) {
+  cln::cl_I common = 1;
+  for (const auto& [name, coefficient] : angle.terms)
+    common = cln::lcm(common, cln::denominator(coefficient));
+  return common;
+}
+
+std::string scalar(const exact::Number& number) { return "Scalar(" + literal(number) + ")"; }
+
+/// pi * turns, in double.
+std::string radians(const cln::cl_RA& turns) {
+  const cln::cl_RA pi = cln::cl_RA(cln::cl_I("3141592653589793238462643383279502884197")) /
+                        cln::cl_RA(cln::expt_pos(cln::cl_I(10), 39));
+  return scalar(exact::Number(turns * pi));
+}
+
+}  // namespace
+
+std::string angle_name(const model::Robot& robot, const Angle& angle, std::size_t place) {
+  const cln::cl_RA size = angle.terms.empty() ? cln::cl_RA(0) : cln::abs(angle.terms.begin()->second);
+  const bool half = size == cln::cl_RA(1) / 2;
+  bool plain = cln::zerop(angle.pi) && (half || size == 1);
+  std::vector<Term> terms;
+  for (const auto& [symbol, coefficient] : angle.terms) {
+    plain = plain && cln::abs(coefficient) == size;
+    terms.push_back(term_of(robot, symbol, cln::minusp(coefficient)));
+  }
+  if (!plain) return "_" + std::to_string(place);
+  std::sort(terms.begin(), terms.end());
+  std::string name = half ? "h" : "";
+  for (const Term& term : terms) {
+    const bool apart = !term.symbol.empty() || (robot.joints.size() > 9 && &term != &terms.front());
+    name += std::string(term.negative ? "m" : "") + (apart ? "_" : "") +
+            (term.symbol.empty() ? std::to_string(term.joint) : term.symbol);
+  }
+  return name;
+}
+
+std::vector<std::string> sine_cosine_declarations(const model::Robot& robot, const dag::Function& function,
+                                                  const std::vector<Angle>& angles) {
+  std::set<std::pair<std::size_t, Op>> used;
+  for (const std::uint32_t id : dag::reachable(function)) {
+    const dag::Node& node = function.graph.node(id);
+    if (node.op != Op::sine && node.op != Op::cosine) continue;
+    const Angle& angle = function.graph.angle_of(node);
+    if (!exact::radians(angle)) used.emplace(place_of(angles, angle), node.op);
+  }
+  std::vector<std::string> lines;
+  for (const auto& [place, op] : used) {
+    const std::string letter = op == Op::sine ? "s" : "c";
+    lines.push_back("const Scalar& " + letter + angle_name(robot, angles[place], place) + " = angles." +
+                    (op == Op::sine ? "sine" : "cosine") + "[" + std::to_string(place) + "];");
+  }
+  return lines;
+}
+
+SymbolTable symbol_table(const model::Robot& robot, const std::vector<Angle>& angles,
+                         const std::function<std::string(const std::string&)>& others) {
+  std::map<std::string, std::string> known{{"pi", radians(1)}};
+  for (std::size_t i = 0; i < robot.joints.size(); ++i)
+    known[robot.joints[i].variable] = "q[" + std::to_string(i) + "]";
+  for (const model::Parameter& parameter : robot.geometry) known[parameter.name] = "g." + parameter.name;
+  const auto symbol = [known, others](const std::string& name) {
+    if (const auto constant = exact::constant_angle(name))
+      return scalar(exact::Number(exact::radians(*constant)));
+    const auto place = known.find(name);
+    if (place != known.end()) return place->second;
+    if (!others) throw std::logic_error("symbol " + name + " has no place in the generated code");
+    return others(name);
+  };
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < angles.size(); ++i) names.push_back(angle_name(robot, angles[i], i));
+  return {symbol, [angles, names](const Angle& angle) { return "s" + names[place_of(angles, angle)]; },
+          [angles, names](const Angle& angle) { return "c" + names[place_of(angles, angle)]; }};
+}
+
+std::string angle_code(const Angle& angle, const SymbolTable& names) {
+  const cln::cl_I common = common_denominator(angle);
+  std::string sum;
+  for (const auto& [name, coefficient] : angle.terms) {
+    const cln::cl_RA factor = coefficient * common;
+    const cln::cl_RA size = cln::abs(factor);
+    sum += cln::minusp(factor) ? (sum.empty() ? "-" : " - ") : (sum.empty() ? "" : " + ");
+    sum += (size == 1 ? "" : scalar(exact::Number(size)) + " * ") + names.symbol(name);
+  }
+  const bool compound = angle.terms.size() > 1;
+  if (common != 1)
+    sum = scalar(exact::Number(cln::recip(cln::cl_RA(common)))) + " * " + (compound ? "(" + sum + ")" : sum);
+  if (cln::zerop(angle.pi)) return sum;
+  if (sum.empty()) return radians(angle.pi);
+  return sum + (cln::minusp(angle.pi) ? " - " : " + ") + radians(cln::abs(angle.pi));
+}
+
+nlohmann::json angle_values(const std::vector<Angle>& angles, const SymbolTable& names) {
+  nlohmann::json values = nlohmann::json::array();
+  for (std::size_t i = 0; i < angles.size(); ++i)
+    values.push_back({{"text", to_string(angles[i])},
+                      {"code", angle_code(angles[i], names)},
+                      {"index", i},
+                      {"last", i + 1 == angles.size()}});
+  return values;
+}
+
+std::string sines_cosines_code(const std::vector<Angle>& angles, const SymbolTable& names,
+                               const std::string& empty) {
+  if (angles.empty()) return empty + "<Scalar>{}";
+  std::string arguments;
+  for (const Angle& angle : angles) arguments += (arguments.empty() ? "" : ", ") + angle_code(angle, names);
+  return "sines_and_cosines<Scalar>(" + arguments + ")";
+}
+
+}  // namespace qvgen::emit

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "dag/graph.h"
+#include "emit/cpp/code.h"
+#include "model/robot.h"
+
+namespace qvgen::emit {
+
+/// The angles whose sines and cosines a function uses and which are not numbers: what its Angles struct
+/// holds. Single joints first, then the sums.
+std::vector<dag::Angle> angles_of(const dag::Function& function);
+/// Those of several functions, each once, in the same order.
+std::vector<dag::Angle> merged(const std::vector<std::vector<dag::Angle>>& lists);
+
+/// What an angle is called behind s for its sine and c for its cosine: the numbers of its joints, "m" before
+/// one that is subtracted, "h" in front for half angles; other symbols by their names. Theta2 + theta3 is 23,
+/// theta4 - theta6 is 4m6, (theta4 + theta6)/2 is h46. `place` names what has other coefficients: _3.
+std::string angle_name(const model::Robot& robot, const dag::Angle& angle, std::size_t place);
+
+/// How generated functions write their leaves: joint variables are q[i], geometric constants g.name, sines
+/// and cosines by `angle_name`. `others` maps further symbols.
+SymbolTable symbol_table(const model::Robot& robot, const std::vector<dag::Angle>& angles,
+                         const std::function<std::string(const std::string&)>& others = {});
+
+/// Declarations of the sines and cosines that a function uses, from a struct `angles` that holds those of all
+/// `angles`: "const Scalar& s1 = angles.sine[0];".
+std::vector<std::string> sine_cosine_declarations(const model::Robot& robot, const dag::Function& function,
+                                                  const std::vector<dag::Angle>& angles);
+
+/// An angle as C++: "Scalar(0.5) * (q[3] + q[5])".
+std::string angle_code(const dag::Angle& angle, const SymbolTable& names);
+
+/// Template values for a list of angles: text, code, index, last.
+nlohmann::json angle_values(const std::vector<dag::Angle>& angles, const SymbolTable& names);
+
+/// Code that computes the sines and cosines of the angles: a call of the runtime, or an empty struct of that
+/// type.
+std::string sines_cosines_code(const std::vector<dag::Angle>& angles, const SymbolTable& names,
+                               const std::string& empty);
+
+}  // namespace qvgen::emit

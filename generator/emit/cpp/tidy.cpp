@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "emit/cpp/tidy.h"
+
+#include <algorithm>
+#include <limits>
+#include <string_view>
+
+namespace qvgen::emit {
+namespace {
+
+/// Where a line of code may be broken: in front of operators, behind commas, opening brackets of lists and
+/// "=".
+bool may_break(const std::string& line, std::size_t at) {
+  if (line[at - 1] != ' ') return false;
+  const std::string_view before = std::string_view(line).substr(0, at - 1);
+  const std::string_view behind = std::string_view(line).substr(at);
+  for (const char* end : {",", " =", "{"})
+    if (before.ends_with(end)) return true;
+  for (const char* begin : {"+ ", "- ", "* ", "/ ", "? ", ": ", "&& ", "|| ", "// "})
+    if (behind.starts_with(begin)) return true;
+  return false;
+}
+
+/// How a character changes the number of open brackets; a template's have no space before them, a comparison
+/// has.
+int opens(const std::string& line, std::size_t at) {
+  const char c = line[at];
+  const char before = at == 0 ? ' ' : line[at - 1];
+  if (c == '(' || c == '{' || c == '[' || (c == '<' && before != ' ')) return 1;
+  if (c == ')' || c == '}' || c == ']' || (c == '>' && before != ' ' && before != '-')) return -1;
+  return 0;
+}
+
+/// The last of the places with the fewest open brackets; 0 if there is none.
+template <class MayBreak>
+std::size_t last_outermost(const std::string& line, std::size_t begin, const MayBreak& may) {
+  std::size_t best = 0;
+  int least = std::numeric_limits<int>::max();
+  int depth = 0;
+  bool text = false;
+  for (std::size_t at = 0; at < line.size() && at <= line_width; ++at) {
+    if (!text && at > begin && depth <= least && may(line, at)) {
+      least = depth;
+      best = at;
+    }
+    if (line[at] == '"') text = !text;
+    if (!text) depth += opens(line, at);
+  }
+  return best;
+}
+
+std::size_t break_of_code(const std::string& line, std::size_t indent) {
+  const std::size_t best = last_outermost(line, indent + line_width / 4, may_break);
+  if (best != 0) return best;
+  return last_outermost(line, indent, [](const std::string& l, std::size_t at) { return l[at - 1] == '('; });
+}
+
+std::size_t break_of_comment(const std::string& line, std::size_t begin) {
+  const std::size_t at = line.rfind(' ', line_width);
+  return at == std::string::npos || at < begin ? 0 : at + 1;
+}
+
+void put(std::string& result, const std::string& line, std::size_t end) {
+  const std::size_t last = line.find_last_not_of(' ', end - 1);
+  result += line.substr(0, last + 1) + "\n";
+}
+
+void put_wrapped(std::string& result, std::string line) {
+  const std::size_t indent = std::min(line.find_first_not_of(' '), line.size());
+  const bool comment = line.compare(indent, 2, "//") == 0;
+  const std::size_t words = comment ? std::min(line.find_first_not_of("/ ", indent), line.size()) : 0;
+  std::string next = std::string(indent + 4, ' ');
+  if (comment) {
+    next = line.substr(0, words);
+    if (line.compare(words, 2, "- ") == 0) next += "  ";
+  }
+  while (line.size() > line_width && line[indent] != '#') {
+    const std::size_t at = comment ? break_of_comment(line, words) : break_of_code(line, next.size());
+    if (at == 0) break;
+    put(result, line, at);
+    line = next + line.substr(at);
+  }
+  result += line + "\n";
+}
+
+}  // namespace
+
+std::string wrapped(const std::string& code) {
+  std::string result;
+  std::size_t begin = 0;
+  for (std::size_t end = code.find('\n'); end != std::string::npos;
+       begin = end + 1, end = code.find('\n', begin))
+    put_wrapped(result, code.substr(begin, end - begin));
+  return result + code.substr(begin);
+}
+
+std::string without_spare_lines(const std::string& text) {
+  std::string result;
+  std::string last = "{";
+  for (std::size_t start = 0; start < text.size();) {
+    const std::size_t end = text.find('\n', start);
+    const std::string line = text.substr(start, end - start);
+    start = end + 1;
+    const bool in_namespace = last.rfind("namespace", 0) == 0;
+    const bool spare = line.empty() && (last.empty() || (last.back() == '{' && !in_namespace));
+    const bool closes =
+        line.find_first_not_of(' ') != std::string::npos && line[line.find_first_not_of(' ')] == '}';
+    if (spare) continue;
+    if (closes && last.empty() && result.size() > 1 && line.size() == line.find('}') + 1) result.pop_back();
+    result += line + "\n";
+    last = line;
+  }
+  return result;
+}
+
+std::string tidy(const std::string& code) {
+  return wrapped(without_needless_attributes(without_spare_lines(code)));
+}
+
+}  // namespace qvgen::emit

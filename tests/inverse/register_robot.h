@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <bit>
+
+#include "robot_under_test.h"
+
+namespace qvgen::test {
+
+/// The arm's constants: defaults but for those that are given by name.
+template <class Arm>
+typename Arm::Geometry geometry_of(const reference::Values& given) {
+  using Geometry = typename Arm::Geometry;
+  constexpr std::size_t count = Arm::geometry_names.size();
+  if constexpr (count == 0) {
+    return {};
+  } else {
+    using Numbers = std::array<double, count>;
+    static_assert(sizeof(Geometry) == sizeof(Numbers));
+    auto numbers = std::bit_cast<Numbers>(Geometry{});
+    for (std::size_t i = 0; i < count; ++i)
+      if (const auto value = given.find(Arm::geometry_names[i]); value != given.end())
+        numbers[i] = value->second;
+    return std::bit_cast<Geometry>(numbers);
+  }
+}
+
+/// Puts the functions of an arm (robot.cpp.in) behind one type, whether or not a joint's value is given.
+template <class Arm>
+bool register_inverse() {
+  // The given joint's value stands behind the pose, if there is such a joint.
+  const auto solve = [](double given, const auto& pose, const auto&... rest) {
+    if constexpr (Arm::info.given_joint >= 0)
+      return copy(Arm::inverse(pose, given, rest...));
+    else
+      return copy(Arm::inverse(pose, rest...));
+  };
+  const auto of_matrix = [](double given, const Eigen::Matrix3d& rotation, const Eigen::Vector3d& position) {
+    if constexpr (Arm::info.given_joint >= 0)
+      return copy(Arm::inverse(rotation, position, given));
+    else
+      return copy(Arm::inverse(rotation, position));
+  };
+  InverseFunctions functions;
+  functions.solve = [=](const Pose<double>& pose, double given, double tolerance,
+                        const reference::Values& values) {
+    return solve(given, pose, geometry_of<Arm>(values), tolerance);
+  };
+  functions.solve_from = [=](const Pose<double>& pose, double given, const Eigen::VectorXd& seed,
+                             const reference::Values& values) {
+    return solve(given, pose, typename Arm::Joints(seed), geometry_of<Arm>(values));
+  };
+  functions.solve_matrix = [=](const Eigen::Matrix3d& rotation, const Eigen::Vector3d& position,
+                               double given) { return of_matrix(given, rotation, position); };
+  functions.solve_within = [=](const Pose<double>& pose, double given, const Eigen::VectorXd& lower,
+                               const Eigen::VectorXd& upper) {
+    return solve(given, pose, JointLimits<Arm::dof>{lower, upper});
+  };
+  functions.solve_scalar = [=](const Pose<double>& pose, double given, double tolerance,
+                               const reference::Values& values) {
+    return solve(given, pose, geometry_of<Arm>(values), tolerance, inverse::Form::scalar);
+  };
+  std::vector<std::string> constants(Arm::geometry_names.begin(), Arm::geometry_names.end());
+  return add_inverse({Arm::name, Arm::description, Arm::dof, Arm::info, constants, functions});
+}
+
+}  // namespace qvgen::test
