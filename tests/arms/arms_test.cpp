@@ -5,12 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "arm.h"
+#include "compare.h"
 #include "derive/inverse/inverse.h"
-#include "description/reader.h"
-#include "description/write.h"
-#include "peers.h"
-#include "reference/dynamics.h"
-#include "reference/load.h"
 
 // Every arm of arms.txt, read as a URDF and as an MJCF, is what Orocos KDL and MuJoCo read: position,
 // Jacobian and dynamics agree. What is read here goes through `qvgen import` to the reference implementation,
@@ -23,43 +19,6 @@ namespace description = qvgen::description;
 const std::vector<Arm>& table() {
   static const std::vector<Arm> arms = read_table(QVGEN_SOURCE_DIR "/tests/arms/arms.txt");
   return arms;
-}
-
-qvgen::model::Robot read(const std::string& text, const std::string& file,
-                         description::SnapOptions::Mode snap) {
-  description::ReadOptions options;
-  options.snap.mode = snap;
-  options.tip = "tool0";
-  const auto result = description::read_text(text, file, options);
-  for (const auto& diagnostic : result.diagnostics)
-    if (diagnostic.severity != description::Diagnostic::note) ADD_FAILURE() << to_string(diagnostic);
-  return result.robot.value();
-}
-
-reference::Chain chain_of(const qvgen::model::Robot& robot) {
-  return reference::load_text(description::write_text(robot));
-}
-
-constexpr double tolerance = 1e-12;
-
-double scale(const Eigen::MatrixXd& m) { return std::max(1.0, m.cwiseAbs().maxCoeff()); }
-
-#define EXPECT_NEAR_MATRIX(a, b) EXPECT_LT(((a) - (b)).cwiseAbs().maxCoeff() / scale(b), tolerance) << #a
-
-void compare(const reference::Chain& chain, Peer& peer, std::mt19937& random) {
-  std::uniform_real_distribution<double> any(-2, 2);
-  const auto vector = [&] {
-    return Eigen::VectorXd::NullaryExpr(chain.size(), [&] { return any(random); }).eval();
-  };
-  for (int i = 0; i < 3; ++i) {
-    const Eigen::VectorXd q = vector(), qd = vector(), qdd = vector();
-    EXPECT_NEAR_MATRIX(reference::forward_kinematics(chain, q).matrix(), peer.tool(q).matrix());
-    EXPECT_NEAR_MATRIX(reference::jacobian(chain, q), peer.jacobian(q));
-    const Eigen::VectorXd torque = peer.inverse_dynamics(q, qd, qdd);
-    EXPECT_NEAR_MATRIX(reference::inverse_dynamics(chain, q, qd, qdd), torque);
-    EXPECT_NEAR_MATRIX(reference::forward_dynamics(chain, q, qd, torque),
-                       peer.forward_dynamics(q, qd, torque));
-  }
 }
 
 void without_friction(reference::Chain& chain) {
