@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
-#include <map>
 
 #include "description/names.h"
 #include "description/tree/tree.h"
