@@ -77,6 +77,14 @@ TEST(Mjcf, Orientations) {
   EXPECT_EQ(before("zaxis=\"0 0 -1\""), "1, 0, 0 by pi; 0, 0, 0");
 }
 
+TEST(Mjcf, EveryChangeIsNoted) {
+  EXPECT_EQ(
+      report(model("<worldbody><body quat=\"0.7071 0.7071 0 0\">\n<joint axis=\"0 0.6 0.8\"/>"
+                   "<site name=\"tool\" quat=\"0.92388 0 0.38268 0\"/></body></worldbody>")),
+      "3:50: note: quat=\"0.92388 0 0.38268 0\" is read as 45 deg about y, entries change by up to 4.7e-06; "
+      "--snap off keeps it\n");
+}
+
 TEST(Mjcf, JointsThatStandElsewhere) {
   const model::Robot arm = single(
       "pos=\"0 0 1\"", "<joint type=\"slide\" ref=\"0.5\"/><joint pos=\"1 0 0\" axis=\"0 1 0\" ref=\"30\"/>");

@@ -45,6 +45,14 @@ std::string angle_text(const cln::cl_I& twelfths) {
   return fmt::format("{} deg", cln::cl_I_to_long(15 * twelfths));
 }
 
+/// Of a turn about a coordinate axis.
+std::string turn_text(const model::Turn& turn) {
+  const double half_turns = model::to_double(model::evaluate(turn.angle) / model::evaluate(Expression::pi()));
+  std::size_t axis = 0;
+  while (turn.axis.at(axis).is_literal_zero()) ++axis;
+  return fmt::format("{} deg about {}", 180 * half_turns, "xyz"[axis]);
+}
+
 /// The vector divided by its length, exactly.
 model::Vector3 normalised(const std::array<cln::cl_RA, 3>& v) {
   const cln::cl_RA squared = cln::square(v[0]) + cln::square(v[1]) + cln::square(v[2]);
@@ -122,11 +130,7 @@ void Snap::note_turns(const Decimal& written, const std::vector<model::Turn>& tu
   }
   if (largest < tolerance(-tree_digits)) return;
   std::string text;
-  for (const model::Turn& turn : turns)
-    text +=
-        fmt::format("{}{} deg about {}", text.empty() ? "" : ", ",
-                    model::to_double(model::evaluate(turn.angle) * 180 / model::evaluate(Expression::pi())),
-                    turn.axis[0].is_literal_zero() ? turn.axis[1].is_literal_zero() ? 'z' : 'y' : 'x');
+  for (const model::Turn& turn : turns) text += (text.empty() ? "" : ", ") + turn_text(turn);
   context_->note(written.place,
                  fmt::format("{} is read as {}, entries change by up to {:.1e}", written.text,
                              text.empty() ? "no turn" : text, model::to_double(largest)),
