@@ -195,7 +195,12 @@ class Execution {
       }
       case Kind::require:
         return require_zero(in.at("residual"), in.at("scale"), tolerance(), branch);
-      default:
+      case Kind::linear:
+      case Kind::conic:
+      case Kind::slide_turn:
+      case Kind::polish:
+      case Kind::right_wrist:
+      case Kind::oblique_wrist:
         return;
     }
   }
