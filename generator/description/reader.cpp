@@ -122,6 +122,9 @@ ReadResult read_toml(Context& context, std::string_view text) {
     const toml::table document = toml::parse(text);
     const Table root(context, document, "the file");
     model::Robot robot = read_robot(root);
+    if (!context.options.base.empty() || !context.options.tip.empty())
+      context.error({}, "--base and --tip: this description has no links to choose from",
+                    "they are for URDF and MJCF; here [base] and [tool] give the frames");
     rename(context, robot);
     return finished(context, root.place_of("name"), std::move(robot));
   } catch (const toml::parse_error& error) {

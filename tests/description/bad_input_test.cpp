@@ -44,6 +44,16 @@ TEST(BadInput, UnreadableFiles) {
   EXPECT_EQ(directory.diagnostics.at(0).message, "cannot read the file: it is a directory");
 }
 
+TEST(BadInput, OptionsOfOtherFormats) {
+  const auto result = read_text(head + joint, "r.toml", {.tip = "tool0"});
+  ASSERT_EQ(result.diagnostics.size(), 1U);
+  EXPECT_EQ(to_string(result.diagnostics[0]),
+            "r.toml:1:1: error: --base and --tip: this description has no links to choose from; they are for "
+            "URDF and MJCF; here [base] and [tool] give the frames");
+  EXPECT_EQ(read_text(head + joint, "r.toml", {.name = "B"}).diagnostics.at(0).message,
+            "--name B: 'B' has capital letters");
+}
+
 TEST(BadInput, EmptyFiles) {
   EXPECT_EQ(report(""),
             lines({"1:1: error: the file is empty; begin with name = \"...\" and add [[joint]] tables"}));
