@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <utility>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -10,9 +11,11 @@
 #include "derive/inverse/inverse.h"
 #include "description/reader.h"
 #include "description/write.h"
+#include "emit/cpp/inverse/frames.h"
 #include "emit/math/closed_form.h"
 #include "emit/math/describe.h"
 #include "emit/math/dynamics_closed_form.h"
+#include "emit/math/legend.h"
 #include "emit/math/singularities.h"
 #include "optimise/dynamics_function.h"
 #include "pipeline/files.h"
@@ -180,8 +183,11 @@ int show_dynamics(const model::Robot& robot) {
   return success;
 }
 
-int show_inverse(const model::Robot& robot, emit::Notation notation) {
+int show_inverse(const model::Robot& described, emit::Notation notation) {
+  const canonical::Arm arm = canonical::for_kinematics(described);
+  const model::Robot robot = emit::inverse_arm(arm).robot;
   bool found = false;
+  bool explained = false;
   std::vector<std::string> variables;
   for (const model::Joint& joint : robot.joints) variables.push_back(joint.variable);
   for (const auto& derivation : {derive::inverse::derive(robot), derive::inverse::derive_locked(robot)}) {
@@ -189,6 +195,8 @@ int show_inverse(const model::Robot& robot, emit::Notation notation) {
       fmt::print(stderr, "{}: no inverse kinematics: {}\n", robot.name, reason);
     if (!derivation.found) continue;
     found = true;
+    if (!std::exchange(explained, true))
+      for (const std::string& line : emit::legend(arm)) fmt::print("{}\n", line);
     for (const std::string& line : describe(lower(derivation.plan), variables, notation))
       fmt::print("{}\n", line);
   }

@@ -8,6 +8,7 @@
 #include <cln/integer_io.h>
 #include <cln/real.h>
 
+#include "exact/named_constant.h"
 #include "exact/trigonometry.h"
 
 namespace qvgen::exact {
@@ -99,8 +100,12 @@ cln::cl_RA radians(const CosineSine& value) {
 }
 
 std::optional<cln::cl_RA> radians(const Angle& angle) {
-  cln::cl_RA sum = angle.pi * cln::rational(cln::pi(cln::float_format(40)));
+  cln::cl_RA sum = angle.pi * cln::rational(cln::pi(cln::float_format(70)));
   for (const auto& [name, coefficient] : angle.terms) {
+    if (const auto named = named_value(name)) {
+      sum = sum + coefficient * *named;
+      continue;
+    }
     const auto known = constant_angle(name);
     if (!known) return std::nullopt;
     sum = sum + coefficient * radians(*known);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -75,6 +76,11 @@ struct Robot {
   Displacement base;  ///< world -> base of the first joint
   std::vector<Joint> joints;
   Displacement tool;  ///< last link frame -> tool
+  /// Symbols that stand for expressions in other symbols; none in what a reader builds.
+  std::map<std::string, Expression> definitions;
 };
+
+/// The symbols in the frames, axes and offsets of a robot, sorted, each once.
+std::vector<std::string> symbols(const Robot& robot);
 
 }  // namespace qvgen::model

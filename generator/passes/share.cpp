@@ -74,8 +74,12 @@ dag::Function extract(const dag::Function& function, const OperandPair& pair) {
 
 }  // namespace
 
+/// Rounds take time by the size of the graph each: larger ones stay as they are.
+constexpr std::uint32_t largest_shared = 6'000;
+
 dag::Function share(const dag::Function& function) {
   dag::Function current = dag::rebuild(function);
+  if (current.graph.size() > largest_shared) return current;
   // Each extraction removes at least one operation, so the number of rounds is bounded by the operations.
   for (std::uint32_t round = 0; round < function.graph.size(); ++round) {
     const auto [pair, count] = most_frequent_pair(current);

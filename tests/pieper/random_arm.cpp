@@ -4,6 +4,7 @@
 #include <array>
 #include <random>
 
+#include "other_zeros.h"
 #include "sliding_arms.h"
 #include "twisted_arms.h"
 
@@ -196,6 +197,8 @@ std::string parallel_description(std::uint32_t seed) {
 std::string arm_description(const std::string& family, std::uint32_t seed) {
   if (family == "slides") return sliding_arm(arm_name(family, seed), seed);
   if (family == "twists") return twisted_arm(arm_name(family, seed), seed);
+  if (family == "zeros")
+    return "name = \"" + arm_name(family, seed) + "\"\ntitle = \"other zeros\"\n" + other_zeros.at(seed);
   return family == "pieper" ? pieper_description(seed) : parallel_description(seed);
 }
 

@@ -9,7 +9,8 @@ namespace qvgen::test {
 /// "pieper_007", "parallel_007", "slides_001"
 std::string arm_name(const std::string& family, std::uint32_t seed);
 
-/// Of a family "pieper" or "parallel", or the arm of that number in sliding_arms.h or twisted_arms.h.
+/// Of a family "pieper" or "parallel", or the arm of that number in sliding_arms.h, twisted_arms.h or
+/// other_zeros.h.
 std::string arm_description(const std::string& family, std::uint32_t seed);
 
 /// The description of a random arm of six joints, three consecutive of them revolute with axes through one

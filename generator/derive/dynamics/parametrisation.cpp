@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "derive/dynamics/parametrisation.h"
 
+#include <algorithm>
+#include <array>
+
 #include "dag/evaluate.h"
 #include "derive/dynamics/base_parameters.h"
 #include "exact/point.h"
@@ -16,19 +19,24 @@ class Naming {
   Naming(dag::Graph source, std::vector<dag::Edge> values, dag::Graph& target) : target_(target) {
     dag::Function all{std::move(source), {}};
     for (const dag::Edge value : values) all.outputs.push_back({"", value});
-    constexpr std::uint64_t seed = 0x5eed;
-    values_ = dag::evaluate<Number>(all, exact::ExactPoint(seed));
+    for (std::size_t i = 0; i < values_.size(); ++i)
+      values_[i] = dag::evaluate<Number>(all, exact::ExactPoint(0x5eed + i));
     constants_.graph = std::move(all.graph);
     edges_ = std::move(values);
   }
 
   Scalar name(std::size_t index) {
-    const Number& value = values_[index];
-    if (value.is_zero()) return {};
-    if (value.is_one() || (-value).is_one()) return {target_, target_.constant(value)};
+    const auto is = [&](const Number& number) {
+      return std::all_of(values_.begin(), values_.end(),
+                         [&](const auto& point) { return point[index] == number; });
+    };
+    const Number& value = values_.front()[index];
+    if (is(0)) return {};
+    if (is(1) || is(-1)) return {target_, target_.constant(value)};
     const bool negative = value.sign() < 0;
-    const auto [place, inserted] =
-        known_.try_emplace(to_string(negative ? -value : value), "$" + std::to_string(known_.size()));
+    std::string key;
+    for (const auto& point : values_) key += to_string(negative ? -point[index] : point[index]) + " ";
+    const auto [place, inserted] = known_.try_emplace(key, "$" + std::to_string(known_.size()));
     if (inserted) constants_.outputs.push_back({place->second, negative ? -edges_[index] : edges_[index]});
     const Scalar symbol(target_, target_.symbol(place->second));
     return negative ? -symbol : symbol;
@@ -39,7 +47,8 @@ class Naming {
   dag::Graph& target_;
   dag::Function constants_;
   std::vector<dag::Edge> edges_;
-  std::vector<Number> values_;
+  /// At three points: at one of them two values may agree by chance, for its numbers are short.
+  std::array<std::vector<Number>, 3> values_;
   std::map<std::string, std::string> known_;
 };
 

@@ -4,20 +4,23 @@
 #include <algorithm>
 
 #include "dag/import.h"
+#include "passes/constants.h"
 #include "passes/pass.h"
 
 namespace qvgen::derive::inverse {
 
 namespace {
 
-dag::Function optimised(const symbolic::Program& program) { return passes::simplify(dag::import(program)); }
+dag::Function optimised(const symbolic::Program& program) {
+  return passes::fold_constants(passes::simplify(dag::import(program)));
+}
 
 dag::Function optimised(const symbolic::Program& program, const std::vector<std::string>& kept) {
   dag::Function function = dag::import(program);
   std::erase_if(function.outputs, [&](const dag::Output& output) {
     return std::find(kept.begin(), kept.end(), output.name) == kept.end();
   });
-  return passes::simplify(function);
+  return passes::fold_constants(passes::simplify(function));
 }
 
 }  // namespace

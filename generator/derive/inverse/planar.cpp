@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <optional>
+
 #include "derive/inverse/attempt.h"
 #include "derive/inverse/inverse.h"
 #include "symbolic/model.h"
@@ -18,6 +20,18 @@ ex square_of(const ex& value) { return GiNaC::pow(value, 2); }
 void require_height(Attempt& attempt, const Vector& axis, const Vector& start, const Vector& goal) {
   attempt.builder.require_zero(attempt.scope.clean(dot(axis, goal - start)),
                                GiNaC::sqrt(symbolic::symbol(size_square)), "the height along the axes");
+}
+
+/// Why two links cannot place a point: one of them has no length. The second one's is known if `start`, the
+/// point at zero, is.
+std::string missing_link(const Scope& scope, const Screw& a, const Screw& b,
+                         const std::optional<Vector>& start) {
+  const auto has_no_length = [&](const Flat& link) { return scope.is_zero(link.x) && scope.is_zero(link.y); };
+  if (has_no_length(in_frame(b, b.point - a.point, scope)))
+    return "the axes of " + a.variable + " and " + b.variable + " coincide";
+  if (start && has_no_length(in_frame(b, *start - b.point, scope)))
+    return "the point to be placed lies on the axis of " + b.variable;
+  return "";
 }
 
 void place_by_two_links(Attempt& attempt, const Screw& a, const Screw& b, const Vector& start,
@@ -59,6 +73,10 @@ std::string in_plane(Attempt& attempt, bool locked) {
   const Vector axis = screws[0].axis;
   Target target(attempt.builder, attempt.chain.home);
   const Vector tool = attempt.chain.home.p;
+  std::optional<Vector> placed = tool;
+  if (screws.size() == 3) placed = locked ? std::nullopt : std::optional(screws[2].point);
+  if (std::string missing = missing_link(scope, screws[0], screws[1], placed); !missing.empty())
+    return missing;
   if (screws.size() == 2) {
     require_height(attempt, axis, tool, target.pose().p);
     place_by_two_links(attempt, screws[0], screws[1], tool, target.pose().p);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "derive/inverse/scope.h"
 
+#include <cmath>
+
+#include "exact/named_constant.h"
 #include "symbolic/model.h"
 
 namespace qvgen::derive::inverse {
@@ -24,6 +27,26 @@ class Digits {
   long before_;
 };
 
+/// What is longer when multiplied out stays as it is: for long expressions it gains nothing and takes ages.
+constexpr double most_terms = 2'000;
+
+/// An upper bound on the terms of an expression when multiplied out.
+double expanded_terms(const ex& value) {
+  if (GiNaC::is_a<GiNaC::add>(value)) {
+    double sum = 0;
+    for (const ex& term : value) sum += expanded_terms(term);
+    return sum;
+  }
+  if (GiNaC::is_a<GiNaC::mul>(value)) {
+    double product = 1;
+    for (const ex& factor : value) product *= expanded_terms(factor);
+    return product;
+  }
+  if (GiNaC::is_a<GiNaC::power>(value) && value.op(1).info(GiNaC::info_flags::posint))
+    return std::pow(expanded_terms(value.op(0)), GiNaC::ex_to<numeric>(value.op(1)).to_double());
+  return 1;
+}
+
 ex value_at(const ex& value, const GiNaC::exmap& point) {
   return value.subs(point, GiNaC::subs_options::no_pattern).evalf();
 }
@@ -32,6 +55,17 @@ ex value_at(const ex& value, const GiNaC::exmap& point) {
 
 Scope::Scope(const model::Robot& robot) {
   for (const auto& parameter : robot.geometry) length(parameter.name);
+  for (const std::string& name : model::symbols(robot)) {
+    const auto value = exact::named_value(name);
+    if (value) add(name, {numeric(*value), numeric(*value), numeric(*value)});
+  }
+  for (const auto& [name, definition] : robot.definitions) {
+    std::array<ex, points> values;
+    const Digits digits;
+    for (std::size_t i = 0; i < points; ++i)
+      values[i] = value_at(symbolic::to_symbolic(definition), samples_[i]);
+    add(name, values);
+  }
 }
 
 numeric Scope::random() {
@@ -107,12 +141,23 @@ bool Scope::is_zero(const ex& value) const {
   return true;
 }
 
-ex Scope::clean(const ex& value) const { return is_zero(value) ? ex(0) : value.expand(); }
+ex Scope::clean(const ex& value) const {
+  if (is_zero(value)) return 0;
+  return expanded_terms(value) > most_terms ? value : value.expand();
+}
 
 bool Scope::is_number(const ex& value) {
   if (GiNaC::is_a<GiNaC::symbol>(value)) return false;
   for (std::size_t i = 0; i < value.nops(); ++i)
     if (!is_number(value.op(i))) return false;
+  return true;
+}
+
+bool Scope::is_known(const ex& value) {
+  if (GiNaC::is_a<GiNaC::symbol>(value))
+    return exact::named_value(GiNaC::ex_to<GiNaC::symbol>(value).get_name()).has_value();
+  for (std::size_t i = 0; i < value.nops(); ++i)
+    if (!is_known(value.op(i))) return false;
   return true;
 }
 

@@ -41,6 +41,8 @@ class Scope {
   }
   /// A number, or made of numbers alone.
   [[nodiscard]] static bool is_number(const GiNaC::ex& value);
+  /// A number, or made of numbers and named constants alone.
+  [[nodiscard]] static bool is_known(const GiNaC::ex& value);
   /// Value at the first sample point, a number of 60 digits.
   [[nodiscard]] GiNaC::numeric value(const GiNaC::ex& value) const;
   /// The same, rounded.

@@ -50,6 +50,16 @@ bool match(const std::vector<int>& a, const std::vector<int>& b) {
 
 }  // namespace
 
+/// The longest of the robots in generator/robots has 31 terms in tangents, five-joint arms have about a
+/// hundred; a thousand take ten seconds to factor.
+constexpr std::size_t most_terms_of_product = 5'000;
+constexpr std::size_t most_terms_to_factor = 300;
+
+void CirclePolynomials::check_product(const ex& a, const ex& b) {
+  const auto count = [](const ex& e) { return e.is_zero() ? std::size_t{0} : terms(e).size(); };
+  if (count(a) * count(b) > most_terms_of_product) throw TooManyTerms();
+}
+
 std::size_t CirclePolynomials::circle_of(const ex& angle) {
   for (std::size_t i = 0; i < circles_.size(); ++i)
     if (circles_[i].angle.is_equal(angle)) return i;
@@ -121,6 +131,7 @@ ex CirclePolynomials::in_tangents(const ex& polynomial, std::vector<int>& degree
              pow(1 + t * t, all - s - c);
     }
     result = sum.expand();
+    if (terms(result).size() > most_terms_of_product) throw TooManyTerms();
     degrees.push_back(2 * all);
   }
   return result;
@@ -355,6 +366,7 @@ CirclePolynomials::Product CirclePolynomials::factored(const ex& polynomial,
                                                        const std::vector<ex>& variables) const {
   std::vector<int> degrees;
   const ex tangents = in_tangents(polynomial, degrees);
+  if (terms(tangents).size() > most_terms_to_factor) throw TooManyTerms();
   Product product;
   const ex factors = GiNaC::factor(tangents, GiNaC::factor_options::all);
   for (const Half& half : joined(split(factors, degrees, product.constant, variables))) {

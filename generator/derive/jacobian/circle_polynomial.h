@@ -1,11 +1,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <stdexcept>
 #include <vector>
 
 #include <ginac/ginac.h>
 
 namespace qvgen::derive {
+
+/// A polynomial would have more terms than there is a budget for. What to factor is bounded by the number of
+/// its terms, so that the same arm is factored, or not, on every machine.
+class TooManyTerms : public std::runtime_error {
+ public:
+  TooManyTerms() : std::runtime_error("its polynomial has too many terms") {}
+};
 
 /// Factors of a trigonometric polynomial, with no factor left that splits over the rationals.
 ///
@@ -28,6 +36,8 @@ class CirclePolynomials {
   /// The polynomial of an expression in sines and cosines of linear forms: circular functions replaced,
   /// squares of sines removed, expanded.
   GiNaC::ex polynomial(const GiNaC::ex& expression);
+  /// Throws TooManyTerms if the product of two expanded polynomials would go beyond the budget.
+  static void check_product(const GiNaC::ex& a, const GiNaC::ex& b);
   /// Removes squares of sines and expands.
   GiNaC::ex reduced(const GiNaC::ex& polynomial) const;
   /// Factors of a reduced polynomial other than 0. `variables`: the prismatic joints' variables, which are no

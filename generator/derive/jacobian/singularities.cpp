@@ -19,9 +19,10 @@ namespace {
 
 using Rows = std::vector<std::vector<ex>>;
 
-/// Determinant by minors of the last rows; `name` simplifies or names each minor.
-template <class Name>
-ex determinant(const Rows& m, const Name& name) {
+/// Determinant by minors of the last rows; `limit` sees the factors of each product before it is taken,
+/// `name` simplifies or names each minor.
+template <class Limit, class Name>
+ex determinant(const Rows& m, const Limit& limit, const Name& name) {
   const std::size_t n = m.size();
   std::map<unsigned, ex> minors{{0U, ex(1)}};
   for (std::size_t size = 1; size <= n; ++size) {
@@ -33,7 +34,9 @@ ex determinant(const Rows& m, const Name& name) {
       int sign = 1;
       for (std::size_t j = 0; j < n; ++j) {
         if ((columns >> j & 1U) == 0) continue;
-        sum += sign * row[j] * minors[columns ^ (1U << j)];
+        const ex& minor = minors[columns ^ (1U << j)];
+        limit(row[j], minor);
+        sum += sign * row[j] * minor;
         sign = -sign;
       }
       larger[columns] = name(sum);
@@ -70,10 +73,15 @@ struct Square {
   std::vector<std::size_t> columns;
 };
 
+/// Whether the rows are whole vectors: only then is their determinant the same in every frame.
+bool is_independent_of_frame(const std::vector<int>& rows) {
+  return rows.size() == 6 || rows == std::vector<int>{0, 1, 2} || rows == std::vector<int>{3, 4, 5};
+}
+
 /// The determinant of a square part as a polynomial, in the frame in which it is made of the fewest terms.
 ex polynomial_determinant(CirclePolynomials& circles, const Linkage& linkage, const Square& square) {
   Program unused;
-  const std::size_t frames = Frames(unused, linkage).last() + 1;
+  const std::size_t frames = is_independent_of_frame(square.rows) ? Frames(unused, linkage).last() + 1 : 1;
   Rows best;
   std::size_t fewest = 0;
   for (std::size_t frame = 0; frame < frames; ++frame) {
@@ -92,7 +100,8 @@ ex polynomial_determinant(CirclePolynomials& circles, const Linkage& linkage, co
       fewest = terms;
     }
   }
-  return determinant(best, [&](const ex& minor) { return circles.reduced(minor); });
+  const auto limit = [](const ex& a, const ex& b) { CirclePolynomials::check_product(a, b); };
+  return determinant(best, limit, [&](const ex& minor) { return circles.reduced(minor); });
 }
 
 std::vector<std::size_t> range(std::size_t first, std::size_t last) {
@@ -156,29 +165,39 @@ std::vector<std::vector<int>> row_choices(int n) {
   return choices;
 }
 
+Singularities not_factored(const std::string& reason) {
+  Singularities result;
+  result.not_factored = reason;
+  return result;
+}
+
 ex named_determinant(Program& program, const Columns& columns, const std::vector<int>& chosen) {
   Rows rows;
   for (const int row : chosen) {
     rows.emplace_back();
     for (const Twist& column : columns) rows.back().push_back(entry(column, row));
   }
-  return determinant(rows, [&](const ex& minor) { return program.let(minor); });
+  const auto no_limit = [](const ex&, const ex&) {};
+  return determinant(rows, no_limit, [&](const ex& minor) { return program.let(minor); });
 }
 
 }  // namespace
 
-Singularities singularities(const model::Robot& robot) {
+namespace {
+
+Singularities factored(const model::Robot& robot) {
   Singularities result;
   const Linkage arm = linkage(robot);
   const std::size_t dof = arm.variables.size();
-  if (dof > 6 || has_symbolic_twist(arm)) return result;
+  if (dof > 6) return not_factored("more than six joints: the Jacobian has no determinant");
+  if (has_symbolic_twist(arm)) return not_factored("twists that are symbols or no right angles");
   const auto centred = dof == 6 ? at_wrist_centre(arm) : std::nullopt;
   if (centred) {
     result.rows = {0, 1, 2, 3, 4, 5};
     result.decoupled = true;
     if (!add_factors(result, *centred, {{0, 1, 2}, range(0, 3)}, Point::wrist_centre) ||
         !add_factors(result, *centred, {{3, 4, 5}, range(3, 6)}, Point::wrist_centre))
-      return {};
+      return not_factored("it vanishes everywhere");
     return result;
   }
   const Linkage simplest = dof == 6 ? at_last_pivot(arm) : arm;
@@ -186,8 +205,19 @@ Singularities singularities(const model::Robot& robot) {
     result.rows = rows;
     if (add_factors(result, simplest, {rows, range(0, dof)}, dof == 6 ? Point::last_axis : Point::tool))
       return result;
+    result.constant = 1;
   }
-  return {};
+  return not_factored("it vanishes everywhere");
+}
+
+}  // namespace
+
+Singularities singularities(const model::Robot& robot) {
+  try {
+    return factored(robot);
+  } catch (const TooManyTerms& error) {
+    return not_factored(error.what());
+  }
 }
 
 Program determinant_definition(const model::Robot& robot, const std::vector<int>& rows) {

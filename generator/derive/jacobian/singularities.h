@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "derive/form.h"
@@ -22,11 +23,13 @@ struct Singularities {
   bool decoupled = false;  ///< spherical wrist: arm and wrist factors
   GiNaC::ex constant = 1;
   std::vector<SingularFactor> factors;
+  std::string not_factored;  ///< why there are none
 };
 
 /// The factored determinant of the square part of the Jacobian: all of it for six joints, else the first rows
 /// in which it is not singular everywhere (for three joints the linear ones, if they can be). No factors for
-/// arms with more than six joints or with symbolic twists.
+/// arms with more than six joints, with twists that are symbols or no right angles, and where the polynomials
+/// would have too many terms.
 Singularities singularities(const model::Robot& robot);
 
 /// The determinant by minors of the plain Jacobian, output "determinant": what the factors' product must

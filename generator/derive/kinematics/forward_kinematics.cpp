@@ -50,14 +50,14 @@ Program plain_pose(const model::Robot& robot) {
   return program;
 }
 
+}  // namespace
+
 Program plain_transform(const model::Robot& robot) {
   Program program;
   const Pair tool = pair_product(robot, program);
   output(program, to_matrix(tool.q), tool.p);
   return program;
 }
-
-}  // namespace
 
 Quantity forward_kinematics(const model::Robot& robot) {
   Quantity quantity{"forward_kinematics", {{"pair product", plain_pose(robot)}}, plain_pose(robot)};

@@ -15,6 +15,9 @@ Quantity forward_kinematics(const model::Robot& robot);
 /// Rotation matrix and position of the tool: outputs r11 .. r33 (row, column), px, py, pz.
 Quantity homogeneous_transform(const model::Robot& robot);
 
+/// The definition of the latter: the pair product, its quaternion as a matrix.
+symbolic::Program plain_transform(const model::Robot& robot);
+
 /// The orientation written out as the thesis does (3.1-3.128): sums of products of half-angle sines and
 /// cosines with Euler triples merged, cos((theta4 + theta6)/2). One value per component, not simplified any
 /// further; and the position in full angles. Empty where the robot has no right-angled zero-reference chain.

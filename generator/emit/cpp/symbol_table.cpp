@@ -13,6 +13,7 @@
 #include "dag/rebuild.h"
 #include "emit/cpp/literal.h"
 #include "exact/constant_angle.h"
+#include "exact/named_constant.h"
 
 namespace qvgen::emit {
 
@@ -80,6 +81,45 @@ std::string radians(const cln::cl_RA& turns) {
   return scalar(exact::Number(turns * pi));
 }
 
+/// A definition as code, for the few that stand inside of an angle.
+std::string code_of(const model::Expression& e, const std::map<std::string, std::string>& known) {
+  using Kind = model::Expression::Kind;
+  const auto operand = [&](std::size_t i) { return code_of(e.operands()[i], known); };
+  const auto joined = [&](const std::string& by) {
+    std::string text = operand(0);
+    for (std::size_t i = 1; i < e.operands().size(); ++i) text += by + operand(i);
+    return "(" + text + ")";
+  };
+  switch (e.kind()) {
+    case Kind::number:
+      return scalar(exact::Number(e.number()));
+    case Kind::pi:
+      return radians(1);
+    case Kind::symbol:
+      return known.at(e.name());
+    case Kind::negate:
+      return "(-" + operand(0) + ")";
+    case Kind::sum:
+      return joined(" + ");
+    case Kind::product:
+      return joined(" * ");
+    case Kind::quotient:
+      return joined(" / ");
+    case Kind::power: {
+      std::string product = operand(0);
+      for (long i = 1; i < std::abs(e.exponent()); ++i) product += " * " + operand(0);
+      return e.exponent() < 0 ? "(" + scalar(1) + " / (" + product + "))" : "(" + product + ")";
+    }
+    case Kind::root:
+      return "sqrt(" + operand(0) + ")";
+    case Kind::sine:
+      return "sin(" + operand(0) + ")";
+    case Kind::cosine:
+      return "cos(" + operand(0) + ")";
+  }
+  throw std::logic_error("unknown kind of expression");
+}
+
 }  // namespace
 
 std::string angle_name(const model::Robot& robot, const Angle& angle, std::size_t place) {
@@ -88,7 +128,8 @@ std::string angle_name(const model::Robot& robot, const Angle& angle, std::size_
   bool plain = cln::zerop(angle.pi) && (half || size == 1);
   std::vector<Term> terms;
   for (const auto& [symbol, coefficient] : angle.terms) {
-    plain = plain && cln::abs(coefficient) == size;
+    // Named constants and definitions are no identifiers.
+    plain = plain && cln::abs(coefficient) == size && symbol.find('(') == std::string::npos;
     terms.push_back(term_of(robot, symbol, cln::minusp(coefficient)));
   }
   if (!plain) return "_" + std::to_string(place);
@@ -126,7 +167,9 @@ SymbolTable symbol_table(const model::Robot& robot, const std::vector<Angle>& an
   for (std::size_t i = 0; i < robot.joints.size(); ++i)
     known[robot.joints[i].variable] = "q[" + std::to_string(i) + "]";
   for (const model::Parameter& parameter : robot.geometry) known[parameter.name] = "g." + parameter.name;
+  for (const auto& [name, definition] : robot.definitions) known[name] = code_of(definition, known);
   const auto symbol = [known, others](const std::string& name) {
+    if (const auto constant = exact::named_value(name)) return scalar(exact::Number(*constant));
     if (const auto constant = exact::constant_angle(name))
       return scalar(exact::Number(exact::radians(*constant)));
     const auto place = known.find(name);

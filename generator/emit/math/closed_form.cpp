@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "emit/math/closed_form.h"
 
+#include "canonical/arm.h"
 #include "dag/import.h"
 #include "derive/kinematics/forward_kinematics.h"
+#include "optimise/described.h"
 #include "verify/certificate.h"
 
 namespace qvgen::emit {
@@ -40,11 +42,14 @@ std::vector<std::string> wrapped(const std::string& text) {
 
 }  // namespace
 
-std::vector<std::string> closed_form_lines(const model::Robot& robot, Notation notation) {
+std::vector<std::string> closed_form_lines(const model::Robot& described, Notation notation) {
+  const canonical::Arm arm = canonical::for_kinematics(described);
+  const model::Robot& robot = arm.robot;
   const auto program = derive::closed_form(robot);
   if (!program) return {};
-  const dag::Function function = dag::import(*program);
+  dag::Function function = dag::import(*program);
   verify::certify(function, derive::forward_kinematics(robot).definition, 2, robot.name + ": closed form");
+  function = optimise::in_terms_of_description(function, arm);
   std::vector<std::string> lines;
   for (const dag::Output& output : function.outputs) {
     const std::string name =

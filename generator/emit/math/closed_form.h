@@ -11,6 +11,6 @@ namespace qvgen::emit {
 
 /// The thesis's half-angle-sum form of the forward kinematics, one line per component ("w = ..."); lines of
 /// text are wrapped to fit a comment. Empty where the robot has symbolic twists.
-std::vector<std::string> closed_form_lines(const model::Robot& robot, Notation notation);
+std::vector<std::string> closed_form_lines(const model::Robot& described, Notation notation);
 
 }  // namespace qvgen::emit

@@ -4,8 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 
 #include <fmt/format.h>
+
+#include "exact/constant_angle.h"
+#include "exact/named_constant.h"
 
 namespace qvgen::emit {
 namespace {
@@ -152,13 +156,27 @@ class Formula {
   const std::function<std::string(const std::string&)>& name_;
 };
 
+/// Named constants and multiples of pi gathered in one decimal number of radians.
+std::string with_decimals(const dag::Angle& angle, Notation notation) {
+  dag::Angle variables;
+  dag::Angle constants{{}, angle.pi};
+  for (const auto& [name, coefficient] : angle.terms)
+    (exact::named_value(name) ? constants : variables).terms.emplace(name, coefficient);
+  const double radians = cln::double_approx(*exact::radians(constants));
+  if (variables.terms.empty()) return fmt::format("{:.6g}", radians);
+  return formula(variables, notation) + fmt::format(" {} {:.6g}", radians < 0 ? "-" : "+", std::abs(radians));
+}
+
 }  // namespace
 
 std::string formula(const std::string& name, Notation notation) {
+  if (const auto value = exact::named_value(name)) return fmt::format("{:.6g}", cln::double_approx(*value));
   return notation == Notation::latex ? latex_name(name) : name;
 }
 
 std::string formula(const dag::Angle& angle, Notation notation) {
+  const auto is_named = [](const auto& term) { return exact::named_value(term.first).has_value(); };
+  if (std::any_of(angle.terms.begin(), angle.terms.end(), is_named)) return with_decimals(angle, notation);
   if (notation == Notation::text) return exact::to_string(angle);
   if (all_halves(angle)) return barred(angle);
   std::string text = exact::to_string(angle);

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 
+#include "canonical/arm.h"
 #include "dag/import.h"
+#include "emit/math/legend.h"
 #include "verify/certificate.h"
 
 namespace qvgen::emit {
@@ -94,17 +96,19 @@ SingularityMeasures singularity_measures(const model::Robot& robot) {
   return result;
 }
 
-std::vector<std::string> singularity_lines(const model::Robot& robot, Notation notation) {
+std::vector<std::string> singularity_lines(const model::Robot& described, Notation notation) {
+  const canonical::Arm arm = canonical::for_kinematics(described);
+  const model::Robot& robot = arm.robot;
   derive::Singularities all = derive::singularities(robot);
   if (all.rows.empty()) {
     if (robot.joints.size() > 6)
       return {"more than six joints: the Jacobian has no determinant; singular where det(J J^T) = 0"};
-    return {
-        "symbolic twists: the determinant of the Jacobian is not factored; singularity_measures computes it"};
+    return {"the determinant of the Jacobian is not factored (" + all.not_factored + ")" +
+            (robot.joints.size() == 6 ? "; singularity_measures computes it" : "")};
   }
   put_in_order(all);
   certify_product(robot, all);
-  std::vector<std::string> lines;
+  std::vector<std::string> lines = legend(arm);
   std::string product = text_of(all.constant, notation);
   for (std::size_t i = 0; i < all.factors.size(); ++i) {
     const int power = all.factors[i].multiplicity;

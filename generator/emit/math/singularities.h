@@ -28,6 +28,6 @@ struct SingularityMeasures {
 SingularityMeasures singularity_measures(const model::Robot& robot);
 
 /// For `qvgen show ROBOT --singularities`: one line a factor.
-std::vector<std::string> singularity_lines(const model::Robot& robot, Notation notation);
+std::vector<std::string> singularity_lines(const model::Robot& described, Notation notation);
 
 }  // namespace qvgen::emit

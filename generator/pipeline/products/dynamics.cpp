@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "canonical/arm.h"
 #include "emit/cpp/dynamics_code.h"
 #include "emit/cpp/symbol_table.h"
 #include "emit/math/dynamics_choices.h"
@@ -154,8 +155,9 @@ void add_regressor(const model::Robot& robot, RobotOutput& output) {
 
 }  // namespace
 
-void generate_dynamics_product(const model::Robot& robot, RobotOutput& output) {
-  if (!optimise::has_inertia(robot)) return;
+void generate_dynamics_product(const model::Robot& described, RobotOutput& output) {
+  if (!optimise::has_inertia(described)) return;
+  const model::Robot robot = canonical::for_dynamics(described);
   const std::vector<optimise::DynamicsFunction> functions = all_functions(robot);
   const json inertia{{"parameters", parameters_of(robot)},
                      {"parameter_count", robot.inertia_parameters.size()},

@@ -7,9 +7,11 @@
 #include <fmt/format.h>
 
 #include "derive/inverse/inverse.h"
+#include "emit/cpp/inverse/frames.h"
 #include "emit/cpp/inverse/scalar_loops.h"
 #include "emit/cpp/inverse/simd_loops.h"
 #include "emit/cpp/inverse/step_code.h"
+#include "emit/cpp/symbol_table.h"
 #include "emit/cpp/template_values.h"
 #include "emit/math/describe.h"
 #include "emit/render.h"
@@ -40,14 +42,13 @@ std::vector<std::string> summary(const derive::inverse::LoweredPlan& plan) {
 }
 
 bool is_number(const model::Vector3& v) {
-  return std::all_of(v.begin(), v.end(),
-                     [](const model::Expression& x) { return model::symbols(x).empty(); });
+  return std::all_of(v.begin(), v.end(), [](const model::Expression& x) { return canonical::is_known(x); });
 }
 
 double length(const model::Vector3& v) {
   double square = 0;
   for (const model::Expression& x : v) {
-    const double value = model::to_double(model::evaluate(x));
+    const double value = model::to_double(model::evaluate(x, canonical::constants_of(x)));
     square += value * value;
   }
   return std::sqrt(square);
@@ -69,25 +70,55 @@ std::string reach(const model::Robot& robot) {
   return fmt::format("{:.6f}", sum);
 }
 
+/// Fields of the target's geometry with what the caller's geometry says of them.
+json geometry_values(const model::Robot& robot) {
+  const emit::SymbolTable names = emit::symbol_table(robot, {});
+  json list = json::array();
+  const auto fields = emit::geometry_fields(robot);
+  const auto add = [&](const std::string& name) {
+    list.push_back({{"field", fields.at(name)}, {"value", names.symbol(name)}});
+  };
+  for (const auto& parameter : robot.geometry) add(parameter.name);
+  for (const auto& definition : robot.definitions) add(definition.first);
+  return list;
+}
+
+/// Adds what the public functions hand to the derivation's arm in place of what they are given.
+void add_change_of_arm(const emit::InverseArm& arm, int locked, json& values) {
+  const json change = emit::change_of_arm(arm);
+  const bool has_phases = change != json(false) && change["has_phases"] == json(true);
+  values["has_phases"] = has_phases;
+  values["inner_pose"] = arm.has_frames
+                             ? "inverse::between_frames(detail::before_base(g), pose, detail::behind_tool(g))"
+                             : "pose";
+  values["inner_seed"] = has_phases ? "inverse::with_phases<dof>(seed, detail::phases)" : "seed";
+  values["zero_preference"] =
+      has_phases ? "inverse::zero_preference_at<dof>(detail::phases)" : "inverse::zero_preference<dof>";
+  const std::string index = std::to_string(locked);
+  const std::string given = locked < 0 ? "" : arm.robot.joints[static_cast<std::size_t>(locked)].variable;
+  values["locked_value"] =
+      locked < 0 ? "" : ", " + given + (has_phases ? " + detail::phases[" + index + "]" : "");
+}
+
 std::size_t polished_joints(const derive::inverse::Plan& plan) {
   for (const auto& step : plan.steps)
     if (step.kind == derive::inverse::Kind::polish) return step.turns.size();
   throw std::logic_error("inverse kinematics: a plan without Newton steps");
 }
 
-json variant(const model::Robot& robot, const derive::inverse::Plan& derived,
+json variant(const emit::InverseArm& arm, const derive::inverse::Plan& derived,
              nlohmann::ordered_json& all_counts) {
+  const model::Robot& robot = arm.robot;
   const derive::inverse::LoweredPlan plan = lower(derived);
   const verify::InverseCertificate certificate = verify::certify_inverse(robot, plan, certificate_poses);
   const bool locked = derived.locked >= 0;
   const bool lanes = emit::has_lanes(plan);
   const std::string farthest = reach(robot);
-  std::vector<std::string> constants;
-  for (const auto& parameter : robot.geometry) constants.push_back(parameter.name);
+  const json geometry = geometry_values(robot);
   const std::string given = locked ? robot.joints[static_cast<std::size_t>(derived.locked)].variable : "";
   const std::string function = locked ? "inverse_kinematics_given_" + given : "inverse_kinematics";
   if (const auto counts = verify::inverse_counts(plan); !counts.empty()) all_counts[function] = counts;
-  return {
+  json values{
       {"space", locked ? "given_" + given : "all"},
       {"function", function},
       {"solutions", locked ? "SolutionsGiven_" + given : "Solutions"},
@@ -113,8 +144,8 @@ json variant(const model::Robot& robot, const derive::inverse::Plan& derived,
       {"range_test", emit::range_test_values(robot, plan)},
       {"steps", emit::step_values(robot, plan)},
       {"dof", robot.joints.size()},
-      {"has_geometry", !constants.empty()},
-      {"geometry", fields_of(constants)},
+      {"has_geometry", !geometry.empty()},
+      {"geometry", geometry},
       {"first_pass",
        derived.quartic()
            ? json(false)
@@ -123,15 +154,20 @@ json variant(const model::Robot& robot, const derive::inverse::Plan& derived,
       {"careful_pass", emit::lines_of(emit::scalar_loop_lines(robot, plan, emit::Pass::careful))},
       {"has_lanes", lanes ? "true" : "false"},
       {"lanes", lanes ? json{{"lines", emit::lines_of(emit::simd_loop_lines(robot, plan))}} : json(false)}};
+  add_change_of_arm(arm, derived.locked, values);
+  return values;
 }
 
 }  // namespace
 
-void generate_inverse(const model::Robot& robot, RobotOutput& output) {
+void generate_inverse(const model::Robot& described, RobotOutput& output) {
+  const emit::InverseArm arm = emit::inverse_arm(canonical::for_kinematics(described));
+  const model::Robot& robot = arm.robot;
   json values{{"name", robot.name}, {"variants", json::array()}, {"reasons", json::array()}};
+  values["change"] = emit::change_of_arm(arm);
   std::vector<std::string> reasons;
   for (const auto& derivation : {derive::inverse::derive(robot), derive::inverse::derive_locked(robot)}) {
-    if (derivation.found) values["variants"].push_back(variant(robot, derivation.plan, output.counts));
+    if (derivation.found) values["variants"].push_back(variant(arm, derivation.plan, output.counts));
     reasons.insert(reasons.end(), derivation.reasons.begin(), derivation.reasons.end());
   }
   const bool found = !values["variants"].empty();

@@ -9,6 +9,7 @@
 #include "emit/cpp/symbol_table.h"
 #include "emit/math/singularities.h"
 #include "emit/render.h"
+#include "optimise/described.h"
 #include "optimise/optimised_json.h"
 #include "passes/pass.h"
 #include "verify/certificate.h"
@@ -192,9 +193,13 @@ json wrist_values(const model::Robot& robot) {
 
 }  // namespace
 
-void generate_jacobian(const model::Robot& robot, RobotOutput& output) {
+void generate_jacobian(const model::Robot& described, RobotOutput& output) {
+  const canonical::Arm arm = canonical::for_kinematics(described);
+  const model::Robot& robot = arm.robot;
   const emit::SingularityMeasures measures = emit::singularity_measures(robot);
-  const std::vector<emit::JacobianFunction> functions = functions_of(robot, measures);
+  std::vector<emit::JacobianFunction> functions = functions_of(robot, measures);
+  for (emit::JacobianFunction& function : functions)
+    function.optimised = optimise::in_terms_of_description(std::move(function.optimised), arm);
   const std::vector<dag::Angle> angles = emit::angles_of(functions);
   const emit::SymbolTable names = emit::symbol_table(robot, angles);
   json values{{"name", robot.name}, {"scalars", {{{"scalar", "double"}}, {{"scalar", "float"}}}}};

@@ -6,9 +6,11 @@
 #include "emit/cpp/template_values.h"
 #include "emit/math/closed_form.h"
 #include "emit/render.h"
+#include "optimise/described.h"
 #include "optimise/optimised_json.h"
 #include "verify/accuracy.h"
 #include "verify/counts_json.h"
+#include "verify/same_pose.h"
 
 namespace qvgen::pipeline {
 namespace {
@@ -26,11 +28,11 @@ std::string notes(const optimise::Optimised& optimised) {
          to_json(optimised).at("largest_error_ulp").dump() + " ulp.\n///";
 }
 
-optimise::Optimised optimise_with_accuracy(const derive::Quantity& quantity,
+optimise::Optimised optimise_with_accuracy(const canonical::Arm& arm, const derive::Quantity& quantity,
                                            const std::vector<verify::OutputGroup>& groups) {
   optimise::Optimised optimised = optimise::optimise(quantity);
   optimised.largest_error = verify::largest_error_in_ulps(optimised.function, groups, accuracy_points);
-  return optimised;
+  return optimise::in_terms_of_description(std::move(optimised), arm);
 }
 
 /// Template values of a function, whose keys begin with `prefix`; returns its code.
@@ -65,17 +67,20 @@ void add_transform(const model::Robot& robot, const optimise::Optimised& transfo
 
 }  // namespace
 
-void generate_kinematics(const model::Robot& robot, RobotOutput& output) {
+void generate_kinematics(const model::Robot& described, RobotOutput& output) {
+  const canonical::Arm arm = canonical::for_kinematics(described);
+  verify::certify_same_pose(described, arm);
+  const model::Robot& robot = arm.robot;
   const verify::OutputGroup position{"px", "py", "pz"};
   const optimise::Optimised pose =
-      optimise_with_accuracy(derive::forward_kinematics(robot), {{"w", "x", "y", "z"}, position});
+      optimise_with_accuracy(arm, derive::forward_kinematics(robot), {{"w", "x", "y", "z"}, position});
   const optimise::Optimised transform =
-      optimise_with_accuracy(derive::homogeneous_transform(robot),
+      optimise_with_accuracy(arm, derive::homogeneous_transform(robot),
                              {{"r11", "r12", "r13", "r21", "r22", "r23", "r31", "r32", "r33"}, position});
   json values{{"name", robot.name}, {"scalars", {{{"scalar", "double"}}, {{"scalar", "float"}}}}};
   add_pose(robot, pose, values);
   add_transform(robot, transform, values);
-  values["closed_form"] = emit::lines_of(emit::closed_form_lines(robot, emit::Notation::text));
+  values["closed_form"] = emit::lines_of(emit::closed_form_lines(described, emit::Notation::text));
   const std::string headers = "include/qvgen/robots/" + robot.name + "/";
   output.files.push_back({headers + "kinematics.h", emit::render("kinematics.h", values)});
   output.files.push_back(

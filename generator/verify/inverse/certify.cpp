@@ -2,6 +2,7 @@
 #include "verify/inverse/certify.h"
 
 #include "derive/inverse/inverse.h"
+#include "exact/named_constant.h"
 #include "model/evaluate.h"
 #include "verify/certificate.h"
 #include "verify/inverse/execute.h"
@@ -136,6 +137,10 @@ InverseCertificate certify_inverse(const model::Robot& robot, const LoweredPlan&
     model::Bindings geometry = model::default_bindings(robot);
     for (const auto& parameter : robot.geometry)
       if (geometry.count(parameter.name) == 0) geometry[parameter.name] = numbers.between(1, 2);
+    for (const std::string& name : model::symbols(robot))
+      if (const auto constant = exact::named_value(name)) geometry[name] = *constant;
+    for (const auto& [name, definition] : robot.definitions)
+      geometry[name] = model::evaluate(definition, geometry);
     std::vector<Real> q;
     for (std::size_t i = 0; i < robot.joints.size(); ++i) q.emplace_back(cln::cl_R(numbers.between(-3, 3)));
     const Definition definition(robot, geometry);

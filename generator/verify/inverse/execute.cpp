@@ -11,6 +11,7 @@
 
 #include "dag/evaluate.h"
 #include "derive/inverse/inverse.h"
+#include "exact/named_constant.h"
 #include "verify/certificate.h"
 
 namespace qvgen::verify {
@@ -31,6 +32,7 @@ struct Leaves {
     return sum;
   }
   Real symbol(const std::string& name) const {
+    if (const auto constant = exact::named_value(name)) return Real(cln::cl_R(*constant));
     if (name == "pi") return Real::pi();
     const auto place = values.find(name);
     if (place == values.end()) throw std::logic_error("inverse kinematics: no value for " + name);

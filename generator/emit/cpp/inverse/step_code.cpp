@@ -2,14 +2,17 @@
 #include "emit/cpp/inverse/step_code.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "derive/inverse/inverse.h"
 #include "derive/inverse/schedule.h"
 #include "emit/cpp/code.h"
+#include "emit/cpp/literal.h"
 #include "emit/cpp/symbol_table.h"
 #include "emit/cpp/template_values.h"
 #include "emit/math/describe.h"
+#include "exact/named_constant.h"
 
 namespace qvgen::emit {
 
@@ -30,13 +33,15 @@ std::string length_place(const std::string& unknown) { return "w.length_" + unkn
 /// Symbols of a step: geometry and the target's values from t, what earlier steps left from w, the block's
 /// results.
 SymbolTable names_of(const model::Robot& robot, const LoweredPlan& plan, const Step& step) {
-  std::set<std::string> parameters;
-  for (const auto& parameter : robot.geometry) parameters.insert(parameter.name);
+  const std::map<std::string, std::string> fields = geometry_fields(robot);
   const std::vector<std::string> target = plan.plan.target_kept;
   const std::string result = step.unit ? "result" : "(sign * " + length_place(step.unknown) + ")";
   const bool slides = step.kind == Kind::slide_turn;
-  const auto symbol = [parameters, target, result, slides](const std::string& name) -> std::string {
-    if (parameters.count(name) > 0) return "Scalar(t.geometry." + name + ")";
+  const auto symbol = [fields, target, result, slides](const std::string& name) -> std::string {
+    if (const auto constant = exact::named_value(name))
+      return "Scalar(" + literal(exact::Number(*constant)) + ")";
+    if (const auto field = fields.find(name); field != fields.end())
+      return "Scalar(t.geometry." + field->second + ")";
     if (slides && name == "result") return "result.slide";
     if (slides && name == "cos_result") return "result.turn.cosine";
     if (slides && name == "sin_result") return "result.turn.sine";
@@ -264,6 +269,15 @@ std::vector<std::string> wrist_turn_lines(const Step& step) {
 
 }  // namespace
 
+std::map<std::string, std::string> geometry_fields(const model::Robot& robot) {
+  std::map<std::string, std::string> fields;
+  for (const auto& parameter : robot.geometry) fields[parameter.name] = parameter.name;
+  std::size_t index = 0;
+  for (const auto& definition : robot.definitions)
+    fields[definition.first] = "defined_" + std::to_string(++index) + "_";
+  return fields;
+}
+
 std::vector<std::string> work_fields(const LoweredPlan& plan) {
   std::vector<std::string> fields;
   for (const Step& step : plan.plan.steps) {
@@ -278,10 +292,11 @@ std::vector<std::string> work_fields(const LoweredPlan& plan) {
 }
 
 json target_values(const model::Robot& robot, const LoweredPlan& plan) {
-  std::set<std::string> parameters;
-  for (const auto& parameter : robot.geometry) parameters.insert(parameter.name);
+  const std::map<std::string, std::string> fields = geometry_fields(robot);
   const auto symbol = [&](const std::string& name) {
-    return parameters.count(name) > 0 ? "t.geometry." + name : name;
+    if (const auto constant = exact::named_value(name)) return literal(exact::Number(*constant));
+    const auto field = fields.find(name);
+    return field != fields.end() ? "t.geometry." + field->second : name;
   };
   // Sines of twists that are symbols.
   const SymbolTable plain{symbol, {}, {}};

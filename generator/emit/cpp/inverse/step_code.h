@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <map>
+#include <string>
+
 #include <nlohmann/json.hpp>
 
 #include "derive/inverse/lower.h"
 #include "model/robot.h"
 
 namespace qvgen::emit {
+
+/// The field of the target's geometry for each parameter, and for each definition of a canonical arm.
+std::map<std::string, std::string> geometry_fields(const model::Robot& robot);
 
 /// Template values of the function that computes a plan's target from pose and geometry.
 nlohmann::json target_values(const model::Robot& robot, const derive::inverse::LoweredPlan& plan);

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "emit/cpp/inverse/frames.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "dag/import.h"
+#include "emit/cpp/code.h"
+#include "emit/cpp/symbol_table.h"
+#include "exact/constant_angle.h"
+#include "passes/constants.h"
+#include "symbolic/model.h"
+
+namespace qvgen::emit {
+namespace {
+
+using nlohmann::json;
+
+/// An angle that is no whole number of right angles has a name.
+bool is_oblique(const model::Displacement& displacement) {
+  return std::any_of(displacement.turns.begin(), displacement.turns.end(),
+                     [](const model::Turn& turn) { return !model::symbols(turn.angle).empty(); });
+}
+
+/// The displacement's inverse as the arguments of a Pose: quaternion w, x, y, z and position.
+json inverse_pose(const model::Robot& robot, const model::Displacement& displacement) {
+  const symbolic::Pair pair = symbolic::inverse(symbolic::to_symbolic(displacement));
+  symbolic::Program program;
+  program.output("w", pair.q.w);
+  program.output("x", pair.q.x);
+  program.output("y", pair.q.y);
+  program.output("z", pair.q.z);
+  program.output("px", pair.p.x);
+  program.output("py", pair.p.y);
+  program.output("pz", pair.p.z);
+  const dag::Function function = passes::fold_constants(dag::import(program));
+  const Code code = cpp_code(function, symbol_table(robot, {}));
+  json values{{"temporaries", json::array()}};
+  for (const auto& value : code.temporaries)
+    values["temporaries"].push_back({{"name", value.name}, {"expression", value.expression}});
+  for (const auto& output : code.outputs) values[output.name] = output.expression;
+  return values;
+}
+
+double phase_in_radians(const exact::Angle& phase) { return cln::double_approx(*exact::radians(phase)); }
+
+}  // namespace
+
+InverseArm inverse_arm(const canonical::Arm& arm) {
+  InverseArm result{arm.robot, {}, {}, false, arm.phases};
+  const bool numbers = std::all_of(arm.phases.begin(), arm.phases.end(), [](const exact::Angle& phase) {
+    return exact::radians(phase).has_value();
+  });
+  if (numbers && (is_oblique(arm.robot.base) || is_oblique(arm.robot.tool))) {
+    result.has_frames = true;
+    std::swap(result.base, result.robot.base);
+    std::swap(result.tool, result.robot.tool);
+  }
+  return result;
+}
+
+json change_of_arm(const InverseArm& arm) {
+  const bool has_phases = std::any_of(arm.phases.begin(), arm.phases.end(),
+                                      [](const exact::Angle& phase) { return !(phase == exact::Angle{}); });
+  if (!arm.has_frames && !has_phases) return false;
+  json phases = json::array();
+  for (std::size_t i = 0; i < arm.phases.size(); ++i)
+    phases.push_back({{"phase", fmt::format("{}", phase_in_radians(arm.phases[i]))},
+                      {"last", i + 1 == arm.phases.size()}});
+  json result{{"phases", phases}, {"has_phases", has_phases}, {"frames", false}};
+  if (arm.has_frames) {
+    result["frames"] = {{"base", inverse_pose(arm.robot, arm.base)},
+                        {"tool", inverse_pose(arm.robot, arm.tool)}};
+  }
+  return result;
+}
+
+}  // namespace qvgen::emit

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "canonical/arm.h"
+#include "dag/graph.h"
+#include "optimise/optimise.h"
+
+namespace qvgen::optimise {
+
+/// A function of a canonical arm's joint angles and named constants in terms of the described arm: its joint
+/// variables, its symbols and numbers.
+dag::Function in_terms_of_description(const dag::Function& function, const canonical::Arm& arm);
+
+/// The same with the operations counted anew.
+Optimised in_terms_of_description(Optimised optimised, const canonical::Arm& arm);
+
+/// The same for names of definitions alone.
+dag::Function with_definitions(const dag::Function& function, const model::Robot& robot);
+
+}  // namespace qvgen::optimise
