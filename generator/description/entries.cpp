@@ -112,10 +112,31 @@ model::Vector3 vector_or_zero(const Table& table, const std::string& key, const 
   return result;
 }
 
+namespace {
+
+/// A number of radians next to a multiple of 15 degrees was rounded from it, most likely. It is used as it is
+/// written.
+void check_rounded(Context& context, const Entry& angle, const cln::cl_RA& radians) {
+  constexpr double step = 0.26179938779914943654;  // pi/12
+  constexpr double most = 1e-3;
+  const double value = cln::double_approx(radians);
+  const double count = std::round(value / step);
+  const double off = std::abs(value - count * step);
+  if (count == 0 || off > most || std::abs(value) > 7) return;
+  const std::string text = to_string(angle.value);
+  const auto degrees = std::to_string(static_cast<int>(15 * count));
+  context.warning(angle.place,
+                  "the angle " + text + " is " + degrees + " degrees but for rounding, and kept as written",
+                  "write '" + degrees + " deg' if that is meant: the arm has a simpler structure then");
+}
+
+}  // namespace
+
 void check_angle(Context& context, const Entry& angle) {
   if (angle.has_unit) return;
   const auto form = model::angle_form(angle.value);
   if (!form || !cln::zerop(form->half_turns)) return;
+  check_rounded(context, angle, form->radians);
   const cln::cl_RA full_turn = cln::cl_RA(62832) / 10000;
   if (cln::abs(form->radians) <= full_turn) return;
   const std::string text = to_string(angle.value);

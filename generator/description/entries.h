@@ -24,7 +24,8 @@ std::optional<std::vector<Entry>> read_entries(const Table& table, const std::st
 /// Three entries; absent: zero.
 model::Vector3 vector_or_zero(const Table& table, const std::string& key, const Scope& scope);
 
-/// Warns of a number that is more than a full turn in radians: degrees were meant, most likely.
+/// Warns of a number that is more than a full turn in radians: degrees were meant, most likely; and of one
+/// that is a multiple of 15 degrees but for rounding.
 void check_angle(Context& context, const Entry& angle);
 
 }  // namespace qvgen::description
