@@ -222,6 +222,31 @@ TEST_F(Strangers, DynamicsEqualTheReference) {
   each(3, [](const Case& arm, std::mt19937& random) { check_dynamics(arm, random); });
 }
 
+TEST_F(Strangers, AJointThatMovesNoMassCostsForwardDynamicsAlone) {
+  const auto arm = read(R"toml(name = "light_hand"
+title = "the second link has no mass"
+[[joint]]
+type = "revolute"
+axis = "+z"
+variable = "theta1"
+mass = 2.5
+centre_of_mass = [0.1, 0, 0]
+inertia = [0.02, 0.03, 0.025]
+[[joint]]
+type = "revolute"
+axis = "+y"
+variable = "theta2"
+link = [0.3, 0, 0]
+)toml");
+  ASSERT_TRUE(arm);
+  const pipeline::RobotOutput output = pipeline::generate_robot(arm->robot, {"dynamics"});
+  EXPECT_TRUE(output.counts.contains("inverse_dynamics"));
+  EXPECT_FALSE(output.counts.contains("forward_dynamics"));
+  ASSERT_FALSE(output.missing.empty());
+  EXPECT_EQ(output.missing.front(),
+            "no forward_dynamics: joint 2 moves no mass: the mass matrix has no inverse");
+}
+
 /// All files, with the effort of a real run; of each product its files or the reason why there are none.
 TEST_F(Strangers, EverythingIsGenerated) {
   each(75, [](const Case& arm, std::mt19937&) {

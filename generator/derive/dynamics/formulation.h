@@ -2,6 +2,7 @@
 #pragma once
 
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,12 @@
 #include "model/robot.h"
 
 namespace qvgen::derive::dynamics {
+
+/// A joint with its links has no inertia at all: forward dynamics would divide by zero.
+class MasslessLink : public std::domain_error {
+ public:
+  using std::domain_error::domain_error;
+};
 
 /// Symbols of a joint's rate, acceleration and generalised force: theta1', theta1'', theta1!.
 std::string velocity_of(const std::string& variable);

@@ -46,6 +46,8 @@ std::vector<Scalar> solved(Matrix m, std::vector<Scalar> b, const Scalar& one) {
   Matrix lower(n, std::vector<Scalar>(n));
   std::vector<Scalar> inverse(n);
   for (std::size_t k = n; k-- > 0;) {
+    if (m[k][k].is_zero())
+      throw MasslessLink("joint " + std::to_string(k + 1) + " moves no mass: the mass matrix has no inverse");
     inverse[k] = one / m[k][k];
     for (std::size_t i = 0; i < k; ++i) {
       lower[i][k] = m[i][k] * inverse[k];

@@ -48,12 +48,22 @@ optimise::DynamicsEffort with_choices_of(const std::vector<optimise::DynamicsFun
   return effort;
 }
 
-std::vector<optimise::DynamicsFunction> all_functions(const model::Robot& robot) {
-  std::vector<optimise::DynamicsFunction> functions;
-  for (const optimise::DynamicsQuantity& quantity : optimise::dynamics_quantities()) {
-    functions.push_back(generate_dynamics(robot, quantity, with_choices_of(functions, quantity.choices_of)));
+/// Adds a function; where there is none the reason goes to what is missing.
+void add_to(std::vector<optimise::DynamicsFunction>& functions, const model::Robot& robot,
+            const optimise::DynamicsQuantity& quantity, const optimise::DynamicsEffort& effort,
+            RobotOutput& output) {
+  try {
+    functions.push_back(generate_dynamics(robot, quantity, effort));
     measure(robot, functions.back());
+  } catch (const derive::dynamics::MasslessLink& reason) {
+    output.missing.push_back("no " + quantity.name + ": " + reason.what());
   }
+}
+
+std::vector<optimise::DynamicsFunction> all_functions(const model::Robot& robot, RobotOutput& output) {
+  std::vector<optimise::DynamicsFunction> functions;
+  for (const optimise::DynamicsQuantity& quantity : optimise::dynamics_quantities())
+    add_to(functions, robot, quantity, with_choices_of(functions, quantity.choices_of), output);
   return functions;
 }
 
@@ -137,12 +147,11 @@ void add_function(const model::Robot& robot, optimise::DynamicsFunction function
 
 /// With the choices that were best for the functions that they overload.
 std::vector<optimise::DynamicsFunction> loaded_functions(
-    const model::Robot& robot, const std::vector<optimise::DynamicsFunction>& functions) {
+    const model::Robot& robot, const std::vector<optimise::DynamicsFunction>& functions,
+    RobotOutput& output) {
   std::vector<optimise::DynamicsFunction> result;
-  for (const auto& [base, quantity] : optimise::loaded_quantities()) {
-    result.push_back(generate_dynamics(robot, quantity, with_choices_of(functions, base)));
-    measure(robot, result.back());
-  }
+  for (const auto& [base, quantity] : optimise::loaded_quantities())
+    add_to(result, robot, quantity, with_choices_of(functions, base), output);
   return result;
 }
 
@@ -158,7 +167,7 @@ void add_regressor(const model::Robot& robot, RobotOutput& output) {
 void generate_dynamics_product(const model::Robot& described, RobotOutput& output) {
   if (!optimise::has_inertia(described)) return;
   const model::Robot robot = canonical::for_dynamics(described);
-  const std::vector<optimise::DynamicsFunction> functions = all_functions(robot);
+  const std::vector<optimise::DynamicsFunction> functions = all_functions(robot, output);
   const json inertia{{"parameters", parameters_of(robot)},
                      {"parameter_count", robot.inertia_parameters.size()},
                      {"has_parameters", !robot.inertia_parameters.empty()},
@@ -166,7 +175,7 @@ void generate_dynamics_product(const model::Robot& described, RobotOutput& outpu
   add_functions(robot, functions, "dynamics", inertia, output);
   add_function(robot, inverse_dynamics_derivatives(robot, functions.front()), "dynamics_derivatives",
                emit::angles_of(functions), json::object(), output);
-  add_functions(robot, loaded_functions(robot, functions), "dynamics_loads", json::object(), output);
+  add_functions(robot, loaded_functions(robot, functions, output), "dynamics_loads", json::object(), output);
   add_regressor(robot, output);
 }
 
