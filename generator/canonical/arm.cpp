@@ -259,6 +259,11 @@ Arm for_kinematics(const model::Robot& robot) {
   if (robot.joints.empty()) return plain;
   if (has_symbolic_turns(robot)) return {with_names(robot), plain.phases};
   if (is_plain(robot)) return plain;
+  return along_normals(robot);
+}
+
+Arm along_normals(const model::Robot& robot) {
+  if (robot.joints.empty() || has_symbolic_turns(robot)) return for_kinematics(robot);
   Definitions definitions;
   std::vector<Placement> ways = passages(robot, definitions);
 

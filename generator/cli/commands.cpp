@@ -184,7 +184,7 @@ int show_dynamics(const model::Robot& robot) {
 }
 
 int show_inverse(const model::Robot& described, emit::Notation notation) {
-  const canonical::Arm arm = canonical::for_kinematics(described);
+  const canonical::Arm arm = derive::inverse::arm_to_solve(described);
   const model::Robot robot = emit::inverse_arm(arm).robot;
   bool found = false;
   bool explained = false;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "derive/inverse/inverse.h"
 
+#include <algorithm>
 #include <functional>
 
 #include "derive/inverse/attempt.h"
@@ -73,6 +74,27 @@ Derivation derive_locked(const model::Robot& robot) {
   for (const int locked : {2, 1, 0, 3})
     methods.push_back([locked](Attempt& a) { return by_common_point(a, 4, locked); });
   return first_of(robot, methods);
+}
+
+namespace {
+
+bool has_oblique_wrist(const Derivation& derivation) {
+  const auto& steps = derivation.plan.steps;
+  return derivation.found && std::any_of(steps.begin(), steps.end(),
+                                         [](const Step& step) { return step.kind == Kind::oblique_wrist; });
+}
+
+}  // namespace
+
+canonical::Arm arm_to_solve(const model::Robot& described) {
+  canonical::Arm arm = canonical::for_kinematics(described);
+  if (!has_oblique_wrist(derive(arm.robot)) && !has_oblique_wrist(derive_locked(arm.robot))) return arm;
+  canonical::Arm other = canonical::along_normals(described);
+  const Derivation whole = derive(other.robot);
+  const Derivation locked = derive_locked(other.robot);
+  const bool better =
+      (whole.found || locked.found) && !has_oblique_wrist(whole) && !has_oblique_wrist(locked);
+  return better ? other : arm;
 }
 
 }  // namespace qvgen::derive::inverse

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "canonical/arm.h"
 #include "derive/inverse/plan.h"
 #include "model/robot.h"
 
@@ -25,5 +26,9 @@ Derivation derive(const model::Robot& robot);
 /// which). Seven joints with a wrist at the end, and three parallel ones of which the position alone is
 /// asked.
 Derivation derive_locked(const model::Robot& robot);
+
+/// The arm to derive inverse kinematics for: where its joints' zeros hide that a wrist has right angles,
+/// frames along the common normals show it.
+canonical::Arm arm_to_solve(const model::Robot& described);
 
 }  // namespace qvgen::derive::inverse

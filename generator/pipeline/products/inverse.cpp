@@ -161,7 +161,7 @@ json variant(const emit::InverseArm& arm, const derive::inverse::Plan& derived,
 }  // namespace
 
 void generate_inverse(const model::Robot& described, RobotOutput& output) {
-  const emit::InverseArm arm = emit::inverse_arm(canonical::for_kinematics(described));
+  const emit::InverseArm arm = emit::inverse_arm(derive::inverse::arm_to_solve(described));
   const model::Robot& robot = arm.robot;
   json values{{"name", robot.name}, {"variants", json::array()}, {"reasons", json::array()}};
   values["change"] = emit::change_of_arm(arm);
