@@ -24,11 +24,12 @@ struct Row {
 struct Found {
   Status status = Status::invalid;
   std::vector<Row> rows;
+  inverse::Effort effort = {};
 };
 
 template <class SolutionSet>
 Found copy(const SolutionSet& set) {
-  Found found{set.status, {}};
+  Found found{set.status, {}, set.effort};
   for (const auto& row : set) found.rows.push_back({row.q, row.branch, row.continuum});
   return found;
 }

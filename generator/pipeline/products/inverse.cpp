@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <qvgen/inverse/effort.h>
 
 #include "derive/inverse/inverse.h"
 #include "emit/cpp/inverse/frames.h"
@@ -100,10 +101,18 @@ void add_change_of_arm(const emit::InverseArm& arm, int locked, json& values) {
       locked < 0 ? "" : ", " + given + (has_phases ? " + detail::phases[" + index + "]" : "");
 }
 
-std::size_t polished_joints(const derive::inverse::Plan& plan) {
+int polished_joints(const derive::inverse::Plan& plan) {
   for (const auto& step : plan.steps)
-    if (step.kind == derive::inverse::Kind::polish) return step.turns.size();
+    if (step.kind == derive::inverse::Kind::polish) return static_cast<int>(step.turns.size());
   throw std::logic_error("inverse kinematics: a plan without Newton steps");
+}
+
+/// Branches up to where the joints are polished: all but those of a wrist that ends the plan.
+int polished_branches(const derive::inverse::Plan& plan) {
+  int branches = plan.capacity;
+  for (const auto& step : plan.steps)
+    if (step.is_wrist() && plan.wrist.ends_the_plan) branches /= step.branches;
+  return branches;
 }
 
 json variant(const emit::InverseArm& arm, const derive::inverse::Plan& derived,
@@ -118,6 +127,9 @@ json variant(const emit::InverseArm& arm, const derive::inverse::Plan& derived,
   const std::string given = locked ? robot.joints[static_cast<std::size_t>(derived.locked)].variable : "";
   const std::string function = locked ? "inverse_kinematics_given_" + given : "inverse_kinematics";
   if (const auto counts = verify::inverse_counts(plan); !counts.empty()) all_counts[function] = counts;
+  const int joints = polished_joints(derived);
+  const int branches = polished_branches(derived);
+  const qvgen::inverse::Budget most = qvgen::inverse::most_effort(joints, branches);
   json values{
       {"space", locked ? "given_" + given : "all"},
       {"function", function},
@@ -150,7 +162,10 @@ json variant(const emit::InverseArm& arm, const derive::inverse::Plan& derived,
        derived.quartic()
            ? json(false)
            : json{{"lines", emit::lines_of(emit::scalar_loop_lines(robot, plan, emit::Pass::first))}}},
-      {"polished_joints", std::to_string(polished_joints(derived))},
+      {"polished_joints", std::to_string(joints)},
+      {"polished_branches", std::to_string(branches)},
+      {"most_passes", most.passes},
+      {"most_steps", most.steps},
       {"careful_pass", emit::lines_of(emit::scalar_loop_lines(robot, plan, emit::Pass::careful))},
       {"has_lanes", lanes ? "true" : "false"},
       {"lanes", lanes ? json{{"lines", emit::lines_of(emit::simd_loop_lines(robot, plan))}} : json(false)}};

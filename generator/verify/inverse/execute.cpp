@@ -256,7 +256,7 @@ class Execution {
       const std::string full = name + std::to_string(i + 1);
       return Triple<Real>{in.at(full + "_x"), in.at(full + "_y"), in.at(full + "_z")};
     };
-    Carrying<Real, joints, points> task;
+    PointMatching<Real, joints, points> task;
     JointValues<Real, joints> values;
     for (std::size_t i = 0; i < joints; ++i) {
       const auto& turn = step.turns[i];
@@ -270,7 +270,7 @@ class Execution {
       task.goal[i] = triple("goal", i);
     }
     task.size_square = size_square_;
-    const bool reached = qvgen::inverse::polish(task, tolerance(), values);
+    const bool reached = qvgen::inverse::polish(task, default_tolerance, values);
     for (std::size_t i = 0; i < joints; ++i) {
       known[(task.arm[i].revolute ? "cos_" : "") + step.turns[i]] = values[i].cosine;
       if (task.arm[i].revolute) known["sin_" + step.turns[i]] = values[i].sine;

@@ -87,11 +87,11 @@ class ScalarLoops {
   /// From here on the joints are those of a copy, for the goal: the next branch starts from what the closed
   /// form has found.
   void polished(std::size_t i) {
-    line("if (visited.settled(" + label() + ")) " + (depth_ == 0 ? leave() : "continue;"));
+    line("if (tracker.settled(" + label() + ")) " + (depth_ == 0 ? leave() : "continue;"));
     line("Work<double> p = w;");
     work_ = "p";
     target_ = "goal";
-    leave_unless(call(i, label() + ", visited"));
+    leave_unless(call(i, label() + ", tracker"));
     for (const std::size_t earlier : derive::inverse::order(plan_.plan, careful_)) {
       if (earlier == i) break;
       angles(plan_.plan.steps[earlier]);
@@ -103,6 +103,8 @@ class ScalarLoops {
     line("const auto roots = roots_" + step_name(plan_, i) + "(t, w);");
     const std::string k = open(step, "roots.count");
     line("take_" + step_name(plan_, i) + "(t, roots.root[static_cast<std::size_t>(" + k + ")], w);");
+    // Its roots carry nine to eleven digits.
+    if (careful_) line("w.branch.unsure = true;");
   }
 
   /// The joints whose values a step leaves: their angles are taken when they are sure to be needed.
@@ -150,7 +152,7 @@ class ScalarLoops {
       --depth_;
       line("}");
       if (careful_)
-        line("if (found.size() == before) visited.reopen(" + arm + ", " + branch() + ".continuum);");
+        line("if (found.size() == before) tracker.reopen(" + arm + ", " + branch() + ".continuum);");
       return;
     }
     line("const auto angles = " + call(i) + ";");

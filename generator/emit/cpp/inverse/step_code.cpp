@@ -245,12 +245,12 @@ std::vector<std::string> polish_lines(const model::Robot& robot, const LoweredPl
   const std::string type = "inverse::JointValues<Scalar, " + std::to_string(arm.size()) + ">";
   std::vector<std::string> lines = {type + " values" + joined(from) + ";",
                                     "const " + type + " seed" + joined(seed) + ";",
-                                    "const inverse::Carrying<Scalar, " + std::to_string(arm.size()) + ", " +
-                                        std::to_string(start.size()) + "> task{",
+                                    "const inverse::PointMatching<Scalar, " + std::to_string(arm.size()) +
+                                        ", " + std::to_string(start.size()) + "> task{",
                                     "    " + joined(arm) + ",",
                                     "    " + joined(start) + ",",
                                     "    " + joined(goal) + ", Scalar(t.size_square)};",
-                                    "if (!visited.settle(label, task, t.boundary, t.preference->seeded ? "
+                                    "if (!tracker.settle(label, task, t.boundary, t.preference->seeded ? "
                                     "&seed : nullptr, values, w.branch)) return false;"};
   lines.insert(lines.end(), back.begin(), back.end());
   lines.emplace_back("return true;");

@@ -76,7 +76,7 @@ Rotor<Scalar> direction(const Rotor<Scalar>& v, const Scalar& tiny, const Rotor<
   const Scalar square = v.cosine * v.cosine + v.sine * v.sine;
   const Mask<Scalar> is_free = square <= tiny;
   branch.continuum = branch.continuum | (branch.exists & is_free);
-  branch.doubtful = branch.doubtful | (branch.exists & (square <= Scalar(1e16) * tiny));
+  branch.doubt(square <= Scalar(1e16) * tiny);
   const Scalar scale = Scalar(1) / sqrt(select(is_free, Scalar(1), square));
   return {select(is_free, choice.cosine, Scalar(v.cosine * scale)),
           select(is_free, choice.sine, Scalar(v.sine * scale))};

@@ -11,95 +11,94 @@ template <typename Scalar, std::size_t joints, std::size_t points>
 class Idling {
  public:
   using Values = JointValues<Scalar, joints>;
+  using Newton = polishing::Newton<Scalar, joints, points>;
+  using Reached = inverse::Reached<Scalar, joints, points>;
 
-  explicit Idling(const Carrying<Scalar, joints, points>& task) : task_(task), newton_(task) {}
+  Idling(const PointMatching<Scalar, joints, points>& task, Budget& budget)
+      : task_(task), newton_(task), budget_(budget) {}
 
   /// Whether values that reach the goals can be moved on a little and still reach them, to some more
   /// rounding: the pose itself may be off the continuum by as much as these values are allowed to miss. Where
   /// two solutions merely meet, what is missing then is as the square of the little.
-  [[nodiscard]] bool is_continuum(const Values& values) const {
-    return goes_on(values, Scalar(Scalar(64) * epsilon<Scalar>()));
+  [[nodiscard]] bool is_continuum(const Values& values, const Reached& at) const {
+    return goes_on(values, at, Scalar(Scalar(64) * epsilon<Scalar>()));
   }
 
-  /// Whether values that miss the goals by very little can be moved on and miss them by not much more.
-  [[nodiscard]] bool is_nearly_continuum(const Values& values) const {
+  /// Where steps end short of the goals two solutions may meet, or would beyond the boundary of reach: to
+  /// first order nothing leads on. To second order a step to either side along the idle joint tells, and from
+  /// there steps lead to the solutions if there are any. Returns whether they do. `is_known(values)`: the one
+  /// that another branch has come to already.
+  template <class Known>
+  bool leave_double_root(const Patience& patience, const Known& is_known, Values& values, Reached& at) const {
     using std::sqrt;
-    const Scalar share = newton_.miss(values) / task_.size_square;
-    return share < Scalar(1e-12) && goes_on(values, Scalar(Scalar(4) * sqrt(share)));
-  }
-
-  /// Moves values that are nearly on a continuum along it, to where it meets the goals: Newton's step says
-  /// how far the idle joint has to go, and the others follow by steps of their own, for the way is curved.
-  /// Returns whether it does.
-  bool move_on(Values& values) const {
-    constexpr int rounds = 24;
-    const Scalar enough = Scalar(256) * epsilon<Scalar>() * epsilon<Scalar>() * task_.size_square;
-    for (int round = 0; round < rounds; ++round) {
-      if (!improve(values)) return false;
-      if (newton_.miss(values) <= enough) return true;
+    const Scalar share = at.error / task_.size_square;
+    if (!(share < Scalar(1e-8))) return false;
+    const auto idle = Newton::idle(at);
+    if (idle.least == joints) return false;
+    const Scalar aside = length(idle.least, sqrt(sqrt(share)));
+    const Values meeting = values;
+    const Reached there_at = at;
+    bool found = false;
+    for (const Scalar& by : {aside, Scalar(-aside)}) {
+      Values beside = meeting;
+      const auto others = newton_.following(there_at, idle.least, by);
+      for (std::size_t i = 0; i < joints; ++i) newton_.advance(i, others[i], beside);
+      if (!budget_.step()) return found;
+      Reached there = newton_.reached(beside);
+      if (!(there.error < there_at.error) || !polish(task_, patience, beside, there, budget_)) continue;
+      values = beside;
+      at = there;
+      found = true;
+      if (!is_known(values)) return true;
     }
-    return false;
+    return found;
   }
 
   /// Whether between two values that reach the goals, near each other, there are such values too.
-  [[nodiscard]] bool are_joined(const Values& a, const Values& b) const {
-    const auto idle = newton_.idle(a);
+  [[nodiscard]] bool are_joined(const Values& a, const Reached& at, const Values& b) const {
+    const auto idle = Newton::idle(at);
     if (idle.least == joints) return false;
     Values middle = a;
     for (std::size_t i = 0; i < joints; ++i) {
       middle[i].cosine = (a[i].cosine + b[i].cosine) / Scalar(2);
       middle[i].sine = (a[i].sine + b[i].sine) / Scalar(2);
     }
-    if (!polish(task_, Scalar(0), middle, idle.is)) return false;
+    Reached there;
+    if (!polish(task_, quick, middle, there, budget_, idle.is)) return false;
     const Scalar most = Scalar(0.6) * distance_square(a, b);
     return distance_square(a, middle) < most && distance_square(b, middle) < most;
   }
 
  private:
+  /// Next to a continuum steps converge at once; elsewhere they need not.
+  static constexpr Patience quick{0, 1, 1e-4};
+
   [[nodiscard]] Scalar length(std::size_t joint, const Scalar& angle) const {
     using std::sqrt;
     return task_.arm[joint].revolute ? angle : Scalar(angle * sqrt(task_.size_square));
   }
 
-  [[nodiscard]] bool goes_on(const Values& values, const Scalar& allowed) const {
-    const auto idle = newton_.idle(values);
+  [[nodiscard]] bool goes_on(const Values& values, const Reached& at, const Scalar& allowed) const {
+    const auto idle = Newton::idle(at);
     if (idle.least == joints) return false;
     const Scalar little = length(idle.least, Scalar(1e-2));
+    // What is off to first order already, with a wide margin: the way may be curved.
+    const Scalar most = Scalar(100) * allowed;
+    if (little * little * idle.square > most * most * task_.size_square) return false;
     for (const Scalar& by : {little, Scalar(-little)}) {
       Values moved_on = values;
-      newton_.advance(idle.least, by, moved_on);
-      if (polish(task_, allowed, moved_on, idle.is)) return true;
-    }
-    return false;
-  }
-
-  /// One step of `move_on`, shorter if it does not get nearer; false if none does.
-  bool improve(Values& values) const {
-    using std::sqrt;
-    const auto idle = newton_.idle(values);
-    if (idle.least == joints) return polish(task_, Scalar(0), values);
-    const Scalar least = newton_.miss(values);
-    auto by = newton_.step(values, Scalar(Scalar(1e-2) * sqrt(least)), Scalar(Scalar(2) * epsilon<Scalar>()));
-    for (int attempt = 0; attempt < 4; ++attempt) {
-      Values moved_on = values;
-      for (std::size_t i = 0; i < joints; ++i) {
-        if (!idle.is[i]) continue;
-        const Scalar most = length(i, Scalar(0.3));
-        by[i] = smaller(larger(by[i], Scalar(-most)), most);
-        newton_.advance(i, by[i], moved_on);
-        by[i] = by[i] / Scalar(4);
-      }
-      polish(task_, Scalar(0), moved_on, idle.is);
-      if (newton_.miss(moved_on) < least) {
-        values = moved_on;
+      const auto others = newton_.following(at, idle.least, by);
+      for (std::size_t i = 0; i < joints; ++i) newton_.advance(i, others[i], moved_on);
+      Reached there;
+      if (polish(task_, {allowed, quick.idle_steps, quick.gain}, moved_on, there, budget_, idle.is))
         return true;
-      }
     }
     return false;
   }
 
-  const Carrying<Scalar, joints, points>& task_;
-  polishing::Newton<Scalar, joints, points> newton_;
+  const PointMatching<Scalar, joints, points>& task_;
+  Newton newton_;
+  Budget& budget_;
 };
 
 }  // namespace qvgen::inverse

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 
+#include <qvgen/inverse/pairs.h>
 #include <qvgen/inverse/scalar.h>
 
 namespace qvgen::inverse {
@@ -14,16 +15,15 @@ using Vector = std::array<Scalar, size>;
 
 template <typename Scalar, std::size_t size>
 Scalar dot(const Vector<Scalar, size>& a, const Vector<Scalar, size>& b) {
-  Scalar sum(0);
-  for (std::size_t i = 0; i < size; ++i) sum += a[i] * b[i];
-  return sum;
+  return sum_of_products(a, b);
 }
 
-/// Takes a column's direction out of v and returns how much of the column that was.
+/// Takes a column's direction out of v and returns how much of the column that was; `scale` is 1 / its
+/// square.
 template <typename Scalar, std::size_t size>
-Scalar take_out(const Vector<Scalar, size>& column, const Scalar& square, Vector<Scalar, size>& v) {
-  const Scalar share = dot(column, v) / square;
-  for (std::size_t i = 0; i < size; ++i) v[i] -= share * column[i];
+Scalar take_out(const Vector<Scalar, size>& column, const Scalar& scale, Vector<Scalar, size>& v) {
+  const Scalar share = dot(column, v) * scale;
+  add_multiple(Scalar(-share), column, v);
   return share;
 }
 
@@ -41,8 +41,9 @@ Vector<Scalar, columns> least_squares(std::array<Vector<Scalar, rows>, columns> 
     const Scalar square = dot(a[i], a[i]);
     if (!(square > nothing * nothing * longest)) continue;
     r[i][i] = square;
-    for (std::size_t j = i + 1; j < columns; ++j) r[i][j] = take_out(a[i], square, a[j]);
-    x[i] = take_out(a[i], square, b);
+    const Scalar scale = Scalar(1) / square;
+    for (std::size_t j = i + 1; j < columns; ++j) r[i][j] = take_out(a[i], scale, a[j]);
+    x[i] = take_out(a[i], scale, b);
   }
   for (std::size_t i = columns; i-- > 0;)
     for (std::size_t j = i + 1; j < columns && r[i][i] > Scalar(0); ++j) x[i] -= r[i][j] * x[j];
@@ -50,18 +51,19 @@ Vector<Scalar, columns> least_squares(std::array<Vector<Scalar, rows>, columns> 
 }
 
 /// The columns that add less than `nothing` of the longest to the others, and the one that adds least.
-template <std::size_t columns>
+template <typename Scalar, std::size_t columns>
 struct Dependent {
   std::array<bool, columns> is{};
   std::size_t least = columns;
+  Scalar square{0};  ///< of what that one adds
 };
 
 /// Always takes the longest of what is left: of columns that depend on each other, one that has much to do
 /// with it is found. Exact numbers would allow any; but moving one with a share of a thousandth moves the
 /// others a thousandfold.
 template <typename Scalar, std::size_t columns, std::size_t rows>
-Dependent<columns> dependent(std::array<Vector<Scalar, rows>, columns> a, const Scalar& nothing) {
-  Dependent<columns> result;
+Dependent<Scalar, columns> dependent(std::array<Vector<Scalar, rows>, columns> a, const Scalar& nothing) {
+  Dependent<Scalar, columns> result;
   result.is.fill(true);
   Scalar limit(0);
   for (std::size_t taken = 0; taken < columns; ++taken) {
@@ -75,10 +77,14 @@ Dependent<columns> dependent(std::array<Vector<Scalar, rows>, columns> a, const 
       if (result.least == columns || square[i] <= square[result.least]) result.least = i;
     }
     limit = larger(limit, Scalar(nothing * nothing * square[longest]));
-    if (!(square[longest] > limit)) return result;
+    if (!(square[longest] > limit)) {
+      result.square = square[result.least];
+      return result;
+    }
     result.is[longest] = false;
+    const Scalar scale = Scalar(1) / square[longest];
     for (std::size_t i = 0; i < columns; ++i)
-      if (result.is[i]) take_out(a[longest], square[longest], a[i]);
+      if (result.is[i]) take_out(a[longest], scale, a[i]);
   }
   result.least = columns;
   return result;

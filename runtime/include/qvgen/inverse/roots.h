@@ -8,22 +8,30 @@ namespace qvgen::inverse {
 /// A boundary in the units of an equation's range, what is outside negative.
 template <typename Scalar>
 struct Limits {
-  Scalar doubt, beyond, accept;
+  Scalar doubt, beyond, accept, unsure;
+  bool wide;
 
   explicit Limits(const Boundary& boundary)
-      : doubt(boundary.doubt), beyond(-boundary.beyond), accept(-boundary.accept) {}
+      : doubt(boundary.doubt),
+        beyond(-boundary.beyond),
+        accept(-boundary.accept),
+        unsure(boundary.unsure),
+        wide(boundary.wide) {}
   Limits(const Boundary& boundary, const Scalar& range)
       : doubt(Scalar(boundary.doubt) * range),
         beyond(Scalar(-boundary.beyond) * range),
-        accept(Scalar(-boundary.accept) * range) {}
+        accept(Scalar(-boundary.accept) * range),
+        unsure(Scalar(boundary.unsure) * range),
+        wide(boundary.wide) {}
 };
 
 /// Whether a branch exists that is `margin` from the end of a range; `nearly_free` as for `Boundary::near`.
 template <typename Scalar>
 void admit(const Scalar& margin, const Limits<Scalar>& limits, const Mask<Scalar>& nearly_free,
            Branch<Scalar>& branch) {
-  const Mask<Scalar> close = ((margin < limits.doubt) & (margin > limits.beyond)) | nearly_free;
-  branch.doubtful = branch.doubtful | (branch.exists & close);
+  const Mask<Scalar> close = ((margin < limits.doubt) & (margin > limits.beyond));
+  branch.doubt(limits.wide ? Mask<Scalar>(close | nearly_free) : close);
+  branch.unsure = branch.unsure | (margin < limits.unsure) | nearly_free;
   branch.exists = branch.exists & ((margin >= limits.accept) | nearly_free);
 }
 
@@ -146,7 +154,7 @@ Rotor<Scalar> chosen_direction(const Rotor<Scalar>& v, const Rotor<Scalar>& choi
   const Scalar noise = Scalar(16) * epsilon<Scalar>();
   const Scalar little(1e-20);
   const Scalar square = v.cosine * v.cosine + v.sine * v.sine;
-  branch.doubtful = branch.doubtful | (branch.exists & (square <= little));
+  branch.doubt(square <= little);
   return direction(v, boundary.choose ? little : Scalar(noise * noise * noise * noise), choice, branch);
 }
 

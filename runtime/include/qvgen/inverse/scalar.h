@@ -95,38 +95,69 @@ inline double with_sign_bit(double magnitude, double sign) { return std::copysig
 inline double flipped(double a, double sign) { return a * std::copysign(1.0, sign); }
 
 /// How blocks treat the ends of their range, where two solutions meet and rounding decides whether they
-/// exist.
-///
-/// A first pass takes equations at their word and says where it should not be trusted. Poses in doubt are
-/// solved once more: whatever might exist is followed from the end of the range, and Newton steps and the
-/// pose they reach decide. Branches that come to nothing so are followed again from two places apart, since
-/// at the end itself Newton's steps are blind; and what is left may be out of reach by less than is
-/// tolerated.
+/// exist. `plain` is for regular poses: equations are taken at their word, and what should not be trusted is
+/// said. The others are for poses near singular ones: whatever might exist is followed, and Newton steps and
+/// the pose they reach decide; near_singular.h shows when each is used.
 struct Boundary {
-  double accept;  ///< so far outside, as a share of the range, a branch still exists and is taken to the end
-                  ///< of the range
-  double doubt;   ///< nearer to an end than this share, inside, the branch is doubtful
-  double beyond;  ///< the same outside: what is farther out is not for rounding to decide
-  double floor;   ///< least share of the range: what is nearer to the end is moved away from it
-  double near;    ///< a direction whose square is below this multiple of noise is nearly free: doubtful, and
-                  ///< accepted at any share
-  bool choose;    ///< what is nearly free is chosen as if it were free
-  bool take;      ///< places on a continuum are taken where nothing has been chosen, too
-  double gap;   ///< a free direction's equation holds if the square of what is left is below this multiple of
-                ///< noise
-  double miss;  ///< how far off the pose polished joints may leave the arm, as a share of its size
-  double fold;  ///< so far outside a wrist at the end of the arm's joints still exists, folded
+  double accept = 0;  ///< so far outside, as a share of the range, a branch still exists and is taken to the
+                      ///< end of the range
+  double doubt = 0;   ///< nearer to an end than this share, inside, the branch is doubtful
+  double beyond = 0;  ///< the same outside: what is farther out is not for rounding to decide
+  double unsure = 1e-7;  ///< nearer to an end than this share Newton steps judge what the branch leads to
+  double floor = 0;      ///< least share of the range: what is nearer to the end is moved away from it
+  double near = 1e18;    ///< a direction whose square is below this multiple of noise is nearly free, and
+                         ///< accepted at any share
+  bool wide = true;      ///< what is nearly free is doubtful, even if no pass would choose it
+  bool choose = false;   ///< what is nearly free is chosen as if it were free
+  bool take = false;     ///< places on a continuum are taken where nothing has been chosen, too
+  double gap = 64;       ///< a free direction's equation holds if the square of what is left is below this
+                         ///< multiple of noise
+  double miss = 0;       ///< how far off the pose polished joints may leave the arm, as a share of its size
+  double fold = 0;       ///< so far outside a wrist at the end of the arm's joints still exists, folded
 
   static constexpr Boundary plain(double tolerance) {
-    return {0,        1e-7 + 100 * tolerance, 1e-10 + 100 * tolerance, 0, 1e18, false, false, 64, tolerance,
-            tolerance};
+    Boundary boundary;
+    boundary.doubt = 1e-7 + 100 * tolerance;
+    boundary.beyond = 1e-10 + 100 * tolerance;
+    boundary.miss = tolerance;
+    boundary.fold = tolerance;
+    return boundary;
   }
-  /// From the ends of the ranges, taking no miss but rounding. What that leaves in the joints of an arm near
-  /// a singular place of its own reaches the wrist magnified: half of the 1e-12 that no solution may miss its
-  /// pose by.
+
+  // The passes of near_singular.h.
+
+  /// From the ends of the ranges. What polishing leaves in the joints of an arm near a singular place of its
+  /// own reaches the wrist magnified: half of the 1e-12 that no solution may miss its pose by.
+  static constexpr Boundary ends(double tolerance) {
+    Boundary boundary = careful(tolerance);
+    boundary.unsure = 1e-7 + 100 * tolerance;
+    boundary.wide = false;
+    boundary.miss = tolerance;
+    return boundary;
+  }
+  /// The same with a choice where an angle is nearly free.
+  static constexpr Boundary chosen(double tolerance) {
+    Boundary boundary = ends(tolerance);
+    boundary.choose = true;
+    return boundary;
+  }
+  /// The same where the choice leaves the joints after it out of reach: they are stretched to where it would
+  /// be, and Newton's steps turn the chosen joint until they reach.
+  static constexpr Boundary stretched(double tolerance) {
+    Boundary boundary = chosen(tolerance);
+    boundary.accept = 1e3;
+    return boundary;
+  }
+
+  // The passes of quartic/care.h.
+
+  /// From the ends of the ranges, taking no miss but rounding.
   static constexpr Boundary careful(double tolerance) {
-    return {
-        1e-3 + 100 * tolerance, 0, 0, 0, 1e18, false, false, 64e14, 0, tolerance > 5e-13 ? tolerance : 5e-13};
+    Boundary boundary;
+    boundary.accept = 1e-3 + 100 * tolerance;
+    boundary.gap = 64e14;
+    boundary.fold = tolerance > 5e-13 ? tolerance : 5e-13;
+    return boundary;
   }
   /// The same with a choice where an angle is nearly free.
   static constexpr Boundary choosing(double tolerance) {
@@ -135,8 +166,7 @@ struct Boundary {
     boundary.take = true;
     return boundary;
   }
-  /// The same where the choice leaves the joints after it out of reach: they are stretched to where it would
-  /// be, and Newton's steps turn the chosen joint until they reach.
+  /// The same where the choice leaves the joints after it out of reach.
   static constexpr Boundary reaching(double tolerance) {
     Boundary boundary = choosing(tolerance);
     boundary.accept = 1e3;
@@ -160,6 +190,9 @@ struct Boundary {
     boundary.miss = tolerance;
     return boundary;
   }
+
+  /// Whether this is the pass of a regular pose.
+  [[nodiscard]] constexpr bool is_plain() const { return doubt > 0; }
 };
 
 /// What is known of the branch that a sequence of blocks follows.
@@ -170,15 +203,23 @@ struct Branch {
   Mask<Scalar> doubtful{
       false};  ///< true: rounding may have decided what exists, on this branch or on one before
 
+  Mask<Scalar> unsure{false};  ///< the same on this branch alone, in passes near singular poses too
+
   /// Back to a fork; doubts stay.
   void resume(const Branch& fork) {
     exists = fork.exists;
     continuum = fork.continuum;
+    unsure = fork.unsure;
+  }
+  void doubt(const Mask<Scalar>& condition) {
+    doubtful = doubtful | (exists & condition);
+    unsure = unsure | condition;
   }
   /// Where an angle is free it has been chosen, if the equation holds; elsewhere the branch is what a regular
   /// block has found.
   void take(const Mask<Scalar>& is_free, const Mask<Scalar>& holds, const Branch& regular) {
     doubtful = doubtful | (exists & is_free) | regular.doubtful;
+    unsure = unsure | is_free | regular.unsure;
     exists = (is_free & exists & holds) | ((!is_free) & regular.exists);
     continuum = continuum | (exists & is_free);
   }

@@ -15,11 +15,12 @@ Scalar blind_square(const Boundary& boundary) {
   return boundary.choose ? Scalar(1e-20) : Scalar(noise * noise);
 }
 
-/// Whether a part of a unit vector of the given square costs digits that matter: two in a first pass; later
-/// only what a choice may have to replace.
+/// A part of a unit vector of the given square may cost digits that matter: two in a first pass; later only
+/// what a choice may have to replace is doubtful, though what it leads to is unsure.
 template <typename Scalar>
-Mask<Scalar> costs_digits(const Scalar& square, const Boundary& boundary) {
-  return square <= Scalar(boundary.doubt > 0 ? 1e-4 : 1e-20);
+void doubt_digits(const Scalar& square, const Boundary& boundary, Branch<Scalar>& branch) {
+  branch.doubt(square <= Scalar(boundary.is_plain() ? 1e-4 : 1e-20));
+  branch.unsure = branch.unsure | (square <= Scalar(1e-4));
 }
 
 /// Where the line point + t along meets a circle about the origin: t = foot ± half, half = 0 if it does not.
@@ -81,7 +82,7 @@ Scalar slide_on_line(const Rotor<Scalar>& along, const Rotor<Scalar>& rhs, const
   const Mask<Scalar> is_free = square <= blind_square<Scalar>(boundary);
   const Mask<Scalar> is_loose = square <= Scalar(1e-24);
   Branch<Scalar> regular = branch;
-  regular.doubtful = regular.doubtful | (regular.exists & costs_digits(square, boundary));
+  doubt_digits(square, boundary, regular);
   branch.take(is_free, gap <= Scalar(boundary.gap) * tiny, regular);
   branch.continuum = branch.continuum | (branch.exists & is_loose);
   const Scalar divisor = select(is_free, Scalar(1), square);
@@ -109,7 +110,7 @@ Scalar quadratic_root(const Scalar& a, const Scalar& b, const Scalar& c, const S
   const Scalar sum = b + with_sign(root, b);
   const Mask<Scalar> wants_large = with_sign(sign, b) < Scalar(0);
   const Mask<Scalar> is_far = wants_large & (a * a <= blind_square<Scalar>(boundary));
-  branch.doubtful = branch.doubtful | (branch.exists & costs_digits(Scalar(a * a), boundary));
+  doubt_digits(Scalar(a * a), boundary, branch);
   branch.exists = branch.exists & !is_far;
   const Scalar divisor = select(wants_large, a, sum);
   const Scalar value = select(wants_large, sum, c);
@@ -140,7 +141,7 @@ Rotor<Scalar> two_slides(const Rotor<Scalar>& ab, const Scalar& k, const Rotor<S
                              select(is_free, Scalar(0), Scalar(-ab.sine * scale))};
   const Rotor<Scalar> along{-normal.sine, normal.cosine};
   Branch<Scalar> regular = branch;
-  regular.doubtful = regular.doubtful | (regular.exists & costs_digits(square, boundary));
+  doubt_digits(square, boundary, regular);
   branch.take(is_free, k * k <= Scalar(boundary.gap) * tiny, regular);
   const Scalar by = quadratic_root<Scalar>(
       along.cosine * along.cosine - along.sine * along.sine,

@@ -5,6 +5,7 @@
 #include <array>
 
 #include <Eigen/Core>
+#include <qvgen/inverse/effort.h>
 
 namespace qvgen {
 
@@ -13,7 +14,8 @@ enum class Status {
   solved,       ///< every solution is in the set
   singular,     ///< infinitely many: at least one row stands for a continuum and is marked
   unreachable,  ///< no joints reach the pose; the set is empty
-  invalid       ///< NaN, infinite, or not a rotation; the set is empty
+  invalid,      ///< NaN, infinite, or not a rotation; the set is empty
+  incomplete    ///< near a singular pose all allowed work is done: every row is right, others may exist
 };
 
 /// What a generated inverse kinematics solves.
@@ -38,13 +40,15 @@ class Solutions {
  public:
   static constexpr int max_size = capacity;
   Status status = Status::unreachable;
+  inverse::Effort effort;  ///< what a pose near a singular one has cost
 
   Solutions() {}  // NOLINT(modernize-use-equals-default): leaves the rows uninitialised, also for `= {}`
-  Solutions(const Solutions& other) : status(other.status), size_(other.size_) {
+  Solutions(const Solutions& other) : status(other.status), effort(other.effort), size_(other.size_) {
     std::copy(other.begin(), other.end(), begin());
   }
   Solutions& operator=(const Solutions& other) {
     status = other.status;
+    effort = other.effort;
     size_ = other.size_;
     if (this != &other) std::copy(other.begin(), other.end(), begin());
     return *this;
@@ -67,11 +71,14 @@ class Solutions {
   void clear() { size_ = 0; }
   void truncate(int size) { size_ = size; }
 
-  /// solved, singular or unreachable from the rows that were found.
+  /// solved, singular, unreachable or incomplete, from the rows that were found.
   void conclude() {
     bool marked = false;
     for (const Solution<dof>& row : *this) marked = marked || row.continuum;
-    status = empty() ? Status::unreachable : marked ? Status::singular : Status::solved;
+    status = effort.used_up ? Status::incomplete
+             : empty()      ? Status::unreachable
+             : marked       ? Status::singular
+                            : Status::solved;
   }
 
  private:

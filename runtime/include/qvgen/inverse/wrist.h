@@ -42,11 +42,14 @@ Vanishing<Scalar> vanishing(const Scalar& u_square, const Scalar& v_square, cons
                             Branch<Scalar>& branch) {
   const Scalar noise = wrist_noise<Scalar>() * wrist_noise<Scalar>() * (u_square + v_square);
   const Scalar little = Scalar(boundary.near) * noise;
-  branch.doubtful = branch.doubtful | (branch.exists & ((u_square <= little) | (v_square <= little)));
+  // Narrower than where doubt begins: Newton steps have to make good what the choice turns away. Behind a
+  // double root, which carries half the digits, more may be noise.
+  const Scalar choosable = select(branch.unsure | Mask<Scalar>(boundary.wide), Scalar(1e14), Scalar(1e5));
+  const Scalar doubtful = boundary.wide ? little : Scalar(choosable * noise);
+  branch.unsure = branch.unsure | (u_square <= little) | (v_square <= little);
+  branch.doubt((u_square <= doubtful) | (v_square <= doubtful));
   branch.continuum = branch.continuum | (branch.exists & ((u_square <= noise) | (v_square <= noise)));
-  // Narrower than where doubt begins: Newton steps have to make good what the choice turns away.
-  constexpr double choosable = 1e14;
-  const Scalar least = boundary.choose ? Scalar(Scalar(choosable) * noise) : noise;
+  const Scalar least = boundary.choose ? Scalar(choosable * noise) : noise;
   return {u_square <= least, v_square <= least};
 }
 
@@ -227,7 +230,7 @@ WristAngles<Scalar> oblique_wrist(const Rotor<Scalar>& u11, const Rotor<Scalar>&
   const Mask<Scalar> cosine_twin =
       ((square.cosine <= merge_share<Scalar>()) & (!square.right_difference)) | is_free.v;
   const Mask<Scalar> is_near = margin >= Scalar(-boundary.fold);
-  branch.doubtful = branch.doubtful | (branch.exists & !is_near & (margin > Scalar(-boundary.beyond)));
+  branch.doubt(!is_near & (margin > Scalar(-boundary.beyond)));
   branch.exists = branch.exists & is_near & !((sine_twin | cosine_twin) & (sign < zero));
   const Scalar s = select(sine_twin, zero, sqrt(not_negative(square.sine)));
   const Scalar c = select(cosine_twin, zero, sqrt(not_negative(square.cosine)));

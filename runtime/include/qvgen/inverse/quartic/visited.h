@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <qvgen/inverse/continuum.h>
+#include <qvgen/inverse/quartic/continuum.h>
 
-namespace qvgen::inverse {
+namespace qvgen::inverse::quartic {
 
 /// What has come of each branch, and the solutions so far by the values of the joints that decide: the closed
 /// form may come to one from two branches, and polishing brings two together where they are one.
@@ -35,7 +35,7 @@ class Visited {
   /// Polishes where a branch has led; true if that is a solution and a new one, to half the digits. On a
   /// continuum the place is to be one that a pass has chosen, or the one next to the seed, if there is one.
   template <std::size_t points>
-  bool settle(int label, const Carrying<Scalar, joints, points>& task, const Boundary& boundary,
+  bool settle(int label, const PointMatching<Scalar, joints, points>& task, const Boundary& boundary,
               const Values* seed, Values& values, Branch<Scalar>& branch) {
     const auto at = static_cast<std::size_t>(label);
     const Idling<Scalar, joints, points> idling(task);
@@ -63,7 +63,8 @@ class Visited {
  private:
   /// The place on the continuum to which Newton steps from the seed lead, if no branch has come there yet.
   template <std::size_t points>
-  void near_seed(const Carrying<Scalar, joints, points>& task, const Values& seed, Values& values) const {
+  void near_seed(const PointMatching<Scalar, joints, points>& task, const Values& seed,
+                 Values& values) const {
     const Idling<Scalar, joints, points> idling(task);
     Values near = seed;
     if (!polish(task, Scalar(0), near) || is_known(idling, near) || !idling.is_continuum(near)) return;
@@ -93,4 +94,4 @@ class Visited {
   std::size_t count_ = 0;
 };
 
-}  // namespace qvgen::inverse
+}  // namespace qvgen::inverse::quartic

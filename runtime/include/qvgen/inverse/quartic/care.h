@@ -3,11 +3,11 @@
 
 #include <cmath>
 
+#include <qvgen/inverse/quartic/visited.h>
 #include <qvgen/inverse/request.h>
 #include <qvgen/inverse/solutions.h>
-#include <qvgen/inverse/visited.h>
 
-namespace qvgen::inverse {
+namespace qvgen::inverse::quartic {
 
 /// Every preferred angle further by a 16th of a turn, and slides elsewhere in reach.
 template <int dof>
@@ -81,4 +81,4 @@ void solve_carefully(const Pose<double>& pose, const Aim& aimed, Visited visited
   sort_by_branch(found);
 }
 
-}  // namespace qvgen::inverse
+}  // namespace qvgen::inverse::quartic

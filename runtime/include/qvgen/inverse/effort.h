@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace qvgen::inverse {
+
+/// What a pose near a singular one has cost beyond closed forms; all zero elsewhere.
+struct Effort {
+  int passes = 0;        ///< passes over the branches, one by one
+  int steps = 0;         ///< evaluations of the Jacobian, a Newton step each or a test
+  bool used_up = false;  ///< a pass or a step was refused while a branch was still undecided
+};
+
+/// How often each is allowed: counted, so that the bound holds by construction, whatever the pose.
+struct Budget {
+  int passes;
+  int steps;
+  Effort spent = {};
+
+  bool pass() { return take(spent.passes, passes); }
+  bool step() { return take(spent.steps, steps); }
+
+ private:
+  bool take(int& spent_so_far, int most) {
+    const bool allowed = spent_so_far < most;
+    spent_so_far += allowed ? 1 : 0;
+    spent.used_up = spent.used_up || !allowed;
+    return allowed;
+  }
+};
+
+/// What a pose may cost an arm whose joints are polished on so many branches: about twice what any pose has
+/// cost that the README of tests/inverse counts. With six joints a step takes three times as long as with
+/// three.
+constexpr Budget most_effort(int joints, int branches) {
+  return {8, joints > 3 ? 20 + 5 * branches : 40 + 8 * branches};
+}
+
+}  // namespace qvgen::inverse

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <qvgen/inverse/quartic/polish.h>
+
+namespace qvgen::inverse::quartic {
+
+/// Joint values in whose neighbourhood a joint is idle: what it does to the points the others can make up
+/// for. They then lie on a continuum of solutions, near one, or where two solutions meet.
+template <typename Scalar, std::size_t joints, std::size_t points>
+class Idling {
+ public:
+  using Values = JointValues<Scalar, joints>;
+
+  explicit Idling(const PointMatching<Scalar, joints, points>& task) : task_(task), newton_(task) {}
+
+  /// Whether values that reach the goals can be moved on a little and still reach them, to some more
+  /// rounding: the pose itself may be off the continuum by as much as these values are allowed to miss. Where
+  /// two solutions merely meet, what is missing then is as the square of the little.
+  [[nodiscard]] bool is_continuum(const Values& values) const {
+    return goes_on(values, Scalar(Scalar(64) * epsilon<Scalar>()));
+  }
+
+  /// Whether values that miss the goals by very little can be moved on and miss them by not much more.
+  [[nodiscard]] bool is_nearly_continuum(const Values& values) const {
+    using std::sqrt;
+    const Scalar share = newton_.miss(values) / task_.size_square;
+    return share < Scalar(1e-12) && goes_on(values, Scalar(Scalar(4) * sqrt(share)));
+  }
+
+  /// Moves values that are nearly on a continuum along it, to where it meets the goals: Newton's step says
+  /// how far the idle joint has to go, and the others follow by steps of their own, for the way is curved.
+  /// Returns whether it does.
+  bool move_on(Values& values) const {
+    constexpr int rounds = 24;
+    const Scalar enough = Scalar(256) * epsilon<Scalar>() * epsilon<Scalar>() * task_.size_square;
+    for (int round = 0; round < rounds; ++round) {
+      if (!improve(values)) return false;
+      if (newton_.miss(values) <= enough) return true;
+    }
+    return false;
+  }
+
+  /// Whether between two values that reach the goals, near each other, there are such values too.
+  [[nodiscard]] bool are_joined(const Values& a, const Values& b) const {
+    const auto idle = newton_.idle(a);
+    if (idle.least == joints) return false;
+    Values middle = a;
+    for (std::size_t i = 0; i < joints; ++i) {
+      middle[i].cosine = (a[i].cosine + b[i].cosine) / Scalar(2);
+      middle[i].sine = (a[i].sine + b[i].sine) / Scalar(2);
+    }
+    if (!polish(task_, Scalar(0), middle, idle.is)) return false;
+    const Scalar most = Scalar(0.6) * distance_square(a, b);
+    return distance_square(a, middle) < most && distance_square(b, middle) < most;
+  }
+
+ private:
+  [[nodiscard]] Scalar length(std::size_t joint, const Scalar& angle) const {
+    using std::sqrt;
+    return task_.arm[joint].revolute ? angle : Scalar(angle * sqrt(task_.size_square));
+  }
+
+  [[nodiscard]] bool goes_on(const Values& values, const Scalar& allowed) const {
+    const auto idle = newton_.idle(values);
+    if (idle.least == joints) return false;
+    const Scalar little = length(idle.least, Scalar(1e-2));
+    for (const Scalar& by : {little, Scalar(-little)}) {
+      Values moved_on = values;
+      newton_.advance(idle.least, by, moved_on);
+      if (polish(task_, allowed, moved_on, idle.is)) return true;
+    }
+    return false;
+  }
+
+  /// One step of `move_on`, shorter if it does not get nearer; false if none does.
+  bool improve(Values& values) const {
+    using std::sqrt;
+    const auto idle = newton_.idle(values);
+    if (idle.least == joints) return polish(task_, Scalar(0), values);
+    const Scalar least = newton_.miss(values);
+    auto by = newton_.step(values, Scalar(Scalar(1e-2) * sqrt(least)), Scalar(Scalar(2) * epsilon<Scalar>()));
+    for (int attempt = 0; attempt < 4; ++attempt) {
+      Values moved_on = values;
+      for (std::size_t i = 0; i < joints; ++i) {
+        if (!idle.is[i]) continue;
+        const Scalar most = length(i, Scalar(0.3));
+        by[i] = smaller(larger(by[i], Scalar(-most)), most);
+        newton_.advance(i, by[i], moved_on);
+        by[i] = by[i] / Scalar(4);
+      }
+      polish(task_, Scalar(0), moved_on, idle.is);
+      if (newton_.miss(moved_on) < least) {
+        values = moved_on;
+        return true;
+      }
+    }
+    return false;
+  }
+
+  const PointMatching<Scalar, joints, points>& task_;
+  polishing::Newton<Scalar, joints, points> newton_;
+};
+
+}  // namespace qvgen::inverse::quartic

@@ -1,0 +1,30 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# singular_instructions.sh PROGRAM [POSES]: a table, instructions of a call of inverse kinematics at singular poses and near
+# them, as valgrind counts them: median, 99.9 %, worst and mean, and worst and mean as multiples of a random pose's median.
+# PROGRAM is qvgen_singular_instructions, compiled for no more than AVX2, beyond which valgrind knows none.
+set -euo pipefail
+
+poses=${2:-200}
+folder=$(mktemp -d)
+trap 'rm -r "$folder"' EXIT
+
+printf '%-32s%10s%10s%10s%10s%12s%12s\n' 'singular poses' median '99.9 %' worst mean 'worst/reg.' 'mean/reg.'
+for robot in ur5 irb6640 puma560; do
+  regular=0
+  for set in random home 'theta5 = 0' 'theta5 = 10^-u' 'theta3 = 0' 'theta3 = 10^-u' '45 degrees'; do
+    rm -f "$folder"/out*
+    valgrind --tool=callgrind --toggle-collect="qvgen::robots::${robot}::inverse_kinematics(*" \
+      --callgrind-out-file="$folder/out" --log-file="$folder/log" "$1" "$robot" "$set" "$poses" >/dev/null
+    row=$(for file in "$folder"/out.*; do sed -n 's/^totals: //p' "$file"; done | sort -n | awk -v regular="$regular" '
+      { value[NR] = $1; sum += $1 }
+      END {
+        median = value[int((NR + 1) / 2)]; mean = sum / NR
+        if (regular == 0) regular = median
+        printf "%10d%10d%10d%10d%12.1f%12.1f\n", median, value[int(NR * 0.999 + 0.999)], value[NR], mean,
+               value[NR] / regular, mean / regular
+      }')
+    [[ $regular != 0 ]] || regular=$(awk '{ print $1 }' <<<"$row")
+    printf '%-32s%s\n' "$robot, $set" "$row"
+  done
+done
