@@ -3,8 +3,9 @@
 // ./qvgen generate
 #include <qvgen/robots/iiwa14/inverse.h>
 
-#include <qvgen/inverse/care.h>
+#include <qvgen/inverse/near_singular.h>
 #include <qvgen/inverse/lanes.h>
+
 #include <qvgen/inverse/request.h>
 
 #include "inverse_steps.h"
@@ -67,11 +68,11 @@ Target given([[maybe_unused]] const Geometry& g, double tolerance, const inverse
   return !w.branch.doubtful;
 }
 
-using Visited = inverse::Visited<double, 3, 8>;
+using Tracker = inverse::BranchTracker<double, 3, 4>;
 
 /// One pass near singular poses: every branch that may exist at one target, its joints polished by Newton steps towards
 /// another. Returns whether an angle was free.
-[[gnu::noinline]] bool follow_carefully(const Target& t, const Target& goal, Visited& visited,
+[[gnu::noinline]] bool follow_near_singular(const Target& t, const Target& goal, Tracker& tracker,
     SolutionsGiven_theta3& found) {
   Work<double> w;
   JointVector<double> q;
@@ -87,9 +88,9 @@ using Visited = inverse::Visited<double, 3, 8>;
       solve_theta1(t, k1 == 0 ? 1.0 : -1.0, w);
       if (!w.branch.exists) break;
       solve_theta2(t, w);
-      if (visited.settled(2 * k0 + k1)) continue;
+      if (tracker.settled(2 * k0 + k1)) continue;
       Work<double> p = w;
-      if (!solve_arm(goal, 2 * k0 + k1, visited, p)) continue;
+      if (!solve_arm(goal, 2 * k0 + k1, tracker, p)) continue;
       q[3] = inverse::output_angle(p.cos_theta4, p.sin_theta4);
       q[0] = inverse::output_angle(p.cos_theta1, p.sin_theta1);
       q[1] = inverse::output_angle(p.cos_theta2, p.sin_theta2, p.length_theta2);
@@ -111,19 +112,18 @@ using Visited = inverse::Visited<double, 3, 8>;
   return w.branch.doubtful;
 }
 
-[[gnu::noinline]] void solve_carefully(const Pose<double>& pose, const Target& given, SolutionsGiven_theta3& found) {
-  const auto aimed = [&](const Pose<double>& at) {
-    const inverse::PoseNumbers numbers = inverse::numbers_of(at);
-    Target t = given;
-    aim(numbers, inverse::unit_excess(numbers), t);
-    return t;
-  };
+[[gnu::noinline]] void solve_near_singular(const Pose<double>& pose, const Target& given,
+    SolutionsGiven_theta3& found) {
   found.clear();
   if (inverse::outlook(pose, farthest, given.tolerance) != inverse::Outlook::open) {
     found.status = inverse::status_beyond(pose);
     return;
   }
-  inverse::solve_carefully(pose, aimed, Visited(), follow_carefully, found);
+
+  const inverse::PoseNumbers numbers = inverse::numbers_of(pose);
+  Target t = given;
+  aim(numbers, inverse::unit_excess(numbers), t);
+  inverse::solve_near_singular(t, Tracker(), follow_near_singular, found);
   found.conclude();
 }
 
@@ -137,7 +137,7 @@ using Visited = inverse::Visited<double, 3, 8>;
     return found.conclude();
   }
 
-  solve_carefully(pose, given, found);
+  solve_near_singular(pose, given, found);
 }
 
 }  // namespace

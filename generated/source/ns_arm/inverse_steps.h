@@ -156,8 +156,8 @@ inline void solve_theta2(const Target& t,
 
 /// arm: Newton steps, one value.
 /// From: Newton steps: near a singular place, and after a quartic, closed forms lose digits.
-template <typename Scalar, class Visited>
-inline bool solve_arm(const Target& t, int label, Visited& visited, Work<Scalar>& w) {
+template <typename Scalar, class Tracker>
+inline bool solve_arm(const Target& t, int label, Tracker& tracker, Work<Scalar>& w) {
   using std::sqrt;
 
   const Scalar axis1_x = Scalar(0);
@@ -190,13 +190,13 @@ inline bool solve_arm(const Target& t, int label, Visited& visited, Work<Scalar>
       3> seed{{inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)},
       inverse::Rotor<Scalar>{Scalar(t.preference->turn[1].cosine), Scalar(t.preference->turn[1].sine)},
       inverse::Rotor<Scalar>{Scalar(t.preference->slide[2]), Scalar(0)}}};
-  const inverse::Carrying<Scalar, 3, 1> task{
+  const inverse::PointMatching<Scalar, 3, 1> task{
       {{inverse::Screw<Scalar>{true, {axis1_x, axis1_y, axis1_z}, {point1_x, point1_y, point1_z}},
           inverse::Screw<Scalar>{true, {axis2_x, axis2_y, axis2_z}, {point2_x, point2_y, point2_z}},
           inverse::Screw<Scalar>{false, {axis3_x, axis3_y, axis3_z}, {point3_x, point3_y, point3_z}}}},
       {{inverse::Triple<Scalar>{start1_x, start1_y, start1_z}}},
       {{inverse::Triple<Scalar>{goal1_x, goal1_y, goal1_z}}}, Scalar(t.size_square)};
-  if (!visited.settle(label, task, t.boundary, t.preference->seeded ? &seed : nullptr, values, w.branch)) return false;
+  if (!tracker.settle(label, task, t.boundary, t.preference->seeded ? &seed : nullptr, values, w.branch)) return false;
   w.cos_theta1 = values[0].cosine;
   w.sin_theta1 = values[0].sine;
   w.cos_theta2 = values[1].cosine;

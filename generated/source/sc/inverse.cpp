@@ -3,8 +3,9 @@
 // ./qvgen generate
 #include <qvgen/robots/sc/inverse.h>
 
-#include <qvgen/inverse/care.h>
+#include <qvgen/inverse/near_singular.h>
 #include <qvgen/inverse/lanes.h>
+
 #include <qvgen/inverse/request.h>
 
 #include "inverse_steps.h"
@@ -56,11 +57,11 @@ Target given(const Geometry& g, double tolerance, const inverse::Preference<dof>
   return !w.branch.doubtful;
 }
 
-using Visited = inverse::Visited<double, 3, 4>;
+using Tracker = inverse::BranchTracker<double, 3, 2>;
 
 /// One pass near singular poses: every branch that may exist at one target, its joints polished by Newton steps towards
 /// another. Returns whether an angle was free.
-[[gnu::noinline]] bool follow_carefully(const Target& t, const Target& goal, Visited& visited, Solutions& found) {
+[[gnu::noinline]] bool follow_near_singular(const Target& t, const Target& goal, Tracker& tracker, Solutions& found) {
   Work<double> w;
   JointVector<double> q;
   const inverse::Branch<double> above0 = w.branch;
@@ -70,9 +71,9 @@ using Visited = inverse::Visited<double, 3, 4>;
     if (!w.branch.exists) break;
     solve_d1(t, w);
     solve_d2(t, w);
-    if (visited.settled(k0)) continue;
+    if (tracker.settled(k0)) continue;
     Work<double> p = w;
-    if (!solve_arm(goal, k0, visited, p)) continue;
+    if (!solve_arm(goal, k0, tracker, p)) continue;
     q[2] = inverse::output_angle(p.cos_theta3, p.sin_theta3);
     q[0] = p.d1;
     q[1] = p.d2;
@@ -90,26 +91,24 @@ using Visited = inverse::Visited<double, 3, 4>;
   return w.branch.doubtful;
 }
 
-[[gnu::noinline]] void solve_carefully(const Pose<double>& pose, const Target& given, Solutions& found) {
-  const auto aimed = [&](const Pose<double>& at) {
-    const inverse::PoseNumbers numbers = inverse::numbers_of(at);
-    Target t = given;
-    aim(numbers, inverse::unit_excess(numbers), t);
-    return t;
-  };
+[[gnu::noinline]] void solve_near_singular(const Pose<double>& pose, const Target& given, Solutions& found) {
   found.clear();
   if (inverse::outlook(pose, farthest, given.tolerance) != inverse::Outlook::open) {
     found.status = inverse::status_beyond(pose);
     return;
   }
-  inverse::solve_carefully(pose, aimed, Visited(), follow_carefully, found);
+
+  const inverse::PoseNumbers numbers = inverse::numbers_of(pose);
+  Target t = given;
+  aim(numbers, inverse::unit_excess(numbers), t);
+  inverse::solve_near_singular(t, Tracker(), follow_near_singular, found);
   found.conclude();
 }
 
 [[gnu::always_inline]] inline void solve(const Pose<double>& pose, const Target& given,
     [[maybe_unused]] inverse::Form form, Solutions& found) {
   if (solve_one_by_one(inverse::numbers_of(pose), given, found)) return found.conclude();
-  solve_carefully(pose, given, found);
+  solve_near_singular(pose, given, found);
 }
 
 }  // namespace

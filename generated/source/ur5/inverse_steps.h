@@ -302,8 +302,8 @@ inline void solve_theta4(const Target& t,
 
 /// arm: Newton steps, one value.
 /// From: Newton steps: near a singular place, and after a quartic, closed forms lose digits.
-template <typename Scalar, class Visited>
-inline bool solve_arm(const Target& t, int label, Visited& visited, Work<Scalar>& w) {
+template <typename Scalar, class Tracker>
+inline bool solve_arm(const Target& t, int label, Tracker& tracker, Work<Scalar>& w) {
   using std::sqrt;
   const Scalar t0 = sqrt(Scalar(t.size_square));
   const Scalar axis1_x = Scalar(0);
@@ -371,7 +371,7 @@ inline bool solve_arm(const Target& t, int label, Visited& visited, Work<Scalar>
       inverse::Rotor<Scalar>{Scalar(t.preference->turn[3].cosine), Scalar(t.preference->turn[3].sine)},
       inverse::Rotor<Scalar>{Scalar(t.preference->turn[4].cosine), Scalar(t.preference->turn[4].sine)},
       inverse::Rotor<Scalar>{Scalar(t.preference->turn[5].cosine), Scalar(t.preference->turn[5].sine)}}};
-  const inverse::Carrying<Scalar, 6, 3> task{
+  const inverse::PointMatching<Scalar, 6, 3> task{
       {{inverse::Screw<Scalar>{true, {axis1_x, axis1_y, axis1_z}, {point1_x, point1_y, point1_z}},
           inverse::Screw<Scalar>{true, {axis2_x, axis2_y, axis2_z}, {point2_x, point2_y, point2_z}},
           inverse::Screw<Scalar>{true, {axis3_x, axis3_y, axis3_z}, {point3_x, point3_y, point3_z}},
@@ -382,7 +382,7 @@ inline bool solve_arm(const Target& t, int label, Visited& visited, Work<Scalar>
           inverse::Triple<Scalar>{start3_x, start3_y, start3_z}}},
       {{inverse::Triple<Scalar>{goal1_x, goal1_y, goal1_z}, inverse::Triple<Scalar>{goal2_x, goal2_y, goal2_z},
           inverse::Triple<Scalar>{goal3_x, goal3_y, goal3_z}}}, Scalar(t.size_square)};
-  if (!visited.settle(label, task, t.boundary, t.preference->seeded ? &seed : nullptr, values, w.branch)) return false;
+  if (!tracker.settle(label, task, t.boundary, t.preference->seeded ? &seed : nullptr, values, w.branch)) return false;
   w.cos_theta1 = values[0].cosine;
   w.sin_theta1 = values[0].sine;
   w.cos_theta2 = values[1].cosine;
