@@ -21,7 +21,7 @@ struct Limits {
       : doubt(Scalar(boundary.doubt) * range),
         beyond(Scalar(-boundary.beyond) * range),
         accept(Scalar(-boundary.accept) * range),
-        unsure(Scalar(boundary.unsure) * range),
+        unsure(boundary.is_plain() ? doubt : Scalar(Scalar(boundary.unsure) * range)),
         wide(boundary.wide) {}
 };
 
