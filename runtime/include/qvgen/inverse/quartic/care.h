@@ -74,7 +74,7 @@ void solve_carefully(const Pose<double>& pose, const Aim& aimed, Visited visited
   const bool is_free = met_free || strays;
   constexpr int choices = 16;
   for (int k = 0; (is_free && found.empty() && k < 60) || (visited.turned_back_any() && k < choices); ++k) {
-    preference = next_choice(preference);
+    preference = quartic::next_choice(preference);
     from_nearby(k);
     pass(found.empty() && k < choices / 2 ? Boundary::reaching(goal.tolerance) : choosing);
   }

@@ -50,7 +50,7 @@ class Idling {
       middle[i].cosine = (a[i].cosine + b[i].cosine) / Scalar(2);
       middle[i].sine = (a[i].sine + b[i].sine) / Scalar(2);
     }
-    if (!polish(task_, Scalar(0), middle, idle.is)) return false;
+    if (!quartic::polish(task_, Scalar(0), middle, idle.is)) return false;
     const Scalar most = Scalar(0.6) * distance_square(a, b);
     return distance_square(a, middle) < most && distance_square(b, middle) < most;
   }
@@ -68,7 +68,7 @@ class Idling {
     for (const Scalar& by : {little, Scalar(-little)}) {
       Values moved_on = values;
       newton_.advance(idle.least, by, moved_on);
-      if (polish(task_, allowed, moved_on, idle.is)) return true;
+      if (quartic::polish(task_, allowed, moved_on, idle.is)) return true;
     }
     return false;
   }
@@ -77,7 +77,7 @@ class Idling {
   bool improve(Values& values) const {
     using std::sqrt;
     const auto idle = newton_.idle(values);
-    if (idle.least == joints) return polish(task_, Scalar(0), values);
+    if (idle.least == joints) return quartic::polish(task_, Scalar(0), values);
     const Scalar least = newton_.miss(values);
     auto by = newton_.step(values, Scalar(Scalar(1e-2) * sqrt(least)), Scalar(Scalar(2) * epsilon<Scalar>()));
     for (int attempt = 0; attempt < 4; ++attempt) {
@@ -89,7 +89,7 @@ class Idling {
         newton_.advance(i, by[i], moved_on);
         by[i] = by[i] / Scalar(4);
       }
-      polish(task_, Scalar(0), moved_on, idle.is);
+      quartic::polish(task_, Scalar(0), moved_on, idle.is);
       if (newton_.miss(moved_on) < least) {
         values = moved_on;
         return true;

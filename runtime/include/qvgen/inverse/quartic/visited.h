@@ -39,7 +39,7 @@ class Visited {
               const Values* seed, Values& values, Branch<Scalar>& branch) {
     const auto at = static_cast<std::size_t>(label);
     const Idling<Scalar, joints, points> idling(task);
-    bool reached = branch.exists && polish(task, Scalar(boundary.miss), values);
+    bool reached = branch.exists && quartic::polish(task, Scalar(boundary.miss), values);
     const bool strays = branch.exists && !reached && idling.is_nearly_continuum(values);
     if (strays) reached = idling.move_on(values);
     strayed_[at] = strayed_[at] || strays;
@@ -67,7 +67,8 @@ class Visited {
                  Values& values) const {
     const Idling<Scalar, joints, points> idling(task);
     Values near = seed;
-    if (!polish(task, Scalar(0), near) || is_known(idling, near) || !idling.is_continuum(near)) return;
+    if (!quartic::polish(task, Scalar(0), near) || is_known(idling, near) || !idling.is_continuum(near))
+      return;
     values = near;
   }
 
