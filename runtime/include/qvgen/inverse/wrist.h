@@ -230,7 +230,7 @@ WristAngles<Scalar> oblique_wrist(const Rotor<Scalar>& u11, const Rotor<Scalar>&
   const Mask<Scalar> cosine_twin =
       ((square.cosine <= merge_share<Scalar>()) & (!square.right_difference)) | is_free.v;
   const Mask<Scalar> is_near = margin >= Scalar(-boundary.fold);
-  branch.doubt(!is_near & (margin > Scalar(-boundary.beyond)));
+  branch.doubt((!is_near) & (margin > Scalar(-boundary.beyond)));
   branch.exists = branch.exists & is_near & !((sine_twin | cosine_twin) & (sign < zero));
   const Scalar s = select(sine_twin, zero, sqrt(not_negative(square.sine)));
   const Scalar c = select(cosine_twin, zero, sqrt(not_negative(square.cosine)));
