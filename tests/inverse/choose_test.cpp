@@ -43,8 +43,9 @@ TEST(Choose, LimitsCountWholeTurns) {
   const Set set = set_of({{0.5, 1.0}, {-2.0, 5.0}});
   const auto found = qvgen::within_limits(set, qvgen::JointLimits<2>{{-3 * pi, 0.0}, {3 * pi, 2.0}}, kinds);
   ASSERT_EQ(found.size(), 3);
-  EXPECT_NEAR(found[0].q[0], 0.5 - 2 * pi, 1e-15);
-  EXPECT_EQ(found[1].q[0], 0.5);
+  EXPECT_EQ(found[0].q[0], 0.5);  // nearest to zero first
+  EXPECT_NEAR(found[1].q[0], 0.5 + 2 * pi, 1e-14);
+  EXPECT_NEAR(found[2].q[0], 0.5 - 2 * pi, 1e-14);
   EXPECT_TRUE(found.complete);
   EXPECT_EQ(qvgen::within_limits(set, qvgen::JointLimits<2>{{1.0, 0.0}, {2.0, 2.0}}, kinds).status,
             qvgen::Status::unreachable);
@@ -55,6 +56,40 @@ TEST(Choose, TooManyTurnsAreSaid) {
   const auto found = qvgen::within_limits(set, qvgen::JointLimits<2>{{-1000.0, 0.0}, {1000.0, 2.0}}, kinds);
   EXPECT_EQ(found.size(), found.max_size);
   EXPECT_FALSE(found.complete);
+}
+
+TEST(Choose, TooManyTurnsAreSharedAmongTheBranches) {
+  const Set set = set_of({{0.5, 1.0}, {1.5, 1.0}, {2.5, 1.0}, {2.5, 9.0}});
+  const auto found = qvgen::within_limits(set, qvgen::JointLimits<2>{{-1000.0, 0.0}, {1000.0, 2.0}}, kinds);
+  EXPECT_FALSE(found.complete);
+  for (int branch = 0; branch < 3; ++branch)
+    EXPECT_GE(
+        std::count_if(found.begin(), found.end(), [&](const auto& row) { return row.branch == branch; }), 16);
+}
+
+TEST(Choose, AJointWithoutLimitsUnwindsToTheSeed) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const Set set = set_of({{0.5, 1.0}, {-2.0, 1.0}});
+  const qvgen::JointLimits<2> limits{{-infinity, 0.0}, {infinity, 2.0}};
+  const auto found = qvgen::nearest_within_limits(set, limits, kinds, Joints(50, 1));
+  ASSERT_EQ(found.size(), 2);
+  EXPECT_NEAR(found[0].q[0], 0.5 + 16 * pi, 1e-12);
+  EXPECT_NEAR(found[1].q[0], -2 + 16 * pi, 1e-12);
+  EXPECT_EQ(qvgen::within_limits(set, limits, kinds).size(), 2);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(qvgen::within_limits(set, qvgen::JointLimits<2>{{nan, 0.0}, {infinity, 2.0}}, kinds).empty());
+  EXPECT_TRUE(qvgen::within_limits(set, qvgen::JointLimits<2>{{1.0, 0.0}, {-1.0, 2.0}}, kinds).empty());
+}
+
+TEST(Choose, WithinLimitsWholeTurnsCount) {
+  const Set set = set_of({{0.1, 0.0}, {-3.0, 0.0}});
+  const qvgen::JointLimits<2> limits{{-2 * pi, -1.0}, {2 * pi, 1.0}};
+  const Joints seed(6.0, 0.0);  // 0.1 + 2 pi is outside, 0.1 is 5.9 away, -3 + 2 pi is 2.7 away
+  auto found = qvgen::within_limits(set, limits, kinds);
+  EXPECT_NEAR(qvgen::nearest(found, seed, kinds)->q[0], 2 * pi - 3, 1e-14);
+  qvgen::sort_by_distance(found, seed, kinds);
+  EXPECT_NEAR(found[0].q[0], 2 * pi - 3, 1e-14);
+  EXPECT_NEAR(found[found.size() - 1].q[0], 0.1 - 2 * pi, 1e-14);
 }
 
 TEST(Choose, SortIsStable) {
