@@ -47,7 +47,9 @@ struct Context {
   std::vector<Diagnostic> diagnostics;
   std::vector<SymbolUse> uses;
   std::vector<Variable> variables;  ///< of the joints, base to tool
-  std::vector<Entry> entries;       ///< every expression of the chain, for checks at the default values
+  /// Symbols that stand where a moving row of a table has its variable.
+  std::vector<Variable> constants_in_place_of_variables;
+  std::vector<Entry> entries;  ///< every expression of the chain, for checks at the default values
   std::vector<Place> joint_places;
   bool has_error = false;              ///< warnings apart, even if they count as errors
   bool has_broken_expression = false;  ///< then some symbols were not seen

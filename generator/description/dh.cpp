@@ -36,6 +36,8 @@ Row read_row(const Table& table, const std::string& variable) {
   Row row{entry_or_zero(table, "theta", moving), entry_or_zero(table, "d", moving),
           entry_or_zero(table, "a", {}), entry_or_zero(table, "alpha", {})};
   check_angle(table.context(), row.alpha);
+  check_no_angle(table.context(), row.d, "d");
+  check_no_angle(table.context(), row.a, "a");
   return row;
 }
 
@@ -130,6 +132,10 @@ Displacement read_fixed_row(const Table& table, Convention convention) {
   table.allow_only({"theta", "d", "a", "alpha"});
   const Row row = read_row(table, "");
   check_angle(table.context(), row.theta);
+  // A variable may have been forgotten: symbols.cpp looks at these once it knows what is declared.
+  for (const Entry& entry : {row.theta, row.d})
+    for (const std::string& name : symbols(entry.value))
+      table.context().constants_in_place_of_variables.push_back({name, entry.place});
   const Split parts = split(convention, row, row.theta.value, row.d.value);
   return model::compose(parts.before, parts.after);
 }

@@ -107,9 +107,16 @@ std::optional<std::vector<Entry>> read_entries(const Table& table, const std::st
 model::Vector3 vector_or_zero(const Table& table, const std::string& key, const Scope& scope) {
   model::Vector3 result;
   if (const auto entries = read_entries(table, key, scope, {3}, "three entries [x, y, z]")) {
+    for (const Entry& entry : *entries) check_no_angle(table.context(), entry, key);
     std::transform(entries->begin(), entries->end(), result.begin(), [](const Entry& e) { return e.value; });
   }
   return result;
+}
+
+void check_no_angle(Context& context, const Entry& entry, const std::string& key) {
+  if (entry.has_unit)
+    context.error(entry.place, "'" + key + "' has an angle, " + to_string(entry.value),
+                  "lengths are in metres, without a unit");
 }
 
 namespace {

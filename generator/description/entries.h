@@ -21,7 +21,9 @@ Entry entry_or_zero(const Table& table, const std::string& key, const Scope& sco
 std::optional<std::vector<Entry>> read_entries(const Table& table, const std::string& key, const Scope& scope,
                                                const std::vector<std::size_t>& lengths,
                                                const std::string& wanted);
-/// Three entries; absent: zero.
+/// Reports an angle where a length, a mass or the like is wanted.
+void check_no_angle(Context& context, const Entry& entry, const std::string& key);
+/// Three lengths; absent: zero.
 model::Vector3 vector_or_zero(const Table& table, const std::string& key, const Scope& scope);
 
 /// Warns of a number that is more than a full turn in radians: degrees were meant, most likely; and of one

@@ -34,13 +34,23 @@ Expression free_symbol(const Table& table, const std::string& name) {
 
 std::string link_number(const Context& context) { return std::to_string(context.joint_places.size()); }
 
+/// A number of inertia or drive, never an angle.
+Expression read_number(const Table& table, const std::string& key) {
+  const Entry entry = entry_or_zero(table, key, {Role::inertia});
+  check_no_angle(table.context(), entry, key);
+  return entry.value;
+}
+
 void read_masses(const Table& table, bool free, model::Inertia& inertia) {
   const std::string link = link_number(table.context());
-  inertia.mass = entry_or_zero(table, "mass", {Role::inertia}).value;
-  inertia.centre_of_mass = vector_or_zero(table, "centre_of_mass", {Role::inertia});
-  if (!free) return;
-  if (!table.has("mass")) inertia.mass = free_symbol(table, "m" + link);
-  if (table.has("centre_of_mass")) return;
+  const auto becomes_symbol = [&](const std::string& key) {
+    return is_free(table, key) || (free && !table.has(key));
+  };
+  inertia.mass = becomes_symbol("mass") ? free_symbol(table, "m" + link) : read_number(table, "mass");
+  if (!becomes_symbol("centre_of_mass")) {
+    inertia.centre_of_mass = vector_or_zero(table, "centre_of_mass", {Role::inertia});
+    return;
+  }
   for (std::size_t i = 0; i < 3; ++i) {
     inertia.centre_of_mass.at(i) = free_symbol(table, "c" + link + "xyz"[i]);
   }
@@ -61,7 +71,8 @@ void read_tensor(const Table& table, bool free, model::Inertia& inertia) {
 
 Expression read_drive_entry(const Table& table, const std::string& key, bool free,
                             const std::string& symbol) {
-  if (!free || table.has(key)) return entry_or_zero(table, key, {Role::inertia}).value;
+  const bool becomes_symbol = is_free(table, key) || (free && !table.has(key));
+  if (!becomes_symbol) return read_number(table, key);
   return free_symbol(table, symbol + link_number(table.context()));
 }
 
@@ -79,6 +90,9 @@ std::optional<model::Limits> read_limits(const Table& table, model::JointType ty
   if (type == model::JointType::revolute) {
     check_angle(table.context(), lower);
     check_angle(table.context(), upper);
+  } else {
+    check_no_angle(table.context(), lower, "limits");
+    check_no_angle(table.context(), upper, "limits");
   }
   if (!symbols(lower.value).empty() || !symbols(upper.value).empty()) return std::nullopt;
   const cln::cl_R range = model::evaluate(upper.value) - model::evaluate(lower.value);

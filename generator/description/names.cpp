@@ -26,13 +26,82 @@ constexpr auto keywords = std::to_array<std::string_view>(
      "using",       "virtual",  "void",       "volatile",  "wchar_t",   "while",        "xor",
      "xor_eq"});
 
-/// Names that generated code, or a header that it includes, gives a meaning of its own.
-constexpr auto taken = std::to_array<std::string_view>(
-    {"EOF",   "Eigen", "Geometry", "Inertia",  "JointVector", "NULL",    "Pose",  "Scalar", "Solutions",
-     "acos",  "asin",  "assert",   "atan",     "atan2",       "cos",     "deg",   "dof",    "e",
-     "errno", "fmt",   "g",        "geometry", "gravity",     "inertia", "linux", "links",  "pi",
-     "q",     "qd",    "qdd",      "qvgen",    "rad",         "robots",  "sin",   "sincos", "size_t",
-     "sqrt",  "std",   "tan",      "tau",      "unix"});
+/// Names that generated code, or a header that it includes, gives a meaning of its own; words of C and of
+/// compilers' dialects, and the macros of the standard headers that are not in capitals.
+constexpr auto taken = std::to_array<std::string_view>({"BasicGeometry",
+                                                        "BasicInertia",
+                                                        "Eigen",
+                                                        "Geometry",
+                                                        "I",
+                                                        "Inertia",
+                                                        "JointVector",
+                                                        "L_ctermid",
+                                                        "P_tmpdir",
+                                                        "L_cuserid",
+                                                        "L_tmpnam",
+                                                        "Pose",
+                                                        "Scalar",
+                                                        "Solutions",
+                                                        "acos",
+                                                        "asin",
+                                                        "assert",
+                                                        "atan",
+                                                        "atan2",
+                                                        "cos",
+                                                        "deg",
+                                                        "dof",
+                                                        "e",
+                                                        "errno",
+                                                        "fmt",
+                                                        "free",
+                                                        "g",
+                                                        "geometry",
+                                                        "gravity",
+                                                        "inertia",
+                                                        "linux",
+                                                        "links",
+                                                        "math_errhandling",
+                                                        "pi",
+                                                        "q",
+                                                        "qd",
+                                                        "qdd",
+                                                        "qvgen",
+                                                        "rad",
+                                                        "restrict",
+                                                        "robots",
+                                                        "sched_priority",
+                                                        "sin",
+                                                        "sincos",
+                                                        "size_t",
+                                                        "sqrt",
+                                                        "std",
+                                                        "stderr",
+                                                        "stdin",
+                                                        "stdout",
+                                                        "tan",
+                                                        "tau",
+                                                        "typeof",
+                                                        "typeof_unqual",
+                                                        "unix"});
+
+/// Robots' names are namespaces beside these.
+constexpr auto taken_for_robots = std::to_array<std::string_view>({"detail", "inverse"});
+
+constexpr std::size_t longest_name = 64;
+
+/// Capitals are left to macros, but for a few with a number: L1, RL4. M_PIl and its like are not all
+/// capitals.
+bool looks_like_macro(std::string_view name) {
+  const auto is_capital = [](char c) { return std::isupper(static_cast<unsigned char>(c)) != 0; };
+  const auto is_digit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };
+  if (name.substr(0, 2) == "M_" || name.substr(0, 6) == "EIGEN_") return true;
+  if (std::any_of(name.begin(), name.end(),
+                  [](char c) { return std::islower(static_cast<unsigned char>(c)) != 0; }))
+    return false;
+  const auto number = std::find_if_not(name.begin(), name.end(), is_capital);
+  const bool has_number = std::all_of(number, name.end(), is_digit) && number != name.end();
+  return name.size() > 1 && !(has_number && number - name.begin() <= 3);
+}
 
 bool is_word(std::string_view name) {
   const auto letter = [](char c) { return c == '_' || std::isalnum(static_cast<unsigned char>(c)) != 0; };
@@ -87,6 +156,15 @@ NameProblem check_identifier(std::string_view name) {
   if (name.front() == '_' || name.find("__") != std::string_view::npos) {
     return {quoted(name) + " is reserved by C++", "do not begin with '_' and do not use '__'"};
   }
+  if (name.size() > longest_name) {
+    return {"the name " + quoted(std::string(name.substr(0, 16)) + "...") + " has " +
+                std::to_string(name.size()) + " letters",
+            "names have at most " + std::to_string(longest_name)};
+  }
+  if (looks_like_macro(name)) {
+    return {quoted(name) + " may be a macro of C or C++",
+            "names in capitals are theirs; write '" + lower_case(name) + "'"};
+  }
   const auto is_name = [&](std::string_view other) { return name == other; };
   if (std::any_of(keywords.begin(), keywords.end(), is_name)) {
     return {quoted(name) + " is a C++ keyword", "choose another name, e.g. '" + std::string(name) + "1'"};
@@ -102,6 +180,10 @@ NameProblem check_robot_name(std::string_view name) {
   NameProblem problem = check_identifier(name);
   if (problem.message.empty() && lower_case(name) != name) {
     problem = {quoted(name) + " has capital letters", "write '" + lower_case(name) + "'"};
+  }
+  if (std::find(taken_for_robots.begin(), taken_for_robots.end(), name) != taken_for_robots.end()) {
+    problem = {quoted(name) + " has a meaning in the generated code",
+               "choose another name, e.g. '" + std::string(name) + "1'"};
   }
   return problem;
 }

@@ -19,6 +19,7 @@ using Kind = Token::Kind;
 
 constexpr long max_power = 64;
 constexpr double max_value_size = 1e5;
+constexpr int max_operands = 250;
 constexpr int max_depth = 200;  // of parentheses and signs: recursion must not reach the end of the stack
 
 /// Counts the recursion while it lasts.
@@ -65,6 +66,7 @@ class Parser {
   Lexer lexer_;
   ParsedExpression result_;
   int depth_ = 0;
+  int operands_ = 0;
 };
 
 void Parser::unexpected(const std::string& wanted) const {
@@ -208,6 +210,10 @@ Expression Parser::parenthesised() {
 
 Expression Parser::primary() {
   const Token token = lexer_.current();
+  if (++operands_ > max_operands) {
+    throw ExpressionError{token.offset, "the expression is too long",
+                          "at most " + std::to_string(max_operands) + " numbers and names"};
+  }
   if (token.kind == Kind::number) {
     lexer_.advance();
     return decimal_value(token);
@@ -238,7 +244,9 @@ Expression Parser::call(const std::string& function, std::size_t offset) {
                           near.empty() ? "the functions are sqrt, sin and cos; a product needs its '*'"
                                        : "did you mean '" + near + "'?"};
   }
+  const bool had_unit = result_.has_unit;
   const Expression argument = parenthesised();
+  if (function != "sqrt") result_.has_unit = had_unit;  // a sine is no angle
   if (function == "sqrt") {
     if (symbols(argument).empty() && cln::minusp(model::evaluate(argument))) {
       throw ExpressionError{argument_offset, "the root of " + to_string(argument) + " is not real",

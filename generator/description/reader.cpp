@@ -11,12 +11,21 @@
 #include "description/frames.h"
 #include "description/names.h"
 #include "description/physics.h"
+#include "description/plain_text.h"
+#include "description/size_limits.h"
 #include "description/symbols.h"
 #include "description/xml/reader.h"
 #include "model/arithmetic.h"
 
 namespace qvgen::description {
 namespace {
+
+/// Titles and sources become comments of the generated code.
+void check_line(const Table& root, const std::string& key, const std::string& text) {
+  const std::string problem = problem_of_text(text);
+  if (!problem.empty())
+    root.context().error(root.place_of(key), "the " + key + " " + problem, "write one line of plain text");
+}
 
 void read_name(const Table& root, model::Robot& robot) {
   Context& context = root.context();
@@ -25,6 +34,8 @@ void read_name(const Table& root, model::Robot& robot) {
   robot.name = root.text("name").value_or("");
   robot.title = root.text("title").value_or("");
   robot.source = root.text("source").value_or("");
+  check_line(root, "title", robot.title);
+  check_line(root, "source", robot.source);
   if (!root.has("name") || !root.find("name")->is_string()) return;
   const NameProblem problem = check_robot_name(robot.name);
   if (!problem.message.empty()) context.error(root.place_of("name"), problem.message, problem.hint);
@@ -118,6 +129,14 @@ void rename(Context& context, model::Robot& robot) {
 }
 
 ReadResult read_toml(Context& context, std::string_view text) {
+  if (text.size() > max_bytes) {
+    return failed(context, {}, "the file has " + std::to_string(text.size()) + " bytes",
+                  "a description has at most " + std::to_string(max_bytes));
+  }
+  if (const auto place = too_many_dots(text)) {
+    return failed(context, *place, "the file has more than " + std::to_string(max_dots) + " dots in keys",
+                  "write tables as [table]");
+  }
   try {
     const toml::table document = toml::parse(text);
     const Table root(context, document, "the file");
@@ -156,6 +175,9 @@ ReadResult read_xml(Context& context, std::string_view text) {
   }
   rename(context, robot);
   robot.source = std::filesystem::path(context.source.file()).filename().string();
+  for (const std::string* text_of_robot : {&robot.title, &robot.source})
+    if (const std::string problem = problem_of_text(*text_of_robot); !problem.empty())
+      context.error(place, "the robot's title or source " + problem, "use plain text");
   if (!context.has_error) check_inertia(context, robot);
   return finished(context, place, std::move(robot));
 }
@@ -191,7 +213,7 @@ std::string to_string(const Diagnostic& diagnostic) {
   text << diagnostic.file << ':' << diagnostic.line << ':' << diagnostic.column
        << severity_text(diagnostic.severity) << diagnostic.message;
   if (!diagnostic.hint.empty()) text << "; " << diagnostic.hint;
-  return text.str();
+  return printable(text.str());
 }
 
 ReadResult read_text(std::string_view text, const std::string& file, const ReadOptions& options) {

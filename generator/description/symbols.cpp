@@ -7,10 +7,14 @@
 
 #include "description/entries.h"
 #include "description/names.h"
+#include "description/size_limits.h"
 #include "model/evaluate.h"
 
 namespace qvgen::description {
 namespace {
+
+/// Whoever has so many mistakes needs no suggestion for each of the others.
+constexpr std::size_t max_diagnostics = 200;
 
 struct Default {
   std::string name;
@@ -73,11 +77,29 @@ void check_variables(Context& context) {
   }
 }
 
-std::optional<std::size_t> joint_of(const Context& context, const std::string& name) {
-  const auto found = std::find_if(context.variables.begin(), context.variables.end(),
-                                  [&](const Variable& variable) { return variable.name == name; });
-  if (found == context.variables.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - context.variables.begin());
+/// The name without the number at its end.
+std::string stem(const std::string& name) {
+  const std::size_t last = name.find_last_not_of("0123456789");
+  return last == std::string::npos || last + 1 == name.size() ? "" : name.substr(0, last + 1);
+}
+
+/// A row theta = "theta2" without variable = "theta2", among others that have theirs.
+void warn_of_forgotten_variables(Context& context) {
+  std::set<std::string> stems;
+  for (const Variable& variable : context.variables) stems.insert(stem(variable.name));
+  for (const Variable& constant : context.constants_in_place_of_variables)
+    if (!stem(constant.name).empty() && stems.count(stem(constant.name)) > 0)
+      context.warning(
+          constant.place,
+          "'" + constant.name + "' is a constant here: the row has no variable and does not move",
+          "add variable = \"" + constant.name + "\", or declare the constant in [defaults] or 'symbols'");
+}
+
+/// Joint number, from 1, of each variable.
+std::map<std::string, std::size_t> joints_by_variable(const Context& context) {
+  std::map<std::string, std::size_t> joints;
+  for (std::size_t i = 0; i < context.variables.size(); ++i) joints.emplace(context.variables[i].name, i + 1);
+  return joints;
 }
 
 std::string suggestion(const std::string& near, const std::string& otherwise) {
@@ -87,16 +109,20 @@ std::string suggestion(const std::string& near, const std::string& otherwise) {
 void check_uses(Context& context, const std::optional<std::vector<Declared>>& declared) {
   std::vector<std::string> known;
   for (const Declared& entry : declared.value_or(std::vector<Declared>{})) known.push_back(entry.name);
+  const std::set<std::string> known_names(known.begin(), known.end());
+  const auto joints = joints_by_variable(context);
   std::set<std::string> written;
   for (const SymbolUse& use : context.uses) {
     if (!use.automatic) written.insert(use.name);
   }
   for (const SymbolUse& use : context.uses) {
     const std::string quoted = "'" + use.name + "'";
-    if (const auto joint = joint_of(context, use.name)) {
-      context.error(use.place,
-                    quoted + " is the variable of joint " + std::to_string(*joint + 1) + ", not a constant",
-                    "rename the variable or the symbol");
+    if (context.diagnostics.size() > max_diagnostics) return;
+    if (const auto joint = joints.find(use.name); joint != joints.end()) {
+      context.error(
+          use.place,
+          quoted + " is the variable of joint " + std::to_string(joint->second) + ", not a constant",
+          "rename the variable or the symbol");
     } else if (use.role == Role::constant) {
       context.error(use.place, "undefined symbol " + quoted, "only a constant can stand here");
     } else if (use.automatic) {
@@ -104,7 +130,7 @@ void check_uses(Context& context, const std::optional<std::vector<Declared>>& de
         context.error(use.place, quoted + " is also the name of a free inertial parameter of this joint",
                       "rename the symbol");
       }
-    } else if (declared && std::find(known.begin(), known.end(), use.name) == known.end()) {
+    } else if (declared && known_names.count(use.name) == 0) {
       context.error(use.place, "undefined symbol " + quoted,
                     suggestion(nearest(use.name, known), "add it to [defaults] or to 'symbols'"));
     }
@@ -112,10 +138,12 @@ void check_uses(Context& context, const std::optional<std::vector<Declared>>& de
 }
 
 void check_declared(Context& context, const std::vector<Declared>& declared) {
-  std::vector<std::string> used;
-  for (const SymbolUse& use : context.uses) used.push_back(use.name);
+  std::set<std::string> names;
+  for (const SymbolUse& use : context.uses) names.insert(use.name);
+  const std::vector<std::string> used(names.begin(), names.end());
   for (const Declared& entry : declared) {
-    if (std::find(used.begin(), used.end(), entry.name) != used.end()) continue;
+    if (context.diagnostics.size() > max_diagnostics) return;
+    if (names.count(entry.name) > 0) continue;
     context.error(entry.place, "the symbol '" + entry.name + "' occurs nowhere in the chain",
                   suggestion(nearest(entry.name, used), "remove it"));
   }
@@ -144,9 +172,14 @@ void resolve_symbols(const Table& root, model::Robot& robot) {
   Context& context = root.context();
   const std::vector<Default> defaults = read_defaults(root);
   const auto declared = read_declared(root, defaults);
+  const bool too_many = declared && declared->size() > max_symbols;
+  if (too_many)
+    context.error(declared->back().place, std::to_string(declared->size()) + " symbols are too many",
+                  "a robot has at most " + std::to_string(max_symbols));
   check_variables(context);
   check_uses(context, declared);
-  if (declared && !context.has_broken_expression) check_declared(context, *declared);
+  if (!declared) warn_of_forgotten_variables(context);
+  if (declared && !too_many && !context.has_broken_expression) check_declared(context, *declared);
 
   std::vector<SymbolUse> geometry = uses_of(context, Role::geometry);
   std::stable_sort(geometry.begin(), geometry.end(),
