@@ -107,6 +107,14 @@ int polished_joints(const derive::inverse::Plan& plan) {
   throw std::logic_error("inverse kinematics: a plan without Newton steps");
 }
 
+/// Whether a pose may leave a slide free that the joints behind it have to follow.
+bool chooses_slide(const derive::inverse::Plan& plan) {
+  using derive::inverse::Kind;
+  return std::any_of(plan.steps.begin(), plan.steps.end(), [](const derive::inverse::Step& step) {
+    return step.kind == Kind::slides || (step.kind == Kind::line && step.has_input("inner"));
+  });
+}
+
 /// Branches up to where the joints are polished: all but those of a wrist that ends the plan.
 int polished_branches(const derive::inverse::Plan& plan) {
   int branches = plan.capacity;
@@ -140,7 +148,7 @@ json variant(const emit::InverseArm& arm, const derive::inverse::Plan& derived,
       {"locked", locked},
       {"locked_parameter", locked ? "double " + given + ", " : ""},
       {"locked_argument", locked ? ", " + given : ""},
-      {"quartic", derived.quartic()},
+      {"quartic", derived.quartic() || chooses_slide(derived)},
       {"reach", farthest.empty() ? "1e150" : farthest},
       {"has_reach", !farthest.empty()},
       {"capacity", derived.capacity},
