@@ -28,8 +28,8 @@ struct Budget {
   }
 };
 
-/// What a pose may cost an arm whose joints are polished on so many branches: about twice what any pose has
-/// cost that the README of tests/inverse counts. With six joints a step takes three times as long as with
+/// What a pose may cost an arm whose joints are polished on so many branches. Of the poses that the tests
+/// draw an ur5 uses up to 49 of its 60 evaluations. With six joints a step takes three times as long as with
 /// three.
 constexpr Budget most_effort(int joints, int branches) {
   return {8, joints > 3 ? 20 + 5 * branches : 40 + 8 * branches};
