@@ -125,11 +125,6 @@ Expression to_expression(const Length& length) {
   return sum;
 }
 
-bool is_rational(const Length& length) {
-  return std::all_of(length.begin(), length.end(),
-                     [](const auto& term) { return exact::rational_near(term.second).has_value(); });
-}
-
 bool is_polynomial(const Expression& e) {
   const auto& parts = e.operands();
   switch (e.kind()) {

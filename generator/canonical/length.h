@@ -34,9 +34,6 @@ Length operator*(const cln::cl_R& factor, const Length& a);
 /// Made of rational numbers, symbols, sums and products alone.
 bool is_polynomial(const model::Expression& expression);
 
-/// Whether every coefficient is a rational number of moderate length.
-bool is_rational(const Length& length);
-
 /// The expression with names for what is neither rational nor a polynomial; others stay as they are written.
 model::Expression named_constants(const model::Expression& expression, Definitions& definitions);
 
