@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <qvgen/inverse/general/setup.h>
+#include <qvgen/inverse/request.h>
+#include <qvgen/inverse/solutions.h>
+
+namespace qvgen::inverse::general {
+
+using Found = Solutions<joints, most_solutions>;
+
+/// All solutions of a pose, in the order of joint 1, where that is the same of joint 2, and so on; a row's
+/// branch is its place. Status: solved, singular, unreachable, invalid as everywhere, and incomplete where
+/// there is reason to believe that a solution may be missing. No heap, no exceptions; at most
+/// `most_eliminations` eliminations and a bounded number of Newton steps.
+/// `tolerance`: see `default_tolerance`. `preference`: what free joints are where they can be chosen.
+void solve(const Setup& setup, const Pose<double>& pose, double tolerance,
+           const Preference<joints>& preference, Form form, Found& found);
+
+}  // namespace qvgen::inverse::general

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "careful.h"
+
+#include <qvgen/inverse/quartic/care.h>
+
+#include "goal.h"
+
+namespace qvgen::inverse::general {
+namespace {
+
+Triple<double> triple_of(const Vector3<double>& v) { return {v[0], v[1], v[2]}; }
+
+Vector3<double> point_of(const Motion& motion, const Vector3<double>& x) {
+  Vector3<double> result;
+  for (int i = 0; i < 3; ++i)
+    result[i] = motion.rotation[3 * i] * x[0] + motion.rotation[3 * i + 1] * x[1] +
+                motion.rotation[3 * i + 2] * x[2] + motion.translation[i];
+  return result;
+}
+
+}  // namespace
+
+Task matching(const Setup& setup, const Pose<double>& pose) {
+  const double size = setup.chain.size;
+  Task task;
+  task.size_square = size * size;
+  for (std::size_t j = 0; j < joints; ++j) task.arm[j] = setup.description.axes[j];
+  const Pose<double> goal = pose.normalised();
+  for (int p = 0; p < 3; ++p) {
+    const Vector3<double> point =
+        p == 0 ? Vector3<double>(0, 0, 0) : Vector3<double>(size * Vector3<double>::Unit(p - 1));
+    task.start[static_cast<std::size_t>(p)] = triple_of(point_of(setup.description.tool, point));
+    task.goal[static_cast<std::size_t>(p)] = triple_of(goal * point);
+  }
+  return task;
+}
+
+Careful::Careful(const Setup& setup, const Pose<double>& pose, double tolerance,
+                 const Preference<joints>& preference, Pass pass)
+    : setup_(setup),
+      pose_(pose),
+      task_(matching(setup, pose)),
+      boundary_(Boundary::ends(tolerance)),
+      seeded_(preference.seeded),
+      pass_(pass) {
+  for (std::size_t j = 0; j < joints; ++j)
+    seed_[j] = setup.chain.slides[j] ? Rotor<double>{preference.slide[j], 0} : preference.turn[j];
+}
+
+void Careful::eliminate(int number, const Pose<double>& pose, Gathered& gathered) const {
+  pass_(setup_.chain, setup_.eliminations[number], goal_of(setup_.chain, pose), gathered);
+}
+
+void Careful::settle(const JointPairs& start) {
+  if (starts_ == most_starts || size_ == most_solutions) {
+    effort_.used_up = true;
+    return;
+  }
+  Values values = values_of(start);
+  Branch<double> branch;
+  branch.unsure = true;
+  if (tracker_.settle(starts_++, task_, boundary_, seeded_ ? &seed_ : nullptr, values, branch))
+    rows_[size_++] = {values, branch.continuum};
+}
+
+void Careful::settle(const Gathered& gathered) {
+  for (int i = 0; i < gathered.rows; ++i) settle(gathered.row[i]);
+  for (int i = 0; i < gathered.starts; ++i) settle(gathered.start[i]);
+}
+
+/// Solutions over the complex numbers come in pairs but for the real ones, of which those where two meet
+/// count twice: whether their number leaves room for doubt.
+bool Careful::is_even() {
+  int simple = 0;
+  const polishing::Newton<double, joints, 3> newton(task_);
+  for (int i = 0; i < size_; ++i) {
+    const auto at = newton.reached(rows_[i].values);
+    const bool meets = polishing::Newton<double, joints, 3>::idle(at).least < joints;
+    if (meets || rows_[i].continuum) return true;
+    ++simple;
+  }
+  return simple % 2 == 0;
+}
+
+void Careful::run(Gathered& first) {
+  settle(first);
+  for (int k = 1; k < setup_.count; ++k) {
+    Gathered more;
+    eliminate(k, pose_, more);
+    settle(more);
+    ++effort_.passes;
+    if (!more.doubtful && is_even()) break;
+  }
+  for (int k = 0; k < 6 && (size_ == 0 || !is_even()); ++k) {
+    constexpr double far = 30;  // times what `displaced` takes for a little
+    Gathered near;
+    eliminate(0, quartic::displaced(pose_, far * setup_.chain.size, k), near);
+    settle(near);
+    ++effort_.passes;
+  }
+  const Effort& spent = tracker_.budget().spent;
+  effort_.steps = spent.steps;
+  effort_.used_up = effort_.used_up || spent.used_up || !is_even();
+}
+
+}  // namespace qvgen::inverse::general

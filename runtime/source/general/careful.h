@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <qvgen/inverse/branch_tracker.h>
+#include <qvgen/inverse/general/solve.h>
+
+#include "gathered.h"
+
+namespace qvgen::inverse::general {
+
+using Values = JointValues<double, joints>;
+using Task = PointMatching<double, joints, 3>;
+
+inline Values values_of(const JointPairs& pairs) {
+  Values values;
+  for (std::size_t j = 0; j < joints; ++j) values[j] = {pairs.cosine[j], pairs.sine[j]};
+  return values;
+}
+
+/// The tool's point and two more, the arm's size away, at the zero pose and at the goal.
+Task matching(const Setup& setup, const Pose<double>& pose);
+
+/// Solves a pose at which the first elimination has left doubts: further eliminations, then poses nearby;
+/// whatever they lead to is brought to the pose by Newton's steps, and solutions that a curve of solutions
+/// joins are one.
+class Careful {
+ public:
+  Careful(const Setup& setup, const Pose<double>& pose, double tolerance,
+          const Preference<joints>& preference, Pass pass);
+
+  void run(Gathered& first);
+  /// The rows, and whether each is on a continuum.
+  struct Row {
+    Values values;
+    bool continuum;
+  };
+  [[nodiscard]] int size() const { return size_; }
+  [[nodiscard]] const Row& row(int i) const { return rows_[i]; }
+  [[nodiscard]] const Effort& effort() const { return effort_; }
+
+ private:
+  static constexpr int most_starts = 192;
+  static constexpr Budget most = {8, 600};
+  using Tracker = BranchTracker<double, joints, most_starts>;
+
+  void settle(const Gathered& gathered);
+  void settle(const JointPairs& start);
+  void eliminate(int number, const Pose<double>& pose, Gathered& gathered) const;
+  [[nodiscard]] bool is_even();
+
+  const Setup& setup_;
+  const Pose<double>& pose_;
+  Task task_;
+  Boundary boundary_;
+  Values seed_;
+  bool seeded_;
+  Pass pass_;
+  Tracker tracker_{most};
+  int starts_ = 0;
+  int size_ = 0;
+  Row rows_[most_solutions];
+  Effort effort_;
+};
+
+}  // namespace qvgen::inverse::general

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <qvgen/inverse/general/setup.h>
+
+// Nothing but types: files for different instruction sets exchange them.
+namespace qvgen::inverse::general {
+
+/// A pose as the solver works with it: in the frame of the arm's first axis.
+struct Goal {
+  double rotation[9];
+  double translation[3];  ///< m
+};
+
+/// Joint values: cosine and sine of an angle, or a slide's length (m) and zero.
+struct JointPairs {
+  double cosine[joints];
+  double sine[joints];
+};
+
+/// What eliminations have found.
+struct Gathered {
+  static constexpr int most_rows = 32;
+  int rows = 0;
+  JointPairs row[most_rows];  ///< they reach the pose, and no two are the same
+  int starts = 0;
+  JointPairs start[most_rows];  ///< where steps to a solution may begin, if there is one
+  bool doubtful = false;        ///< there may be more
+
+  void add_row(const JointPairs& values) {
+    if (rows < most_rows)
+      row[rows++] = values;
+    else
+      doubtful = true;
+  }
+  void add_start(const JointPairs& values) {
+    doubtful = true;
+    if (starts < most_rows) start[starts++] = values;
+  }
+};
+
+/// Eliminates once and adds what comes of it.
+using Pass = void (*)(const Chain&, const Elimination&, const Goal&, Gathered&);
+/// Four numbers at a time; null if the compiler was not asked for AVX2. To be called only where the machine
+/// has it.
+extern const Pass pass_for_avx2;
+/// Two numbers at a time, everywhere.
+extern const Pass pass_for_all;
+
+}  // namespace qvgen::inverse::general

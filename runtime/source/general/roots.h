@@ -1,0 +1,337 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "trigonometric.h"
+
+namespace qvgen::inverse::general {
+namespace {
+
+/// An outer angle that may belong to a solution.
+struct Candidate {
+  Direction angle;
+  bool doubtful;  ///< one of two roots that are not told apart, or a place where there may be none
+};
+
+/// A stretch of the circle where the polynomial is as small as its rounding.
+struct Faint {
+  Direction middle;
+  double half_width;  ///< rad
+};
+
+inline constexpr int most_candidates = 64;
+inline constexpr int most_faint = 24;
+
+struct Candidates {
+  int count = 0;
+  bool overflow = false;
+  Candidate list[most_candidates];
+  int faint_count = 0;
+  Faint faint[most_faint];
+
+  void add(const Direction& angle, bool doubtful) {
+    overflow = overflow || count == most_candidates;
+    if (count < most_candidates) list[count++] = {angle, doubtful};
+  }
+  bool add_faint(const Direction& middle, double half_width) {
+    if (faint_count == most_faint) return false;
+    faint[faint_count++] = {middle, half_width};
+    return true;
+  }
+};
+
+/// The real roots of a trigonometric polynomial of degree eight. Over each of eight arcs it is a polynomial
+/// in Bernstein form: coefficients of one sign prove that there is no root, one change of sign that there is
+/// one; else the arc is halved, down to where two roots are not told apart.
+template <int width>
+class RootFinder {
+  using T = Lanes<width>;
+
+ public:
+  /// `farthest`: only arcs nearer to 0 than this, rad. `may_be_faint`: faint stretches are put aside.
+  RootFinder(const Trigonometric& f, double farthest, bool may_be_faint, Candidates& found)
+      : f_(f), may_be_faint_(may_be_faint), tolerance_(std::fmax(1e-12, 100 * f.noise)), found_(found) {
+    for (int first = 0; first < arcs; first += width) look_at_arcs(first, farthest);
+    while (cells_ > 0) halve();
+    for (int first = 0; first < brackets_; first += width) close_in(first);
+  }
+
+ private:
+  static constexpr int most_cells = 64;
+  static constexpr double smallest = 0.004;  ///< of half an arc, about 0.8 mrad
+  static constexpr double faint_below = 1e3;
+  static constexpr double relative_tolerance = 1e-11;
+
+  /// A part of an arc: tangents from low to high, in units of the arc's.
+  struct Part {
+    double low, high;
+    int arc;
+    double tolerance;
+  };
+  struct Cell {
+    Part part;
+    double control[controls];
+  };
+  struct Bracket {
+    Part part;
+    double at_low, at_high;
+  };
+
+  static Direction middle_of(int arc) { return {eighths.cosine[2 * arc + 1], eighths.sine[2 * arc + 1]}; }
+
+  static Direction angle_of(int arc, double place) {
+    const double t = tangent_of_arc * place, scale = 1 / (1 + t * t);
+    return sum_of(middle_of(arc), {(1 - t * t) * scale, 2 * t * scale});
+  }
+
+  void look_at_arcs(int first, double farthest) {
+    T even[degree + 1], odd[degree + 1];
+    even[0] = spread<T>(f_.cosine[0]);
+    for (int k = 1; k <= degree; ++k) {
+      T c, s;
+      for (int i = 0; i < width; ++i) {
+        const int angle = (2 * (first + i) + 1) * k % 16;
+        c[i] = eighths.cosine[angle];
+        s[i] = eighths.sine[angle];
+      }
+      even[k] = f_.cosine[k] * c + f_.sine[k] * s;
+      odd[k] = f_.sine[k] * c - f_.cosine[k] * s;
+    }
+    T control[controls];
+    T largest{};
+    for (int i = 0; i <= degree; ++i) {
+      T e = even[0] * bernstein_table.cosine[i][0], o{};
+      for (int k = 1; k <= degree; ++k) {
+        e += even[k] * bernstein_table.cosine[i][k];
+        o += odd[k] * bernstein_table.sine[i][k];
+      }
+      control[i] = e + o;
+      control[controls - 1 - i] = e - o;
+      const T most = magnitude_of(e) + magnitude_of(o);
+      largest = most > largest ? most : largest;
+    }
+    Part parts[width];
+    for (int i = 0; i < width; ++i) {
+      const int arc = first + i;
+      parts[i] = {-1, 1, arc, std::fmax(tolerance_, relative_tolerance * largest[i])};
+      constexpr double half_arc = 0.39269908169872414;
+      // Arcs lie at odd multiples of pi/8, the last ones below zero.
+      const double from_zero = half_arc * (arc < arcs / 2 ? 2 * arc + 1 : 2 * (arcs - arc) - 1);
+      bool skip = from_zero - half_arc > farthest;
+      if (!skip && may_be_faint_ && largest[i] < faint_below * tolerance_)
+        skip = found_.add_faint(middle_of(arc), half_arc);
+      if (skip)
+        for (T& c : control) c[i] = 1e9;
+    }
+    sort(control, parts, width);
+  }
+
+  /// Which lanes have no root for sure, and which may have several: coefficients that may be rounding tell
+  /// nothing of signs.
+  static void count_changes(const T (&control)[controls], const T& tolerance, unsigned& none,
+                            unsigned& several) {
+    unsigned once = 0, twice = 0, before = sign_mask(control[0]);
+    T least = magnitude_of(control[0]);
+    for (int i = 1; i < controls; ++i) {
+      const unsigned now = sign_mask(control[i]);
+      const unsigned change = now ^ before;
+      twice |= once & change;
+      once |= change;
+      before = now;
+      const T size = magnitude_of(control[i]);
+      least = size < least ? size : least;
+    }
+    const unsigned small = sign_mask(T(least - tolerance));
+    none = ~once & ~small;
+    several = twice | small;
+  }
+
+  void sort(const T (&control)[controls], const Part* parts, int count) {
+    T tolerance;
+    for (int i = 0; i < width; ++i) tolerance[i] = parts[i < count ? i : 0].tolerance;
+    unsigned none, several;
+    count_changes(control, tolerance, none, several);
+    for (int i = 0; i < count; ++i) {
+      if ((none >> i & 1U) != 0) continue;
+      if ((several >> i & 1U) == 0)
+        add_bracket({parts[i], control[0][i], control[controls - 1][i]});
+      else if (!is_faint(control, i, parts[i]))
+        add_cell(control, i, parts[i]);
+    }
+  }
+
+  bool is_faint(const T (&control)[controls], int lane, const Part& part) {
+    if (!may_be_faint_ || part.high - part.low > 1.9) return false;
+    double largest = 0;
+    for (const T& c : control) largest = std::fmax(largest, std::fabs(c[lane]));
+    if (!(largest < faint_below * tolerance_)) return false;
+    const Direction low = angle_of(part.arc, part.low), high = angle_of(part.arc, part.high);
+    const Direction middle = angle_of(part.arc, (part.low + part.high) / 2);
+    const double sine = high.sine * low.cosine - high.cosine * low.sine;
+    const double cosine = high.cosine * low.cosine + high.sine * low.sine;
+    return found_.add_faint(middle, std::atan2(sine, cosine) / 2);
+  }
+
+  void add_bracket(const Bracket& bracket) {
+    found_.overflow = found_.overflow || brackets_ == most_cells;
+    if (brackets_ < most_cells) bracket_[brackets_++] = bracket;
+  }
+
+  void add_cell(const T (&control)[controls], int lane, const Part& part) {
+    if (part.high - part.low < smallest) return look_at_double_root(part);
+    found_.overflow = found_.overflow || cells_ == most_cells;
+    if (cells_ == most_cells) return;
+    Cell& cell = cell_[cells_++];
+    cell.part = part;
+    for (int k = 0; k < controls; ++k) cell.control[k] = control[k][lane];
+  }
+
+  /// De Casteljau's algorithm on the last cells.
+  void halve() {
+    const int count = cells_ < width ? cells_ : width;
+    cells_ -= count;
+    T control[controls], other[controls];
+    Part low[width], high[width];
+    for (int i = 0; i < width; ++i) {
+      const Cell& cell = cell_[cells_ + (i < count ? i : 0)];
+      low[i] = high[i] = cell.part;
+      low[i].high = high[i].low = (cell.part.low + cell.part.high) / 2;
+      for (int k = 0; k < controls; ++k) control[k][i] = cell.control[k];
+    }
+    T work[controls];
+    for (int k = 0; k < controls; ++k) work[k] = control[k];
+    other[controls - 1] = work[controls - 1];
+#pragma GCC unroll 16
+    for (int j = 1; j < controls; ++j) {
+#pragma GCC unroll 16
+      for (int k = 0; k < controls - j; ++k) work[k] = 0.5 * (work[k] + work[k + 1]);
+      control[j] = work[0];
+      other[controls - 1 - j] = work[controls - 1 - j];
+    }
+    sort(control, low, count);
+    sort(other, high, count);
+  }
+
+  /// Where two roots are as near as makes no difference, or the polynomial hardly misses zero: the two roots
+  /// of the parabola about the stationary point, or of one that is a tolerance off.
+  void look_at_double_root(const Part& part) {
+    const double width_of_part = 2 * tangent_of_arc * (part.high - part.low);
+    const Direction middle = angle_of(part.arc, (part.low + part.high) / 2);
+    double by = 0;
+    const auto at = [&](double turn) { return sum_of(middle, {std::cos(turn), std::sin(turn)}); };
+    Value v = value_at(f_, middle);
+    for (int step = 0; step < 3; ++step) {
+      const double next = by - v.slope / v.bend;
+      if (!(std::fabs(next) < 2 * width_of_part)) break;
+      by = next;
+      v = value_at(f_, at(by));
+    }
+    const double square = -2 * v.value / v.bend;
+    if (std::fabs(v.value) > 30 * part.tolerance && square < 0) return;
+    const double unsure = std::fmin(2 * part.tolerance / std::fabs(v.bend), 0.01);
+    const double apart = std::sqrt(std::fmax(square, unsure));
+    found_.add(at(by - apart), true);
+    found_.add(at(by + apart), true);
+  }
+
+  /// Newton steps kept in their brackets.
+  void close_in(int first) {
+    const int count = brackets_ - first < width ? brackets_ - first : width;
+    T low, high, at_low, at_high, c0, s0;
+    for (int i = 0; i < width; ++i) {
+      const Bracket& b = bracket_[first + (i < count ? i : 0)];
+      const Direction middle = middle_of(b.part.arc);
+      low[i] = b.part.low;
+      high[i] = b.part.high;
+      at_low[i] = b.at_low;
+      at_high[i] = b.at_high;
+      c0[i] = middle.cosine;
+      s0[i] = middle.sine;
+    }
+    T x = low + (high - low) * at_low / (at_low - at_high);
+    x = x >= low && x <= high ? x : T(0.5 * (low + high));
+    T cosine{}, sine{};
+    constexpr int steps = 6;
+    for (int step = 0;; ++step) {
+      const T t = x * tangent_of_arc;
+      const T scale = 1 / (1 + t * t);
+      const T c = (1 - t * t) * scale, s = 2 * t * scale;
+      cosine = c0 * c - s0 * s;
+      sine = s0 * c + c0 * s;
+      if (step == steps) break;
+      T value, slope;
+      evaluate(cosine, sine, value, slope);
+      const T next = x - value / (slope * (2 * tangent_of_arc) * scale);
+      const auto same = (value < 0) == (at_low < 0);
+      low = same ? x : low;
+      high = same ? high : x;
+      const T middle = 0.5 * (low + high);
+      T y = next >= low ? next : middle;
+      y = next <= high ? y : middle;
+      x = y;
+    }
+    for (int i = 0; i < count; ++i) found_.add({cosine[i], sine[i]}, false);
+  }
+
+  /// Clenshaw's recurrence for value and slope: the real part of sum (a - i b) z^k by Horner's rule.
+  QVGEN_LANES void evaluate(const T& c, const T& s, T& value, T& slope) const {
+    T re = spread<T>(f_.cosine[degree]), im = spread<T>(-f_.sine[degree]);
+    T slope_re = spread<T>(degree * f_.sine[degree]), slope_im = spread<T>(degree * f_.cosine[degree]);
+#pragma GCC unroll 8
+    for (int k = degree - 1; k >= 0; --k) {
+      const T r = re * c - im * s, i = re * s + im * c;
+      const T dr = slope_re * c - slope_im * s, di = slope_re * s + slope_im * c;
+      re = r + f_.cosine[k];
+      im = i - f_.sine[k];
+      slope_re = dr + k * f_.sine[k];
+      slope_im = di + k * f_.cosine[k];
+    }
+    value = re;
+    slope = slope_re;
+  }
+
+  const Trigonometric& f_;
+  bool may_be_faint_;
+  double tolerance_;
+  Candidates& found_;
+  int cells_ = 0;
+  Cell cell_[most_cells + 2 * width];
+  int brackets_ = 0;
+  Bracket bracket_[most_cells];
+};
+
+/// All candidates, faint stretches magnified, up to four times one in the other.
+template <int width>
+double find_candidates(const PoseSystem& system, Pair pair, Candidates& found) {
+  const Trigonometric whole = sampled<width>(system, pair, {});
+  RootFinder<width>(whole, 4, true, found);
+  int level[most_faint];
+  for (int i = 0; i < found.faint_count; ++i) level[i] = 1;
+  for (int i = 0; i < found.faint_count; ++i) {
+    const Faint faint = found.faint[i];
+    const double half = 1.02 * faint.half_width;
+    constexpr double tangent = 0.57735026918962576;  // of 30 degrees
+    const Magnifier magnifier{faint.middle, tangent / std::tan(half / 2)};
+    const Trigonometric part = sampled<width>(system, pair, magnifier);
+    Candidates widened;
+    RootFinder<width>(part, 1.0471975511965976, level[i] < 4, widened);
+    found.overflow = found.overflow || widened.overflow;
+    for (int k = 0; k < widened.count; ++k) {
+      const Direction angle = magnifier.circle(widened.list[k].angle);
+      const double cosine = angle.cosine * faint.middle.cosine + angle.sine * faint.middle.sine;
+      if (cosine >= std::cos(half)) found.add(angle, widened.list[k].doubtful);
+    }
+    for (int k = 0; k < widened.faint_count; ++k) {
+      const Faint& inner = widened.faint[k];
+      if (inner.middle.cosine < 0.45) continue;
+      const int before = found.faint_count;
+      if (!found.add_faint(magnifier.circle(inner.middle), 2 * inner.half_width / magnifier.factor))
+        found.overflow = true;
+      else
+        level[before] = level[i] + 1;
+    }
+  }
+  return whole.noise;
+}
+
+}  // namespace
+}  // namespace qvgen::inverse::general

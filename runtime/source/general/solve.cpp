@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include <qvgen/inverse/general/solve.h>
+#include <qvgen/inverse/lanes.h>
+
+#include "careful.h"
+#include "goal.h"
+
+namespace qvgen::inverse::general {
+namespace {
+
+bool machine_has_fma() {
+#if defined(__GNUC__) && (defined(__x86_64__) || defined(__i386__))
+  return __builtin_cpu_supports("fma");
+#else
+  return false;
+#endif
+}
+
+Pass pass_for(Form form) {
+  const bool vectors = form == Form::fastest && pass_for_avx2 != nullptr && machine_has_avx2();
+  return vectors && machine_has_fma() ? pass_for_avx2 : pass_for_all;
+}
+
+void append(const Chain& chain, const Values& values, bool continuum, Found& found) {
+  Solution<joints>& row = found.append();
+  for (int j = 0; j < joints; ++j) {
+    const Rotor<double>& value = values[static_cast<std::size_t>(j)];
+    row.q[j] = chain.slides[j] ? value.cosine : output_angle(value.cosine, value.sine);
+  }
+  row.branch = 0;
+  row.continuum = continuum;
+}
+
+/// In the order of their joints, which is the same at every call.
+void number_rows(Found& found) {
+  std::sort(found.begin(), found.end(), [](const Solution<joints>& a, const Solution<joints>& b) {
+    return std::lexicographical_compare(a.q.data(), a.q.data() + joints, b.q.data(), b.q.data() + joints);
+  });
+  for (int i = 0; i < found.size(); ++i) found[i].branch = i;
+}
+
+}  // namespace
+
+void solve(const Setup& setup, const Pose<double>& pose, double tolerance,
+           const Preference<joints>& preference, Form form, Found& found) {
+  found.clear();
+  found.effort = {};
+  if (outlook(pose, 1e150, tolerance) != Outlook::open || setup.count == 0) {
+    found.status = status_beyond(pose);
+    return;
+  }
+  const Pass pass = pass_for(form);
+  Gathered gathered;
+  pass(setup.chain, setup.eliminations[0], goal_of(setup.chain, pose), gathered);
+  if (!gathered.doubtful && gathered.rows <= most_solutions) {
+    for (int i = 0; i < gathered.rows; ++i) append(setup.chain, values_of(gathered.row[i]), false, found);
+  } else {
+    Careful careful(setup, pose, tolerance, preference, pass);
+    careful.run(gathered);
+    for (int i = 0; i < careful.size(); ++i)
+      append(setup.chain, careful.row(i).values, careful.row(i).continuum, found);
+    found.effort = careful.effort();
+  }
+  number_rows(found);
+  found.conclude();
+}
+
+}  // namespace qvgen::inverse::general

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <Eigen/Geometry>
+#include <qvgen/inverse/general/solve.h>
+
+namespace qvgen::test {
+
+using Joints6 = Eigen::Matrix<double, 6, 1>;
+using Random = std::mt19937_64;
+
+double uniform(Random& random, double low = -1, double high = 1);
+
+/// T(q) = J1 C1 ... J6 C6, each J a turn about z or a slide along it. The tests' own kinematics: it shares
+/// nothing with the solver.
+struct Arm {
+  std::string name;
+  std::array<Eigen::Isometry3d, 6> links;
+  std::array<bool, 6> slides{};
+
+  [[nodiscard]] Eigen::Isometry3d tool(const Joints6& q) const;
+  /// Axes and tool at the zero pose, as the solver wants them.
+  [[nodiscard]] inverse::general::Description description() const;
+  [[nodiscard]] double size() const;
+  /// Uniform in [-pi, pi), slides over the arm's size.
+  [[nodiscard]] Joints6 joints(Random& random) const;
+  /// Largest difference of two joint vectors, revolute joints the short way round.
+  [[nodiscard]] double distance(const Joints6& a, const Joints6& b) const;
+  /// Of the Jacobian at the tool, lengths in units of the arm's size.
+  [[nodiscard]] double determinant(const Joints6& q) const;
+};
+
+/// Rows d, a, alpha (m, degrees) of Denavit and Hartenberg's table, angles measured from its x axes.
+Arm of_table(const std::string& name, const double (&table)[6][3]);
+/// The same in Craig's convention: a and alpha stand before the joint.
+Arm of_modified_table(const std::string& name, const double (&table)[6][3]);
+/// Every axis turned and moved by as much as this, rad and m.
+Arm miscalibrated(Arm arm, double by, unsigned seed);
+Arm random_arm(unsigned seed, int slides);
+
+Arm manseur_doty();
+Arm raghavan_roth();
+Arm jaco2();
+Arm crx10ia();
+Arm xarm6();
+Arm m10();
+Arm ur5();
+Arm irb6640();
+Arm piper();
+/// All of these, the last three miscalibrated by 1e-4.
+std::vector<Arm> named_arms();
+
+inverse::general::Found solve(const inverse::general::Setup& setup, const Pose<double>& pose,
+                              inverse::Form form = inverse::Form::fastest);
+
+/// What is wrong with the rows of a pose; empty if nothing is.
+std::string fault(const Arm& arm, const Eigen::Isometry3d& target, const inverse::general::Found& found);
+bool contains(const Arm& arm, const inverse::general::Found& found, const Joints6& q, double close = 1e-6);
+
+}  // namespace qvgen::test
