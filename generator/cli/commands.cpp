@@ -2,11 +2,9 @@
 #include "cli/commands.h"
 
 #include <algorithm>
-#include <fstream>
 #include <utility>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "derive/inverse/inverse.h"
 #include "description/reader.h"
@@ -17,15 +15,15 @@
 #include "emit/math/dynamics_closed_form.h"
 #include "emit/math/legend.h"
 #include "emit/math/singularities.h"
+#include "model/private_names.h"
 #include "optimise/dynamics_function.h"
 #include "pipeline/files.h"
-#include "pipeline/pipeline.h"
+#include "pipeline/output_folder.h"
 
 namespace qvgen::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::ordered_json;
 
 void print_diagnostics(const std::vector<description::Diagnostic>& diagnostics) {
   for (const auto& diagnostic : diagnostics) fmt::print(stderr, "{}\n", description::to_string(diagnostic));
@@ -37,9 +35,10 @@ bool has_error(const std::vector<description::Diagnostic>& diagnostics) {
   });
 }
 
-/// Reads all files and reports all their mistakes; nothing if there is an error in any.
-std::optional<std::vector<model::Robot>> read_robots(const std::vector<fs::path>& paths,
-                                                     const description::ReadOptions& options) {
+}  // namespace
+
+std::optional<std::vector<description::ReadResult>> read_descriptions(
+    const std::vector<fs::path>& paths, const description::ReadOptions& options) {
   std::vector<description::ReadResult> results;
   for (const fs::path& path : paths) results.push_back(description::read_file(path, options));
   bool good = true;
@@ -50,54 +49,17 @@ std::optional<std::vector<model::Robot>> read_robots(const std::vector<fs::path>
   const auto clashes = description::check_together(results);
   print_diagnostics(clashes);
   if (!good || has_error(clashes)) return std::nullopt;
+  return results;
+}
+
+std::optional<std::vector<model::Robot>> read_robots(const std::vector<fs::path>& paths,
+                                                     const description::ReadOptions& options) {
+  auto results = read_descriptions(paths, options);
+  if (!results) return std::nullopt;
   std::vector<model::Robot> robots;
-  for (auto& result : results) robots.push_back(std::move(*result.robot));
+  for (auto& result : *results) robots.push_back(std::move(*result.robot));
   return robots;
 }
-
-std::string file_text(const fs::path& path) {
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-ordered_json read_counts(const fs::path& path) {
-  std::ifstream file(path);
-  if (!file) return ordered_json::object();
-  return ordered_json::parse(file);
-}
-
-/// One line that is rewritten as robots finish; silent where nobody looks.
-class ProgressLine {
- public:
-  explicit ProgressLine(std::size_t total) : total_(total), visible_(::isatty(STDERR_FILENO) != 0) {}
-  ProgressLine(const ProgressLine&) = delete;
-  ProgressLine& operator=(const ProgressLine&) = delete;
-  ~ProgressLine() {
-    if (visible_) fmt::print(stderr, "\r\033[K");
-  }
-  void finished(const std::string& robot) {
-    ++done_;
-    if (!visible_) return;
-    fmt::print(stderr, "\r\033[K[{}/{}] {}", done_, total_, robot);
-    std::fflush(stderr);
-  }
-
- private:
-  std::size_t total_;
-  std::size_t done_ = 0;
-  bool visible_;
-};
-
-ordered_json only(const ordered_json& counts, const std::vector<model::Robot>& robots) {
-  ordered_json result = ordered_json::object();
-  for (const auto& [name, entry] : counts.items())
-    if (std::any_of(robots.begin(), robots.end(),
-                    [&, key = name](const auto& robot) { return robot.name == key; }))
-      result[name] = entry;
-  return result;
-}
-
-}  // namespace
 
 std::vector<fs::path> descriptions_in(const fs::path& folder) {
   std::vector<fs::path> paths;
@@ -105,36 +67,6 @@ std::vector<fs::path> descriptions_in(const fs::path& folder) {
     if (entry.path().extension() == ".toml") paths.push_back(entry.path());
   std::sort(paths.begin(), paths.end());
   return paths;
-}
-
-int run_generate(const GenerateArguments& arguments) {
-  const auto robots = read_robots(arguments.descriptions, arguments.read);
-  if (!robots) return bad_description;
-  std::vector<pipeline::OutputFile> files;
-  std::vector<std::string> missing;
-  {
-    ProgressLine line(robots->size());
-    files = pipeline::generate(
-        *robots, arguments.parts, read_counts(arguments.output / "operation_counts.json"),
-        [&](const std::string& robot) { line.finished(robot); }, &missing);
-  }
-  bool lacking = false;
-  for (const std::string& reason : missing) {
-    fmt::print(stderr, "{}\n", reason);
-    for (const std::string& required : arguments.required)
-      lacking = lacking || reason.find(": no " + required) != std::string::npos;
-  }
-  if (lacking) {
-    fmt::print(stderr, "qvgen: required and not derived, nothing written\n");
-    return failure;
-  }
-  const int changed = pipeline::write_files(arguments.output, files);
-  fmt::print("{}", report(only(read_counts(arguments.output / "operation_counts.json"), *robots),
-                          ReportFormat::table));
-  std::fflush(stdout);
-  fmt::print(stderr, "{} {}, {} files in {}, {} changed\n", robots->size(),
-             robots->size() == 1 ? "robot" : "robots", files.size(), arguments.output.string(), changed);
-  return success;
 }
 
 int run_import(const fs::path& description, const description::ReadOptions& options) {
@@ -146,27 +78,14 @@ int run_import(const fs::path& description, const description::ReadOptions& opti
 
 int run_new(const std::string& code, const std::string& name, bool euler_wrist, const fs::path& robots) {
   const fs::path known = robots / (code + ".toml");
-  const auto text = fs::exists(known) ? std::optional(file_text(known))
-                                      : description::write_template(name, code, euler_wrist);
+  const auto text =
+      fs::exists(known) ? pipeline::content_of(known) : description::write_template(name, code, euler_wrist);
   if (!text) {
     fmt::print(stderr, "qvgen: '{}' is neither a known robot nor letters R and P, at most {}\n", code,
                description::max_joints);
     return usage_error;
   }
   fmt::print("{}", *text);
-  return success;
-}
-
-int run_check(const std::vector<fs::path>& descriptions, const description::ReadOptions& options) {
-  const auto robots = read_robots(descriptions, options);
-  if (!robots) return bad_description;
-  for (const model::Robot& robot : *robots) {
-    std::string structure;
-    for (const model::Joint& joint : robot.joints)
-      structure += joint.type == model::JointType::revolute ? 'R' : 'P';
-    fmt::print("{}: {} ({}), {} geometric parameters\n", robot.name, robot.title, structure,
-               robot.geometry.size());
-  }
   return success;
 }
 
@@ -184,7 +103,7 @@ int show_dynamics(const model::Robot& robot) {
 }
 
 int show_inverse(const model::Robot& described, emit::Notation notation) {
-  const canonical::Arm arm = derive::inverse::arm_to_solve(described);
+  const canonical::Arm arm = derive::inverse::arm_to_solve(model::with_private_names(described));
   const model::Robot robot = emit::inverse_arm(arm).robot;
   bool found = false;
   bool explained = false;
@@ -236,12 +155,13 @@ int run_show(const ShowArguments& arguments) {
   return success;
 }
 
-int run_counts(const fs::path& counts_file, ReportFormat format, bool forms) {
-  if (!fs::exists(counts_file)) {
-    fmt::print(stderr, "qvgen: no {}: run `qvgen generate` first\n", counts_file.string());
+int run_counts(const fs::path& folder, ReportFormat format, bool forms) {
+  const auto counts = pipeline::counts_in(folder);
+  if (counts.empty()) {
+    fmt::print(stderr, "qvgen: no operation counts in {}: run `qvgen generate` first\n", folder.string());
     return failure;
   }
-  fmt::print("{}", report(read_counts(counts_file), format, forms));
+  fmt::print("{}", report(counts, format, forms));
   return success;
 }
 

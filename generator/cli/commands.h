@@ -1,24 +1,43 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "cli/report.h"
 #include "description/reader.h"
+#include "model/robot.h"
+#include "pipeline/parallel.h"
 
 namespace qvgen::cli {
 
 /// Exit codes of the tool.
 enum ExitCode { success = 0, failure = 1, usage_error = 2, bad_description = 3 };
 
+/// What other build systems need; paths may be empty.
+struct BuildFiles {
+  std::filesystem::path outputs;  ///< a list of all files of the robots, one a line
+  std::filesystem::path depfile;  ///< for make and ninja: what the file of that name without .d is made from
+  std::filesystem::path
+      sources;         ///< a folder of one source for each that a robot may have, the same for every robot
+  bool quiet = false;  ///< no table
+};
+
 struct GenerateArguments {
   std::vector<std::filesystem::path> descriptions;
+  std::filesystem::path known_robots;  ///< the folder of the tool's own descriptions
   std::filesystem::path output;
+  bool all_known = false;  ///< the descriptions are all that the tool knows: others of its own are gone
   description::ReadOptions read;
+  bool force = false;                 ///< also what has not changed
   std::vector<std::string> parts;     ///< see pipeline.h
-  std::vector<std::string> required;  ///< products without which a robot is an error
+  std::vector<std::string> required;  ///< parts without which a robot is an error
+  std::uint64_t tool = 0;             ///< a number that another build of the tool has not
+  pipeline::Budget budget;
+  BuildFiles build;
 };
 
 struct ShowArguments {
@@ -32,15 +51,27 @@ struct ShowArguments {
 
 /// Each command prints its results to stdout and messages to stderr, and returns an ExitCode.
 int run_generate(const GenerateArguments& arguments);
+/// Removes robots from a folder, their files and nothing else.
+int run_remove(const std::vector<std::string>& robots, const std::filesystem::path& output);
 int run_show(const ShowArguments& arguments);
-int run_counts(const std::filesystem::path& counts_file, ReportFormat format, bool forms);
-int run_check(const std::vector<std::filesystem::path>& descriptions,
-              const description::ReadOptions& options);
+int run_counts(const std::filesystem::path& folder, ReportFormat format, bool forms);
+/// `thorough`: derives and certifies everything as run_generate does.
+int run_check(const std::vector<std::filesystem::path>& descriptions, const description::ReadOptions& options,
+              bool thorough);
+
 /// Prints a URDF or MJCF as TOML.
 int run_import(const std::filesystem::path& description, const description::ReadOptions& options);
 /// Prints a description to edit: a known robot's, or one of joints by their letters.
 int run_new(const std::string& code, const std::string& name, bool euler_wrist,
             const std::filesystem::path& robots);
+
+/// Reads all files and reports all their mistakes; nothing if there is an error in any.
+std::optional<std::vector<description::ReadResult>> read_descriptions(
+    const std::vector<std::filesystem::path>& paths, const description::ReadOptions& options);
+
+/// Reads all files and reports all their mistakes; nothing if there is an error in any.
+std::optional<std::vector<model::Robot>> read_robots(const std::vector<std::filesystem::path>& paths,
+                                                     const description::ReadOptions& options);
 
 /// Every *.toml of a folder, sorted by name.
 std::vector<std::filesystem::path> descriptions_in(const std::filesystem::path& folder);

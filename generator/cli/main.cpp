@@ -1,20 +1,25 @@
 // SPDX-License-Identifier: MIT
+#include <cstdio>
 #include <map>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "cli/commands.h"
+#include "cli/installation.h"
+#include "description/names.h"
+#include "pipeline/pipeline.h"
 
 namespace {
 
 namespace fs = std::filesystem;
 using namespace qvgen::cli;
+using namespace qvgen::pipeline;
 
 constexpr const char* examples = R"(
 examples:
-  qvgen generate                              all robots of the source tree, into its generated/
-  qvgen generate my_arm.toml --output out     one robot, into out/
+  qvgen generate my_arm.toml --output out     one robot, into out/; without --output into ./generated
+  qvgen generate                              all robots that qvgen knows
   qvgen generate arm.urdf --tip tool0         an arm of a URDF (or MJCF), from its root to the link tool0
   qvgen import arm.urdf > arm.toml            the same as a description to read and edit
   qvgen new RRP --wrist euler > my_arm.toml   a description to begin with
@@ -27,10 +32,65 @@ examples:
 exit codes: 0 success, 1 failure, 2 wrong arguments, 3 mistakes in a description
 )";
 
-/// A robot by name or by file.
+/// Wrong arguments that CLI11 cannot see.
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+std::string with_suggestion(const std::string& message, const std::string& name,
+                            const std::vector<std::string>& known) {
+  const std::string near = qvgen::description::nearest(name, known);
+  std::string list;
+  for (const std::string& each : known) list += (list.empty() ? "" : ", ") + each;
+  return message + (near.empty() ? "; there are " + list : "; did you mean '" + near + "'?");
+}
+
+std::vector<std::string> names_in(const fs::path& robots) {
+  std::vector<std::string> names;
+  for (const fs::path& path : descriptions_in(robots)) names.push_back(path.stem().string());
+  return names;
+}
+
+/// A robot by name or by file. What looks like a file is one, and whoever reads it says if it is not there.
 fs::path description_of(const std::string& robot, const fs::path& robots) {
   const fs::path named = robots / (robot + ".toml");
-  return fs::exists(robot) || !fs::exists(named) ? fs::path(robot) : named;
+  const bool is_path = robot.find('/') != std::string::npos || fs::path(robot).has_extension();
+  if (fs::exists(robot) || is_path) return robot;
+  if (!fs::exists(named))
+    throw UsageError(
+        with_suggestion("there is no file and no known robot '" + robot + "'", robot, names_in(robots)));
+  return named;
+}
+
+std::vector<fs::path> descriptions_of(const std::vector<std::string>& names, const fs::path& robots) {
+  std::vector<fs::path> paths;
+  for (const std::string& name : names) paths.push_back(description_of(name, robots));
+  return paths;
+}
+
+void check_parts(const std::string& option, const std::vector<std::string>& parts,
+                 const std::vector<std::string>& known) {
+  for (const std::string& part : parts)
+    if (std::find(known.begin(), known.end(), part) == known.end())
+      throw UsageError(with_suggestion(option + ": there is no part '" + part + "'", part, known));
+}
+
+bool is_inside(const fs::path& path, const fs::path& folder) {
+  const fs::path from = fs::weakly_canonical(path).lexically_relative(fs::weakly_canonical(folder));
+  return !from.empty() && *from.begin() != "..";
+}
+
+/// ./generated; for the robots of the source tree, called from inside it, the tree's own.
+fs::path default_output(const Installation& here, const std::vector<std::string>& files) {
+  const fs::path current = fs::current_path();
+  if (!here.source_tree || !is_inside(current, *here.source_tree)) return "generated";
+  const bool own =
+      std::none_of(files.begin(), files.end(), [](const auto& file) { return fs::exists(file); });
+  if (own) return *here.source_tree / "generated";
+  if (fs::weakly_canonical(current / "generated") != fs::weakly_canonical(*here.source_tree / "generated"))
+    return "generated";
+  throw UsageError("./generated is that of qvgen's own robots here; say where to with --output");
 }
 
 /// Options of every command that reads a description.
@@ -52,10 +112,7 @@ void add_reading(CLI::App& command, qvgen::description::ReadOptions& options) {
       "URDF, MJCF: read numbers that near to an exact one as that one; off: none; auto: those rounded to it");
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  const fs::path source = QVGEN_SOURCE_DIR;
+int run(int argc, char** argv) {
   CLI::App app{"qvgen: symbolic code generator for robot manipulators", "qvgen"};
   app.footer(examples);
   app.set_version_flag("--version", "qvgen " QVGEN_VERSION);
@@ -63,19 +120,51 @@ int main(int argc, char** argv) {
 
   GenerateArguments generate;
   std::vector<std::string> generate_files;
-  std::string output = (source / "generated").string();
+  std::string output;
+  const auto is_named = [](const std::string& folder) {
+    return folder.empty() ? std::string("the folder has no name") : std::string();
+  };
+  const auto add_output = [&](CLI::App* command, const std::string& text) {
+    command->add_option("-o,--output", output, text + "; ./generated without")->check(is_named);
+  };
   auto* generate_command = app.add_subcommand("generate", "derive, certify and emit C++ for robots");
   generate_command->add_option("FILES", generate_files,
                                "robot descriptions or names of known robots; all known ones without");
-  generate_command->add_option("-o,--output", output, "folder to write to")->capture_default_str();
+  add_output(generate_command,
+             "folder to write to: files of it that qvgen has not written are never touched");
   generate_command
-      ->add_option("--only", generate.parts, "parts to generate: kinematics, jacobian, ...; all without")
+      ->add_option("--only", generate.parts, "parts to generate: kinematics,jacobian,...; all without")
       ->allow_extra_args(false)
       ->delimiter(',');
-  generate_command->add_option("--require", generate.required,
-                               "a product (inverse) that every robot must get, else an error");
+  generate_command
+      ->add_option("--require", generate.required,
+                   "parts (inverse,dynamics,...) that every robot must get, else an error")
+      ->allow_extra_args(false)
+      ->delimiter(',');
   generate_command->add_flag("--strict", generate.read.strict, "warnings about a description are errors");
   add_reading(*generate_command, generate.read);
+  generate_command->add_flag("--force", generate.force, "also robots that have not changed");
+  generate_command->add_option("--seconds", generate.budget.seconds, "processor time that a part may take")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  generate_command->add_option("--megabytes", generate.budget.megabytes, "memory that a part may take")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+
+  generate_command->add_option("--list-outputs", generate.build.outputs,
+                               "write the paths of all files there");
+  generate_command->add_option("--depfile", generate.build.depfile,
+                               "write there, for make and ninja, what TARGET of TARGET.d is made from");
+  generate_command->add_option(
+      "--sources", generate.build.sources,
+      "folder for one source of each part of a single robot, whether it has the part or not");
+  generate_command->add_flag("--quiet", generate.build.quiet, "no table of operation counts");
+
+  std::vector<std::string> removed;
+  auto* remove_command =
+      app.add_subcommand("remove", "remove robots from a generated folder, and no other file");
+  remove_command->add_option("ROBOTS", removed, "names of robots")->required();
+  add_output(remove_command, "folder that was generated");
 
   std::string shown;
   ShowArguments show;
@@ -99,13 +188,15 @@ int main(int argc, char** argv) {
       ->transform(CLI::CheckedTransformer(formats).description(""));
   bool forms = false;
   counts_command->add_flag("--forms", forms, "also the forms that competed for each function");
-  counts_command->add_option("-o,--output", output, "folder that was generated")->capture_default_str();
+  add_output(counts_command, "folder that was generated");
 
   std::vector<std::string> checked;
   qvgen::description::ReadOptions check;
   auto* check_command = app.add_subcommand("check", "report the mistakes of descriptions, write nothing");
-  check_command->add_option("FILES", checked, "robot descriptions")->required();
+  check_command->add_option("FILES", checked, "robot descriptions or names of known robots")->required();
   check_command->add_flag("--strict", check.strict, "warnings are errors");
+  bool thorough = false;
+  check_command->add_flag("--thorough", thorough, "derive and certify everything as generate does");
   add_reading(*check_command, check);
 
   std::string imported;
@@ -129,25 +220,52 @@ int main(int argc, char** argv) {
     return code == 0 ? success : usage_error;
   }
 
-  const fs::path robots = source / "generator" / "robots";
+  const Installation here = find_installation();
+  const auto folder = [&](const std::vector<std::string>& files) {
+    return output.empty() ? default_output(here, files) : fs::path(output);
+  };
+  if (*generate_command) {
+    check_parts("--only", generate.parts, product_names());
+    check_parts("--require", generate.required, part_names());
+    for (const std::string& part : generate.required)
+      if (!generate.parts.empty())
+        check_parts("--only without what is required", {product_of(part)}, generate.parts);
+    generate.known_robots = here.robots;
+    generate.output = folder(generate_files);
+    generate.tool = here.tool;
+    generate.all_known = generate_files.empty();
+    generate.descriptions =
+        generate_files.empty() ? descriptions_in(here.robots) : descriptions_of(generate_files, here.robots);
+    return run_generate(generate);
+  }
+  if (*remove_command) return run_remove(removed, folder({}));
+  if (*show_command) {
+    show.description = description_of(shown, here.robots);
+    return run_show(show);
+  }
+  if (*counts_command) return run_counts(folder({}), format, forms);
+  if (*import_command) return run_import(imported, import);
+  if (*new_command) return run_new(letters, name, wrist == "euler", here.robots);
+  return run_check(descriptions_of(checked, here.robots), check, thorough);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  int code = failure;
   try {
-    if (*generate_command) {
-      generate.output = output;
-      for (const std::string& file : generate_files)
-        generate.descriptions.push_back(description_of(file, robots));
-      if (generate_files.empty()) generate.descriptions = descriptions_in(robots);
-      return run_generate(generate);
-    }
-    if (*show_command) {
-      show.description = description_of(shown, robots);
-      return run_show(show);
-    }
-    if (*counts_command) return run_counts(fs::path(output) / "operation_counts.json", format, forms);
-    if (*import_command) return run_import(imported, import);
-    if (*new_command) return run_new(letters, name, wrist == "euler", robots);
-    return run_check({checked.begin(), checked.end()}, check);
+    code = run(argc, argv);
+  } catch (const UsageError& error) {
+    fmt::print(stderr, "qvgen: {}\n", error.what());
+    return usage_error;
   } catch (const std::exception& error) {
     fmt::print(stderr, "qvgen: {}\n", error.what());
     return failure;
   }
+  // A full disk or a closed pipe may tell only here.
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+    fmt::print(stderr, "qvgen: cannot write the output\n");
+    return failure;
+  }
+  return code;
 }

@@ -1,18 +1,31 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
 
 namespace qvgen::pipeline {
 
-/// work(0) ... work(count - 1) on all cores, results in order.
+/// What one piece of work may use at most. A last resort: what is derived bounds its own work first.
+struct Budget {
+  std::uint64_t seconds = 600;     ///< of processor time
+  std::uint64_t megabytes = 4096;  ///< of address space
+};
+
+/// What became of a piece of work.
+struct Outcome {
+  bool done = false;
+  std::string text;  ///< what it returned, or why it has not
+};
+
+/// work(0) ... work(count - 1) on all cores, outcomes in order.
 ///
-/// In processes, not threads: neither GiNaC nor CLN may be used by two threads at once. An exception in
-/// `work` becomes a std::runtime_error with its text here; `progress` is told each finished index as it
-/// comes.
-std::vector<std::string> in_processes(std::size_t count, const std::function<std::string(std::size_t)>& work,
-                                      const std::function<void(std::size_t)>& progress = {});
+/// Each in a process of its own, not in threads: neither GiNaC nor CLN may be used by two threads at once,
+/// and one that dies or exceeds its budget takes no other with it. `progress` is told each finished index.
+std::vector<Outcome> in_processes(std::size_t count, const std::function<std::string(std::size_t)>& work,
+                                  const Budget& budget = {},
+                                  const std::function<void(std::size_t)>& progress = {});
 
 }  // namespace qvgen::pipeline

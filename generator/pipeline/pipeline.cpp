@@ -6,35 +6,60 @@
 #include <stdexcept>
 
 #include "emit/render.h"
-#include "pipeline/parallel.h"
 #include "pipeline/products/product.h"
 
 namespace qvgen::pipeline {
 namespace {
 
 using nlohmann::json;
-using nlohmann::ordered_json;
 
-/// Includes the headers that the products have made for this robot: not every robot has every part.
-OutputFile umbrella_header(const model::Robot& robot, const std::vector<OutputFile>& files) {
-  json parts = json::array();
-  for (const Product& product : all_products()) {
-    const std::string header = "include/qvgen/robots/" + robot.name + "/" + product.part + ".h";
-    const auto is_header = [&](const OutputFile& file) { return file.path == header; };
-    if (std::any_of(files.begin(), files.end(), is_header)) parts.push_back({{"part", product.part}});
-  }
-  return {"include/qvgen/robots/" + robot.name + ".h",
-          emit::render("robot.h", {{"name", robot.name}, {"parts", parts}})};
+std::string header_of(const std::string& robot, const std::string& part) {
+  return "include/qvgen/robots/" + robot + "/" + part + ".h";
 }
 
-void check_parts(const Parts& parts) {
-  for (const std::string& part : parts) {
-    const auto is_it = [&](const Product& product) { return product.part == part; };
-    if (std::any_of(all_products().begin(), all_products().end(), is_it)) continue;
-    std::string known;
-    for (const Product& product : all_products()) known += (known.empty() ? "" : ", ") + product.part;
-    throw std::invalid_argument("no part " + part + "; there are " + known);
+bool has_file(const RobotOutput& output, const std::string& path) {
+  return std::any_of(output.files.begin(), output.files.end(),
+                     [&](const OutputFile& file) { return file.path == path; });
+}
+
+/// A reason of several lines, or a long one, as lines of a comment.
+json comment_lines(const std::string& text) {
+  json lines = json::array();
+  for (std::size_t start = 0; start <= text.size();) {
+    const std::size_t end = std::min(text.find('\n', start), text.size());
+    lines.push_back({{"line", text.substr(start, end - start)}});
+    start = end + 1;
   }
+  return lines;
+}
+
+/// In place of the header of a part that could not be made: the reasons.
+void add_headers_of_missing_parts(RobotOutput& output) {
+  std::map<std::string, json> reasons;
+  for (const Missing& missing : output.missing) {
+    if (missing.kind == Missing::Kind::not_described || missing.part == "singularity_measures") continue;
+    json& lines = reasons.emplace(missing.part, json::array()).first->second;
+    for (const json& line : comment_lines(missing.reason)) lines.push_back(line);
+  }
+  for (const auto& [part, lines] : reasons)
+    output.files.push_back(
+        {header_of(output.robot, part),
+         emit::render("missing.h", {{"name", output.robot}, {"part", part}, {"reasons", lines}})});
+}
+
+/// Includes the headers that there are, and says what there is not.
+OutputFile umbrella_header(const RobotOutput& output) {
+  json parts = json::array();
+  for (const Product& product : all_products())
+    if (has_file(output, header_of(output.robot, product.part))) parts.push_back({{"part", product.part}});
+  json missing = json::array();
+  for (const Missing& part : output.missing)
+    for (const json& line : comment_lines(part.part + ": " + part.reason)) missing.push_back(line);
+  return {"include/qvgen/robots/" + output.robot + ".h",
+          emit::render("robot.h", {{"name", output.robot},
+                                   {"parts", parts},
+                                   {"missing", missing},
+                                   {"is_complete", missing.empty()}})};
 }
 
 /// Every part rests on the model header.
@@ -43,44 +68,90 @@ bool is_wanted(const Product& product, const Parts& parts) {
          std::find(parts.begin(), parts.end(), product.part) != parts.end();
 }
 
-}  // namespace
+std::vector<Product> wanted_products(const Parts& parts) {
+  std::vector<Product> wanted;
+  for (const Product& product : all_products())
+    if (is_wanted(product, parts)) wanted.push_back(product);
+  return wanted;
+}
 
-RobotOutput generate_robot(const model::Robot& robot, const Parts& parts) {
-  RobotOutput output{robot.name, {}, ordered_json::object(), {}};
-  try {
-    for (const Product& product : all_products())
-      if (is_wanted(product, parts)) product.generate(robot, output);
-  } catch (const std::exception& error) {
-    throw std::runtime_error(robot.name + ": " + error.what());
-  }
-  output.files.push_back(umbrella_header(robot, output.files));
+RobotOutput generate_product(const model::Robot& robot, const Product& product) {
+  RobotOutput output{robot.name};
+  attempt(product.part, output, [&](RobotOutput& made) { product.generate(robot, made); });
   return output;
 }
 
-std::vector<OutputFile> generate(const std::vector<model::Robot>& robots, const Parts& parts,
-                                 const ordered_json& earlier,
-                                 const std::function<void(const std::string&)>& progress,
-                                 std::vector<std::string>* missing) {
-  check_parts(parts);
-  const auto work = [&](std::size_t i) { return to_text(generate_robot(robots[i], parts)); };
-  const auto done = [&](std::size_t i) {
-    if (progress) progress(robots[i].name);
-  };
-  std::vector<OutputFile> files;
-  std::map<std::string, ordered_json> entries;
-  for (const auto& [robot, entry] : earlier.items()) entries[robot] = entry;
-  for (const std::string& text : in_processes(robots.size(), work, done)) {
-    RobotOutput output = robot_output_from_text(text);
-    entries[output.robot] = output.counts;
-    for (const std::string& reason : output.missing)
-      if (missing != nullptr) missing->push_back(output.robot + ": " + reason);
-    files.insert(files.end(), output.files.begin(), output.files.end());
+/// Puts a robot together from its products; without its model header nothing would compile.
+RobotOutput whole(RobotOutput output) {
+  const bool has_model = has_part(output.missing, all_products().front().part);
+  if (!has_model) output.files.clear();
+  if (!output.missing.empty()) output.counts["missing"] = missing_to_json(output.missing);
+  if (!has_model) return output;
+  add_headers_of_missing_parts(output);
+  output.files.push_back(umbrella_header(output));
+  return output;
+}
+
+}  // namespace
+
+std::vector<std::string> product_names() {
+  std::vector<std::string> names;
+  for (const Product& product : all_products()) names.push_back(product.part);
+  return names;
+}
+
+std::vector<std::string> part_names() {
+  std::vector<std::string> names;
+  for (const Product& product : all_products()) {
+    names.push_back(product.part);
+    names.insert(names.end(), product.pieces.begin(), product.pieces.end());
   }
-  ordered_json all = ordered_json::object();
-  for (const auto& [robot, entry] : entries) all[robot] = entry;
-  files.push_back({"operation_counts.json", all.dump(1) + "\n"});
-  files.push_back({"README.md", emit::render("generated_readme.md", json::object())});
-  return files;
+  return names;
+}
+
+std::string product_of(const std::string& part) {
+  for (const Product& product : all_products())
+    if (std::find(product.pieces.begin(), product.pieces.end(), part) != product.pieces.end())
+      return product.part;
+  return part;
+}
+
+bool has_part(const std::vector<Missing>& missing, const std::string& part) {
+  const std::string product = product_of(part);
+  return std::none_of(missing.begin(), missing.end(),
+                      [&](const Missing& each) { return each.part == part || each.part == product; });
+}
+
+std::vector<RobotOutput> generate(const std::vector<model::Robot>& robots, const Parts& parts,
+                                  const Budget& budget,
+                                  const std::function<void(const std::string&)>& progress) {
+  const std::vector<Product> products = wanted_products(parts);
+  const auto work = [&](std::size_t i) {
+    return to_text(generate_product(robots[i / products.size()], products[i % products.size()]));
+  };
+  std::vector<std::size_t> open(robots.size(), products.size());
+  const auto done = [&](std::size_t i) {
+    const std::size_t robot = i / products.size();
+    if (--open[robot] == 0 && progress) progress(robots[robot].name);
+  };
+  const std::vector<Outcome> outcomes = in_processes(robots.size() * products.size(), work, budget, done);
+  std::vector<RobotOutput> outputs;
+  for (std::size_t robot = 0; robot < robots.size(); ++robot) {
+    RobotOutput output{robots[robot].name};
+    for (std::size_t i = 0; i < products.size(); ++i) {
+      const Outcome& outcome = outcomes[robot * products.size() + i];
+      if (outcome.done)
+        append(output, robot_output_from_text(outcome.text));
+      else
+        output.missing.push_back({products[i].part, Missing::Kind::not_finished, outcome.text});
+    }
+    outputs.push_back(whole(std::move(output)));
+  }
+  return outputs;
+}
+
+std::vector<OutputFile> shared_files() {
+  return {{"README.md", emit::render("generated_readme.md", json::object())}};
 }
 
 }  // namespace qvgen::pipeline

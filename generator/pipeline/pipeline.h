@@ -6,22 +6,30 @@
 #include <vector>
 
 #include "model/robot.h"
+#include "pipeline/parallel.h"
 #include "pipeline/robot_output.h"
 
 namespace qvgen::pipeline {
 
-/// The parts (headers of a robot: kinematics, jacobian, ...) that a run generates; none named means all.
+/// The products (headers of a robot: kinematics, jacobian, ...) that a run generates; none named means all.
 using Parts = std::vector<std::string>;
 
-/// description -> model -> symbolic -> derive -> dag -> passes -> emit, for one robot.
-RobotOutput generate_robot(const model::Robot& robot, const Parts& parts = {});
+/// The parts that can be named: products, and what may be missing of one while the rest is there.
+std::vector<std::string> product_names();
+std::vector<std::string> part_names();
+/// The product that a part belongs to.
+std::string product_of(const std::string& part);
 
-/// All files of a run, robots in parallel: theirs, operation_counts.json and the folder's README. Robots that
-/// `earlier` (the operation_counts.json in place, if any) knows and this run does not keep their entries.
-/// `missing` receives "robot: reason" for what could not be derived.
-std::vector<OutputFile> generate(const std::vector<model::Robot>& robots, const Parts& parts,
-                                 const nlohmann::ordered_json& earlier,
-                                 const std::function<void(const std::string& robot)>& progress = {},
-                                 std::vector<std::string>* missing = nullptr);
+/// Whether a robot has a part, by what is missing of it.
+bool has_part(const std::vector<Missing>& missing, const std::string& part);
+
+/// description -> model -> symbolic -> derive -> dag -> passes -> emit: the files of each robot. Every
+/// product of every robot is made in a process of its own; one that fails is left out and says why.
+std::vector<RobotOutput> generate(const std::vector<model::Robot>& robots, const Parts& parts,
+                                  const Budget& budget = {},
+                                  const std::function<void(const std::string& robot)>& progress = {});
+
+/// Files of no single robot.
+std::vector<OutputFile> shared_files();
 
 }  // namespace qvgen::pipeline

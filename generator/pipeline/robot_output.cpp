@@ -1,22 +1,71 @@
 // SPDX-License-Identifier: MIT
 #include "pipeline/robot_output.h"
 
+#include <new>
+
+#include "verify/certificate.h"
+
 namespace qvgen::pipeline {
 
 using nlohmann::ordered_json;
+
+NLOHMANN_JSON_SERIALIZE_ENUM(Missing::Kind, {{Missing::Kind::not_described, "not described"},
+                                             {Missing::Kind::not_derived, "not derived"},
+                                             {Missing::Kind::not_finished, "not finished"},
+                                             {Missing::Kind::refuted, "refuted"}})
+
+void attempt(const std::string& part, RobotOutput& output,
+             const std::function<void(RobotOutput&)>& generate) {
+  RobotOutput made{output.robot, {}, ordered_json::object(), {}};
+  const auto leave_out = [&](Missing::Kind kind, const std::string& reason) {
+    output.missing.push_back({part, kind, reason});
+  };
+  try {
+    generate(made);
+    append(output, made);
+  } catch (const verify::CertificateError& error) {
+    leave_out(Missing::Kind::refuted, error.what());
+  } catch (const std::bad_alloc&) {
+    leave_out(Missing::Kind::not_finished, "it takes more memory than it may have");
+  } catch (const std::exception& error) {
+    leave_out(Missing::Kind::not_derived, error.what());
+  }
+}
+
+void append(RobotOutput& output, const RobotOutput& more) {
+  output.files.insert(output.files.end(), more.files.begin(), more.files.end());
+  output.missing.insert(output.missing.end(), more.missing.begin(), more.missing.end());
+  for (const auto& [function, entry] : more.counts.items()) output.counts[function] = entry;
+}
+
+ordered_json missing_to_json(const std::vector<Missing>& missing) {
+  ordered_json list = ordered_json::array();
+  for (const Missing& part : missing)
+    list.push_back({{"part", part.part}, {"kind", part.kind}, {"reason", part.reason}});
+  return list;
+}
+
+std::vector<Missing> missing_from_json(const ordered_json& json) {
+  std::vector<Missing> missing;
+  for (const auto& part : json)
+    missing.push_back({part.at("part"), part.at("kind").get<Missing::Kind>(), part.at("reason")});
+  return missing;
+}
 
 std::string to_text(const RobotOutput& output) {
   ordered_json files = ordered_json::array();
   for (const OutputFile& file : output.files)
     files.push_back({{"path", file.path}, {"content", file.content}});
-  return ordered_json{
-      {"robot", output.robot}, {"files", files}, {"counts", output.counts}, {"missing", output.missing}}
+  return ordered_json{{"robot", output.robot},
+                      {"files", files},
+                      {"counts", output.counts},
+                      {"missing", missing_to_json(output.missing)}}
       .dump();
 }
 
 RobotOutput robot_output_from_text(const std::string& text) {
   const ordered_json json = ordered_json::parse(text);
-  RobotOutput output{json.at("robot"), {}, json.at("counts"), json.at("missing")};
+  RobotOutput output{json.at("robot"), {}, json.at("counts"), missing_from_json(json.at("missing"))};
   for (const auto& file : json.at("files")) output.files.push_back({file.at("path"), file.at("content")});
   return output;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -14,13 +15,36 @@ struct OutputFile {
   std::string content;
 };
 
+/// A part that a robot does not get.
+struct Missing {
+  enum class Kind {
+    not_described,  ///< the description has nothing to make it from (no inertia, no dynamics)
+    not_derived,    ///< what can be derived does not cover this arm
+    not_finished,   ///< it has used up its budget of time or memory, or its process died
+    refuted         ///< a certificate has failed: a defect of the generator
+  };
+  std::string part;
+  Kind kind = Kind::not_derived;
+  std::string reason;
+};
+
 /// What one robot yields: its files and its entry in operation_counts.json.
 struct RobotOutput {
   std::string robot;
-  std::vector<OutputFile> files;
-  nlohmann::ordered_json counts;
-  std::vector<std::string> missing;  ///< products that this robot does not get, each with the reason
+  std::vector<OutputFile> files = {};
+  nlohmann::ordered_json counts = nlohmann::ordered_json::object();
+  std::vector<Missing> missing = {};
 };
+
+/// Lets `generate` add a part to the output. If it throws, nothing of the part is left but the reason.
+void attempt(const std::string& part, RobotOutput& output, const std::function<void(RobotOutput&)>& generate);
+
+/// What operation_counts.json says of the missing parts, and back.
+nlohmann::ordered_json missing_to_json(const std::vector<Missing>& missing);
+std::vector<Missing> missing_from_json(const nlohmann::ordered_json& json);
+
+/// Appends what another process has made of the same robot.
+void append(RobotOutput& output, const RobotOutput& more);
 
 /// To and from text, for the way between processes.
 std::string to_text(const RobotOutput& output);

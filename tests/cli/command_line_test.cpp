@@ -21,8 +21,10 @@ struct ToolRun {
   std::string output;  ///< stdout and stderr
 };
 
-ToolRun run(const std::string& arguments) {
-  const std::string command = std::string(QVGEN_TOOL) + " " + arguments + " 2>&1 </dev/null";
+/// `arguments` may send the output elsewhere.
+ToolRun run_in(const fs::path& folder, const std::string& arguments) {
+  const std::string command =
+      "cd '" + folder.string() + "' && { " + QVGEN_TOOL + " " + arguments + "; } 2>&1 </dev/null";
   FILE* pipe = ::popen(command.c_str(), "r");
   ToolRun result{-1, {}};
   char buffer[4096];
@@ -31,6 +33,8 @@ ToolRun run(const std::string& arguments) {
   result.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   return result;
 }
+
+ToolRun run(const std::string& arguments) { return run_in(fs::current_path(), arguments); }
 
 bool has(const ToolRun& result, const std::string& text) {
   return result.output.find(text) != std::string::npos;
@@ -95,7 +99,7 @@ TEST_F(CommandLine, GeneratesARobotFromAnEmptyFolder) {
                            "source/my_arm/kinematics.cpp", "operation_counts.json", "README.md"})
     EXPECT_TRUE(fs::exists(fs::path(out()) / name)) << name;
   const ToolRun second = run("generate " + file + " --output " + out());
-  EXPECT_TRUE(has(second, " 0 changed")) << second.output;
+  EXPECT_TRUE(has(second, ": 0 generated, 0 files changed, 0 removed")) << second.output;
 }
 
 TEST_F(CommandLine, GeneratesOnlyThePartsAskedFor) {
@@ -109,7 +113,105 @@ TEST_F(CommandLine, GeneratesOnlyThePartsAskedFor) {
   EXPECT_EQ(
       std::distance(fs::directory_iterator(fs::path(out()) / "source/my_arm"), fs::directory_iterator()), 1);
   EXPECT_TRUE(has(run("counts --forms --output " + out()), "  pair product"));
-  EXPECT_EQ(run("generate " + file + " --only teleportation --output " + out()).code, 1);
+  const ToolRun none = run("generate " + file + " --only kinematic --output " + out());
+  EXPECT_EQ(none.code, 2);
+  EXPECT_TRUE(has(none, "did you mean 'kinematics'?")) << none.output;
+  // What was generated before and is not any more is gone.
+  EXPECT_EQ(run("generate " + file + " --only inverse --output " + out()).code, 0);
+  EXPECT_FALSE(fs::exists(fs::path(out()) / "source/my_arm/kinematics.cpp"));
+  // An option takes one value: what follows is a file.
+  EXPECT_TRUE(has(run("generate --only kinematics inverse --output " + out()), "no known robot 'inverse'"));
+}
+
+TEST_F(CommandLine, RequiresWhatItIsTold) {
+  const std::string file = write("my_arm.toml", good_arm);
+  EXPECT_EQ(run("generate --require inverse " + file + " --only inverse -o " + out()).code, 0);
+  const ToolRun without = run("generate --require dynamics " + file + " -o " + out());
+  EXPECT_EQ(without.code, 1);
+  EXPECT_TRUE(has(without, "my_arm: no dynamics: the description gives no mass")) << without.output;
+  EXPECT_TRUE(fs::exists(fs::path(out()) / "source/my_arm/kinematics.cpp")) << "the rest is written";
+  EXPECT_EQ(run("generate --require regressor " + file + " -o " + out()).code, 1) << "nothing has changed";
+  EXPECT_EQ(run("generate " + file + " -o " + out()).code, 0);
+  const ToolRun unknown = run("generate --require inverze " + file + " -o " + out());
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_TRUE(has(unknown, "did you mean 'inverse'?")) << unknown.output;
+  EXPECT_EQ(run("generate --only kinematics --require inverse " + file + " -o " + out()).code, 2);
+}
+
+TEST_F(CommandLine, SaysInTheCodeWhatThereIsNot) {
+  EXPECT_EQ(run("generate general_6r --only inverse -o " + out()).code, 0);
+  for (const char* name : {"general_6r.h", "general_6r/inverse.h"}) {
+    std::ifstream file(fs::path(out()) / "include/qvgen/robots" / name);
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    EXPECT_NE(text.find("their axes are not parallel"), std::string::npos) << name << text;
+  }
+  EXPECT_TRUE(has(run("counts --format json -o " + out()), "\"not derived\""));
+}
+
+TEST_F(CommandLine, WhatTakesTooLongCostsOnePart) {
+  const ToolRun result =
+      run("generate general_6r my.toml --only kinematics,jacobian --seconds 1 -o " + out());
+  EXPECT_EQ(result.code, 3);
+  const ToolRun bounded =
+      run("generate general_6r rr_planar --only kinematics,jacobian --seconds 1 -o " + out());
+  EXPECT_EQ(bounded.code, 0) << bounded.output;
+  EXPECT_TRUE(has(bounded, "general_6r: no jacobian: it takes more than 1 s of processor time"))
+      << bounded.output;
+  EXPECT_TRUE(fs::exists(fs::path(out()) / "source/rr_planar/jacobian.cpp"));
+}
+
+TEST_F(CommandLine, WritesIntoTheCurrentFolderAndRemovesARenamedRobot) {
+  write("my_arm.toml", good_arm);
+  const auto here = [&](const std::string& arguments) { return run_in(folder, arguments); };
+  EXPECT_EQ(here("generate my_arm.toml --only kinematics").code, 0);
+  EXPECT_TRUE(fs::exists(folder / "generated/source/my_arm/kinematics.cpp"));
+  EXPECT_EQ(here("generate my_arm.toml -o '' --only kinematics").code, 2);
+  std::string renamed = good_arm;
+  renamed.replace(renamed.find("my_arm"), 6, "our_arm");
+  write("my_arm.toml", renamed);
+  EXPECT_EQ(here("generate my_arm.toml --only kinematics").code, 0);
+  EXPECT_FALSE(fs::exists(folder / "generated/source/my_arm"));
+  EXPECT_FALSE(has(here("counts"), "my_arm")) << "its counts are gone";
+  EXPECT_EQ(here("remove my_arm").code, 1);
+  EXPECT_EQ(here("remove our_arm").code, 0);
+  EXPECT_FALSE(fs::exists(folder / "generated/source"));
+}
+
+TEST_F(CommandLine, DoesNothingForWhatHasNotChanged) {
+  const std::string file = write("my_arm.toml", good_arm);
+  const std::string command = "generate " + file + " rr_planar --only kinematics -o " + out();
+  EXPECT_TRUE(has(run(command), ": 2 generated"));
+  EXPECT_TRUE(has(run(command), ": 0 generated"));
+  EXPECT_TRUE(has(run(command + " --force"), ": 2 generated, 0 files changed"));
+  write("my_arm.toml", std::string(good_arm) + "limits = [-1, 1]\n");
+  EXPECT_TRUE(has(run(command), ": 1 generated"));
+  fs::remove(fs::path(out()) / "source/my_arm/kinematics.cpp");
+  EXPECT_TRUE(has(run(command), ": 1 generated, 1 files changed"));
+}
+
+TEST_F(CommandLine, KnowsRobotsByName) {
+  EXPECT_EQ(run("check puma560").code, 0);
+  for (const char* command : {"check", "generate", "show"}) {
+    const ToolRun unknown = run(std::string(command) + " pumma560");
+    EXPECT_EQ(unknown.code, 2);
+    EXPECT_TRUE(has(unknown, "did you mean 'puma560'?")) << unknown.output;
+  }
+}
+
+TEST_F(CommandLine, AnOutputThatCannotBeWrittenIsAnError) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full";
+  EXPECT_EQ(run("show ns >/dev/full").code, 1);
+  EXPECT_EQ(run("counts >/dev/full").code, 1);
+}
+
+TEST_F(CommandLine, WhatIsNotQvgensIsNeverTouched) {
+  const std::string file = write("my_arm.toml", good_arm);
+  fs::create_directories(out());
+  std::ofstream(fs::path(out()) / "README.md") << "mine";
+  const ToolRun result = run("generate " + file + " --only kinematics -o " + out());
+  EXPECT_EQ(result.code, 1);
+  EXPECT_TRUE(has(result, "out/README.md")) << result.output;
+  EXPECT_EQ(std::distance(fs::directory_iterator(out()), fs::directory_iterator()), 1);
 }
 
 TEST_F(CommandLine, KeepsTheCountsOfOtherRobots) {
@@ -139,6 +241,15 @@ TEST_F(CommandLine, CheckSumsUpAGoodFile) {
   EXPECT_EQ(run("check " + (folder / "missing.toml").string()).code, 3);
 }
 
+TEST_F(CommandLine, CheckSaysWhatGenerateWillLeaveOut) {
+  const ToolRun result = run("check general_6r puma560");
+  EXPECT_EQ(result.code, 0);
+  EXPECT_TRUE(has(result, "general_6r.toml:")) << result.output;
+  EXPECT_TRUE(has(result, ": note: no inverse: joints 4, 5 and 6: their axes do not meet in one point"));
+  EXPECT_FALSE(has(result, "puma560.toml:"));
+  EXPECT_EQ(run("check --thorough " + write("my_arm.toml", good_arm)).code, 0);
+}
+
 TEST_F(CommandLine, RobotsOfTheSameNameClash) {
   const ToolRun result = run("check " + write("a.toml", good_arm) + " " + write("b.toml", good_arm));
   EXPECT_EQ(result.code, 3);
@@ -158,7 +269,7 @@ TEST_F(CommandLine, ShowsTheClosedForm) {
 TEST_F(CommandLine, CountsNeedAGeneratedFolder) {
   const ToolRun result = run("counts --output " + out());
   EXPECT_EQ(result.code, 1);
-  EXPECT_TRUE(has(result, "run `qvgen generate` first"));
+  EXPECT_TRUE(has(result, "run `qvgen generate` first")) << result.output;
 }
 
 TEST_F(CommandLine, SaysWhyItCannotWrite) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "pipeline/parallel.h"
 
+#include <cstdlib>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
@@ -13,11 +14,11 @@ using qvgen::pipeline::in_processes;
 TEST(Parallel, KeepsTheOrder) {
   std::size_t reported = 0;
   const auto results = in_processes(
-      50, [](std::size_t i) { return std::string(i * 1000, static_cast<char>('a' + i % 26)); },
+      50, [](std::size_t i) { return std::string(i * 1000, static_cast<char>('a' + i % 26)); }, {},
       [&](std::size_t) { ++reported; });
   ASSERT_EQ(results.size(), 50U);
   for (std::size_t i = 0; i < results.size(); ++i)
-    EXPECT_EQ(results[i], std::string(i * 1000, static_cast<char>('a' + i % 26)));
+    EXPECT_EQ(results[i].text, std::string(i * 1000, static_cast<char>('a' + i % 26)));
   EXPECT_EQ(reported, 50U);
 }
 
@@ -25,25 +26,45 @@ TEST(Parallel, NothingToDo) {
   EXPECT_TRUE(in_processes(0, [](std::size_t) { return ""; }).empty());
 }
 
-TEST(Parallel, ErrorsComeBack) {
+TEST(Parallel, ErrorsComeBackAndCostOneAlone) {
   const auto work = [](std::size_t i) -> std::string {
     if (i == 3) throw std::runtime_error("robot 3 is broken");
     return "";
   };
-  try {
-    in_processes(6, work);
-    FAIL() << "no error";
-  } catch (const std::runtime_error& error) {
-    EXPECT_STREQ(error.what(), "robot 3 is broken");
-  }
+  const auto results = in_processes(6, work);
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(results[i].done, i != 3);
+  EXPECT_EQ(results[3].text, "robot 3 is broken");
 }
 
-TEST(Parallel, DeadWorkersAreNoticed) {
+TEST(Parallel, ADeadWorkerCostsItsOwnWork) {
   const auto work = [](std::size_t i) -> std::string {
     if (i == 2) ::_exit(9);
+    if (i == 3) std::abort();
     return "x";
   };
-  EXPECT_THROW(in_processes(5, work), std::runtime_error);
+  const auto results = in_processes(5, work);
+  for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(results[i].done, i != 2 && i != 3);
+  EXPECT_NE(results[2].text.find("code 9"), std::string::npos) << results[2].text;
+  EXPECT_NE(results[3].text.find("Abort"), std::string::npos) << results[3].text;
 }
+
+TEST(Parallel, ABudgetOfTimeIsKept) {
+  const auto work = [](std::size_t i) -> std::string {
+    for (volatile std::size_t k = 0; i == 0;) k = k + 1;
+    return "x";
+  };
+  const auto results = in_processes(2, work, {1, 4096});
+  EXPECT_FALSE(results[0].done);
+  EXPECT_NE(results[0].text.find("more than 1 s"), std::string::npos) << results[0].text;
+  EXPECT_TRUE(results[1].done);
+}
+
+#if !defined(__SANITIZE_ADDRESS__)
+TEST(Parallel, ABudgetOfMemoryIsKept) {
+  const auto work = [](std::size_t) { return std::string(std::size_t{1} << 31U, 'x').substr(0, 1); };
+  const auto results = in_processes(1, work, {60, 1024});
+  EXPECT_FALSE(results[0].done);
+}
+#endif
 
 }  // namespace

@@ -3,6 +3,7 @@
 // ./qvgen generate
 #pragma once
 
+#include <qvgen/detail/floating_point.h>
 #include <qvgen/inverse/conic_circle.h>
 #include <qvgen/inverse/outlook.h>
 #include <qvgen/inverse/polish.h>

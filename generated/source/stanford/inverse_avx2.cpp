@@ -3,6 +3,8 @@
 // ./qvgen generate
 //
 // Compile with -mavx2 -ffp-contract=off; without, there is no vector form and the scalar one serves.
+#include <qvgen/detail/no_contraction.h>
+
 #include "inverse_steps.h"
 
 #if defined(__AVX2__)

@@ -81,7 +81,7 @@ class HalfAngleTurn {
   explicit HalfAngleTurn(Program& program) : program_(program) {}
 
   Vector operator()(const Turn& turn, const Vector& v) {
-    const Turn placeholder{turn.axis, symbol("angle")};
+    const Turn placeholder{turn.axis, symbol("turn.angle")};
     const Vector shape = turned(placeholder, v);
     const auto [s, c] = sine_cosine(turn.angle);
     const GiNaC::exmap values{{GiNaC::sin(placeholder.angle), s}, {GiNaC::cos(placeholder.angle), c}};

@@ -14,6 +14,7 @@
 #include "emit/cpp/literal.h"
 #include "exact/constant_angle.h"
 #include "exact/named_constant.h"
+#include "model/private_names.h"
 
 namespace qvgen::emit {
 
@@ -166,7 +167,8 @@ SymbolTable symbol_table(const model::Robot& robot, const std::vector<Angle>& an
   std::map<std::string, std::string> known{{"pi", radians(1)}};
   for (std::size_t i = 0; i < robot.joints.size(); ++i)
     known[robot.joints[i].variable] = "q[" + std::to_string(i) + "]";
-  for (const model::Parameter& parameter : robot.geometry) known[parameter.name] = "g." + parameter.name;
+  for (const model::Parameter& parameter : robot.geometry)
+    known[parameter.name] = "g." + model::described_name(parameter.name);
   for (const auto& [name, definition] : robot.definitions) known[name] = code_of(definition, known);
   const auto symbol = [known, others](const std::string& name) {
     if (const auto constant = exact::named_value(name)) return scalar(exact::Number(*constant));

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "model/private_names.h"
+
 namespace qvgen::emit {
 
 using derive::inverse::Kind;
@@ -101,6 +103,7 @@ std::string Vocabulary::other(const std::string& name) const {
 }
 
 std::string Vocabulary::operator()(const std::string& name, const Step& step) const {
+  if (model::is_marked(name)) return other(model::described_name(name));
   if (name == "cos_result" || name == "sin_result" || begins(name, "result")) return solved(name, step);
   if (const std::string pose = part_of_pose(name); !pose.empty()) return pose;
   if (begins(name, "after_")) return without_joints(name);

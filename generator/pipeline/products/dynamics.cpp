@@ -56,7 +56,7 @@ void add_to(std::vector<optimise::DynamicsFunction>& functions, const model::Rob
     functions.push_back(generate_dynamics(robot, quantity, effort));
     measure(robot, functions.back());
   } catch (const derive::dynamics::MasslessLink& reason) {
-    output.missing.push_back("no " + quantity.name + ": " + reason.what());
+    output.missing.push_back({quantity.name, Missing::Kind::not_derived, reason.what()});
   }
 }
 
@@ -165,7 +165,11 @@ void add_regressor(const model::Robot& robot, RobotOutput& output) {
 }  // namespace
 
 void generate_dynamics_product(const model::Robot& described, RobotOutput& output) {
-  if (!optimise::has_inertia(described)) return;
+  if (!optimise::has_inertia(described)) {
+    output.missing.push_back(
+        {"dynamics", Missing::Kind::not_described, "the description gives no mass and no inertia"});
+    return;
+  }
   const model::Robot robot = canonical::for_dynamics(described);
   const std::vector<optimise::DynamicsFunction> functions = all_functions(robot, output);
   const json inertia{{"parameters", parameters_of(robot)},
@@ -173,10 +177,14 @@ void generate_dynamics_product(const model::Robot& described, RobotOutput& outpu
                      {"has_parameters", !robot.inertia_parameters.empty()},
                      {"has_defaults", has_defaults(robot)}};
   add_functions(robot, functions, "dynamics", inertia, output);
-  add_function(robot, inverse_dynamics_derivatives(robot, functions.front()), "dynamics_derivatives",
-               emit::angles_of(functions), json::object(), output);
-  add_functions(robot, loaded_functions(robot, functions, output), "dynamics_loads", json::object(), output);
-  add_regressor(robot, output);
+  attempt("dynamics_derivatives", output, [&](RobotOutput& made) {
+    add_function(robot, inverse_dynamics_derivatives(robot, functions.front()), "dynamics_derivatives",
+                 emit::angles_of(functions), json::object(), made);
+  });
+  attempt("dynamics_loads", output, [&](RobotOutput& made) {
+    add_functions(robot, loaded_functions(robot, functions, made), "dynamics_loads", json::object(), made);
+  });
+  attempt("regressor", output, [&](RobotOutput& made) { add_regressor(robot, made); });
 }
 
 }  // namespace qvgen::pipeline

@@ -17,6 +17,7 @@
 #include "emit/math/describe.h"
 #include "emit/render.h"
 #include "model/evaluate.h"
+#include "model/private_names.h"
 #include "verify/inverse/certify.h"
 #include "verify/inverse/count.h"
 
@@ -85,7 +86,7 @@ json geometry_values(const model::Robot& robot) {
 }
 
 /// Adds what the public functions hand to the derivation's arm in place of what they are given.
-void add_change_of_arm(const emit::InverseArm& arm, int locked, json& values) {
+void add_change_of_arm(const emit::InverseArm& arm, int locked, const std::string& given, json& values) {
   const json change = emit::change_of_arm(arm);
   const bool has_phases = change != json(false) && change["has_phases"] == json(true);
   values["has_phases"] = has_phases;
@@ -96,9 +97,8 @@ void add_change_of_arm(const emit::InverseArm& arm, int locked, json& values) {
   values["zero_preference"] =
       has_phases ? "inverse::zero_preference_at<dof>(detail::phases)" : "inverse::zero_preference<dof>";
   const std::string index = std::to_string(locked);
-  const std::string given = locked < 0 ? "" : arm.robot.joints[static_cast<std::size_t>(locked)].variable;
   values["locked_value"] =
-      locked < 0 ? "" : ", " + given + (has_phases ? " + detail::phases[" + index + "]" : "");
+      given.empty() ? "" : ", given_" + given + (has_phases ? " + detail::phases[" + index + "]" : "");
 }
 
 int polished_joints(const derive::inverse::Plan& plan) {
@@ -123,7 +123,8 @@ int polished_branches(const derive::inverse::Plan& plan) {
   return branches;
 }
 
-json variant(const emit::InverseArm& arm, const derive::inverse::Plan& derived,
+/// `described` has the names of the description, `arm` those of the plan.
+json variant(const model::Robot& described, const emit::InverseArm& arm, const derive::inverse::Plan& derived,
              nlohmann::ordered_json& all_counts) {
   const model::Robot& robot = arm.robot;
   const derive::inverse::LoweredPlan plan = lower(derived);
@@ -132,7 +133,7 @@ json variant(const emit::InverseArm& arm, const derive::inverse::Plan& derived,
   const bool lanes = emit::has_lanes(plan);
   const std::string farthest = reach(robot);
   const json geometry = geometry_values(robot);
-  const std::string given = locked ? robot.joints[static_cast<std::size_t>(derived.locked)].variable : "";
+  const std::string given = locked ? described.joints[static_cast<std::size_t>(derived.locked)].variable : "";
   const std::string function = locked ? "inverse_kinematics_given_" + given : "inverse_kinematics";
   if (const auto counts = verify::inverse_counts(plan); !counts.empty()) all_counts[function] = counts;
   const int joints = polished_joints(derived);
@@ -146,10 +147,11 @@ json variant(const emit::InverseArm& arm, const derive::inverse::Plan& derived,
       {"uses_orientation", derived.position_only ? "false" : "true"},
       {"given", derived.locked},
       {"locked", locked},
-      {"locked_parameter", locked ? "double " + given + ", " : ""},
-      {"locked_argument", locked ? ", " + given : ""},
+      {"locked_parameter", locked ? "double given_" + given + ", " : ""},
+      {"locked_argument", locked ? ", given_" + given : ""},
       {"quartic", derived.quartic() || chooses_slide(derived)},
-      {"reach", farthest.empty() ? "1e150" : farthest},
+      {"stable_branches", derived.quartic() ? "false" : "true"},
+      {"reach", farthest.empty() ? "1e50" : farthest},
       {"has_reach", !farthest.empty()},
       {"capacity", derived.capacity},
       {"meaning", std::string(derived.position_only ? "its position; the orientation is not used"
@@ -160,8 +162,8 @@ json variant(const emit::InverseArm& arm, const derive::inverse::Plan& derived,
       {"certificate", certificate.text()},
       {"target_fields", fields_of(derived.target_kept)},
       {"work_fields", fields_of(emit::work_fields(plan))},
-      {"target", emit::target_values(robot, plan)},
-      {"range_test", emit::range_test_values(robot, plan)},
+      {"target", emit::target_values(plan)},
+      {"range_test", emit::range_test_values(plan)},
       {"steps", emit::step_values(robot, plan)},
       {"dof", robot.joints.size()},
       {"has_geometry", !geometry.empty()},
@@ -177,32 +179,31 @@ json variant(const emit::InverseArm& arm, const derive::inverse::Plan& derived,
       {"careful_pass", emit::lines_of(emit::scalar_loop_lines(robot, plan, emit::Pass::careful))},
       {"has_lanes", lanes ? "true" : "false"},
       {"lanes", lanes ? json{{"lines", emit::lines_of(emit::simd_loop_lines(robot, plan))}} : json(false)}};
-  add_change_of_arm(arm, derived.locked, values);
+  add_change_of_arm(arm, derived.locked, given, values);
   return values;
 }
 
 }  // namespace
 
 void generate_inverse(const model::Robot& described, RobotOutput& output) {
-  const emit::InverseArm arm = emit::inverse_arm(derive::inverse::arm_to_solve(described));
-  const model::Robot& robot = arm.robot;
-  json values{{"name", robot.name}, {"variants", json::array()}, {"reasons", json::array()}};
+  const emit::InverseArm arm =
+      emit::inverse_arm(derive::inverse::arm_to_solve(model::with_private_names(described)));
+  json values{{"name", described.name}, {"variants", json::array()}};
   values["change"] = emit::change_of_arm(arm);
   std::vector<std::string> reasons;
-  for (const auto& derivation : {derive::inverse::derive(robot), derive::inverse::derive_locked(robot)}) {
-    if (derivation.found) values["variants"].push_back(variant(arm, derivation.plan, output.counts));
+  for (const auto& derivation : {derive::inverse::derive(arm.robot), derive::inverse::derive_locked(arm.robot)}) {
+    if (derivation.found)
+      values["variants"].push_back(variant(described, arm, derivation.plan, output.counts));
     reasons.insert(reasons.end(), derivation.reasons.begin(), derivation.reasons.end());
   }
-  const bool found = !values["variants"].empty();
-  values["found"] = found;
-  values["reasons"] = emit::lines_of(reasons);
-  output.files.push_back(
-      {"include/qvgen/robots/" + robot.name + "/inverse.h", emit::render("inverse.h", values)});
-  if (!found) {
-    for (const std::string& reason : reasons) output.missing.push_back("no inverse kinematics: " + reason);
+  if (values["variants"].empty()) {
+    for (const std::string& reason : reasons)
+      output.missing.push_back({"inverse", Missing::Kind::not_derived, reason});
     return;
   }
-  const std::string sources = "source/" + robot.name + "/";
+  output.files.push_back(
+      {"include/qvgen/robots/" + described.name + "/inverse.h", emit::render("inverse.h", values)});
+  const std::string sources = "source/" + described.name + "/";
   output.files.push_back({sources + "inverse_steps.h", emit::render("inverse_steps.h", values)});
   output.files.push_back({sources + "inverse.cpp", emit::render("inverse.cpp", values)});
   const auto in_lanes = [](const json& variant) { return variant["has_lanes"] == "true"; };

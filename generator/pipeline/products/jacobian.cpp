@@ -130,8 +130,23 @@ emit::JacobianFunction measures_function(const emit::SingularityMeasures& measur
   return function;
 }
 
+/// The measures and their function; none, and the reason in the output, if they cannot be had.
+std::pair<emit::SingularityMeasures, emit::JacobianFunction> measures_of(const model::Robot& robot,
+                                                                         RobotOutput& output) {
+  emit::SingularityMeasures measures;
+  measures.quantity.name = "singularity_measures";
+  emit::JacobianFunction function = measures_function(measures);
+  attempt(measures.quantity.name, output, [&](RobotOutput&) {
+    emit::SingularityMeasures found = emit::singularity_measures(robot);
+    function = measures_function(found);
+    measures = std::move(found);
+  });
+  if (!output.missing.empty()) function.text.push_back("None for this arm: " + output.missing.back().reason);
+  return {measures, function};
+}
+
 std::vector<emit::JacobianFunction> functions_of(const model::Robot& robot,
-                                                 const emit::SingularityMeasures& measures) {
+                                                 const emit::JacobianFunction& measures) {
   const std::size_t dof = robot.joints.size();
   return {
       matrix_function(derive::jacobian(robot), dof, {},
@@ -154,7 +169,7 @@ std::vector<emit::JacobianFunction> functions_of(const model::Robot& robot,
                      {"The tool's acceleration (m/s², rad/s²) at constant joint rates qd: `jacobian_dot(q, "
                       "qd) * qd`; with joint accelerations",
                       "it is `jacobian(q) * qdd` plus this."}),
-      measures_function(measures),
+      measures,
   };
 }
 
@@ -196,8 +211,8 @@ json wrist_values(const model::Robot& robot) {
 void generate_jacobian(const model::Robot& described, RobotOutput& output) {
   const canonical::Arm arm = canonical::for_kinematics(described);
   const model::Robot& robot = arm.robot;
-  const emit::SingularityMeasures measures = emit::singularity_measures(robot);
-  std::vector<emit::JacobianFunction> functions = functions_of(robot, measures);
+  const auto [measures, measures_function] = measures_of(robot, output);
+  std::vector<emit::JacobianFunction> functions = functions_of(robot, measures_function);
   for (emit::JacobianFunction& function : functions)
     function.optimised = optimise::in_terms_of_description(std::move(function.optimised), arm);
   const std::vector<dag::Angle> angles = emit::angles_of(functions);

@@ -11,6 +11,9 @@ namespace {
 
 using nlohmann::json;
 
+/// A symbol without a default: what is computed with it says that it was forgotten.
+constexpr const char* not_given = "std::numeric_limits<double>::quiet_NaN()";
+
 /// C++ literal of a constant expression; parameters have their default values.
 std::string number(const model::Expression& expression, const model::Robot& robot) {
   return fmt::format("{}", model::to_double(model::evaluate(expression, model::default_bindings(robot))));
@@ -35,16 +38,19 @@ void generate_model_header(const model::Robot& robot, RobotOutput& output) {
     values["joints"].push_back(joint(each, robot, &each == &robot.joints.back()));
   values["parameters"] = json::array();
   bool has_defaults = false;
+  bool lacks_defaults = false;
   for (const model::Parameter& parameter : robot.geometry) {
     has_defaults = has_defaults || parameter.default_value.has_value();
+    lacks_defaults = lacks_defaults || !parameter.default_value.has_value();
     values["parameters"].push_back(
         {{"name", parameter.name},
-         {"default", parameter.default_value ? number(*parameter.default_value, robot) : "0"},
+         {"default", parameter.default_value ? number(*parameter.default_value, robot) : not_given},
          {"last", &parameter == &robot.geometry.back()}});
   }
   values["parameter_count"] = robot.geometry.size();
   values["has_parameters"] = !robot.geometry.empty();
   values["has_defaults"] = has_defaults;
+  values["lacks_defaults"] = lacks_defaults;
   output.files.push_back(
       {"include/qvgen/robots/" + robot.name + "/model.h", emit::render("model.h", values)});
 }

@@ -10,11 +10,12 @@
 namespace qvgen::pipeline {
 
 const std::vector<Product>& all_products() {
-  static const std::vector<Product> products{{"model", generate_model_header},
-                                             {"kinematics", generate_kinematics},
-                                             {"inverse", generate_inverse},
-                                             {"jacobian", generate_jacobian},
-                                             {"dynamics", generate_dynamics_product}};
+  static const std::vector<Product> products{
+      {"model", generate_model_header},
+      {"kinematics", generate_kinematics},
+      {"inverse", generate_inverse},
+      {"jacobian", generate_jacobian, {"singularity_measures"}},
+      {"dynamics", generate_dynamics_product, {"dynamics_derivatives", "dynamics_loads", "regressor"}}};
   return products;
 }
 

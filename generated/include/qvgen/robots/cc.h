@@ -7,3 +7,6 @@
 #include <qvgen/robots/cc/kinematics.h>
 #include <qvgen/robots/cc/inverse.h>
 #include <qvgen/robots/cc/jacobian.h>
+
+// Not generated:
+//   dynamics: the description gives no mass and no inertia

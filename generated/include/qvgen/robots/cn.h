@@ -7,3 +7,6 @@
 #include <qvgen/robots/cn/kinematics.h>
 #include <qvgen/robots/cn/inverse.h>
 #include <qvgen/robots/cn/jacobian.h>
+
+// Not generated:
+//   dynamics: the description gives no mass and no inertia

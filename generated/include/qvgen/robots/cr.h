@@ -7,3 +7,6 @@
 #include <qvgen/robots/cr/kinematics.h>
 #include <qvgen/robots/cr/inverse.h>
 #include <qvgen/robots/cr/jacobian.h>
+
+// Not generated:
+//   dynamics: the description gives no mass and no inertia

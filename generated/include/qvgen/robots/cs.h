@@ -7,3 +7,6 @@
 #include <qvgen/robots/cs/kinematics.h>
 #include <qvgen/robots/cs/inverse.h>
 #include <qvgen/robots/cs/jacobian.h>
+
+// Not generated:
+//   dynamics: the description gives no mass and no inertia

@@ -8,3 +8,4 @@
 #include <qvgen/robots/iiwa14/inverse.h>
 #include <qvgen/robots/iiwa14/jacobian.h>
 #include <qvgen/robots/iiwa14/dynamics.h>
+

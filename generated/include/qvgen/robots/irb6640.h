@@ -7,3 +7,6 @@
 #include <qvgen/robots/irb6640/kinematics.h>
 #include <qvgen/robots/irb6640/inverse.h>
 #include <qvgen/robots/irb6640/jacobian.h>
+
+// Not generated:
+//   dynamics: the description gives no mass and no inertia

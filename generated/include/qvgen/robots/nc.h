@@ -7,3 +7,6 @@
 #include <qvgen/robots/nc/kinematics.h>
 #include <qvgen/robots/nc/inverse.h>
 #include <qvgen/robots/nc/jacobian.h>
+
+// Not generated:
+//   dynamics: the description gives no mass and no inertia

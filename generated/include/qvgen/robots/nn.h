@@ -7,3 +7,6 @@
 #include <qvgen/robots/nn/kinematics.h>
 #include <qvgen/robots/nn/inverse.h>
 #include <qvgen/robots/nn/jacobian.h>
+
+// Not generated:
+//   dynamics: the description gives no mass and no inertia

@@ -7,3 +7,6 @@
 #include <qvgen/robots/nr/kinematics.h>
 #include <qvgen/robots/nr/inverse.h>
 #include <qvgen/robots/nr/jacobian.h>
+
+// Not generated:
+//   dynamics: the description gives no mass and no inertia

@@ -7,3 +7,6 @@
 #include <qvgen/robots/ns/kinematics.h>
 #include <qvgen/robots/ns/inverse.h>
 #include <qvgen/robots/ns/jacobian.h>
+
+// Not generated:
+//   dynamics: the description gives no mass and no inertia

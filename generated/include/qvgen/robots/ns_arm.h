@@ -8,3 +8,4 @@
 #include <qvgen/robots/ns_arm/inverse.h>
 #include <qvgen/robots/ns_arm/jacobian.h>
 #include <qvgen/robots/ns_arm/dynamics.h>
+

@@ -8,3 +8,4 @@
 #include <qvgen/robots/ns_numbers/inverse.h>
 #include <qvgen/robots/ns_numbers/jacobian.h>
 #include <qvgen/robots/ns_numbers/dynamics.h>
+

@@ -7,3 +7,6 @@
 #include <qvgen/robots/planar_3r/kinematics.h>
 #include <qvgen/robots/planar_3r/inverse.h>
 #include <qvgen/robots/planar_3r/jacobian.h>
+
+// Not generated:
+//   dynamics: the description gives no mass and no inertia

@@ -7,3 +7,6 @@
 #include <qvgen/robots/poe_6r/kinematics.h>
 #include <qvgen/robots/poe_6r/inverse.h>
 #include <qvgen/robots/poe_6r/jacobian.h>
+
+// Not generated:
+//   dynamics: the description gives no mass and no inertia

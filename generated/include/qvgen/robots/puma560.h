@@ -8,3 +8,4 @@
 #include <qvgen/robots/puma560/inverse.h>
 #include <qvgen/robots/puma560/jacobian.h>
 #include <qvgen/robots/puma560/dynamics.h>
+

@@ -7,3 +7,6 @@
 #include <qvgen/robots/rc/kinematics.h>
 #include <qvgen/robots/rc/inverse.h>
 #include <qvgen/robots/rc/jacobian.h>
+
+// Not generated:
+//   dynamics: the description gives no mass and no inertia

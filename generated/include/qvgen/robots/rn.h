@@ -7,3 +7,6 @@
 #include <qvgen/robots/rn/kinematics.h>
 #include <qvgen/robots/rn/inverse.h>
 #include <qvgen/robots/rn/jacobian.h>
+
+// Not generated:
+//   dynamics: the description gives no mass and no inertia

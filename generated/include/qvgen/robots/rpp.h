@@ -7,3 +7,6 @@
 #include <qvgen/robots/rpp/kinematics.h>
 #include <qvgen/robots/rpp/inverse.h>
 #include <qvgen/robots/rpp/jacobian.h>
+
+// Not generated:
+//   dynamics: the description gives no mass and no inertia

@@ -7,3 +7,6 @@
 #include <qvgen/robots/rr/kinematics.h>
 #include <qvgen/robots/rr/inverse.h>
 #include <qvgen/robots/rr/jacobian.h>
+
+// Not generated:
+//   dynamics: the description gives no mass and no inertia

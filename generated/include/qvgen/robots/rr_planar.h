@@ -7,3 +7,6 @@
 #include <qvgen/robots/rr_planar/kinematics.h>
 #include <qvgen/robots/rr_planar/inverse.h>
 #include <qvgen/robots/rr_planar/jacobian.h>
+
+// Not generated:
+//   dynamics: the description gives no mass and no inertia

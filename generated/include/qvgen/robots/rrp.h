@@ -7,3 +7,6 @@
 #include <qvgen/robots/rrp/kinematics.h>
 #include <qvgen/robots/rrp/inverse.h>
 #include <qvgen/robots/rrp/jacobian.h>
+
+// Not generated:
+//   dynamics: the description gives no mass and no inertia

@@ -7,3 +7,6 @@
 #include <qvgen/robots/rrr/kinematics.h>
 #include <qvgen/robots/rrr/inverse.h>
 #include <qvgen/robots/rrr/jacobian.h>
+
+// Not generated:
+//   dynamics: the description gives no mass and no inertia

@@ -7,3 +7,6 @@
 #include <qvgen/robots/rs/kinematics.h>
 #include <qvgen/robots/rs/inverse.h>
 #include <qvgen/robots/rs/jacobian.h>
+
+// Not generated:
+//   dynamics: the description gives no mass and no inertia

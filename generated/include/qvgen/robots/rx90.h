@@ -8,3 +8,4 @@
 #include <qvgen/robots/rx90/inverse.h>
 #include <qvgen/robots/rx90/jacobian.h>
 #include <qvgen/robots/rx90/dynamics.h>
+

@@ -7,3 +7,6 @@
 #include <qvgen/robots/sc/kinematics.h>
 #include <qvgen/robots/sc/inverse.h>
 #include <qvgen/robots/sc/jacobian.h>
+
+// Not generated:
+//   dynamics: the description gives no mass and no inertia

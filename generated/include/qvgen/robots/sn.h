@@ -7,3 +7,6 @@
 #include <qvgen/robots/sn/kinematics.h>
 #include <qvgen/robots/sn/inverse.h>
 #include <qvgen/robots/sn/jacobian.h>
+
+// Not generated:
+//   dynamics: the description gives no mass and no inertia

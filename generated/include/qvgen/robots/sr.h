@@ -7,3 +7,6 @@
 #include <qvgen/robots/sr/kinematics.h>
 #include <qvgen/robots/sr/inverse.h>
 #include <qvgen/robots/sr/jacobian.h>
+
+// Not generated:
+//   dynamics: the description gives no mass and no inertia

@@ -7,3 +7,6 @@
 #include <qvgen/robots/ss/kinematics.h>
 #include <qvgen/robots/ss/inverse.h>
 #include <qvgen/robots/ss/jacobian.h>
+
+// Not generated:
+//   dynamics: the description gives no mass and no inertia

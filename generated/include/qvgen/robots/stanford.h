@@ -8,3 +8,4 @@
 #include <qvgen/robots/stanford/inverse.h>
 #include <qvgen/robots/stanford/jacobian.h>
 #include <qvgen/robots/stanford/dynamics.h>
+

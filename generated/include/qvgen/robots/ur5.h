@@ -7,3 +7,6 @@
 #include <qvgen/robots/ur5/kinematics.h>
 #include <qvgen/robots/ur5/inverse.h>
 #include <qvgen/robots/ur5/jacobian.h>
+
+// Not generated:
+//   dynamics: the description gives no mass and no inertia

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 
 #include "derive/inverse/inverse.h"
 #include "derive/inverse/schedule.h"
@@ -13,6 +12,7 @@
 #include "emit/cpp/template_values.h"
 #include "emit/math/describe.h"
 #include "exact/named_constant.h"
+#include "model/private_names.h"
 
 namespace qvgen::emit {
 
@@ -271,7 +271,7 @@ std::vector<std::string> wrist_turn_lines(const Step& step) {
 
 std::map<std::string, std::string> geometry_fields(const model::Robot& robot) {
   std::map<std::string, std::string> fields;
-  for (const auto& parameter : robot.geometry) fields[parameter.name] = parameter.name;
+  for (const auto& parameter : robot.geometry) fields[parameter.name] = model::described_name(parameter.name);
   std::size_t index = 0;
   for (const auto& definition : robot.definitions)
     fields[definition.first] = "defined_" + std::to_string(++index) + "_";
@@ -307,19 +307,19 @@ json target_values(const model::Robot& robot, const LoweredPlan& plan) {
   return to_json(code);
 }
 
-json range_test_values(const model::Robot& robot, const LoweredPlan& plan) {
+json range_test_values(const LoweredPlan& plan) {
   const derive::inverse::RangeTest& test = plan.plan.range_test;
   if (!test.exists()) return false;
   return {{"unknown", test.unknown},
           {"equation", test.equation},
-          {"values", to_json(cpp_code(plan.range_test, names_of(robot, plan, {})))}};
+          {"values", to_json(cpp_code(plan.range_test, names_of(plan, {})))}};
 }
 
 json step_values(const model::Robot& robot, const LoweredPlan& plan) {
   json steps = json::array();
   for (std::size_t i = 0; i < plan.steps.size(); ++i) {
     const Step& step = plan.plan.steps[i];
-    const SymbolTable names = names_of(robot, plan, step);
+    const SymbolTable names = names_of(plan, step);
     const Code before = cpp_code(plan.steps[i].before, names);
     const Code after = cpp_code(plan.steps[i].after, names);
     const auto [type, call] = block(plan, step);

@@ -17,8 +17,8 @@ using Joints = Eigen::Matrix<double, dof, 1>;
 template <int dof>
 using JointKinds = std::array<bool, static_cast<std::size_t>(dof)>;
 
-/// Lower and upper bounds, rad or m; infinite where there is none.
-///
+/// Lower and upper bounds, rad or m; infinite where there is none. Generated code has the description's as
+/// `Limits`.
 template <int dof>
 struct JointLimits {
   Joints<dof> lower;

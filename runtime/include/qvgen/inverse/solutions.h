@@ -5,6 +5,7 @@
 #include <array>
 
 #include <Eigen/Core>
+#include <qvgen/detail/floating_point.h>
 #include <qvgen/inverse/effort.h>
 
 namespace qvgen {
@@ -24,13 +25,14 @@ struct InverseInfo {
   bool uses_orientation;  ///< false: the position alone is reached
   int given_joint;        ///< index of the joint whose value the caller gives, -1 for none
   bool has_lanes;         ///< there is a form that follows several branches at once
+  bool stable_branches;   ///< a branch keeps its number along a path without a singularity
 };
 
 /// One row of a solution set.
 template <int dof>
 struct Solution {
-  Eigen::Matrix<double, dof, 1> q;  ///< revolute: rad in (-pi, pi]; prismatic: m
-  int branch;                       ///< which sign each step took; stays the same along a continuous path
+  Eigen::Matrix<double, dof, 1> q;  ///< revolute: rad in (-pi, pi], within limits whole turns more; prismatic: m
+  int branch;                       ///< which sign each step took; see InverseInfo::stable_branches
   bool continuum;                   ///< true: a free joint was chosen, from the seed or zero
 };
 

@@ -3,7 +3,7 @@
 // ./qvgen generate
 #pragma once
 
-// No inverse kinematics could be derived for this robot. What was looked for:
+// There is no inverse for this robot:
 //   joints 4, 5 and 6: their axes do not meet in one point
 //   joints 1, 2 and 3: their axes do not meet in one point
 //   joints 3, 4 and 5: their axes do not meet in one point
@@ -12,4 +12,3 @@
 //   joints 3, 4 and 5: their axes are not parallel
 //   joints 1, 2 and 3: their axes are not parallel
 //   joints 4, 5 and 6: their axes are not parallel
-

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/commands.h"
+
+namespace qvgen::cli {
+
+/// Writes what the arguments ask for about these robots of the output folder, and nothing that stands there
+/// as it should: build systems look at times.
+void write_build_files(const GenerateArguments& arguments, const std::vector<std::string>& robots);
+
+}  // namespace qvgen::cli

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+#include <cln/rational_io.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
+#include "cli/build_files.h"
+#include "cli/commands.h"
+#include "pipeline/files.h"
+#include "pipeline/folder_state.h"
+#include "pipeline/output_folder.h"
+#include "pipeline/pipeline.h"
+
+namespace qvgen::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace pipeline;
+using nlohmann::ordered_json;
+
+/// One line that is rewritten as robots finish; silent where nobody looks.
+class ProgressLine {
+ public:
+  explicit ProgressLine(std::size_t total) : total_(total), visible_(::isatty(STDERR_FILENO) != 0) {}
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+  ~ProgressLine() {
+    if (visible_) fmt::print(stderr, "\r\033[K");
+  }
+  void finished(const std::string& robot) {
+    ++done_;
+    if (!visible_) return;
+    fmt::print(stderr, "\r\033[K[{}/{}] {}", done_, total_, robot);
+    std::fflush(stderr);
+  }
+
+ private:
+  std::size_t total_;
+  std::size_t done_ = 0;
+  bool visible_;
+};
+
+/// A robot of the run: where it comes from, and what its files are made of.
+struct Task {
+  model::Robot robot;
+  std::string origin;
+  std::string key;
+};
+
+/// What the options make of a description: one file may give several robots.
+std::string text_of(const description::ReadOptions& options) {
+  std::string text;
+  const auto add = [&](const char* option, const std::string& value) {
+    if (!value.empty()) text += std::string(" ") + option + " " + value;
+  };
+  add("--name", options.name);
+  add("--base", options.base);
+  add("--tip", options.tip);
+  return text;
+}
+
+std::string text_of(const description::SnapOptions& snap) {
+  std::ostringstream text;
+  text << snap.mode << " " << snap.tolerance;
+  return text.str();
+}
+
+std::vector<Task> tasks_of(const GenerateArguments& arguments, std::vector<model::Robot> robots) {
+  std::vector<Task> tasks;
+  std::vector<std::string> parts = arguments.parts;
+  std::sort(parts.begin(), parts.end());
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    const fs::path& file = arguments.descriptions[i];
+    const std::string origin =
+        origin_of(file, arguments.output, arguments.known_robots) + text_of(arguments.read);
+    const std::string made_of =
+        fmt::format("{}\n{}\n{}\n{}\n{}", arguments.tool, fmt::join(parts, ","), origin,
+                    text_of(arguments.read.snap), content_of(file).value_or(""));
+    tasks.push_back({std::move(robots[i]), origin, fingerprint(made_of)});
+  }
+  return tasks;
+}
+
+std::vector<Task> changed_tasks(const GenerateArguments& arguments, const std::vector<Task>& tasks) {
+  if (arguments.force) return tasks;
+  std::vector<std::pair<std::string, std::string>> keys;
+  for (const Task& task : tasks) keys.emplace_back(task.robot.name, task.key);
+  const std::set<std::string> current = current_robots(arguments.output, keys);
+  std::vector<Task> changed;
+  std::copy_if(tasks.begin(), tasks.end(), std::back_inserter(changed),
+               [&](const Task& task) { return current.count(task.robot.name) == 0; });
+  return changed;
+}
+
+/// What depends on the machine, or should never be, is not remembered as done.
+bool is_final(const RobotOutput& output) {
+  return std::all_of(output.missing.begin(), output.missing.end(), [](const Missing& missing) {
+    return missing.kind == Missing::Kind::not_described || missing.kind == Missing::Kind::not_derived;
+  });
+}
+
+/// Known robots of the folder that the tool knows no more.
+std::set<std::string> forgotten(const GenerateArguments& arguments, const std::vector<Task>& tasks) {
+  if (!arguments.all_known) return {};
+  std::set<std::string> names = known_robots_in(arguments.output);
+  for (const Task& task : tasks) names.erase(task.robot.name);
+  return names;
+}
+
+FolderUpdate update_of(const GenerateArguments& arguments, const std::vector<Task>& tasks) {
+  const std::vector<Task> changed = changed_tasks(arguments, tasks);
+  std::vector<model::Robot> robots;
+  for (const Task& task : changed) robots.push_back(task.robot);
+  ProgressLine line(robots.size());
+  std::vector<RobotOutput> outputs = generate(robots, arguments.parts, arguments.budget,
+                                              [&](const std::string& robot) { line.finished(robot); });
+  FolderUpdate update;
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    const std::string key = is_final(outputs[i]) ? changed[i].key : "";
+    update.robots.push_back({std::move(outputs[i]), changed[i].origin, key});
+  }
+  update.removed = forgotten(arguments, tasks);
+  update.shared = shared_files();
+  return update;
+}
+
+ordered_json only(const ordered_json& counts, const std::vector<Task>& tasks) {
+  std::set<std::string> names;
+  for (const Task& task : tasks) names.insert(task.robot.name);
+  ordered_json result = ordered_json::object();
+  for (const auto& [name, entry] : counts.items())
+    if (names.count(name) > 0) result[name] = entry;
+  return result;
+}
+
+std::vector<Missing> missing_of(const ordered_json& entry) {
+  return entry.contains("missing") ? missing_from_json(entry.at("missing")) : std::vector<Missing>{};
+}
+
+/// Says what the robots lack. Returns false if a certificate has failed, a robot is lost, or what is lacking
+/// was required.
+bool report_missing(const ordered_json& counts, const std::vector<std::string>& required) {
+  bool good = true;
+  for (const auto& [robot, entry] : counts.items()) {
+    const std::vector<Missing> all = missing_of(entry);
+    const auto is_required = [&](const std::string& part) { return !has_part(all, part); };
+    const bool lacks = std::any_of(required.begin(), required.end(), is_required);
+    for (const Missing& missing : all) {
+      if (missing.kind == Missing::Kind::not_described && !lacks) continue;
+      fmt::print(stderr, "{}: no {}: {}\n", robot, missing.part, missing.reason);
+      good = good && missing.kind != Missing::Kind::refuted;
+    }
+    for (const std::string& part : required)
+      if (is_required(part)) fmt::print(stderr, "qvgen: {} is required and {} has none\n", part, robot);
+    good = good && !lacks && has_part(all, "model");
+  }
+  return good;
+}
+
+}  // namespace
+
+int run_generate(const GenerateArguments& arguments) {
+  auto robots = read_robots(arguments.descriptions, arguments.read);
+  if (!robots) return bad_description;
+  const std::vector<Task> tasks = tasks_of(arguments, std::move(*robots));
+  check_folder(arguments.output, shared_files());
+  const FolderUpdate update = update_of(arguments, tasks);
+  const FolderChange change = update_folder(arguments.output, update);
+  const ordered_json counts = only(counts_in(arguments.output), tasks);
+  std::vector<std::string> names;
+  for (const Task& task : tasks) names.push_back(task.robot.name);
+  write_build_files(arguments, names);
+  if (!arguments.build.quiet) fmt::print("{}", report(counts, ReportFormat::table));
+  std::fflush(stdout);
+  const bool good = report_missing(counts, arguments.required);
+  if (arguments.build.quiet && good) return success;
+  fmt::print(stderr, "{} {} in {}: {} generated, {} files changed, {} removed\n", tasks.size(),
+             tasks.size() == 1 ? "robot" : "robots", arguments.output.string(), update.robots.size(),
+             change.written, change.removed);
+  return good ? success : failure;
+}
+
+int run_remove(const std::vector<std::string>& robots, const fs::path& output) {
+  const std::set<std::string> there = robots_in(output);
+  FolderUpdate update;
+  for (const std::string& robot : robots) {
+    if (there.count(robot) == 0) {
+      fmt::print(stderr, "qvgen: {} has no robot {}; it has {}\n", output.string(), robot,
+                 there.empty() ? "none" : fmt::format("{}", fmt::join(there, ", ")));
+      return failure;
+    }
+    update.removed.insert(robot);
+  }
+  update.shared = shared_files();
+  const FolderChange change = update_folder(output, update);
+  fmt::print(stderr, "{} files removed from {}\n", change.removed, output.string());
+  return success;
+}
+
+}  // namespace qvgen::cli

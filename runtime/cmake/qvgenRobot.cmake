@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: MIT
+# How generated code is compiled, wherever it was generated: qvgen_robot(TARGET INCLUDE folder SOURCES a.cpp...
+# [PRECOMPILED target]) makes a static library of one robot.
+#
+# Inverse kinematics rounds products and sums one by one, so that it gives the same bits whatever the machine; it is a
+# library of its own, since GCC takes that option from a precompiled header, whatever the command says. The vector forms
+# are called only where the machine has AVX2; they see no Eigen, whose layouts change with it.
+include_guard(GLOBAL)
+
+function(qvgen_robot target)
+  cmake_parse_arguments(PARSE_ARGV 1 robot "" "INCLUDE" "SOURCES;PRECOMPILED")
+  set(inverse_sources ${robot_SOURCES})
+  list(FILTER inverse_sources INCLUDE REGEX "/inverse\\.cpp$")
+  set(vector_sources ${robot_SOURCES})
+  list(FILTER vector_sources INCLUDE REGEX "_avx2\\.cpp$")
+  list(FILTER robot_SOURCES EXCLUDE REGEX "/inverse\\.cpp$")
+
+  set(knows_gcc_options FALSE)
+  if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+    set(knows_gcc_options TRUE)
+  endif()
+  if(vector_sources)
+    set_source_files_properties(${vector_sources} PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
+    if(knows_gcc_options AND CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
+      set_source_files_properties(${vector_sources} PROPERTIES
+                                  COMPILE_OPTIONS "-mavx2;-ffp-contract=off;-DQVGEN_NO_CONTRACTION")
+    endif()
+  endif()
+
+  add_library(${target} STATIC ${robot_SOURCES})
+  set(libraries ${target})
+  if(inverse_sources)
+    add_library(${target}_inverse OBJECT ${inverse_sources})
+    target_sources(${target} PRIVATE $<TARGET_OBJECTS:${target}_inverse>)
+    target_include_directories(${target}_inverse PRIVATE ${robot_INCLUDE})
+    target_link_libraries(${target}_inverse PRIVATE qvgen::runtime)
+    if(knows_gcc_options)
+      target_compile_options(${target}_inverse PRIVATE -ffp-contract=off -DQVGEN_NO_CONTRACTION)
+    endif()
+    list(APPEND libraries ${target}_inverse)
+  endif()
+  target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${robot_INCLUDE}>)
+  target_link_libraries(${target} PUBLIC qvgen::runtime)
+  foreach(library ${libraries})
+    set_target_properties(${library} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    target_compile_features(${library} PRIVATE cxx_std_17)
+    if(knows_gcc_options)
+      target_compile_options(${library} PRIVATE -fno-math-errno)  # a square root is one instruction
+    endif()
+  endforeach()
+  # Reading Eigen takes longer than compiling a robot.
+  if(robot_PRECOMPILED)
+    list(GET robot_PRECOMPILED 0 plain)
+    list(GET robot_PRECOMPILED 1 without_contraction)
+    target_precompile_headers(${target} REUSE_FROM ${plain})
+    if(inverse_sources)
+      target_precompile_headers(${target}_inverse REUSE_FROM ${without_contraction})
+    endif()
+  endif()
+endfunction()
