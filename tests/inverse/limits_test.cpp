@@ -102,12 +102,11 @@ TEST_F(Limits, AreTheDescriptionsByDefault) {
 TEST(FarAway, ThereIsNothingButNoNaN) {
   namespace arm = qvgen::robots::stanford;
   for (const double distance : {1e3, 1e20, 1e40, 1e60, 1e84, 1e120, 1e155, 1e300}) {
-    qvgen::Pose<double> pose = arm::forward_kinematics(arm::JointVector<double>::Constant(0.5));
+    qvgen::Pose<double> pose = arm::forward_kinematics<double>(arm::JointVector<double>::Constant(0.5));
     pose.position.x() = distance;
     const auto found = arm::inverse_kinematics(pose);
     for (const auto& row : found) EXPECT_TRUE(row.q.allFinite()) << distance;
-    if (distance < 1e21) EXPECT_EQ(found.status, qvgen::Status::solved) << distance;
-    if (distance > 1e59) EXPECT_TRUE(found.empty()) << distance;
+    EXPECT_EQ(found.empty(), distance > 1e50) << distance;
   }
 }
 
