@@ -3,6 +3,7 @@
 // ./qvgen generate
 #pragma once
 
+#include <qvgen/detail/floating_point.h>
 #include <qvgen/inverse/conic_circle.h>
 #include <qvgen/inverse/outlook.h>
 #include <qvgen/inverse/polish.h>
@@ -33,8 +34,8 @@ struct Target : inverse::TargetBase<6> {
 
 namespace {
 
-/// What the tool's distance from the base cannot exceed, m: no bound.
-constexpr double farthest = 1e150;
+/// What the tool's distance from the base cannot exceed, m: none but that its sixth power can be computed.
+constexpr double farthest = 1e50;
 
 /// Fills in what the pose says, for a first pass; `excess` is what its quaternion's square has beyond 1.
 inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
@@ -56,7 +57,7 @@ inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
 
   const Scalar t0 = pose_p_y * pose_p_y;
   const Scalar t1 = pose_p_x * pose_p_x;
-  t.size_square = t0 + pose_p_z * pose_p_z + t.geometry.l1 * t.geometry.l1 + t1 + t.geometry.d4 * t.geometry.d4;
+  t.size_square = t.geometry.d4 * t.geometry.d4 + t0 + pose_p_z * pose_p_z + t1 + t.geometry.l1 * t.geometry.l1;
   t.square_theta3 = t0 + t1;
   t.pose_p_x = pose_p_x;
   t.pose_p_y = pose_p_y;
@@ -135,10 +136,10 @@ inline void solve_theta1(const Target& t,
   using std::sqrt;
   inverse::Rotor<Scalar> result;
   {
-    const Scalar t0 = Scalar(t.geometry.l1) + Scalar(t.geometry.d4) * w.sin_theta3;
-    const Scalar t1 = w.cos_theta3 * Scalar(t.geometry.d4);
-    const Scalar x = Scalar(t.pose_p_x) * t0 - Scalar(t.pose_p_y) * t1;
-    const Scalar y = Scalar(t.pose_p_y) * t0 + Scalar(t.pose_p_x) * t1;
+    const Scalar t0 = w.cos_theta3 * Scalar(t.geometry.d4);
+    const Scalar t1 = Scalar(t.geometry.l1) + Scalar(t.geometry.d4) * w.sin_theta3;
+    const Scalar x = Scalar(t.pose_p_x) * t1 - Scalar(t.pose_p_y) * t0;
+    const Scalar y = Scalar(t.pose_p_x) * t0 + Scalar(t.pose_p_y) * t1;
     result = inverse::span<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4),
         inverse::Rotor<Scalar>{Scalar(t.preference->brief[0].cosine), Scalar(t.preference->brief[0].sine)},
         w.length_theta1, w.branch);

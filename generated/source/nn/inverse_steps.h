@@ -3,6 +3,7 @@
 // ./qvgen generate
 #pragma once
 
+#include <qvgen/detail/floating_point.h>
 #include <qvgen/inverse/conic_circle.h>
 #include <qvgen/inverse/outlook.h>
 #include <qvgen/inverse/polish.h>
@@ -42,8 +43,8 @@ extern const LaneSolver solve_in_lanes;
 
 namespace {
 
-/// What the tool's distance from the base cannot exceed, m: no bound.
-constexpr double farthest = 1e150;
+/// What the tool's distance from the base cannot exceed, m: none but that its sixth power can be computed.
+constexpr double farthest = 1e50;
 
 /// Fills in what the pose says, for a first pass; `excess` is what its quaternion's square has beyond 1.
 inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
@@ -63,15 +64,15 @@ inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
   const double pose_p_y = pose.position[1];
   const double pose_p_z = pose.position[2];
 
-  const Scalar t0 = t.geometry.l2 * t.geometry.l2;
+  const Scalar t0 = t.geometry.d4 * t.geometry.d4;
   const Scalar t1 = pose_p_y * pose_p_y;
   const Scalar t2 = pose_p_x * pose_p_x;
-  const Scalar t3 = t.geometry.d4 * t.geometry.d4;
-  const Scalar t4 = Scalar(2) * t.geometry.h1 * t.geometry.l2 + t0 + t1 + pose_p_z * pose_p_z + t.geometry.l1
-      * t.geometry.l1 + t2 + Scalar(2) * t.geometry.d4 * t.geometry.l1 + t.geometry.h1 * t.geometry.h1 + t3;
+  const Scalar t3 = t.geometry.l2 * t.geometry.l2;
+  const Scalar t4 = Scalar(2) * t.geometry.d4 * t.geometry.l1 + t0 + t1 + t.geometry.h1 * t.geometry.h1 + Scalar(2)
+      * t.geometry.h1 * t.geometry.l2 + pose_p_z * pose_p_z + t2 + t3 + t.geometry.l1 * t.geometry.l1;
   const Scalar t5 = t.geometry.h1 - pose_p_z;
   t.size_square = t4;
-  t.square_theta3 = t1 + t2 + t5 * t5;
+  t.square_theta3 = t5 * t5 + t1 + t2;
   t.square_theta1 = t0 + t3;
   t.pose_p_x = pose_p_x;
   t.pose_p_y = pose_p_y;
@@ -89,7 +90,7 @@ inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
 inline bool is_out_of_reach(const Target& t) {
   using Scalar = double;
   const Scalar t0 = Scalar(t.geometry.d4) + Scalar(t.geometry.l1);
-  const Scalar t1 = Scalar(0.25) * (Scalar(t.square_theta3) - Scalar(t.geometry.l2) * Scalar(t.geometry.l2) - t0 * t0)
+  const Scalar t1 = Scalar(0.25) * (Scalar(t.square_theta3) - t0 * t0 - Scalar(t.geometry.l2) * Scalar(t.geometry.l2))
       / (Scalar(t.geometry.d4) * Scalar(t.geometry.l1));
   const Scalar middle = -t1;
   const Scalar swing = Scalar(0);
@@ -141,11 +142,11 @@ inline void solve_theta3(const Target& t, const Scalar& sign,
   using std::sqrt;
   inverse::Rotor<Scalar> result;
   {
-    const Scalar t0 = Scalar(t.square_theta3) - Scalar(t.geometry.l2) * Scalar(t.geometry.l2);
-    const Scalar t1 = Scalar(t.geometry.d4) + Scalar(t.geometry.l1);
+    const Scalar t0 = Scalar(t.geometry.d4) + Scalar(t.geometry.l1);
+    const Scalar t1 = Scalar(t.square_theta3) - Scalar(t.geometry.l2) * Scalar(t.geometry.l2);
     const Scalar t2 = Scalar(t.geometry.d4) - Scalar(t.geometry.l1);
-    const Scalar low = t1 * t1 - t0;
-    const Scalar high = t0 - t2 * t2;
+    const Scalar low = t0 * t0 - t1;
+    const Scalar high = t1 - t2 * t2;
     const Scalar scale = Scalar(0.25) / (Scalar(t.geometry.d4) * Scalar(t.geometry.l1));
     result = inverse::circle_angle<Scalar>(low, high, scale, sign, t.boundary, w.branch);
   }
@@ -164,15 +165,15 @@ inline void solve_theta1(const Target& t, const Scalar& sign,
   using std::sqrt;
   inverse::Rotor<Scalar> result;
   {
-    const Scalar t0 = Scalar(t.geometry.h1) - Scalar(t.pose_p_z);
-    const Scalar t1 = Scalar(t.square_theta1) - t0 * t0;
-    const Scalar t2 = sqrt(Scalar(t.pose_p_y) * Scalar(t.pose_p_y) + Scalar(t.pose_p_x) * Scalar(t.pose_p_x));
-    const Scalar t3 = Scalar(t.geometry.l1) + t2;
-    const Scalar t4 = Scalar(t.geometry.l1) - t2;
+    const Scalar t0 = sqrt(Scalar(t.pose_p_y) * Scalar(t.pose_p_y) + Scalar(t.pose_p_x) * Scalar(t.pose_p_x));
+    const Scalar t1 = Scalar(t.geometry.l1) + t0;
+    const Scalar t2 = Scalar(t.geometry.h1) - Scalar(t.pose_p_z);
+    const Scalar t3 = Scalar(t.square_theta1) - t2 * t2;
+    const Scalar t4 = Scalar(t.geometry.l1) - t0;
     const Scalar x = Scalar(t.pose_p_y);
     const Scalar y = -Scalar(t.pose_p_x);
-    const Scalar low = t3 * t3 - t1;
-    const Scalar high = t1 - t4 * t4;
+    const Scalar low = t1 * t1 - t3;
+    const Scalar high = t3 - t4 * t4;
     result = inverse::free_circle_angle<Scalar>(low, high, inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny1),
         inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)}, sign,
         t.boundary, w.branch);

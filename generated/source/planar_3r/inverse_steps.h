@@ -3,6 +3,7 @@
 // ./qvgen generate
 #pragma once
 
+#include <qvgen/detail/floating_point.h>
 #include <qvgen/inverse/conic_circle.h>
 #include <qvgen/inverse/outlook.h>
 #include <qvgen/inverse/polish.h>
@@ -36,8 +37,8 @@ struct Target : inverse::TargetBase<3> {
 
 namespace {
 
-/// What the tool's distance from the base cannot exceed, m: no bound.
-constexpr double farthest = 1e150;
+/// What the tool's distance from the base cannot exceed, m: none but that its sixth power can be computed.
+constexpr double farthest = 1e50;
 
 /// Fills in what the pose says, for a first pass; `excess` is what its quaternion's square has beyond 1.
 inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
@@ -58,9 +59,9 @@ inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
   const double pose_p_z = pose.position[2];
 
   const Scalar t0 = Scalar(2) * pose_s * (pose_r_y * pose_r_y + pose_r_z * pose_r_z);
-  const Scalar t1 = Scalar(2) * t.geometry.l2 * t.geometry.l3 + t.geometry.l2 * t.geometry.l2 + Scalar(2)
-      * t.geometry.l1 * t.geometry.l2 + pose_p_y * pose_p_y + pose_p_z * pose_p_z + t.geometry.l1 * t.geometry.l1
-      + pose_p_x * pose_p_x + t.geometry.l3 * t.geometry.l3 + Scalar(2) * t.geometry.l1 * t.geometry.l3;
+  const Scalar t1 = Scalar(2) * t.geometry.l2 * t.geometry.l3 + Scalar(2) * t.geometry.l1 * t.geometry.l3 + pose_p_y
+      * pose_p_y + t.geometry.l3 * t.geometry.l3 + pose_p_z * pose_p_z + pose_p_x * pose_p_x + t.geometry.l2
+      * t.geometry.l2 + Scalar(2) * t.geometry.l1 * t.geometry.l2 + t.geometry.l1 * t.geometry.l1;
   t.turn_11 = Scalar(1) - t0;
   t.turn_21 = Scalar(2) * pose_s * (pose_r_x * pose_r_y + pose_r_w * pose_r_z);
   t.turn_31 = Scalar(2) * pose_s * (pose_r_x * pose_r_z - pose_r_w * pose_r_y);
@@ -80,11 +81,11 @@ inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
 /// From: distance from the axis of theta1: the same.
 inline bool is_out_of_reach(const Target& t) {
   using Scalar = double;
-  const Scalar t0 = Scalar(t.geometry.l1) + Scalar(t.geometry.l2);
-  const Scalar t1 = Scalar(t.pose_p_y) - Scalar(t.geometry.l3) * Scalar(t.turn_21);
-  const Scalar t2 = Scalar(t.pose_p_x) - Scalar(t.geometry.l3) * Scalar(t.turn_11);
-  const Scalar t3 = t0 * t0 - (t1 * t1 + t2 * t2);
-  const Scalar middle = Scalar(0.25) * t3 / (Scalar(t.geometry.l1) * Scalar(t.geometry.l2));
+  const Scalar t0 = Scalar(t.pose_p_y) - Scalar(t.geometry.l3) * Scalar(t.turn_21);
+  const Scalar t1 = Scalar(t.pose_p_x) - Scalar(t.geometry.l3) * Scalar(t.turn_11);
+  const Scalar t2 = Scalar(t.geometry.l1) + Scalar(t.geometry.l2);
+  const Scalar t3 = (t0 * t0 + t1 * t1) - t2 * t2;
+  const Scalar middle = -Scalar(0.25) * t3 / (Scalar(t.geometry.l1) * Scalar(t.geometry.l2));
   const Scalar swing = Scalar(0);
   return inverse::is_out_of_range(middle, swing, t.boundary);
 }
@@ -185,10 +186,10 @@ inline void solve_theta1(const Target& t,
   using std::sqrt;
   inverse::Rotor<Scalar> result;
   {
-    const Scalar t0 = Scalar(t.geometry.l2) * w.sin_theta2;
-    const Scalar t1 = Scalar(t.geometry.l1) + w.cos_theta2 * Scalar(t.geometry.l2);
-    const Scalar x = w.reach_theta1_y * t0 + w.reach_theta1_x * t1;
-    const Scalar y = w.reach_theta1_y * t1 - w.reach_theta1_x * t0;
+    const Scalar t0 = Scalar(t.geometry.l1) + w.cos_theta2 * Scalar(t.geometry.l2);
+    const Scalar t1 = Scalar(t.geometry.l2) * w.sin_theta2;
+    const Scalar x = w.reach_theta1_x * t0 + w.reach_theta1_y * t1;
+    const Scalar y = w.reach_theta1_y * t0 - w.reach_theta1_x * t1;
     result = inverse::direction<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4),
         inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)}, w.branch);
   }
@@ -284,8 +285,8 @@ struct Target : inverse::TargetBase<3> {
 
 namespace {
 
-/// What the tool's distance from the base cannot exceed, m: no bound.
-constexpr double farthest = 1e150;
+/// What the tool's distance from the base cannot exceed, m: none but that its sixth power can be computed.
+constexpr double farthest = 1e50;
 
 /// Fills in what the pose says, for a first pass; `excess` is what its quaternion's square has beyond 1.
 inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
@@ -306,9 +307,9 @@ inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
   const double pose_p_z = pose.position[2];
   const double cos_locked = t.cos_locked;
   const double sin_locked = t.sin_locked;
-  const Scalar t0 = Scalar(2) * t.geometry.l2 * t.geometry.l3 + t.geometry.l2 * t.geometry.l2 + Scalar(2)
-      * t.geometry.l1 * t.geometry.l2 + pose_p_y * pose_p_y + pose_p_z * pose_p_z + t.geometry.l1 * t.geometry.l1
-      + pose_p_x * pose_p_x + t.geometry.l3 * t.geometry.l3 + Scalar(2) * t.geometry.l1 * t.geometry.l3;
+  const Scalar t0 = Scalar(2) * t.geometry.l2 * t.geometry.l3 + Scalar(2) * t.geometry.l1 * t.geometry.l3 + pose_p_y
+      * pose_p_y + t.geometry.l3 * t.geometry.l3 + pose_p_z * pose_p_z + pose_p_x * pose_p_x + t.geometry.l2
+      * t.geometry.l2 + Scalar(2) * t.geometry.l1 * t.geometry.l2 + t.geometry.l1 * t.geometry.l1;
   t.size_square = t0;
   t.start_x = t.geometry.l1 + t.geometry.l2 + cos_locked * t.geometry.l3;
   t.start_y = t.geometry.l3 * sin_locked;
@@ -390,9 +391,9 @@ inline void solve_theta1(const Target& t,
   {
     const Scalar t0 = (w.sin_theta2 * Scalar(t.start_y) - w.cos_theta2 * Scalar(t.start_x)) - Scalar(t.geometry.l1)
         * (Scalar(1) - w.cos_theta2);
-    const Scalar t1 = w.cos_theta2 * Scalar(t.start_y) - w.sin_theta2 * (Scalar(t.geometry.l1) - Scalar(t.start_x));
-    const Scalar x = Scalar(t.pose_p_y) * t1 - Scalar(t.pose_p_x) * t0;
-    const Scalar y = -Scalar(t.pose_p_y) * t0 - Scalar(t.pose_p_x) * t1;
+    const Scalar t1 = w.sin_theta2 * (Scalar(t.geometry.l1) - Scalar(t.start_x)) - w.cos_theta2 * Scalar(t.start_y);
+    const Scalar x = -Scalar(t.pose_p_x) * t0 - Scalar(t.pose_p_y) * t1;
+    const Scalar y = Scalar(t.pose_p_x) * t1 - Scalar(t.pose_p_y) * t0;
     result = inverse::span<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4),
         inverse::Rotor<Scalar>{Scalar(t.preference->brief[0].cosine), Scalar(t.preference->brief[0].sine)},
         w.length_theta1, w.branch);

@@ -3,6 +3,7 @@
 // ./qvgen generate
 #pragma once
 
+#include <qvgen/detail/floating_point.h>
 #include <qvgen/inverse/conic_circle.h>
 #include <qvgen/inverse/outlook.h>
 #include <qvgen/inverse/polish.h>
@@ -42,8 +43,8 @@ extern const LaneSolver solve_in_lanes;
 
 namespace {
 
-/// What the tool's distance from the base cannot exceed, m: no bound.
-constexpr double farthest = 1e150;
+/// What the tool's distance from the base cannot exceed, m: none but that its sixth power can be computed.
+constexpr double farthest = 1e50;
 
 /// Fills in what the pose says, for a first pass; `excess` is what its quaternion's square has beyond 1.
 inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
@@ -63,15 +64,15 @@ inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
   const double pose_p_y = pose.position[1];
   const double pose_p_z = pose.position[2];
 
-  const Scalar t0 = t.geometry.d3 * t.geometry.d3 + Scalar(2) * t.geometry.d1 * t.geometry.d3 + Scalar(2)
-      * t.geometry.a1 * t.geometry.a2 + t.geometry.a1 * t.geometry.a1 + Scalar(2) * t.geometry.a2 * t.geometry.a3
-      + Scalar(2) * t.geometry.a1 * t.geometry.a3 + pose_p_y * pose_p_y + pose_p_z * pose_p_z + t.geometry.d1
-      * t.geometry.d1 + Scalar(2) * t.geometry.d2 * t.geometry.d3 + pose_p_x * pose_p_x + Scalar(2) * t.geometry.d1
-      * t.geometry.d2 + t.geometry.a2 * t.geometry.a2 + t.geometry.a3 * t.geometry.a3 + t.geometry.d2 * t.geometry.d2;
+  const Scalar t0 = Scalar(2) * t.geometry.a1 * t.geometry.a3 + Scalar(2) * t.geometry.a2 * t.geometry.a3 + Scalar(2)
+      * t.geometry.d1 * t.geometry.d3 + t.geometry.a3 * t.geometry.a3 + Scalar(2) * t.geometry.a1 * t.geometry.a2
+      + Scalar(2) * t.geometry.d2 * t.geometry.d3 + pose_p_y * pose_p_y + t.geometry.d2 * t.geometry.d2 + t.geometry.d3
+      * t.geometry.d3 + pose_p_z * pose_p_z + pose_p_x * pose_p_x + t.geometry.d1 * t.geometry.d1 + t.geometry.a2
+      * t.geometry.a2 + Scalar(2) * t.geometry.d1 * t.geometry.d2 + t.geometry.a1 * t.geometry.a1;
   const Scalar t1 = Scalar(2) * pose_s * (pose_r_y * pose_r_y + pose_r_z * pose_r_z);
   const Scalar t2 = t.geometry.d3 * pose_s;
-  const Scalar t3 = Scalar(2) * t2 * (pose_r_x * pose_r_y + pose_r_w * pose_r_z);
-  const Scalar t4 = Scalar(2) * t2 * (pose_r_x * pose_r_z - pose_r_w * pose_r_y);
+  const Scalar t3 = Scalar(2) * (pose_r_x * pose_r_y + pose_r_w * pose_r_z) * t2;
+  const Scalar t4 = Scalar(2) * (pose_r_x * pose_r_z - pose_r_w * pose_r_y) * t2;
   t.size_square = t0;
   t.goal_x = pose_p_x - t.geometry.d3 * (Scalar(1) - t1);
   t.goal_y = pose_p_y - t3;
@@ -89,8 +90,8 @@ inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
 inline bool is_out_of_reach(const Target& t) {
   using Scalar = double;
   const Scalar t0 = Scalar(t.geometry.a1) - Scalar(t.goal_z);
-  const Scalar t1 = Scalar(t.geometry.d1) * Scalar(t.geometry.d1);
-  const Scalar t2 = Scalar(t.goal_x) * Scalar(t.goal_x) + Scalar(t.goal_y) * Scalar(t.goal_y);
+  const Scalar t1 = Scalar(t.goal_x) * Scalar(t.goal_x) + Scalar(t.goal_y) * Scalar(t.goal_y);
+  const Scalar t2 = Scalar(t.geometry.d1) * Scalar(t.geometry.d1);
   const Scalar t3 = Scalar(t.geometry.a3) * Scalar(t.geometry.a3) + Scalar(t.geometry.d2) * Scalar(t.geometry.d2);
   const Scalar t4 = sqrt(t3);
   const Scalar t5 = Scalar(t.geometry.a2) + t4;
@@ -157,7 +158,7 @@ inline void solve_theta1(const Target& t, const Scalar& sign,
   w.sin_theta1 = result.sine;
   w.plane_theta1_x = -t0;
   w.plane_theta1_y = -t1;
-  w.square_theta3 = t0 * t0 + t1 * t1;
+  w.square_theta3 = t1 * t1 + t0 * t0;
 }
 
 /// theta1: half angle, one value.
@@ -199,12 +200,12 @@ inline void solve_theta3(const Target& t, const Scalar& sign,
   }
 
   const Scalar t0 = sqrt(Scalar(t.geometry.a3) * Scalar(t.geometry.a3) + Scalar(t.geometry.d2) * Scalar(t.geometry.d2));
-  const Scalar t1 = Scalar(t.geometry.d2) * result.sine / t0 + Scalar(t.geometry.a3) * result.cosine / t0;
-  const Scalar t2 = Scalar(t.geometry.a3) * result.sine / t0 - result.cosine * Scalar(t.geometry.d2) / t0;
+  const Scalar t1 = result.cosine * Scalar(t.geometry.a3) / t0 + Scalar(t.geometry.d2) * result.sine / t0;
+  const Scalar t2 = result.cosine * Scalar(t.geometry.d2) / t0 - Scalar(t.geometry.a3) * result.sine / t0;
   w.cos_theta3 = t1;
-  w.sin_theta3 = t2;
-  w.plane_theta3_x = Scalar(t.geometry.a2) + Scalar(t.geometry.a3) * t1 - Scalar(t.geometry.d2) * t2;
-  w.plane_theta3_y = Scalar(t.geometry.a3) * t2 + Scalar(t.geometry.d2) * t1;
+  w.sin_theta3 = -t2;
+  w.plane_theta3_x = Scalar(t.geometry.a2) + Scalar(t.geometry.d2) * t2 + Scalar(t.geometry.a3) * t1;
+  w.plane_theta3_y = Scalar(t.geometry.d2) * t1 - Scalar(t.geometry.a3) * t2;
 }
 
 /// theta2: turn of one known vector into another, one value.

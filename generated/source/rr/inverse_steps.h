@@ -3,6 +3,7 @@
 // ./qvgen generate
 #pragma once
 
+#include <qvgen/detail/floating_point.h>
 #include <qvgen/inverse/conic_circle.h>
 #include <qvgen/inverse/outlook.h>
 #include <qvgen/inverse/polish.h>
@@ -39,8 +40,8 @@ extern const LaneSolver solve_in_lanes;
 
 namespace {
 
-/// What the tool's distance from the base cannot exceed, m: no bound.
-constexpr double farthest = 1e150;
+/// What the tool's distance from the base cannot exceed, m: none but that its sixth power can be computed.
+constexpr double farthest = 1e50;
 
 /// Fills in what the pose says, for a first pass; `excess` is what its quaternion's square has beyond 1.
 inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
@@ -60,8 +61,8 @@ inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
   const double pose_p_y = pose.position[1];
   const double pose_p_z = pose.position[2];
 
-  const Scalar t0 = Scalar(2) * t.geometry.d4 * t.geometry.l2 + t.geometry.l2 * t.geometry.l2 + pose_p_y * pose_p_y
-      + pose_p_z * pose_p_z + pose_p_x * pose_p_x + t.geometry.h1 * t.geometry.h1 + t.geometry.d4 * t.geometry.d4;
+  const Scalar t0 = Scalar(2) * t.geometry.d4 * t.geometry.l2 + t.geometry.d4 * t.geometry.d4 + pose_p_y * pose_p_y
+      + t.geometry.h1 * t.geometry.h1 + pose_p_z * pose_p_z + pose_p_x * pose_p_x + t.geometry.l2 * t.geometry.l2;
   t.size_square = t0;
   t.pose_p_x = pose_p_x;
   t.pose_p_y = pose_p_y;

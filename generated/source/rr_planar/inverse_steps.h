@@ -3,6 +3,7 @@
 // ./qvgen generate
 #pragma once
 
+#include <qvgen/detail/floating_point.h>
 #include <qvgen/inverse/conic_circle.h>
 #include <qvgen/inverse/outlook.h>
 #include <qvgen/inverse/polish.h>
@@ -28,8 +29,8 @@ struct Target : inverse::TargetBase<2> {
 
 namespace {
 
-/// What the tool's distance from the base cannot exceed, m: no bound.
-constexpr double farthest = 1e150;
+/// What the tool's distance from the base cannot exceed, m: none but that its sixth power can be computed.
+constexpr double farthest = 1e50;
 
 /// Fills in what the pose says, for a first pass; `excess` is what its quaternion's square has beyond 1.
 inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
@@ -49,8 +50,8 @@ inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
   const double pose_p_y = pose.position[1];
   const double pose_p_z = pose.position[2];
 
-  const Scalar t0 = t.geometry.l2 * t.geometry.l2 + Scalar(2) * t.geometry.l1 * t.geometry.l2 + pose_p_y * pose_p_y
-      + pose_p_z * pose_p_z + t.geometry.l1 * t.geometry.l1 + pose_p_x * pose_p_x;
+  const Scalar t0 = pose_p_y * pose_p_y + pose_p_z * pose_p_z + pose_p_x * pose_p_x + t.geometry.l2 * t.geometry.l2
+      + Scalar(2) * t.geometry.l1 * t.geometry.l2 + t.geometry.l1 * t.geometry.l1;
   t.size_square = t0;
   t.pose_p_x = pose_p_x;
   t.pose_p_y = pose_p_y;
@@ -134,10 +135,10 @@ inline void solve_theta1(const Target& t,
   using std::sqrt;
   inverse::Rotor<Scalar> result;
   {
-    const Scalar t0 = Scalar(t.geometry.l2) * w.sin_theta2;
-    const Scalar t1 = Scalar(t.geometry.l1) + w.cos_theta2 * Scalar(t.geometry.l2);
-    const Scalar x = Scalar(t.pose_p_y) * t0 + Scalar(t.pose_p_x) * t1;
-    const Scalar y = Scalar(t.pose_p_y) * t1 - Scalar(t.pose_p_x) * t0;
+    const Scalar t0 = Scalar(t.geometry.l1) + w.cos_theta2 * Scalar(t.geometry.l2);
+    const Scalar t1 = Scalar(t.geometry.l2) * w.sin_theta2;
+    const Scalar x = Scalar(t.pose_p_x) * t0 + Scalar(t.pose_p_y) * t1;
+    const Scalar y = Scalar(t.pose_p_y) * t0 - Scalar(t.pose_p_x) * t1;
     result = inverse::span<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny4),
         inverse::Rotor<Scalar>{Scalar(t.preference->brief[0].cosine), Scalar(t.preference->brief[0].sine)},
         w.length_theta1, w.branch);

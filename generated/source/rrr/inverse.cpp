@@ -154,7 +154,8 @@ LimitedSolutions<dof, 4> inverse_kinematics(const Pose<double>& pose, const Join
   return within_limits(inverse_kinematics(pose, g, tolerance), limits, is_revolute);
 }
 
-LimitedSolutions<dof, 4, 1> inverse_kinematics(const Pose<double>& pose, const JointVector<double>& seed, const JointLimits<dof>& limits, const Geometry& g, double tolerance) {
+LimitedSolutions<dof, 4, 1> inverse_kinematics(const Pose<double>& pose, const JointVector<double>& seed,
+    const JointLimits<dof>& limits, const Geometry& g, double tolerance) {
   return nearest_within_limits(inverse_kinematics(pose, seed, g, tolerance), limits, is_revolute, seed);
 }
 

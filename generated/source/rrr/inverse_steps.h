@@ -3,6 +3,7 @@
 // ./qvgen generate
 #pragma once
 
+#include <qvgen/detail/floating_point.h>
 #include <qvgen/inverse/conic_circle.h>
 #include <qvgen/inverse/outlook.h>
 #include <qvgen/inverse/polish.h>
@@ -36,8 +37,8 @@ extern const LaneSolver solve_in_lanes;
 
 namespace {
 
-/// What the tool's distance from the base cannot exceed, m: no bound.
-constexpr double farthest = 1e150;
+/// What the tool's distance from the base cannot exceed, m: none but that its sixth power can be computed.
+constexpr double farthest = 1e50;
 
 /// Fills in what the pose says, for a first pass; `excess` is what its quaternion's square has beyond 1.
 inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
@@ -57,9 +58,9 @@ inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
   const double pose_p_y = pose.position[1];
   const double pose_p_z = pose.position[2];
 
-  const Scalar t0 = Scalar(2) * t.geometry.l2 * t.geometry.l3 + t.geometry.l2 * t.geometry.l2 + pose_p_y * pose_p_y
-      + pose_p_z * pose_p_z + pose_p_x * pose_p_x + t.geometry.l3 * t.geometry.l3 + t.geometry.h1 * t.geometry.h1
-      + t.geometry.d2 * t.geometry.d2;
+  const Scalar t0 = Scalar(2) * t.geometry.l2 * t.geometry.l3 + pose_p_y * pose_p_y + t.geometry.h1 * t.geometry.h1
+      + t.geometry.d2 * t.geometry.d2 + t.geometry.l3 * t.geometry.l3 + pose_p_z * pose_p_z + pose_p_x * pose_p_x
+      + t.geometry.l2 * t.geometry.l2;
   t.size_square = t0;
   t.pose_p_x = pose_p_x;
   t.pose_p_y = pose_p_y;
@@ -72,10 +73,10 @@ inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
 /// From: distance from the axis of theta2: the same.
 inline bool is_out_of_reach(const Target& t) {
   using Scalar = double;
-  const Scalar t0 = Scalar(t.geometry.l2) + Scalar(t.geometry.l3);
-  const Scalar t1 = Scalar(t.geometry.h1) - Scalar(t.pose_p_z);
-  const Scalar t2 = (Scalar(t.pose_p_y) * Scalar(t.pose_p_y) + Scalar(t.pose_p_x) * Scalar(t.pose_p_x)
-      - Scalar(t.geometry.d2) * Scalar(t.geometry.d2)) - t0 * t0 + t1 * t1;
+  const Scalar t0 = Scalar(t.geometry.h1) - Scalar(t.pose_p_z);
+  const Scalar t1 = Scalar(t.geometry.l2) + Scalar(t.geometry.l3);
+  const Scalar t2 = (Scalar(t.pose_p_y) * Scalar(t.pose_p_y) - Scalar(t.geometry.d2) * Scalar(t.geometry.d2)
+      + Scalar(t.pose_p_x) * Scalar(t.pose_p_x)) + t0 * t0 - t1 * t1;
   const Scalar middle = -Scalar(0.25) * t2 / (Scalar(t.geometry.l2) * Scalar(t.geometry.l3));
   const Scalar swing = Scalar(0);
   return inverse::is_out_of_range(middle, swing, t.boundary);

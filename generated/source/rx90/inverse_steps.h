@@ -3,6 +3,7 @@
 // ./qvgen generate
 #pragma once
 
+#include <qvgen/detail/floating_point.h>
 #include <qvgen/inverse/conic_circle.h>
 #include <qvgen/inverse/outlook.h>
 #include <qvgen/inverse/polish.h>
@@ -38,8 +39,8 @@ extern const LaneSolver solve_in_lanes;
 
 namespace {
 
-/// What the tool's distance from the base cannot exceed, m: no bound.
-constexpr double farthest = 1e150;
+/// What the tool's distance from the base cannot exceed, m: none but that its sixth power can be computed.
+constexpr double farthest = 1e50;
 
 /// Fills in what the pose says, for a first pass; `excess` is what its quaternion's square has beyond 1.
 inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
@@ -59,8 +60,8 @@ inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
   const double pose_p_y = pose.position[1];
   const double pose_p_z = pose.position[2];
 
-  const Scalar t0 = pose_p_y * pose_p_y + t.geometry.D3 * t.geometry.D3 + pose_p_z * pose_p_z + pose_p_x * pose_p_x
-      + t.geometry.RL4 * t.geometry.RL4;
+  const Scalar t0 = pose_p_y * pose_p_y + t.geometry.RL4 * t.geometry.RL4 + pose_p_z * pose_p_z + t.geometry.D3
+      * t.geometry.D3 + pose_p_x * pose_p_x;
   t.size_square = t0;
   t.pose_p_x = pose_p_x;
   t.pose_p_y = pose_p_y;
@@ -78,8 +79,8 @@ inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
 inline bool is_out_of_reach(const Target& t) {
   using Scalar = double;
   const Scalar t0 = Scalar(t.geometry.D3) - Scalar(t.geometry.RL4);
-  const Scalar t1 = (Scalar(t.pose_p_y) * Scalar(t.pose_p_y) + Scalar(t.pose_p_x) * Scalar(t.pose_p_x)) - t0 * t0
-      + Scalar(t.pose_p_z) * Scalar(t.pose_p_z);
+  const Scalar t1 = (Scalar(t.pose_p_y) * Scalar(t.pose_p_y) + Scalar(t.pose_p_x) * Scalar(t.pose_p_x))
+      + Scalar(t.pose_p_z) * Scalar(t.pose_p_z) - t0 * t0;
   const Scalar middle = Scalar(0.25) * t1 / (Scalar(t.geometry.D3) * Scalar(t.geometry.RL4));
   const Scalar swing = Scalar(0);
   return inverse::is_out_of_range(middle, swing, t.boundary);
@@ -180,7 +181,7 @@ inline void solve_theta3(const Target& t, const Scalar& sign,
   w.cos_theta3 = -result.sine;
   w.sin_theta3 = result.cosine;
   w.plane_theta3_x = -Scalar(t.geometry.RL4) * result.sine;
-  w.plane_theta3_y = Scalar(t.geometry.RL4) * result.cosine - Scalar(t.geometry.D3);
+  w.plane_theta3_y = result.cosine * Scalar(t.geometry.RL4) - Scalar(t.geometry.D3);
 }
 
 /// theta2: turn of one known vector into another, one value.

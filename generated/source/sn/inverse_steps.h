@@ -3,6 +3,7 @@
 // ./qvgen generate
 #pragma once
 
+#include <qvgen/detail/floating_point.h>
 #include <qvgen/inverse/conic_circle.h>
 #include <qvgen/inverse/outlook.h>
 #include <qvgen/inverse/polish.h>
@@ -39,8 +40,8 @@ extern const LaneSolver solve_in_lanes;
 
 namespace {
 
-/// What the tool's distance from the base cannot exceed, m: no bound.
-constexpr double farthest = 1e150;
+/// What the tool's distance from the base cannot exceed, m: none but that its sixth power can be computed.
+constexpr double farthest = 1e50;
 
 /// Fills in what the pose says, for a first pass; `excess` is what its quaternion's square has beyond 1.
 inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
@@ -60,8 +61,8 @@ inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
   const double pose_p_y = pose.position[1];
   const double pose_p_z = pose.position[2];
 
-  const Scalar t0 = t.geometry.l2 * t.geometry.l2 - Scalar(2) * t.geometry.d2 * t.geometry.d4 + pose_p_y * pose_p_y
-      + pose_p_z * pose_p_z + pose_p_x * pose_p_x + t.geometry.d4 * t.geometry.d4 + t.geometry.d2 * t.geometry.d2;
+  const Scalar t0 = t.geometry.d4 * t.geometry.d4 + pose_p_y * pose_p_y + t.geometry.d2 * t.geometry.d2 + pose_p_z
+      * pose_p_z + pose_p_x * pose_p_x - Scalar(2) * t.geometry.d2 * t.geometry.d4 + t.geometry.l2 * t.geometry.l2;
   t.size_square = t0;
   t.pose_p_x = pose_p_x;
   t.pose_p_y = pose_p_y;
@@ -136,7 +137,7 @@ inline void solve_theta3(const Target& t, const Scalar& sign,
   w.cos_theta3 = result.cosine;
   w.sin_theta3 = result.sine;
   w.plane_theta3_y = t0;
-  w.square_d1 = Scalar(t.geometry.l2) * Scalar(t.geometry.l2) + t0 * t0;
+  w.square_d1 = t0 * t0 + Scalar(t.geometry.l2) * Scalar(t.geometry.l2);
 }
 
 /// d1: foot of the perpendicular and square root, 2 values.
@@ -168,7 +169,7 @@ inline void solve_theta2(const Target& t,
   using std::sqrt;
   inverse::Rotor<Scalar> result;
   {
-    const Scalar x = Scalar(t.geometry.l2) * w.plane_d1_x + w.plane_theta3_y * Scalar(t.pose_p_x);
+    const Scalar x = w.plane_theta3_y * Scalar(t.pose_p_x) + Scalar(t.geometry.l2) * w.plane_d1_x;
     const Scalar y = Scalar(t.geometry.l2) * Scalar(t.pose_p_x) - w.plane_d1_x * w.plane_theta3_y;
     const Scalar length = w.square_d1;
     result = inverse::span_of_length<Scalar>(inverse::Rotor<Scalar>{x, y}, length, Scalar(t.tiny4),

@@ -3,6 +3,7 @@
 // ./qvgen generate
 #pragma once
 
+#include <qvgen/detail/floating_point.h>
 #include <qvgen/inverse/conic_circle.h>
 #include <qvgen/inverse/outlook.h>
 #include <qvgen/inverse/polish.h>
@@ -33,8 +34,8 @@ struct Target : inverse::TargetBase<6> {
 
 namespace {
 
-/// What the tool's distance from the base cannot exceed, m: no bound.
-constexpr double farthest = 1e150;
+/// What the tool's distance from the base cannot exceed, m: none but that its sixth power can be computed.
+constexpr double farthest = 1e50;
 
 /// Fills in what the pose says, for a first pass; `excess` is what its quaternion's square has beyond 1.
 inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
@@ -54,8 +55,8 @@ inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
   const double pose_p_y = pose.position[1];
   const double pose_p_z = pose.position[2];
 
-  const Scalar t0 = t.geometry.l2 * t.geometry.l2 + Scalar(2) * t.geometry.l1 * t.geometry.l2 + pose_p_y * pose_p_y
-      + pose_p_z * pose_p_z + t.geometry.l1 * t.geometry.l1 + pose_p_x * pose_p_x + t.geometry.d4 * t.geometry.d4;
+  const Scalar t0 = t.geometry.d4 * t.geometry.d4 + pose_p_y * pose_p_y + pose_p_z * pose_p_z + pose_p_x * pose_p_x
+      + t.geometry.l2 * t.geometry.l2 + Scalar(2) * t.geometry.l1 * t.geometry.l2 + t.geometry.l1 * t.geometry.l1;
   t.size_square = t0;
   t.pose_p_x = pose_p_x;
   t.pose_p_y = pose_p_y;

@@ -3,6 +3,7 @@
 // ./qvgen generate
 #pragma once
 
+#include <qvgen/detail/floating_point.h>
 #include <qvgen/inverse/conic_circle.h>
 #include <qvgen/inverse/outlook.h>
 #include <qvgen/inverse/polish.h>
@@ -28,8 +29,8 @@ struct Target : inverse::TargetBase<6> {
 
 namespace {
 
-/// What the tool's distance from the base cannot exceed, m: no bound.
-constexpr double farthest = 1e150;
+/// What the tool's distance from the base cannot exceed, m: none but that its sixth power can be computed.
+constexpr double farthest = 1e50;
 
 /// Fills in what the pose says, for a first pass; `excess` is what its quaternion's square has beyond 1.
 inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {

@@ -11,9 +11,17 @@
 
 namespace qvgen::robots::iiwa14 {
 
+/// Joint limits, the description's unless set.
+struct Limits : JointLimits<dof> {
+  Limits() : JointLimits<dof>{JointVector<double>(lower_limits.data()), JointVector<double>(upper_limits.data())} {}
+  Limits(const JointVector<double>& lower_bounds, const JointVector<double>& upper_bounds)
+      : JointLimits<dof>{lower_bounds, upper_bounds} {}
+};
+
 using SolutionsGiven_theta3 = qvgen::Solutions<dof, 8>;
-/// At most 8 solutions; what of the pose is used; the joint that the caller gives, -1 for none; has lanes.
-inline constexpr InverseInfo inverse_info_given_theta3{ 8, true, 2, true };
+/// At most 8 solutions; what of the pose is used; the joint that the caller gives, -1 for none; has lanes;
+/// branches keep their numbers along a path.
+inline constexpr InverseInfo inverse_info_given_theta3{ 8, true, 2, true, true };
 
 /// All joint values that bring the tool to a pose (position and orientation; theta3, rad, is given), angles in (-pi,
 /// pi], each once.
@@ -37,20 +45,28 @@ inline constexpr InverseInfo inverse_info_given_theta3{ 8, true, 2, true };
 /// 8 passes over the branches and 72 evaluations of the Jacobian are added (`effort` of the set);
 /// Status::incomplete says that they did not suffice.
 /// Four branches at a time in the lanes of AVX2 registers, if the machine has them; `form` is for comparisons.
-SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Pose<double>& pose, double theta3, const Geometry& g = {},
+SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Pose<double>& pose, double given_theta3,
+    const Geometry& g = {},
     double tolerance = inverse::default_tolerance, inverse::Form form = inverse::Form::fastest);
 /// The same, nearest to the seed first (see `sort_by_distance`); free joints are taken from the seed.
-SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Pose<double>& pose, double theta3,
+SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Pose<double>& pose, double given_theta3,
     const JointVector<double>& seed, const Geometry& g = {},
     double tolerance = inverse::default_tolerance);
 /// The same for a rotation matrix and a position (m).
 SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Matrix3<double>& rotation, const Vector3<double>& position,
-    double theta3, const Geometry& g = {},
+    double given_theta3, const Geometry& g = {},
     double tolerance = inverse::default_tolerance);
-/// The solutions within joint limits, with every representative of an angle that differs by whole turns and lies
-/// inside.
-LimitedSolutions<dof, 8> inverse_kinematics_given_theta3(const Pose<double>& pose, double theta3,
+/// The solutions within joint limits, inverse_kinematics_given_theta3(pose, given, Limits()): every representative of
+/// an angle that differs by
+/// whole turns and lies inside, those nearest to zero first in each branch (see `within_limits`).
+LimitedSolutions<dof, 8> inverse_kinematics_given_theta3(const Pose<double>& pose, double given_theta3,
     const JointLimits<dof>& limits, const Geometry& g = {},
     double tolerance = inverse::default_tolerance);
+/// The same with a seed, inverse_kinematics_given_theta3(pose, given, seed, Limits()): one row for each branch that has
+/// one inside, the
+/// representative nearest to the seed; the nearest row first. `continued` goes on a path by them.
+LimitedSolutions<dof, 8, 1> inverse_kinematics_given_theta3(const Pose<double>& pose, double given_theta3,
+    const JointVector<double>& seed, const JointLimits<dof>& limits,
+    const Geometry& g = {}, double tolerance = inverse::default_tolerance);
 
 }  // namespace qvgen::robots::iiwa14

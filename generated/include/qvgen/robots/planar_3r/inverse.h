@@ -11,9 +11,17 @@
 
 namespace qvgen::robots::planar_3r {
 
+/// Joint limits, the description's unless set.
+struct Limits : JointLimits<dof> {
+  Limits() : JointLimits<dof>{JointVector<double>(lower_limits.data()), JointVector<double>(upper_limits.data())} {}
+  Limits(const JointVector<double>& lower_bounds, const JointVector<double>& upper_bounds)
+      : JointLimits<dof>{lower_bounds, upper_bounds} {}
+};
+
 using Solutions = qvgen::Solutions<dof, 2>;
-/// At most 2 solutions; what of the pose is used; the joint that the caller gives, -1 for none; has lanes.
-inline constexpr InverseInfo inverse_info{ 2, true, -1, false };
+/// At most 2 solutions; what of the pose is used; the joint that the caller gives, -1 for none; has lanes;
+/// branches keep their numbers along a path.
+inline constexpr InverseInfo inverse_info{ 2, true, -1, false, true };
 
 /// All joint values that bring the tool to a pose (position and orientation), angles in (-pi, pi], each once.
 ///
@@ -43,15 +51,22 @@ Solutions inverse_kinematics(const Pose<double>& pose, const JointVector<double>
 /// The same for a rotation matrix and a position (m).
 Solutions inverse_kinematics(const Matrix3<double>& rotation, const Vector3<double>& position, const Geometry& g = {},
     double tolerance = inverse::default_tolerance);
-/// The solutions within joint limits, with every representative of an angle that differs by whole turns and lies
-/// inside.
+/// The solutions within joint limits, inverse_kinematics(pose, Limits()): every representative of an angle that differs
+/// by
+/// whole turns and lies inside, those nearest to zero first in each branch (see `within_limits`).
 LimitedSolutions<dof, 2> inverse_kinematics(const Pose<double>& pose, const JointLimits<dof>& limits,
     const Geometry& g = {},
     double tolerance = inverse::default_tolerance);
+/// The same with a seed, inverse_kinematics(pose, seed, Limits()): one row for each branch that has one inside, the
+/// representative nearest to the seed; the nearest row first. `continued` goes on a path by them.
+LimitedSolutions<dof, 2, 1> inverse_kinematics(const Pose<double>& pose, const JointVector<double>& seed,
+    const JointLimits<dof>& limits,
+    const Geometry& g = {}, double tolerance = inverse::default_tolerance);
 
 using SolutionsGiven_theta3 = qvgen::Solutions<dof, 2>;
-/// At most 2 solutions; what of the pose is used; the joint that the caller gives, -1 for none; has lanes.
-inline constexpr InverseInfo inverse_info_given_theta3{ 2, false, 2, false };
+/// At most 2 solutions; what of the pose is used; the joint that the caller gives, -1 for none; has lanes;
+/// branches keep their numbers along a path.
+inline constexpr InverseInfo inverse_info_given_theta3{ 2, false, 2, false, true };
 
 /// All joint values that bring the tool to a pose (its position; the orientation is not used; theta3, rad, is given),
 /// angles in (-pi, pi], each once.
@@ -73,20 +88,28 @@ inline constexpr InverseInfo inverse_info_given_theta3{ 2, false, 2, false };
 /// 8 passes over the branches and 56 evaluations of the Jacobian are added (`effort` of the set);
 /// Status::incomplete says that they did not suffice.
 
-SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Pose<double>& pose, double theta3, const Geometry& g = {},
+SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Pose<double>& pose, double given_theta3,
+    const Geometry& g = {},
     double tolerance = inverse::default_tolerance, inverse::Form form = inverse::Form::fastest);
 /// The same, nearest to the seed first (see `sort_by_distance`); free joints are taken from the seed.
-SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Pose<double>& pose, double theta3,
+SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Pose<double>& pose, double given_theta3,
     const JointVector<double>& seed, const Geometry& g = {},
     double tolerance = inverse::default_tolerance);
 /// The same for a rotation matrix and a position (m).
 SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Matrix3<double>& rotation, const Vector3<double>& position,
-    double theta3, const Geometry& g = {},
+    double given_theta3, const Geometry& g = {},
     double tolerance = inverse::default_tolerance);
-/// The solutions within joint limits, with every representative of an angle that differs by whole turns and lies
-/// inside.
-LimitedSolutions<dof, 2> inverse_kinematics_given_theta3(const Pose<double>& pose, double theta3,
+/// The solutions within joint limits, inverse_kinematics_given_theta3(pose, given, Limits()): every representative of
+/// an angle that differs by
+/// whole turns and lies inside, those nearest to zero first in each branch (see `within_limits`).
+LimitedSolutions<dof, 2> inverse_kinematics_given_theta3(const Pose<double>& pose, double given_theta3,
     const JointLimits<dof>& limits, const Geometry& g = {},
     double tolerance = inverse::default_tolerance);
+/// The same with a seed, inverse_kinematics_given_theta3(pose, given, seed, Limits()): one row for each branch that has
+/// one inside, the
+/// representative nearest to the seed; the nearest row first. `continued` goes on a path by them.
+LimitedSolutions<dof, 2, 1> inverse_kinematics_given_theta3(const Pose<double>& pose, double given_theta3,
+    const JointVector<double>& seed, const JointLimits<dof>& limits,
+    const Geometry& g = {}, double tolerance = inverse::default_tolerance);
 
 }  // namespace qvgen::robots::planar_3r
