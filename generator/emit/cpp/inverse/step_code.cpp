@@ -307,19 +307,19 @@ json target_values(const model::Robot& robot, const LoweredPlan& plan) {
   return to_json(code);
 }
 
-json range_test_values(const LoweredPlan& plan) {
+json range_test_values(const model::Robot& robot, const LoweredPlan& plan) {
   const derive::inverse::RangeTest& test = plan.plan.range_test;
   if (!test.exists()) return false;
   return {{"unknown", test.unknown},
           {"equation", test.equation},
-          {"values", to_json(cpp_code(plan.range_test, names_of(plan, {})))}};
+          {"values", to_json(cpp_code(plan.range_test, names_of(robot, plan, {})))}};
 }
 
 json step_values(const model::Robot& robot, const LoweredPlan& plan) {
   json steps = json::array();
   for (std::size_t i = 0; i < plan.steps.size(); ++i) {
     const Step& step = plan.plan.steps[i];
-    const SymbolTable names = names_of(plan, step);
+    const SymbolTable names = names_of(robot, plan, step);
     const Code before = cpp_code(plan.steps[i].before, names);
     const Code after = cpp_code(plan.steps[i].after, names);
     const auto [type, call] = block(plan, step);

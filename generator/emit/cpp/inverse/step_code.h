@@ -15,10 +15,10 @@ namespace qvgen::emit {
 std::map<std::string, std::string> geometry_fields(const model::Robot& robot);
 
 /// Template values of the function that computes a plan's target from pose and geometry.
-nlohmann::json target_values(const derive::inverse::LoweredPlan& plan);
+nlohmann::json target_values(const model::Robot& robot, const derive::inverse::LoweredPlan& plan);
 
 /// Template values of the function that tells poses out of reach before any branch, false if there is none.
-nlohmann::json range_test_values(const derive::inverse::LoweredPlan& plan);
+nlohmann::json range_test_values(const model::Robot& robot, const derive::inverse::LoweredPlan& plan);
 
 /// Template values of every step's function, in order.
 nlohmann::json step_values(const model::Robot& robot, const derive::inverse::LoweredPlan& plan);
