@@ -41,7 +41,7 @@ extern const LaneSolver solve_in_lanes;
 
 namespace {
 
-/// What the tool's distance from the base cannot exceed, m: none but that its sixth power can be computed.
+/// What the tool's distance from the base cannot exceed, m; not known here, beyond this products would overflow.
 constexpr double farthest = 1e50;
 
 /// Fills in what the pose says, for a first pass; `excess` is what its quaternion's square has beyond 1.

@@ -151,6 +151,7 @@ json variant(const model::Robot& described, const emit::InverseArm& arm, const d
       {"locked_argument", locked ? ", given_" + given : ""},
       {"quartic", derived.quartic() || chooses_slide(derived)},
       {"stable_branches", derived.quartic() ? "false" : "true"},
+      {"counts_roots", derived.quartic()},
       {"reach", farthest.empty() ? "1e50" : farthest},
       {"has_reach", !farthest.empty()},
       {"capacity", derived.capacity},

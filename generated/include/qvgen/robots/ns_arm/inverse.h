@@ -20,7 +20,7 @@ struct Limits : JointLimits<dof> {
 
 using Solutions = qvgen::Solutions<dof, 4>;
 /// At most 4 solutions; what of the pose is used; the joint that the caller gives, -1 for none; has lanes;
-/// branches keep their numbers along a path.
+/// whether branches keep their numbers along a path.
 inline constexpr InverseInfo inverse_info{ 4, false, -1, true, true };
 
 /// All joint values that bring the tool to a pose (its position; the orientation is not used), angles in (-pi, pi],
@@ -52,14 +52,15 @@ Solutions inverse_kinematics(const Pose<double>& pose, const JointVector<double>
 /// The same for a rotation matrix and a position (m).
 Solutions inverse_kinematics(const Matrix3<double>& rotation, const Vector3<double>& position, const Geometry& g = {},
     double tolerance = inverse::default_tolerance);
-/// The solutions within joint limits, inverse_kinematics(pose, Limits()): every representative of an angle that differs
-/// by
-/// whole turns and lies inside, those nearest to zero first in each branch (see `within_limits`).
+/// The solutions within joint limits, as in inverse_kinematics(pose, Limits()):
+/// every representative of an angle that differs by whole turns and lies inside, in each branch those nearest to zero
+/// first (see `within_limits`).
 LimitedSolutions<dof, 4> inverse_kinematics(const Pose<double>& pose, const JointLimits<dof>& limits,
     const Geometry& g = {},
     double tolerance = inverse::default_tolerance);
-/// The same with a seed, inverse_kinematics(pose, seed, Limits()): one row for each branch that has one inside, the
-/// representative nearest to the seed; the nearest row first. `continued` goes on a path by them.
+/// The same with a seed, inverse_kinematics(pose, seed, Limits()):
+/// one row for each branch that has one inside, the representative nearest to the seed; the nearest row first.
+/// `continued` goes on a path by them.
 LimitedSolutions<dof, 4, 1> inverse_kinematics(const Pose<double>& pose, const JointVector<double>& seed,
     const JointLimits<dof>& limits,
     const Geometry& g = {}, double tolerance = inverse::default_tolerance);
