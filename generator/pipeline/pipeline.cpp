@@ -33,11 +33,23 @@ json comment_lines(const std::string& text) {
   return lines;
 }
 
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Whether a part has a header of its own; else it is a function of one.
+bool is_header(const std::string& part) {
+  const auto& products = all_products();
+  return std::any_of(products.begin(), products.end(), [&](const Product& product) {
+    return product.part == part || contains(product.headers, part);
+  });
+}
+
 /// In place of the header of a part that could not be made: the reasons.
 void add_headers_of_missing_parts(RobotOutput& output) {
   std::map<std::string, json> reasons;
   for (const Missing& missing : output.missing) {
-    if (missing.kind == Missing::Kind::not_described || missing.part == "singularity_measures") continue;
+    if (missing.kind == Missing::Kind::not_described || !is_header(missing.part)) continue;
     json& lines = reasons.emplace(missing.part, json::array()).first->second;
     for (const json& line : comment_lines(missing.reason)) lines.push_back(line);
   }
@@ -104,15 +116,15 @@ std::vector<std::string> part_names() {
   std::vector<std::string> names;
   for (const Product& product : all_products()) {
     names.push_back(product.part);
-    names.insert(names.end(), product.pieces.begin(), product.pieces.end());
+    names.insert(names.end(), product.headers.begin(), product.headers.end());
+    names.insert(names.end(), product.functions.begin(), product.functions.end());
   }
   return names;
 }
 
 std::string product_of(const std::string& part) {
   for (const Product& product : all_products())
-    if (std::find(product.pieces.begin(), product.pieces.end(), part) != product.pieces.end())
-      return product.part;
+    if (contains(product.headers, part) || contains(product.functions, part)) return product.part;
   return part;
 }
 

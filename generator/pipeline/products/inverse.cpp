@@ -192,7 +192,8 @@ void generate_inverse(const model::Robot& described, RobotOutput& output) {
   json values{{"name", described.name}, {"variants", json::array()}};
   values["change"] = emit::change_of_arm(arm);
   std::vector<std::string> reasons;
-  for (const auto& derivation : {derive::inverse::derive(arm.robot), derive::inverse::derive_locked(arm.robot)}) {
+  for (const auto& derivation :
+       {derive::inverse::derive(arm.robot), derive::inverse::derive_locked(arm.robot)}) {
     if (derivation.found)
       values["variants"].push_back(variant(described, arm, derivation.plan, output.counts));
     reasons.insert(reasons.end(), derivation.reasons.begin(), derivation.reasons.end());

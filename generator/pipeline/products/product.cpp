@@ -14,8 +14,11 @@ const std::vector<Product>& all_products() {
       {"model", generate_model_header},
       {"kinematics", generate_kinematics},
       {"inverse", generate_inverse},
-      {"jacobian", generate_jacobian, {"singularity_measures"}},
-      {"dynamics", generate_dynamics_product, {"dynamics_derivatives", "dynamics_loads", "regressor"}}};
+      {"jacobian", generate_jacobian, {}, {"singularity_measures"}},
+      {"dynamics",
+       generate_dynamics_product,
+       {"dynamics_derivatives", "dynamics_loads", "regressor"},
+       {"forward_dynamics", "forward_dynamics_with_gravity_vector", "forward_dynamics_with_wrench"}}};
   return products;
 }
 

@@ -9,11 +9,13 @@ namespace qvgen::pipeline {
 /// A product: one header with its definitions and source for every robot (forward kinematics, dynamics, ...).
 ///
 /// Adds its files and its counts to the robot's output, and what it could not make. `part` is the header's
-/// name, included by the robot's umbrella header; `pieces` are what may be missing of it by itself.
+/// name, included by the robot's umbrella header; `headers` are further ones that may be missing by
+/// themselves, `functions` those that a header that is there may lack.
 struct Product {
   std::string part;
   void (*generate)(const model::Robot& robot, RobotOutput& output);
-  std::vector<std::string> pieces = {};
+  std::vector<std::string> headers = {};
+  std::vector<std::string> functions = {};
 };
 
 /// All products, in the order of the umbrella header.

@@ -31,9 +31,10 @@ struct InverseInfo {
 /// One row of a solution set.
 template <int dof>
 struct Solution {
-  Eigen::Matrix<double, dof, 1> q;  ///< revolute: rad in (-pi, pi], within limits whole turns more; prismatic: m
-  int branch;                       ///< which sign each step took; see InverseInfo::stable_branches
-  bool continuum;                   ///< true: a free joint was chosen, from the seed or zero
+  /// Revolute: rad in (-pi, pi], within limits whole turns more; prismatic: m.
+  Eigen::Matrix<double, dof, 1> q;
+  int branch;      ///< which sign each step took; see InverseInfo::stable_branches
+  bool continuum;  ///< true: a free joint was chosen, from the seed or zero
 };
 
 /// The solutions of a pose: fixed capacity, no heap, in the order of their branches, none twice.
