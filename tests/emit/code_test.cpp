@@ -85,7 +85,10 @@ TEST(Literal, IsTheShortestTextOfTheNearestDouble) {
 }
 
 TEST(Render, FillsTemplatesWithoutEscaping) {
-  const std::string text = emit::render("robot.h", {{"name", "a<b"}, {"parts", {{{"part", "kinematics"}}}}});
+  const std::string text = emit::render("robot.h", {{"name", "a<b"},
+                                                    {"parts", {{{"part", "kinematics"}}}},
+                                                    {"missing", nlohmann::json::array()},
+                                                    {"is_complete", true}});
   EXPECT_NE(text.find("#include <qvgen/robots/a<b/kinematics.h>"), std::string::npos);
 }
 
