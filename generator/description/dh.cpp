@@ -36,8 +36,8 @@ Row read_row(const Table& table, const std::string& variable) {
   Row row{entry_or_zero(table, "theta", moving), entry_or_zero(table, "d", moving),
           entry_or_zero(table, "a", {}), entry_or_zero(table, "alpha", {})};
   check_angle(table.context(), row.alpha);
-  check_no_angle(table.context(), row.d, "d");
-  check_no_angle(table.context(), row.a, "a");
+  check_length(table.context(), row.d, "d");
+  check_length(table.context(), row.a, "a");
   return row;
 }
 

@@ -6,9 +6,13 @@
 
 #include "description/parser.h"
 #include "model/arithmetic.h"
+#include "model/evaluate.h"
 
 namespace qvgen::description {
 namespace {
+
+/// Metres. Beyond any arm, and its sixth power, as polynomials of inverse kinematics have it, is a double.
+constexpr int longest = 1'000'000;
 
 /// Column of the first character of a quoted text, so that a mistake inside it can be pointed at; nullopt for
 /// multi-line and escaped texts, whose characters do not stand where they seem to.
@@ -107,7 +111,7 @@ std::optional<std::vector<Entry>> read_entries(const Table& table, const std::st
 model::Vector3 vector_or_zero(const Table& table, const std::string& key, const Scope& scope) {
   model::Vector3 result;
   if (const auto entries = read_entries(table, key, scope, {3}, "three entries [x, y, z]")) {
-    for (const Entry& entry : *entries) check_no_angle(table.context(), entry, key);
+    for (const Entry& entry : *entries) check_length(table.context(), entry, key);
     std::transform(entries->begin(), entries->end(), result.begin(), [](const Entry& e) { return e.value; });
   }
   return result;
@@ -117,6 +121,18 @@ void check_no_angle(Context& context, const Entry& entry, const std::string& key
   if (entry.has_unit)
     context.error(entry.place, "'" + key + "' has an angle, " + to_string(entry.value),
                   "lengths are in metres, without a unit");
+}
+
+void check_length(Context& context, const Entry& entry, const std::string& key) {
+  check_no_angle(context, entry, key);
+  if (!model::symbols(entry.value).empty()) return;
+  try {
+    if (cln::abs(model::evaluate(entry.value)) <= longest) return;
+  } catch (const model::EvaluationError&) {
+    return;  // told where the expression is read
+  }
+  context.error(entry.place, "'" + key + "' has a length of " + to_string(entry.value) + " metres",
+                "lengths are in metres, at most " + std::to_string(longest));
 }
 
 namespace {

@@ -23,6 +23,8 @@ std::optional<std::vector<Entry>> read_entries(const Table& table, const std::st
                                                const std::string& wanted);
 /// Reports an angle where a length, a mass or the like is wanted.
 void check_no_angle(Context& context, const Entry& entry, const std::string& key);
+/// Reports what cannot be a length: an angle, or a number of metres that no arm has.
+void check_length(Context& context, const Entry& entry, const std::string& key);
 /// Three lengths; absent: zero.
 model::Vector3 vector_or_zero(const Table& table, const std::string& key, const Scope& scope);
 

@@ -142,6 +142,16 @@ TEST(Hostile, WhatWasMeantIsAskedFor) {
   EXPECT_TRUE(has(first_message(table + "d = \"90 deg\"\n"), "'d' has an angle"));
 }
 
+TEST(Hostile, LengthsThatNoArmHas) {
+  const std::string head = "name = \"a\"\ntitle = \"A\"\n";
+  EXPECT_TRUE(has(first_message(head + joint + "origin = [0, \"-11e300\", 0]\n"),
+                  "r.toml:8:14: error: 'origin' has a length of"));
+  EXPECT_TRUE(has(first_message(head + joint + "origin = [1.5e6, 0, 0]\n"), "at most 1000000"));
+  EXPECT_EQ(first_message(head + joint + "origin = [1e6, 0, \"1e9*a1\"]\n"), "");
+  EXPECT_TRUE(has(first_message(head + "convention = \"modified\"\n[[dh]]\nvariable = \"t1\"\na = 1e7\n"),
+                  "'a' has a length of 10000000"));
+}
+
 TEST(Hostile, FreeParametersOfOneKey) {
   const ReadResult result =
       read_text("name = \"a\"\ntitle = \"A\"\n" + joint +
