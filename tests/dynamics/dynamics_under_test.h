@@ -10,8 +10,8 @@
 #include <Eigen/Cholesky>
 #include <Eigen/SVD>
 #include <gtest/gtest.h>
-#include <unsupported/Eigen/AutoDiff>
 
+#include "dual.h"
 #include "lagrange.h"
 #include "reference/dynamics.h"
 #include "reference/load.h"
@@ -93,14 +93,11 @@ class GeneratedDynamics : public testing::Test {
   reference::Chain chain_;
 };
 
-/// First derivatives along one direction by forward differentiation.
-using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<double, 1, 1>>;
-
 template <int N>
 Eigen::Matrix<Dual, N, 1> along(const Eigen::Matrix<double, N, 1>& x,
                                 const Eigen::Matrix<double, N, 1>& direction) {
   Eigen::Matrix<Dual, N, 1> result;
-  for (int i = 0; i < N; ++i) result[i] = Dual(x[i], Eigen::Matrix<double, 1, 1>(direction[i]));
+  for (int i = 0; i < N; ++i) result[i] = Dual(x[i], direction[i]);
   return result;
 }
 

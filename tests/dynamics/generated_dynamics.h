@@ -51,7 +51,7 @@ TYPED_TEST_P(GeneratedDynamics, RateOfMassMatrixMinusTwiceCoriolisMatrixIsSkewSy
     const Square coriolis = TypeParam::template coriolis_matrix<double>(q, qd, this->inertia_);
     const Square rate = Square::NullaryExpr([&](Eigen::Index i, Eigen::Index j) {
       const Dual& entry = mass(i, j);
-      return entry.derivatives().size() > 0 ? entry.derivatives()[0] : 0;
+      return entry.derivative;
     });
     const Square skew = rate - 2 * coriolis;
     EXPECT_LE((skew + skew.transpose()).cwiseAbs().maxCoeff(), 1e-12 * (1 + rate.cwiseAbs().maxCoeff()));
@@ -105,7 +105,7 @@ TYPED_TEST_P(GeneratedDynamics, PowerOfTheForcesIsTheRateOfEnergy) {
                         TypeParam::template potential<Dual>(q_dual, inertia, Dual(this->gravity));
     const double power =
         TypeParam::template inverse<double>(q, qd, qdd, this->inertia_, this->gravity).dot(qd);
-    EXPECT_NEAR(energy.derivatives()[0], power, 1e-10 * (1 + std::abs(power)));
+    EXPECT_NEAR(energy.derivative, power, 1e-10 * (1 + std::abs(power)));
   }
 }
 
@@ -137,8 +137,7 @@ TYPED_TEST_P(GeneratedDynamics, LagrangesEquationsGiveTheSameForces) {
                  qd_dual = along<TypeParam::dof>(qd, zero);
       const Dual lagrangian = TypeParam::template kinetic<Dual>(q_dual, qd_dual, inertia) -
                               TypeParam::template potential<Dual>(q_dual, inertia, Dual(this->gravity));
-      force[i] =
-          momentum.derivatives()[0] - (lagrangian.derivatives().size() > 0 ? lagrangian.derivatives()[0] : 0);
+      force[i] = momentum.derivative - lagrangian.derivative;
     }
     this->expect_close(TypeParam::template inverse<double>(q, qd, qdd, this->inertia_, this->gravity), force,
                        1e-11);
@@ -163,8 +162,7 @@ TYPED_TEST_P(GeneratedDynamics, DerivativesAreThoseOfTheInverseDynamics) {
                                               along<TypeParam::dof>(qd, by_rate ? direction : zero),
                                               along<TypeParam::dof>(qdd, zero), inertia, Dual(this->gravity));
         Column expected;
-        for (int r = 0; r < TypeParam::dof; ++r)
-          expected[r] = dual[r].derivatives().size() > 0 ? dual[r].derivatives()[0] : 0;
+        for (int r = 0; r < TypeParam::dof; ++r) expected[r] = dual[r].derivative;
         this->expect_close((by_rate ? found.by_rate : found.by_position).col(i), expected);
       }
   }
