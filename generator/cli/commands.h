@@ -11,6 +11,7 @@
 #include "description/reader.h"
 #include "model/robot.h"
 #include "pipeline/parallel.h"
+#include "pipeline/pipeline.h"
 
 namespace qvgen::cli {
 
@@ -32,8 +33,9 @@ struct GenerateArguments {
   std::filesystem::path output;
   bool all_known = false;  ///< the descriptions are all that the tool knows: others of its own are gone
   description::ReadOptions read;
-  bool force = false;                 ///< also what has not changed
-  std::vector<std::string> parts;     ///< see pipeline.h
+  bool force = false;              ///< also what has not changed
+  std::vector<std::string> parts;  ///< see pipeline.h
+  pipeline::Language language = pipeline::Language::cxx;
   std::vector<std::string> required;  ///< parts without which a robot is an error
   std::uint64_t tool = 0;             ///< a number that another build of the tool has not
   pipeline::Budget budget;

@@ -47,6 +47,7 @@ class ProgressLine {
 /// A robot of the run: where it comes from, and what its files are made of.
 struct Task {
   model::Robot robot;
+  std::string name;  ///< in the folder
   std::string origin;
   std::string key;
 };
@@ -75,12 +76,14 @@ std::vector<Task> tasks_of(const GenerateArguments& arguments, std::vector<model
   std::sort(parts.begin(), parts.end());
   for (std::size_t i = 0; i < robots.size(); ++i) {
     const fs::path& file = arguments.descriptions[i];
-    const std::string origin =
-        origin_of(file, arguments.output, arguments.known_robots) + text_of(arguments.read);
+    const std::string origin = origin_of(file, arguments.output, arguments.known_robots) +
+                               text_of(arguments.read) +
+                               (arguments.language == Language::c ? " --language c" : "");
     const std::string made_of =
         fmt::format("{}\n{}\n{}\n{}\n{}", arguments.tool, fmt::join(parts, ","), origin,
                     text_of(arguments.read.snap), content_of(file).value_or(""));
-    tasks.push_back({std::move(robots[i]), origin, fingerprint(made_of)});
+    const std::string name = folder_name(robots[i].name, arguments.language);
+    tasks.push_back({std::move(robots[i]), name, origin, fingerprint(made_of)});
   }
   return tasks;
 }
@@ -88,26 +91,28 @@ std::vector<Task> tasks_of(const GenerateArguments& arguments, std::vector<model
 std::vector<Task> changed_tasks(const GenerateArguments& arguments, const std::vector<Task>& tasks) {
   if (arguments.force) return tasks;
   std::vector<std::pair<std::string, std::string>> keys;
-  for (const Task& task : tasks) keys.emplace_back(task.robot.name, task.key);
+  for (const Task& task : tasks) keys.emplace_back(task.name, task.key);
   const std::set<std::string> current = current_robots(arguments.output, keys);
   std::vector<Task> changed;
   std::copy_if(tasks.begin(), tasks.end(), std::back_inserter(changed),
-               [&](const Task& task) { return current.count(task.robot.name) == 0; });
+               [&](const Task& task) { return current.count(task.name) == 0; });
   return changed;
 }
 
 /// What depends on the machine, or should never be, is not remembered as done.
 bool is_final(const RobotOutput& output) {
   return std::all_of(output.missing.begin(), output.missing.end(), [](const Missing& missing) {
-    return missing.kind == Missing::Kind::not_described || missing.kind == Missing::Kind::not_derived;
+    return missing.kind != Missing::Kind::not_finished && missing.kind != Missing::Kind::refuted;
   });
 }
 
 /// Known robots of the folder that the tool knows no more.
 std::set<std::string> forgotten(const GenerateArguments& arguments, const std::vector<Task>& tasks) {
   if (!arguments.all_known) return {};
-  std::set<std::string> names = known_robots_in(arguments.output);
-  for (const Task& task : tasks) names.erase(task.robot.name);
+  std::set<std::string> names;
+  for (const std::string& name : known_robots_in(arguments.output))
+    if (is_in(arguments.language, name)) names.insert(name);
+  for (const Task& task : tasks) names.erase(task.name);
   return names;
 }
 
@@ -116,8 +121,9 @@ FolderUpdate update_of(const GenerateArguments& arguments, const std::vector<Tas
   std::vector<model::Robot> robots;
   for (const Task& task : changed) robots.push_back(task.robot);
   ProgressLine line(robots.size());
-  std::vector<RobotOutput> outputs = generate(robots, arguments.parts, arguments.budget,
-                                              [&](const std::string& robot) { line.finished(robot); });
+  std::vector<RobotOutput> outputs = generate(
+      robots, arguments.parts, arguments.budget, [&](const std::string& robot) { line.finished(robot); },
+      arguments.language);
   FolderUpdate update;
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     const std::string key = is_final(outputs[i]) ? changed[i].key : "";
@@ -130,7 +136,7 @@ FolderUpdate update_of(const GenerateArguments& arguments, const std::vector<Tas
 
 ordered_json only(const ordered_json& counts, const std::vector<Task>& tasks) {
   std::set<std::string> names;
-  for (const Task& task : tasks) names.insert(task.robot.name);
+  for (const Task& task : tasks) names.insert(task.name);
   ordered_json result = ordered_json::object();
   for (const auto& [name, entry] : counts.items())
     if (names.count(name) > 0) result[name] = entry;
@@ -172,7 +178,7 @@ int run_generate(const GenerateArguments& arguments) {
   const FolderChange change = update_folder(arguments.output, update);
   const ordered_json counts = only(counts_in(arguments.output), tasks);
   std::vector<std::string> names;
-  for (const Task& task : tasks) names.push_back(task.robot.name);
+  for (const Task& task : tasks) names.push_back(task.name);
   write_build_files(arguments, names);
   if (!arguments.build.quiet) fmt::print("{}", report(counts, ReportFormat::table));
   std::fflush(stdout);

@@ -21,6 +21,7 @@ examples:
   qvgen generate my_arm.toml --output out     one robot, into out/; without --output into ./generated
   qvgen generate                              all robots that qvgen knows
   qvgen generate arm.urdf --tip tool0         an arm of a URDF (or MJCF), from its root to the link tool0
+  qvgen generate ur5 --language c -o out      out/c/qvgen_ur5.h and .c: C99 that needs nothing but libm
   qvgen import arm.urdf > arm.toml            the same as a description to read and edit
   qvgen new RRP --wrist euler > my_arm.toml   a description to begin with
   qvgen check my_arm.toml                     every mistake of a description, nothing written
@@ -141,6 +142,11 @@ int run(int argc, char** argv) {
                    "parts (inverse,dynamics,...) that every robot must get, else an error")
       ->allow_extra_args(false)
       ->delimiter(',');
+  const std::map<std::string, Language> languages{{"cxx", Language::cxx}, {"c", Language::c}};
+  generate_command
+      ->add_option("--language", generate.language,
+                   "cxx, or c: C99 into the output's folder c, without inverse kinematics")
+      ->transform(CLI::CheckedTransformer(languages).description(""));
   generate_command->add_flag("--strict", generate.read.strict, "warnings about a description are errors");
   add_reading(*generate_command, generate.read);
   generate_command->add_flag("--force", generate.force, "also robots that have not changed");
@@ -230,6 +236,8 @@ int run(int argc, char** argv) {
     for (const std::string& part : generate.required)
       if (!generate.parts.empty())
         check_parts("--only without what is required", {product_of(part)}, generate.parts);
+    if (generate.language == Language::c && !generate.build.sources.empty())
+      throw UsageError("--sources is for C++: C has one source a robot, c/qvgen_NAME.c");
     generate.known_robots = here.robots;
     generate.output = folder(generate_files);
     generate.tool = here.tool;

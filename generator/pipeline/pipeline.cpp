@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "emit/render.h"
+#include "pipeline/c_files.h"
 #include "pipeline/products/product.h"
 
 namespace qvgen::pipeline {
@@ -87,24 +88,37 @@ std::vector<Product> wanted_products(const Parts& parts) {
   return wanted;
 }
 
-RobotOutput generate_product(const model::Robot& robot, const Product& product) {
+RobotOutput generate_product(const model::Robot& robot, const Product& product, Language language) {
   RobotOutput output{robot.name};
-  attempt(product.part, output, [&](RobotOutput& made) { product.generate(robot, made); });
+  const auto make = language == Language::c ? product.generate_c : product.generate;
+  if (make == nullptr)
+    output.missing.push_back({product.part, Missing::Kind::not_in_language, product.why_not_in_c});
+  else
+    attempt(product.part, output, [&](RobotOutput& made) { make(robot, made); });
   return output;
 }
 
 /// Puts a robot together from its products; without its model header nothing would compile.
-RobotOutput whole(RobotOutput output) {
+RobotOutput whole(RobotOutput output, Language language) {
   const bool has_model = has_part(output.missing, all_products().front().part);
   if (!has_model) output.files.clear();
   if (!output.missing.empty()) output.counts["missing"] = missing_to_json(output.missing);
   if (!has_model) return output;
+  if (language == Language::c) return with_c_files(std::move(output));
   add_headers_of_missing_parts(output);
   output.files.push_back(umbrella_header(output));
   return output;
 }
 
 }  // namespace
+
+std::string folder_name(const std::string& robot, Language language) {
+  return (language == Language::c ? "c/" : "") + robot;
+}
+
+bool is_in(Language language, const std::string& folder_name) {
+  return (folder_name.rfind("c/", 0) == 0) == (language == Language::c);
+}
 
 std::vector<std::string> product_names() {
   std::vector<std::string> names;
@@ -136,10 +150,11 @@ bool has_part(const std::vector<Missing>& missing, const std::string& part) {
 
 std::vector<RobotOutput> generate(const std::vector<model::Robot>& robots, const Parts& parts,
                                   const Budget& budget,
-                                  const std::function<void(const std::string&)>& progress) {
+                                  const std::function<void(const std::string&)>& progress,
+                                  Language language) {
   const std::vector<Product> products = wanted_products(parts);
   const auto work = [&](std::size_t i) {
-    return to_text(generate_product(robots[i / products.size()], products[i % products.size()]));
+    return to_text(generate_product(robots[i / products.size()], products[i % products.size()], language));
   };
   std::vector<std::size_t> open(robots.size(), products.size());
   const auto done = [&](std::size_t i) {
@@ -157,7 +172,8 @@ std::vector<RobotOutput> generate(const std::vector<model::Robot>& robots, const
       else
         output.missing.push_back({products[i].part, Missing::Kind::not_finished, outcome.text});
     }
-    outputs.push_back(whole(std::move(output)));
+    outputs.push_back(whole(std::move(output), language));
+    outputs.back().robot = folder_name(robots[robot].name, language);
   }
   return outputs;
 }

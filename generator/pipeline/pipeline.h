@@ -14,6 +14,13 @@ namespace qvgen::pipeline {
 /// The products (headers of a robot: kinematics, jacobian, ...) that a run generates; none named means all.
 using Parts = std::vector<std::string>;
 
+/// What the output is written in.
+enum class Language { cxx, c };
+
+/// What a folder calls a robot: C has a place of its own in it.
+std::string folder_name(const std::string& robot, Language language);
+bool is_in(Language language, const std::string& folder_name);
+
 /// The parts that can be named: products, and what may be missing of one while the rest is there.
 std::vector<std::string> product_names();
 std::vector<std::string> part_names();
@@ -24,10 +31,12 @@ std::string product_of(const std::string& part);
 bool has_part(const std::vector<Missing>& missing, const std::string& part);
 
 /// description -> model -> symbolic -> derive -> dag -> passes -> emit: the files of each robot. Every
-/// product of every robot is made in a process of its own; one that fails is left out and says why.
+/// product of every robot is made in a process of its own; one that fails is left out and says why. Outputs
+/// have the names that folders call them by.
 std::vector<RobotOutput> generate(const std::vector<model::Robot>& robots, const Parts& parts,
                                   const Budget& budget = {},
-                                  const std::function<void(const std::string& robot)>& progress = {});
+                                  const std::function<void(const std::string& robot)>& progress = {},
+                                  Language language = Language::cxx);
 
 /// Files of no single robot.
 std::vector<OutputFile> shared_files();

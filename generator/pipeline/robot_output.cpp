@@ -11,6 +11,7 @@ using nlohmann::ordered_json;
 
 NLOHMANN_JSON_SERIALIZE_ENUM(Missing::Kind, {{Missing::Kind::not_described, "not described"},
                                              {Missing::Kind::not_derived, "not derived"},
+                                             {Missing::Kind::not_in_language, "not in this language"},
                                              {Missing::Kind::not_finished, "not finished"},
                                              {Missing::Kind::refuted, "refuted"}})
 

@@ -18,10 +18,11 @@ struct OutputFile {
 /// A part that a robot does not get.
 struct Missing {
   enum class Kind {
-    not_described,  ///< the description has nothing to make it from (no inertia, no dynamics)
-    not_derived,    ///< what can be derived does not cover this arm
-    not_finished,   ///< it has used up its budget of time or memory, or its process died
-    refuted         ///< a certificate has failed: a defect of the generator
+    not_described,    ///< the description has nothing to make it from (no inertia, no dynamics)
+    not_derived,      ///< what can be derived does not cover this arm
+    not_in_language,  ///< it is there in another language
+    not_finished,     ///< it has used up its budget of time or memory, or its process died
+    refuted           ///< a certificate has failed: a defect of the generator
   };
   std::string part;
   Kind kind = Kind::not_derived;

@@ -25,7 +25,7 @@ class CodeTest : public testing::Test {
 
   std::string text_of(Edge value) {
     f.outputs = {{"o", value}};
-    const emit::Code code = emit::cpp_code(f, names);
+    const emit::Code code = emit::straight_code(f, names);
     std::string text;
     for (const auto& line : code.temporaries) text += line.name + " = " + line.expression + "; ";
     return text + code.outputs[0].expression;
@@ -60,7 +60,7 @@ TEST_F(CodeTest, LongExpressionsAreCut) {
   Edge value = a;
   for (int i = 0; i < 20; ++i) value = g.sum({g.product({value, b}), c});
   f.outputs = {{"o", value}};
-  const emit::Code code = emit::cpp_code(f, names);
+  const emit::Code code = emit::straight_code(f, names);
   EXPECT_FALSE(code.temporaries.empty());
   for (const auto& line : code.temporaries) EXPECT_LT(line.expression.size(), 60U);
 }

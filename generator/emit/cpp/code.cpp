@@ -56,7 +56,7 @@ class Writer {
   std::string expression(const dag::Node& node) const {
     switch (node.op) {
       case Op::constant:
-        return "Scalar(" + literal(graph_.constant_of(node)) + ")";
+        return names_.spelling.number(literal(graph_.constant_of(node)));
       case Op::symbol:
         return names_.symbol(graph_.symbol_of(node));
       case Op::sine:
@@ -79,7 +79,7 @@ class Writer {
 
   template <class Name>
   std::string constant_or(const std::string& literal, const Name& name, const dag::Node& node) const {
-    return literal.empty() ? name(graph_.angle_of(node)) : "Scalar(" + literal + ")";
+    return literal.empty() ? name(graph_.angle_of(node)) : names_.spelling.number(literal);
   }
 
   bool is_inline(std::uint32_t id, Op op) const { return graph_.node(id).op == op && length_[id] > 0; }
@@ -126,7 +126,12 @@ class Writer {
 
 }  // namespace
 
-Code cpp_code(const dag::Function& function, const SymbolTable& names) {
+const Spelling& cpp_spelling() {
+  static const Spelling spelling{[](const std::string& literal) { return "Scalar(" + literal + ")"; }, "."};
+  return spelling;
+}
+
+Code straight_code(const dag::Function& function, const SymbolTable& names) {
   return Writer(function, names).write(function);
 }
 

@@ -10,14 +10,23 @@
 
 namespace qvgen::emit {
 
+/// What languages write differently in an expression.
+struct Spelling {
+  std::function<std::string(const std::string& literal)> number;  ///< "Scalar(2)"
+  std::string member;                                             ///< behind what holds constants: "."
+};
+const Spelling& cpp_spelling();
+
 /// How the leaves of a graph are written in the generated function.
 struct SymbolTable {
   std::function<std::string(const std::string& symbol)> symbol;
   std::function<std::string(const dag::Angle&)> sine;
   std::function<std::string(const dag::Angle&)> cosine;
+  Spelling spelling = cpp_spelling();
 };
 
-/// Straight-line C++: constant temporaries in order of use, then one expression per output.
+/// Straight-line code, C++ unless the table spells another language: constant temporaries in order of use,
+/// then one expression per output.
 struct Code {
   struct Value {
     std::string name;
@@ -29,6 +38,6 @@ struct Code {
 
 /// Writes a function down. A value used more than once, or too long to read inline, becomes a temporary `t0,
 /// t1, ...`; sums are written with a positive term first. The text depends on the graph's structure alone.
-Code cpp_code(const dag::Function& function, const SymbolTable& names);
+Code straight_code(const dag::Function& function, const SymbolTable& names);
 
 }  // namespace qvgen::emit

@@ -40,12 +40,12 @@ struct Constants {
   dag::Function stored;
 };
 
-Constants constants_of(const DynamicsFunction& function) {
+Constants constants_of(const DynamicsFunction& function, const Spelling& spelling) {
   Constants result;
   result.stored.graph = function.constants.graph;
   for (const dag::Output& output : function.constants.outputs) {
     if (function.constants.graph.is_constant(output.value)) {
-      result.text[output.name] = "Scalar(" + literal(function.constants.graph.value_of(output.value)) + ")";
+      result.text[output.name] = spelling.number(literal(function.constants.graph.value_of(output.value)));
     } else {
       result.text[output.name] = "k[" + std::to_string(result.stored.outputs.size()) + "]";
       result.stored.outputs.push_back(output);
@@ -63,7 +63,9 @@ json statements_of(const std::vector<Code::Value>& outputs, Result result, std::
 }
 
 SymbolTable names_of(const model::Robot& robot, const std::vector<dag::Angle>& angles,
-                     const std::map<std::string, std::string>& constants) {
+                     const std::map<std::string, std::string>& constants, const Spelling& spelling) {
+  const std::string zero = spelling.number("0");
+  const std::string one = spelling.number("1");
   std::map<std::string, std::string> known = constants;
   for (std::size_t i = 0; i < robot.joints.size(); ++i) {
     const std::string& variable = robot.joints[i].variable;
@@ -71,41 +73,34 @@ SymbolTable names_of(const model::Robot& robot, const std::vector<dag::Angle>& a
     known[derive::dynamics::velocity_of(variable)] = "qd" + index;
     known[derive::dynamics::acceleration_of(variable)] = "qdd" + index;
     known[derive::dynamics::force_of(variable)] = "torque" + index;
-    known[derive::dynamics::direction_of(variable)] =
-        "(Scalar(0) < qd" + index + " ? Scalar(1) : qd" + index + " < Scalar(0) ? Scalar(-1) : Scalar(0))";
+    known[derive::dynamics::direction_of(variable)] = "(" + zero + " < qd" + index + " ? " + one + " : qd" +
+                                                      index + " < " + zero + " ? " + spelling.number("-1") +
+                                                      " : " + zero + ")";
   }
   for (std::size_t k = 0; k < 6; ++k)
     known[derive::dynamics::wrench_component(k)] = "wrench[" + std::to_string(k) + "]";
-  return symbol_table(robot, angles, [known](const std::string& name) { return known.at(name); });
+  return symbol_table(
+      robot, angles, [known](const std::string& name) { return known.at(name); }, spelling);
 }
 
-/// In the set-up function, sines and cosines are of constant angles.
-SymbolTable set_up_names(const model::Robot& robot) {
-  std::map<std::string, std::string> known{{derive::dynamics::gravity_symbol, "gravity"}};
-  for (std::size_t k = 0; k < 3; ++k)
-    known[derive::dynamics::gravity_component(k)] = "gravity[" + std::to_string(k) + "]";
-  for (const model::Parameter& parameter : robot.inertia_parameters)
-    known[parameter.name] = "inertia." + parameter.name;
-  SymbolTable names = symbol_table(robot, {}, [known](const std::string& name) { return known.at(name); });
+/// A table where sines and cosines are of constant angles.
+SymbolTable constant_names(const model::Robot& robot, const std::map<std::string, std::string>& known,
+                           const Spelling& spelling) {
+  SymbolTable names = symbol_table(
+      robot, {}, [known](const std::string& name) { return known.at(name); }, spelling);
   const SymbolTable leaves = names;
   names.sine = [leaves](const dag::Angle& angle) { return "sin(" + angle_code(angle, leaves) + ")"; };
   names.cosine = [leaves](const dag::Angle& angle) { return "cos(" + angle_code(angle, leaves) + ")"; };
   return names;
 }
 
-std::string doc_of(const model::Robot& robot, const DynamicsFunction& function,
-                   const DynamicsInterface& interface) {
-  std::string text = "/// " + replaced(interface.summary, "\n", "\n/// ") + "\n///\n/// " +
-                     verify::describe(function.counts);
-  text += ". Set-up: " + verify::describe(function.constant_counts) +
-          ".\n/// Equal to the plain Newton-Euler recursion at " + std::to_string(function.certified_points) +
-          " random exact points, tolerance zero.";
-  const std::string unit = function.chosen ? symbolic_unit_text(robot, *function.chosen) : "";
-  if (!unit.empty()) text += "\n/// The unit of length is " + unit + ", which must not be zero.";
-  if (function.largest_error > 0)
-    text += "\n/// Largest rounding error found " +
-            json(std::round(function.largest_error * 100) / 100).dump() + " ulp of the largest component.";
-  return text;
+SymbolTable set_up_names(const model::Robot& robot, const Spelling& spelling) {
+  std::map<std::string, std::string> known{{derive::dynamics::gravity_symbol, "gravity"}};
+  for (std::size_t k = 0; k < 3; ++k)
+    known[derive::dynamics::gravity_component(k)] = "gravity[" + std::to_string(k) + "]";
+  for (const model::Parameter& parameter : robot.inertia_parameters)
+    known[parameter.name] = "inertia" + spelling.member + parameter.name;
+  return constant_names(robot, known, spelling);
 }
 
 std::string joined(const std::vector<std::string>& items, const std::string& before,
@@ -151,12 +146,32 @@ json wrench_values(bool wrench, const std::string& scalar) {
 
 }  // namespace
 
+std::string dynamics_doc(const model::Robot& robot, const DynamicsFunction& function,
+                         const DynamicsInterface& interface) {
+  std::string text = "/// " + replaced(interface.summary, "\n", "\n/// ") + "\n///\n/// " +
+                     verify::describe(function.counts);
+  text += ". Set-up: " + verify::describe(function.constant_counts) +
+          ".\n/// Equal to the plain Newton-Euler recursion at " + std::to_string(function.certified_points) +
+          " random exact points, tolerance zero.";
+  const std::string unit = function.chosen ? symbolic_unit_text(robot, *function.chosen) : "";
+  if (!unit.empty()) text += "\n/// The unit of length is " + unit + ", which must not be zero.";
+  if (function.largest_error > 0)
+    text += "\n/// Largest rounding error found " +
+            json(std::round(function.largest_error * 100) / 100).dump() + " ulp of the largest component.";
+  return text;
+}
+
+DynamicsCode dynamics_code(const model::Robot& robot, const DynamicsFunction& function,
+                           const std::vector<dag::Angle>& angles, const Spelling& spelling) {
+  const Constants constants = constants_of(function, spelling);
+  return {straight_code(constants.stored, set_up_names(robot, spelling)),
+          straight_code(function.function, names_of(robot, angles, constants.text, spelling))};
+}
+
 json dynamics_values(const model::Robot& robot, const DynamicsFunction& function,
                      const DynamicsInterface& interface, const std::vector<dag::Angle>& angles,
                      const std::string& scalar) {
-  const Constants constants = constants_of(function);
-  const Code code = cpp_code(function.function, names_of(robot, angles, constants.text));
-  const Code set_up = cpp_code(constants.stored, set_up_names(robot));
+  const auto [set_up, code] = dynamics_code(robot, function, angles);
   const std::string vector = "const JointVector<" + scalar + ">&";
   std::string unused;
   for (const std::string& name : interface.arguments)
@@ -165,7 +180,7 @@ json dynamics_values(const model::Robot& robot, const DynamicsFunction& function
   for (const std::string& name : interface.arguments) arguments += (arguments.empty() ? "" : ", ") + name;
   json values{{"entry", function.name},
               {"function", interface.overloads.empty() ? function.name : interface.overloads},
-              {"doc", doc_of(robot, function, interface)},
+              {"doc", dynamics_doc(robot, function, interface)},
               {"type", type_of(interface.result, scalar)},
               {"parameters", joined(interface.arguments, vector, " ")},
               {"unused_parameters", unused},
@@ -173,7 +188,7 @@ json dynamics_values(const model::Robot& robot, const DynamicsFunction& function
               {"arguments", arguments},
               {"default", interface.gravity == Gravity::vector ? "" : " = {}"},
               {"constants", camel_case(function.name) + "Constants"},
-              {"constant_count", constants.stored.outputs.size()},
+              {"constant_count", set_up.outputs.size()},
               {"set_up", values_of(set_up.temporaries)},
               {"stored", values_of(set_up.outputs)},
               {"named_angles", lines_of(sine_cosine_declarations(robot, function.function, angles))},
@@ -184,15 +199,16 @@ json dynamics_values(const model::Robot& robot, const DynamicsFunction& function
   return values;
 }
 
-json base_parameter_values(const model::Robot& robot, const derive::dynamics::Regressor& regressor) {
+Code base_parameters_code(const model::Robot& robot, const derive::dynamics::Regressor& regressor,
+                          const Spelling& spelling) {
   std::map<std::string, std::string> known;
   for (std::size_t i = 0; i < 10 * robot.joints.size(); ++i)
     known[derive::dynamics::standard_parameter(i)] = "standard[" + std::to_string(i) + "]";
-  SymbolTable names = symbol_table(robot, {}, [known](const std::string& name) { return known.at(name); });
-  const SymbolTable leaves = names;
-  names.sine = [leaves](const dag::Angle& angle) { return "sin(" + angle_code(angle, leaves) + ")"; };
-  names.cosine = [leaves](const dag::Angle& angle) { return "cos(" + angle_code(angle, leaves) + ")"; };
-  const Code code = cpp_code(regressor.base_parameters, names);
+  return straight_code(regressor.base_parameters, constant_names(robot, known, spelling));
+}
+
+json base_parameter_values(const model::Robot& robot, const derive::dynamics::Regressor& regressor) {
+  const Code code = base_parameters_code(robot, regressor);
   json parameters = json::array();
   for (std::size_t i = 0; i < code.outputs.size(); ++i)
     parameters.push_back({{"index", i},

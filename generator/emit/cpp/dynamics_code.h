@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "derive/dynamics/regressor.h"
+#include "emit/cpp/code.h"
 #include "optimise/dynamics_function.h"
 
 namespace qvgen::emit {
@@ -37,6 +38,21 @@ struct DynamicsInterface {
 
 /// The angles of all functions together: what DynamicsAngles holds.
 std::vector<dag::Angle> angles_of(const std::vector<optimise::DynamicsFunction>& functions);
+
+/// The code of a function: what no joint variable takes part in, its outputs being k[0], k[1], ..., and the
+/// rest.
+struct DynamicsCode {
+  Code set_up;
+  Code code;
+};
+DynamicsCode dynamics_code(const model::Robot& robot, const optimise::DynamicsFunction& function,
+                           const std::vector<dag::Angle>& angles, const Spelling& spelling = cpp_spelling());
+Code base_parameters_code(const model::Robot& robot, const derive::dynamics::Regressor& regressor,
+                          const Spelling& spelling = cpp_spelling());
+
+/// The lines of a function's doc comment, each with ///.
+std::string dynamics_doc(const model::Robot& robot, const optimise::DynamicsFunction& function,
+                         const DynamicsInterface& interface);
 
 /// Template values of one function for one scalar type ("Scalar", "double", "float").
 nlohmann::json dynamics_values(const model::Robot& robot, const optimise::DynamicsFunction& function,

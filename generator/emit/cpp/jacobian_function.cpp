@@ -17,15 +17,17 @@ namespace {
 using nlohmann::json;
 
 /// Joint rates are qd[i], the free point is point[i].
-SymbolTable names_of(const model::Robot& robot, const std::vector<dag::Angle>& angles) {
-  return symbol_table(robot, angles, [&robot](const std::string& name) -> std::string {
+SymbolTable names_of(const model::Robot& robot, const std::vector<dag::Angle>& angles,
+                     const Spelling& spelling) {
+  const auto others = [&robot](const std::string& name) -> std::string {
     for (std::size_t i = 0; i < robot.joints.size(); ++i)
       if (name == derive::rate_name(robot.joints[i].variable)) return "qd[" + std::to_string(i) + "]";
     const std::string axes = "xyz";
     for (std::size_t i = 0; i < 3; ++i)
       if (name == std::string("point.") + axes[i]) return "point[" + std::to_string(i) + "]";
     throw std::logic_error("symbol " + name + " has no place in the generated code");
-  });
+  };
+  return symbol_table(robot, angles, others, spelling);
 }
 
 /// The places of a function's angles among those of the header.
@@ -56,11 +58,16 @@ std::vector<dag::Angle> angles_of(const std::vector<JacobianFunction>& functions
   return merged(lists);
 }
 
+Code jacobian_code(const JacobianFunction& function, const model::Robot& robot,
+                   const std::vector<dag::Angle>& angles, const Spelling& spelling) {
+  return straight_code(function.optimised.function, names_of(robot, angles, spelling));
+}
+
 json to_values(const JacobianFunction& function, const model::Robot& robot,
                const std::vector<dag::Angle>& all) {
   const auto angles = angles_of(function.optimised.function);
-  const SymbolTable names = names_of(robot, angles);
-  const Code code = cpp_code(function.optimised.function, names);
+  const SymbolTable names = names_of(robot, angles, cpp_spelling());
+  const Code code = jacobian_code(function, robot, angles);
   json values{{"function", function.name}, {"result", function.result}, {"text", lines_of(function.text)}};
   values["counts"] = verify::describe(function.optimised.counts);
   values["points"] = function.optimised.certified_points;

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "emit/cpp/code.h"
 #include "model/robot.h"
 #include "optimise/optimise.h"
 #include "verify/accuracy.h"
@@ -30,6 +31,10 @@ struct JacobianFunction {
 
 /// Angles whose sines and cosines any of the functions uses.
 std::vector<dag::Angle> angles_of(const std::vector<JacobianFunction>& functions);
+
+/// The code of a function whose angles these are.
+Code jacobian_code(const JacobianFunction& function, const model::Robot& robot,
+                   const std::vector<dag::Angle>& angles, const Spelling& spelling = cpp_spelling());
 
 /// Template values of a function. `all` are the angles of the header's JacobianAngles.
 nlohmann::json to_values(const JacobianFunction& function, const model::Robot& robot,

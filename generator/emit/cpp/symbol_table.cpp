@@ -73,19 +73,22 @@ cln::cl_I common_denominator(const Angle& angle) {
   return common;
 }
 
-std::string scalar(const exact::Number& number) { return "Scalar(" + literal(number) + ")"; }
+std::string scalar(const exact::Number& number, const Spelling& spelling) {
+  return spelling.number(literal(number));
+}
 
 /// pi * turns, in double.
-std::string radians(const cln::cl_RA& turns) {
+std::string radians(const cln::cl_RA& turns, const Spelling& spelling) {
   const cln::cl_RA pi = cln::cl_RA(cln::cl_I("3141592653589793238462643383279502884197")) /
                         cln::cl_RA(cln::expt_pos(cln::cl_I(10), 39));
-  return scalar(exact::Number(turns * pi));
+  return scalar(exact::Number(turns * pi), spelling);
 }
 
 /// A definition as code, for the few that stand inside of an angle.
-std::string code_of(const model::Expression& e, const std::map<std::string, std::string>& known) {
+std::string code_of(const model::Expression& e, const std::map<std::string, std::string>& known,
+                    const Spelling& spelling) {
   using Kind = model::Expression::Kind;
-  const auto operand = [&](std::size_t i) { return code_of(e.operands()[i], known); };
+  const auto operand = [&](std::size_t i) { return code_of(e.operands()[i], known, spelling); };
   const auto joined = [&](const std::string& by) {
     std::string text = operand(0);
     for (std::size_t i = 1; i < e.operands().size(); ++i) text += by + operand(i);
@@ -93,9 +96,9 @@ std::string code_of(const model::Expression& e, const std::map<std::string, std:
   };
   switch (e.kind()) {
     case Kind::number:
-      return scalar(exact::Number(e.number()));
+      return scalar(exact::Number(e.number()), spelling);
     case Kind::pi:
-      return radians(1);
+      return radians(1, spelling);
     case Kind::symbol:
       return known.at(e.name());
     case Kind::negate:
@@ -109,7 +112,7 @@ std::string code_of(const model::Expression& e, const std::map<std::string, std:
     case Kind::power: {
       std::string product = operand(0);
       for (long i = 1; i < std::abs(e.exponent()); ++i) product += " * " + operand(0);
-      return e.exponent() < 0 ? "(" + scalar(1) + " / (" + product + "))" : "(" + product + ")";
+      return e.exponent() < 0 ? "(" + scalar(1, spelling) + " / (" + product + "))" : "(" + product + ")";
     }
     case Kind::root:
       return "sqrt(" + operand(0) + ")";
@@ -144,8 +147,8 @@ std::string angle_name(const model::Robot& robot, const Angle& angle, std::size_
   return name;
 }
 
-std::vector<std::string> sine_cosine_declarations(const model::Robot& robot, const dag::Function& function,
-                                                  const std::vector<Angle>& angles) {
+std::set<std::pair<std::size_t, Op>> sines_and_cosines_of(const dag::Function& function,
+                                                          const std::vector<Angle>& angles) {
   std::set<std::pair<std::size_t, Op>> used;
   for (const std::uint32_t id : dag::reachable(function)) {
     const dag::Node& node = function.graph.node(id);
@@ -153,8 +156,13 @@ std::vector<std::string> sine_cosine_declarations(const model::Robot& robot, con
     const Angle& angle = function.graph.angle_of(node);
     if (!exact::radians(angle)) used.emplace(place_of(angles, angle), node.op);
   }
+  return used;
+}
+
+std::vector<std::string> sine_cosine_declarations(const model::Robot& robot, const dag::Function& function,
+                                                  const std::vector<Angle>& angles) {
   std::vector<std::string> lines;
-  for (const auto& [place, op] : used) {
+  for (const auto& [place, op] : sines_and_cosines_of(function, angles)) {
     const std::string letter = op == Op::sine ? "s" : "c";
     lines.push_back("const Scalar& " + letter + angle_name(robot, angles[place], place) + " = angles." +
                     (op == Op::sine ? "sine" : "cosine") + "[" + std::to_string(place) + "];");
@@ -163,17 +171,18 @@ std::vector<std::string> sine_cosine_declarations(const model::Robot& robot, con
 }
 
 SymbolTable symbol_table(const model::Robot& robot, const std::vector<Angle>& angles,
-                         const std::function<std::string(const std::string&)>& others) {
-  std::map<std::string, std::string> known{{"pi", radians(1)}};
+                         const std::function<std::string(const std::string&)>& others,
+                         const Spelling& spelling) {
+  std::map<std::string, std::string> known{{"pi", radians(1, spelling)}};
   for (std::size_t i = 0; i < robot.joints.size(); ++i)
     known[robot.joints[i].variable] = "q[" + std::to_string(i) + "]";
   for (const model::Parameter& parameter : robot.geometry)
-    known[parameter.name] = "g." + model::described_name(parameter.name);
-  for (const auto& [name, definition] : robot.definitions) known[name] = code_of(definition, known);
-  const auto symbol = [known, others](const std::string& name) {
-    if (const auto constant = exact::named_value(name)) return scalar(exact::Number(*constant));
+    known[parameter.name] = "g" + spelling.member + model::described_name(parameter.name);
+  for (const auto& [name, definition] : robot.definitions) known[name] = code_of(definition, known, spelling);
+  const auto symbol = [known, others, spelling](const std::string& name) {
+    if (const auto constant = exact::named_value(name)) return scalar(exact::Number(*constant), spelling);
     if (const auto constant = exact::constant_angle(name))
-      return scalar(exact::Number(exact::radians(*constant)));
+      return scalar(exact::Number(exact::radians(*constant)), spelling);
     const auto place = known.find(name);
     if (place != known.end()) return place->second;
     if (!others) throw std::logic_error("symbol " + name + " has no place in the generated code");
@@ -182,7 +191,7 @@ SymbolTable symbol_table(const model::Robot& robot, const std::vector<Angle>& an
   std::vector<std::string> names;
   for (std::size_t i = 0; i < angles.size(); ++i) names.push_back(angle_name(robot, angles[i], i));
   return {symbol, [angles, names](const Angle& angle) { return "s" + names[place_of(angles, angle)]; },
-          [angles, names](const Angle& angle) { return "c" + names[place_of(angles, angle)]; }};
+          [angles, names](const Angle& angle) { return "c" + names[place_of(angles, angle)]; }, spelling};
 }
 
 std::string angle_code(const Angle& angle, const SymbolTable& names) {
@@ -192,14 +201,15 @@ std::string angle_code(const Angle& angle, const SymbolTable& names) {
     const cln::cl_RA factor = coefficient * common;
     const cln::cl_RA size = cln::abs(factor);
     sum += cln::minusp(factor) ? (sum.empty() ? "-" : " - ") : (sum.empty() ? "" : " + ");
-    sum += (size == 1 ? "" : scalar(exact::Number(size)) + " * ") + names.symbol(name);
+    sum += (size == 1 ? "" : scalar(exact::Number(size), names.spelling) + " * ") + names.symbol(name);
   }
   const bool compound = angle.terms.size() > 1;
   if (common != 1)
-    sum = scalar(exact::Number(cln::recip(cln::cl_RA(common)))) + " * " + (compound ? "(" + sum + ")" : sum);
+    sum = scalar(exact::Number(cln::recip(cln::cl_RA(common))), names.spelling) + " * " +
+          (compound ? "(" + sum + ")" : sum);
   if (cln::zerop(angle.pi)) return sum;
-  if (sum.empty()) return radians(angle.pi);
-  return sum + (cln::minusp(angle.pi) ? " - " : " + ") + radians(cln::abs(angle.pi));
+  if (sum.empty()) return radians(angle.pi, names.spelling);
+  return sum + (cln::minusp(angle.pi) ? " - " : " + ") + radians(cln::abs(angle.pi), names.spelling);
 }
 
 nlohmann::json angle_values(const std::vector<Angle>& angles, const SymbolTable& names) {

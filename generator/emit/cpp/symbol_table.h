@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -26,14 +28,19 @@ std::string angle_name(const model::Robot& robot, const dag::Angle& angle, std::
 /// How generated functions write their leaves: joint variables are q[i], geometric constants g.name, sines
 /// and cosines by `angle_name`. `others` maps further symbols.
 SymbolTable symbol_table(const model::Robot& robot, const std::vector<dag::Angle>& angles,
-                         const std::function<std::string(const std::string&)>& others = {});
+                         const std::function<std::string(const std::string&)>& others = {},
+                         const Spelling& spelling = cpp_spelling());
+
+/// The sines and cosines that a function uses, by the place of their angle.
+std::set<std::pair<std::size_t, dag::Op>> sines_and_cosines_of(const dag::Function& function,
+                                                               const std::vector<dag::Angle>& angles);
 
 /// Declarations of the sines and cosines that a function uses, from a struct `angles` that holds those of all
 /// `angles`: "const Scalar& s1 = angles.sine[0];".
 std::vector<std::string> sine_cosine_declarations(const model::Robot& robot, const dag::Function& function,
                                                   const std::vector<dag::Angle>& angles);
 
-/// An angle as C++: "Scalar(0.5) * (q[3] + q[5])".
+/// An angle as code: "Scalar(0.5) * (q[3] + q[5])".
 std::string angle_code(const dag::Angle& angle, const SymbolTable& names);
 
 /// Template values for a list of angles: text, code, index, last.

@@ -6,12 +6,15 @@
 #include <fmt/format.h>
 
 #include "canonical/arm.h"
+#include "emit/c/parts.h"
 #include "emit/cpp/dynamics_code.h"
 #include "emit/cpp/symbol_table.h"
 #include "emit/math/dynamics_choices.h"
 #include "emit/render.h"
 #include "model/evaluate.h"
 #include "optimise/dynamics_derivatives.h"
+#include "pipeline/c_files.h"
+#include "pipeline/products/model_header.h"
 #include "verify/accuracy.h"
 #include "verify/counts_json.h"
 
@@ -162,14 +165,17 @@ void add_regressor(const model::Robot& robot, RobotOutput& output) {
                emit::base_parameter_values(robot, regressor), output);
 }
 
+bool has_dynamics(const model::Robot& described, RobotOutput& output) {
+  if (optimise::has_inertia(described)) return true;
+  output.missing.push_back(
+      {"dynamics", Missing::Kind::not_described, "the description gives no mass and no inertia"});
+  return false;
+}
+
 }  // namespace
 
 void generate_dynamics_product(const model::Robot& described, RobotOutput& output) {
-  if (!optimise::has_inertia(described)) {
-    output.missing.push_back(
-        {"dynamics", Missing::Kind::not_described, "the description gives no mass and no inertia"});
-    return;
-  }
+  if (!has_dynamics(described, output)) return;
   const model::Robot robot = canonical::for_dynamics(described);
   const std::vector<optimise::DynamicsFunction> functions = all_functions(robot, output);
   const json inertia{{"parameters", parameters_of(robot)},
@@ -185,6 +191,33 @@ void generate_dynamics_product(const model::Robot& described, RobotOutput& outpu
     add_functions(robot, loaded_functions(robot, functions, made), "dynamics_loads", json::object(), made);
   });
   attempt("regressor", output, [&](RobotOutput& made) { add_regressor(robot, made); });
+}
+
+void generate_dynamics_c(const model::Robot& described, RobotOutput& output) {
+  if (!has_dynamics(described, output)) return;
+  const model::Robot robot = canonical::for_dynamics(described);
+  const auto add = [&robot](const std::vector<optimise::DynamicsFunction>& functions, RobotOutput& made) {
+    add_c_part(made, emit::c::dynamics(robot, functions));
+    for (const optimise::DynamicsFunction& function : functions)
+      made.counts[function.name] = entry_of(robot, function);
+  };
+  const std::vector<optimise::DynamicsFunction> functions = all_functions(robot, output);
+  add_c_part(output, emit::c::inertia(robot, constants_of(robot, robot.inertia_parameters)));
+  add(functions, output);
+  attempt("dynamics_derivatives", output, [&](RobotOutput& made) {
+    optimise::DynamicsFunction function = inverse_dynamics_derivatives(robot, functions.front());
+    measure(robot, function);
+    add({function}, made);
+  });
+  attempt("dynamics_loads", output,
+          [&](RobotOutput& made) { add(loaded_functions(robot, functions, made), made); });
+  attempt("regressor", output, [&](RobotOutput& made) {
+    const derive::dynamics::Regressor regressor = derive::dynamics::regressor(robot);
+    optimise::DynamicsFunction function = optimise::regressor_function(robot, regressor);
+    measure(robot, function);
+    add_c_part(made, emit::c::regressor(robot, regressor, function));
+    made.counts[function.name] = entry_of(robot, function);
+  });
 }
 
 }  // namespace qvgen::pipeline

@@ -4,6 +4,7 @@
 #include "dag/import.h"
 #include "derive/jacobian/quantities.h"
 #include "derive/jacobian/wrist.h"
+#include "emit/c/parts.h"
 #include "emit/cpp/code.h"
 #include "emit/cpp/jacobian_function.h"
 #include "emit/cpp/symbol_table.h"
@@ -12,6 +13,7 @@
 #include "optimise/described.h"
 #include "optimise/optimised_json.h"
 #include "passes/pass.h"
+#include "pipeline/c_files.h"
 #include "verify/certificate.h"
 #include "verify/counts_json.h"
 
@@ -201,20 +203,35 @@ json wrist_values(const model::Robot& robot) {
   program.output("y", centre->y);
   program.output("z", centre->z);
   json values;
-  for (const auto& value : emit::cpp_code(dag::import(program), emit::symbol_table(robot, {})).outputs)
+  for (const auto& value : emit::straight_code(dag::import(program), emit::symbol_table(robot, {})).outputs)
     values[value.name] = value.expression;
   return json::array({values});
+}
+
+/// The functions, certified; their counts go to the output.
+struct Jacobians {
+  model::Robot robot;
+  emit::SingularityMeasures measures;
+  std::vector<emit::JacobianFunction> functions;
+};
+
+Jacobians jacobians_of(const model::Robot& described, RobotOutput& output) {
+  const canonical::Arm arm = canonical::for_kinematics(described);
+  const auto [measures, measures_function] = measures_of(arm.robot, output);
+  Jacobians found{arm.robot, measures, functions_of(arm.robot, measures_function)};
+  for (emit::JacobianFunction& function : found.functions) {
+    function.optimised = optimise::in_terms_of_description(std::move(function.optimised), arm);
+    output.counts[function.name] = to_json(function.optimised);
+    output.counts[function.name].erase("forms");  // ways by way of frames: of no interest but to the search
+  }
+  output.counts["jacobian"]["forms"] = methods(arm.robot);
+  return found;
 }
 
 }  // namespace
 
 void generate_jacobian(const model::Robot& described, RobotOutput& output) {
-  const canonical::Arm arm = canonical::for_kinematics(described);
-  const model::Robot& robot = arm.robot;
-  const auto [measures, measures_function] = measures_of(robot, output);
-  std::vector<emit::JacobianFunction> functions = functions_of(robot, measures_function);
-  for (emit::JacobianFunction& function : functions)
-    function.optimised = optimise::in_terms_of_description(std::move(function.optimised), arm);
+  const auto [robot, measures, functions] = jacobians_of(described, output);
   const std::vector<dag::Angle> angles = emit::angles_of(functions);
   const emit::SymbolTable names = emit::symbol_table(robot, angles);
   json values{{"name", robot.name}, {"scalars", {{{"scalar", "double"}}, {{"scalar", "float"}}}}};
@@ -225,17 +242,18 @@ void generate_jacobian(const model::Robot& described, RobotOutput& output) {
   values["measure_count"] = measures.names.size();
   values["measures"] = measure_values(measures);
   values["wrist"] = wrist_values(robot);
-  for (const emit::JacobianFunction& function : functions) {
+  for (const emit::JacobianFunction& function : functions)
     values["functions"].push_back(emit::to_values(function, robot, angles));
-    output.counts[function.name] = to_json(function.optimised);
-    output.counts[function.name].erase("forms");  // ways by way of frames: of no interest but to the search
-  }
-  output.counts["jacobian"]["forms"] = methods(robot);
   const std::string headers = "include/qvgen/robots/" + robot.name + "/";
   output.files.push_back({headers + "jacobian.h", emit::render("jacobian.h", values)});
   output.files.push_back(
       {headers + "jacobian_definitions.h", emit::render("jacobian_definitions.h", values)});
   output.files.push_back({"source/" + robot.name + "/jacobian.cpp", emit::render("jacobian.cpp", values)});
+}
+
+void generate_jacobian_c(const model::Robot& described, RobotOutput& output) {
+  const Jacobians found = jacobians_of(described, output);
+  add_c_part(output, emit::c::jacobian(found.robot, found.functions));
 }
 
 }  // namespace qvgen::pipeline

@@ -8,5 +8,6 @@ namespace qvgen::pipeline {
 
 /// Jacobians, velocities and singularity measures: jacobian.h, jacobian_definitions.h, jacobian.cpp.
 void generate_jacobian(const model::Robot& robot, RobotOutput& output);
+void generate_jacobian_c(const model::Robot& robot, RobotOutput& output);
 
 }  // namespace qvgen::pipeline

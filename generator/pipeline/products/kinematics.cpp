@@ -2,12 +2,14 @@
 #include "pipeline/products/kinematics.h"
 
 #include "derive/kinematics/forward_kinematics.h"
+#include "emit/c/parts.h"
 #include "emit/cpp/symbol_table.h"
 #include "emit/cpp/template_values.h"
 #include "emit/math/closed_form.h"
 #include "emit/render.h"
 #include "optimise/described.h"
 #include "optimise/optimised_json.h"
+#include "pipeline/c_files.h"
 #include "verify/accuracy.h"
 #include "verify/counts_json.h"
 #include "verify/same_pose.h"
@@ -40,7 +42,7 @@ emit::Code add_function(const model::Robot& robot, const optimise::Optimised& op
                         const std::string& prefix, const std::string& angles_type, json& values) {
   const auto angles = emit::angles_of(optimised.function);
   const emit::SymbolTable names = emit::symbol_table(robot, angles);
-  emit::Code code = emit::cpp_code(optimised.function, names);
+  emit::Code code = emit::straight_code(optimised.function, names);
   values[prefix + "notes"] = notes(optimised);
   values[prefix + "angles"] = emit::angle_values(angles, names);
   values[prefix + "angle_count"] = angles.size();
@@ -65,18 +67,31 @@ void add_transform(const model::Robot& robot, const optimise::Optimised& transfo
                                            {"expression", code.outputs[i].expression}});
 }
 
+/// The functions, certified; their counts go to the output.
+struct Kinematics {
+  model::Robot robot;
+  optimise::Optimised pose;
+  optimise::Optimised transform;
+};
+
+Kinematics kinematics_of(const model::Robot& described, RobotOutput& output) {
+  const canonical::Arm arm = canonical::for_kinematics(described);
+  verify::certify_same_pose(described, arm);
+  const verify::OutputGroup position{"px", "py", "pz"};
+  Kinematics found{
+      arm.robot,
+      optimise_with_accuracy(arm, derive::forward_kinematics(arm.robot), {{"w", "x", "y", "z"}, position}),
+      optimise_with_accuracy(arm, derive::homogeneous_transform(arm.robot),
+                             {{"r11", "r12", "r13", "r21", "r22", "r23", "r31", "r32", "r33"}, position})};
+  for (const optimise::Optimised* each : {&found.pose, &found.transform})
+    output.counts[each->name] = to_json(*each);
+  return found;
+}
+
 }  // namespace
 
 void generate_kinematics(const model::Robot& described, RobotOutput& output) {
-  const canonical::Arm arm = canonical::for_kinematics(described);
-  verify::certify_same_pose(described, arm);
-  const model::Robot& robot = arm.robot;
-  const verify::OutputGroup position{"px", "py", "pz"};
-  const optimise::Optimised pose =
-      optimise_with_accuracy(arm, derive::forward_kinematics(robot), {{"w", "x", "y", "z"}, position});
-  const optimise::Optimised transform =
-      optimise_with_accuracy(arm, derive::homogeneous_transform(robot),
-                             {{"r11", "r12", "r13", "r21", "r22", "r23", "r31", "r32", "r33"}, position});
+  const auto [robot, pose, transform] = kinematics_of(described, output);
   json values{{"name", robot.name}, {"scalars", {{{"scalar", "double"}}, {{"scalar", "float"}}}}};
   add_pose(robot, pose, values);
   add_transform(robot, transform, values);
@@ -87,8 +102,17 @@ void generate_kinematics(const model::Robot& described, RobotOutput& output) {
       {headers + "kinematics_definitions.h", emit::render("kinematics_definitions.h", values)});
   output.files.push_back(
       {"source/" + robot.name + "/kinematics.cpp", emit::render("kinematics.cpp", values)});
-  output.counts[pose.name] = to_json(pose);
-  output.counts[transform.name] = to_json(transform);
+}
+
+void generate_kinematics_c(const model::Robot& described, RobotOutput& output) {
+  const auto [robot, pose, transform] = kinematics_of(described, output);
+  add_c_part(output,
+             emit::c::kinematics(robot, pose,
+                                 {"Pose of the tool in the world frame: unit quaternion and position.", "",
+                                  verify::describe(pose.counts) + "."},
+                                 transform,
+                                 {"The same as a homogeneous transformation.", "",
+                                  verify::describe(transform.counts) + "."}));
 }
 
 }  // namespace qvgen::pipeline

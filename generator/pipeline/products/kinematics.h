@@ -8,5 +8,6 @@ namespace qvgen::pipeline {
 
 /// Forward kinematics: kinematics.h, kinematics_definitions.h, kinematics.cpp.
 void generate_kinematics(const model::Robot& robot, RobotOutput& output);
+void generate_kinematics_c(const model::Robot& robot, RobotOutput& output);
 
 }  // namespace qvgen::pipeline

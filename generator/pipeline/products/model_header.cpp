@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
+#include "emit/c/parts.h"
 #include "emit/render.h"
 #include "model/evaluate.h"
+#include "pipeline/c_files.h"
 
 namespace qvgen::pipeline {
 namespace {
@@ -14,9 +16,13 @@ using nlohmann::json;
 /// A symbol without a default: what is computed with it says that it was forgotten.
 constexpr const char* not_given = "std::numeric_limits<double>::quiet_NaN()";
 
-/// C++ literal of a constant expression; parameters have their default values.
+/// A constant expression; parameters have their default values.
+double value_of(const model::Expression& expression, const model::Robot& robot) {
+  return model::to_double(model::evaluate(expression, model::default_bindings(robot)));
+}
+
 std::string number(const model::Expression& expression, const model::Robot& robot) {
-  return fmt::format("{}", model::to_double(model::evaluate(expression, model::default_bindings(robot))));
+  return fmt::format("{}", value_of(expression, robot));
 }
 
 json joint(const model::Joint& joint, const model::Robot& robot, bool last) {
@@ -53,6 +59,26 @@ void generate_model_header(const model::Robot& robot, RobotOutput& output) {
   values["lacks_defaults"] = lacks_defaults;
   output.files.push_back(
       {"include/qvgen/robots/" + robot.name + "/model.h", emit::render("model.h", values)});
+}
+
+std::vector<emit::c::Constant> constants_of(const model::Robot& robot,
+                                            const std::vector<model::Parameter>& parameters) {
+  std::vector<emit::c::Constant> list;
+  for (const model::Parameter& each : parameters) {
+    list.push_back({each.name, std::nullopt});
+    if (each.default_value) list.back().value = value_of(*each.default_value, robot);
+  }
+  return list;
+}
+
+void generate_model_c(const model::Robot& robot, RobotOutput& output) {
+  std::vector<emit::c::Joint> joints;
+  for (const model::Joint& joint : robot.joints) {
+    joints.push_back({joint.variable, joint.type == model::JointType::revolute, std::nullopt});
+    if (joint.limits)
+      joints.back().limits = {value_of(joint.limits->lower, robot), value_of(joint.limits->upper, robot)};
+  }
+  add_c_part(output, emit::c::model(robot, joints, constants_of(robot, robot.geometry)));
 }
 
 }  // namespace qvgen::pipeline

@@ -11,14 +11,20 @@ namespace qvgen::pipeline {
 
 const std::vector<Product>& all_products() {
   static const std::vector<Product> products{
-      {"model", generate_model_header},
-      {"kinematics", generate_kinematics},
-      {"inverse", generate_inverse},
-      {"jacobian", generate_jacobian, {}, {"singularity_measures"}},
+      {"model", generate_model_header, {}, {}, generate_model_c},
+      {"kinematics", generate_kinematics, {}, {}, generate_kinematics_c},
+      {"inverse",
+       generate_inverse,
+       {},
+       {},
+       nullptr,
+       "it is not written in C yet: its steps are calls of templates of the C++ runtime"},
+      {"jacobian", generate_jacobian, {}, {"singularity_measures"}, generate_jacobian_c},
       {"dynamics",
        generate_dynamics_product,
        {"dynamics_derivatives", "dynamics_loads", "regressor"},
-       {"forward_dynamics", "forward_dynamics_with_gravity_vector", "forward_dynamics_with_wrench"}}};
+       {"forward_dynamics", "forward_dynamics_with_gravity_vector", "forward_dynamics_with_wrench"},
+       generate_dynamics_c}};
   return products;
 }
 

@@ -10,12 +10,15 @@ namespace qvgen::pipeline {
 ///
 /// Adds its files and its counts to the robot's output, and what it could not make. `part` is the header's
 /// name, included by the robot's umbrella header; `headers` are further ones that may be missing by
-/// themselves, `functions` those that a header that is there may lack.
+/// themselves, `functions` those that a header that is there may lack. `generate_c` adds the same as C, by
+/// `add_c_part`.
 struct Product {
   std::string part;
   void (*generate)(const model::Robot& robot, RobotOutput& output);
   std::vector<std::string> headers = {};
   std::vector<std::string> functions = {};
+  void (*generate_c)(const model::Robot& robot, RobotOutput& output) = nullptr;
+  std::string why_not_in_c = {};
 };
 
 /// All products, in the order of the umbrella header.

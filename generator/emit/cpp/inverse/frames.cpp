@@ -35,7 +35,7 @@ json inverse_pose(const model::Robot& robot, const model::Displacement& displace
   program.output("py", pair.p.y);
   program.output("pz", pair.p.z);
   const dag::Function function = passes::fold_constants(dag::import(program));
-  const Code code = cpp_code(function, symbol_table(robot, {}));
+  const Code code = straight_code(function, symbol_table(robot, {}));
   json values{{"temporaries", json::array()}};
   for (const auto& value : code.temporaries)
     values["temporaries"].push_back({{"name", value.name}, {"expression", value.expression}});

@@ -303,7 +303,7 @@ json target_values(const model::Robot& robot, const LoweredPlan& plan) {
   const auto function = [&](const std::string& name) {
     return [&, name](const dag::Angle& angle) { return name + "(" + angle_code(angle, plain) + ")"; };
   };
-  const Code code = cpp_code(plan.target, {symbol, function("std::sin"), function("std::cos")});
+  const Code code = straight_code(plan.target, {symbol, function("std::sin"), function("std::cos")});
   return to_json(code);
 }
 
@@ -312,7 +312,7 @@ json range_test_values(const model::Robot& robot, const LoweredPlan& plan) {
   if (!test.exists()) return false;
   return {{"unknown", test.unknown},
           {"equation", test.equation},
-          {"values", to_json(cpp_code(plan.range_test, names_of(robot, plan, {})))}};
+          {"values", to_json(straight_code(plan.range_test, names_of(robot, plan, {})))}};
 }
 
 json step_values(const model::Robot& robot, const LoweredPlan& plan) {
@@ -320,8 +320,8 @@ json step_values(const model::Robot& robot, const LoweredPlan& plan) {
   for (std::size_t i = 0; i < plan.steps.size(); ++i) {
     const Step& step = plan.plan.steps[i];
     const SymbolTable names = names_of(robot, plan, step);
-    const Code before = cpp_code(plan.steps[i].before, names);
-    const Code after = cpp_code(plan.steps[i].after, names);
+    const Code before = straight_code(plan.steps[i].before, names);
+    const Code after = straight_code(plan.steps[i].after, names);
     const auto [type, call] = block(plan, step);
     std::vector<std::string> extra;
     const bool polish = step.kind == Kind::polish;

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include "emit/c/parts.h"
+#include "emit/cpp/symbol_table.h"
+#include "emit/render.h"
+
+namespace qvgen::emit::c {
+namespace {
+
+Parameter inertia(const model::Robot& robot) { return {"const " + robot.name + "_inertia* ", "inertia"}; }
+
+Parameter result_of(const model::Robot& robot, Result result, std::size_t outputs) {
+  const std::size_t dof = robot.joints.size();
+  switch (result) {
+    case Result::scalar:
+    case Result::vector:
+      return result_array(dof);
+    case Result::symmetric_matrix:
+    case Result::matrix:
+      return result_matrix(dof, dof);
+    case Result::regressor:
+      return result_matrix(dof, outputs / dof);
+    case Result::derivatives:
+      return result_struct(robot, "inverse_dynamics_derivatives_result");
+  }
+  return {};
+}
+
+std::vector<Parameter> parameters_of(const model::Robot& robot, const DynamicsInterface& interface,
+                                     std::size_t outputs) {
+  std::vector<Parameter> list;
+  for (const std::string& name : interface.arguments) list.push_back(joint_array(robot, name));
+  list.push_back(geometry(robot));
+  list.push_back(inertia(robot));
+  if (interface.gravity == Gravity::magnitude) list.push_back({"double ", "gravity"});
+  if (interface.gravity == Gravity::vector) list.push_back({"const double ", "gravity", "[3]"});
+  if (interface.wrench) list.push_back({"const double ", "wrench", "[6]"});
+  if (interface.result != Result::scalar) list.push_back(result_of(robot, interface.result, outputs));
+  return list;
+}
+
+/// What no joint variable takes part in, in a scope of its own.
+std::vector<std::string> set_up(const Code& code) {
+  if (code.outputs.empty()) return {};
+  std::vector<std::string> lines{"double k[" + std::to_string(code.outputs.size()) + "];", "{"};
+  for (const std::string& line : temporaries(code)) lines.push_back("  " + line);
+  for (std::size_t i = 0; i < code.outputs.size(); ++i)
+    lines.push_back("  k[" + std::to_string(i) + "] = " + code.outputs[i].expression + ";");
+  lines.push_back("}");
+  return lines;
+}
+
+/// Output i goes where C++ puts it.
+std::vector<std::string> assignments(const DynamicsInterface& interface, std::size_t dof, const Code& code) {
+  if (interface.result == Result::scalar) return {"return " + code.outputs.front().expression + ";"};
+  const std::vector<std::string> places = places_of(interface.result, dof, code.outputs.size());
+  std::vector<std::string> lines;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    std::string target = place(places[i], false);
+    if (interface.result == Result::derivatives) target.replace(target.find('.'), 1, "->");
+    lines.push_back(target + " = " + code.outputs[i].expression + ";");
+  }
+  return lines;
+}
+
+std::vector<std::string> without_slashes(const std::string& doc) {
+  std::vector<std::string> lines;
+  for (std::size_t start = 0; start < doc.size();) {
+    const std::size_t end = std::min(doc.find('\n', start), doc.size());
+    const std::string line = doc.substr(start, end - start);
+    lines.push_back(line.substr(std::min<std::size_t>(4, line.size())));
+    start = end + 1;
+  }
+  return lines;
+}
+
+Function function_of(const model::Robot& robot, const optimise::DynamicsFunction& from) {
+  const DynamicsInterface interface = dynamics_interface(from.name);
+  const auto angles = angles_of(from.function);
+  const DynamicsCode code = dynamics_code(robot, from, angles, spelling());
+  Function function{from.name, without_slashes(dynamics_doc(robot, from, interface)),
+                    parameters_of(robot, interface, code.code.outputs.size())};
+  if (interface.result == Result::scalar) function.result = "double";
+  append(function.statements, set_up(code.set_up));
+  append(function.statements, sine_cosine_statements(robot, from.function, angles));
+  append(function.statements, temporaries(code.code));
+  append(function.statements, assignments(interface, robot.joints.size(), code.code));
+  return function;
+}
+
+Function base_parameters(const model::Robot& robot, const derive::dynamics::Regressor& regressor) {
+  const Code code = base_parameters_code(robot, regressor, spelling());
+  const std::string count = std::to_string(10 * robot.joints.size());
+  Function function{
+      "base_parameters",
+      {"Of ten standard parameters of each link in its frame: mass, first moments x y z (kg m), "
+       "inertia about the frame's",
+       "origin xx yy zz xy yz xz."},
+      {{"const double ", "standard", "[" + count + "]"}, geometry(robot), result_array(code.outputs.size())}};
+  function.statements = temporaries(code);
+  for (std::size_t i = 0; i < code.outputs.size(); ++i)
+    function.statements.push_back("result[" + std::to_string(i) + "] = " + code.outputs[i].expression + ";");
+  return function;
+}
+
+}  // namespace
+
+Part dynamics(const model::Robot& robot, const std::vector<optimise::DynamicsFunction>& functions) {
+  Part all;
+  for (const optimise::DynamicsFunction& function : functions) {
+    if (dynamics_interface(function.name).result == Result::derivatives)
+      all += {render("c_dynamics_derivatives.h", {{"name", robot.name}, {"dof", robot.joints.size()}})};
+    all += written(robot, {function_of(robot, function)});
+  }
+  return all;
+}
+
+Part regressor(const model::Robot& robot, const derive::dynamics::Regressor& regressor,
+               const optimise::DynamicsFunction& function) {
+  Part part{render("c_regressor.h", {{"name", robot.name}, {"count", regressor.names.size()}})};
+  return part += written(robot, {base_parameters(robot, regressor), function_of(robot, function)});
+}
+
+}  // namespace qvgen::emit::c

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "emit/c/parts.h"
+#include "emit/cpp/symbol_table.h"
+#include "emit/render.h"
+#include "verify/counts_json.h"
+
+namespace qvgen::emit::c {
+namespace {
+
+/// How a C++ type is given in C.
+Parameter argument(const model::Robot& robot, const JacobianFunction::Argument& of) {
+  if (of.type == "JointVector") return joint_array(robot, of.name);
+  return {"const double ", of.name, "[3]"};
+}
+
+Parameter result(const model::Robot& robot, const JacobianFunction& function) {
+  if (function.result == "Jacobian") return result_matrix(6, robot.joints.size());
+  if (function.result == "TransformAndJacobian") return result_struct(robot, "transform_and_jacobian");
+  return result_array(function.targets.size());
+}
+
+bool is_vector(const JacobianFunction& function) {
+  return function.result == "Twist" || function.result == "SingularityMeasures";
+}
+
+/// "result.jacobian(0, 1)" is result->jacobian[0][1].
+std::string target(const JacobianFunction& function, std::size_t output) {
+  std::string text = place(function.targets.at(output), is_vector(function));
+  if (const auto dot = text.find('.'); dot != std::string::npos) text.replace(dot, 1, "->");
+  return text;
+}
+
+std::vector<std::string> doc(const JacobianFunction& function) {
+  std::vector<std::string> lines = function.text;
+  lines.push_back("");
+  lines.push_back(verify::describe(function.optimised.counts) + ".");
+  return lines;
+}
+
+Function function_of(const model::Robot& robot, const JacobianFunction& from) {
+  const dag::Function& graph = from.optimised.function;
+  const auto angles = angles_of(graph);
+  const Code code = jacobian_code(from, robot, angles, spelling());
+  Function function{from.name, doc(from), {joint_array(robot, "q")}};
+  for (const auto& each : from.arguments) function.parameters.push_back(argument(robot, each));
+  function.parameters.push_back(geometry(robot));
+  function.parameters.push_back(result(robot, from));
+  append(function.statements, sine_cosine_statements(robot, graph, angles));
+  append(function.statements, temporaries(code));
+  for (std::size_t i = 0; i < code.outputs.size(); ++i)
+    function.statements.push_back(target(from, i) + " = " + code.outputs[i].expression + ";");
+  if (from.result == "TransformAndJacobian") append(function.statements, last_row("result->transform"));
+  return function;
+}
+
+}  // namespace
+
+Part jacobian(const model::Robot& robot, const std::vector<JacobianFunction>& functions) {
+  std::vector<Function> all;
+  for (const JacobianFunction& function : functions)
+    if (!function.targets.empty()) all.push_back(function_of(robot, function));
+  Part part{render("c_jacobian.h", {{"name", robot.name}, {"dof", robot.joints.size()}})};
+  return part += written(robot, all);
+}
+
+}  // namespace qvgen::emit::c

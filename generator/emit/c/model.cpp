@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "emit/c/parts.h"
+#include "emit/cpp/template_values.h"
+#include "emit/render.h"
+
+namespace qvgen::emit::c {
+namespace {
+
+using nlohmann::json;
+
+std::string number(double value) { return spelling().number(fmt::format("{}", value)); }
+
+/// What is computed with a constant that nobody has set says so.
+std::string value_of(const Constant& constant) { return constant.value ? number(*constant.value) : "NAN"; }
+
+Part constants(const model::Robot& robot, const std::string& name, const std::string& text,
+               const std::vector<Constant>& list) {
+  json values{{"name", robot.name}, {"constants", name}, {"text", text}, {"has_parameters", !list.empty()}};
+  values["lacks_defaults"] =
+      std::any_of(list.begin(), list.end(), [](const Constant& each) { return !each.value; });
+  values["parameters"] = json::array();
+  for (const Constant& each : list)
+    values["parameters"].push_back({{"type", "double"},
+                                    {"parameter", each.name},
+                                    {"default", value_of(each)},
+                                    {"last", &each == &list.back()}});
+  if (list.empty())  // C has no empty struct
+    values["parameters"].push_back(
+        {{"type", "char"}, {"parameter", "none"}, {"default", "0"}, {"last", true}});
+  return {render("c_constants.h", values), render("c_constants.c", values)};
+}
+
+json values_of(const Joint& joint) {
+  return {{"variable", joint.name},
+          {"revolute", joint.revolute ? "1" : "0"},
+          {"lower", joint.limits ? number(joint.limits->first) : "-HUGE_VAL"},
+          {"upper", joint.limits ? number(joint.limits->second) : "HUGE_VAL"}};
+}
+
+}  // namespace
+
+Part model(const model::Robot& robot, const std::vector<Joint>& joints,
+           const std::vector<Constant>& geometry) {
+  json values{{"name", robot.name}, {"title", robot.title}, {"source", robot.source}, {"dof", joints.size()}};
+  values["joints"] = json::array();
+  for (const Joint& joint : joints) {
+    values["joints"].push_back(values_of(joint));
+    values["joints"].back()["last"] = &joint == &joints.back();
+  }
+  Part part{render("c_model.h", values), render("c_model.c", values)};
+  return part += constants(robot, "geometry", "Geometric constants, metres or radians.", geometry);
+}
+
+Part inertia(const model::Robot& robot, const std::vector<Constant>& parameters) {
+  return constants(robot, "inertia", "Inertial parameters, kg, m, kg m^2.", parameters);
+}
+
+}  // namespace qvgen::emit::c

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "emit/c/function.h"
+#include "emit/cpp/dynamics_code.h"
+#include "emit/cpp/jacobian_function.h"
+#include "optimise/optimise.h"
+
+namespace qvgen::emit::c {
+
+/// A constant of the description and its value there, if it has one.
+struct Constant {
+  std::string name;
+  std::optional<double> value;
+};
+
+struct Joint {
+  std::string name;
+  bool revolute;
+  std::optional<std::pair<double, double>> limits;  ///< rad or m
+};
+
+/// Joints, and the struct of geometric constants.
+Part model(const model::Robot& robot, const std::vector<Joint>& joints,
+           const std::vector<Constant>& geometry);
+/// The struct of inertial parameters.
+Part inertia(const model::Robot& robot, const std::vector<Constant>& parameters);
+
+/// The pose as a quaternion and a position, and as a homogeneous transformation, each with the lines of its
+/// comment.
+Part kinematics(const model::Robot& robot, const optimise::Optimised& pose,
+                const std::vector<std::string>& pose_doc, const optimise::Optimised& transform,
+                const std::vector<std::string>& transform_doc);
+
+Part jacobian(const model::Robot& robot, const std::vector<JacobianFunction>& functions);
+
+/// Functions of dynamics by the names that they have in operation_counts.json: C knows no overloads.
+Part dynamics(const model::Robot& robot, const std::vector<optimise::DynamicsFunction>& functions);
+Part regressor(const model::Robot& robot, const derive::dynamics::Regressor& regressor,
+               const optimise::DynamicsFunction& function);
+
+/// A whole file's header and source, of the parts one behind the other. `missing` are lines.
+Part file(const std::string& robot, const Part& parts, const std::vector<std::string>& missing);
+
+}  // namespace qvgen::emit::c
