@@ -142,11 +142,11 @@ int run(int argc, char** argv) {
                    "parts (inverse,dynamics,...) that every robot must get, else an error")
       ->allow_extra_args(false)
       ->delimiter(',');
-  const std::map<std::string, Language> languages{{"cxx", Language::cxx}, {"c", Language::c}};
+  std::string language = "cxx";
   generate_command
-      ->add_option("--language", generate.language,
+      ->add_option("--language", language,
                    "cxx, or c: C99 into the output's folder c, without inverse kinematics")
-      ->transform(CLI::CheckedTransformer(languages).description(""));
+      ->check(CLI::IsMember({"cxx", "c"}));
   generate_command->add_flag("--strict", generate.read.strict, "warnings about a description are errors");
   add_reading(*generate_command, generate.read);
   generate_command->add_flag("--force", generate.force, "also robots that have not changed");
@@ -236,7 +236,8 @@ int run(int argc, char** argv) {
     for (const std::string& part : generate.required)
       if (!generate.parts.empty())
         check_parts("--only without what is required", {product_of(part)}, generate.parts);
-    if (generate.language == Language::c && !generate.build.sources.empty())
+    if (language == "c") generate.language = Language::c;
+    if (language == "c" && !generate.build.sources.empty())
       throw UsageError("--sources is for C++: C has one source a robot, c/qvgen_NAME.c");
     generate.known_robots = here.robots;
     generate.output = folder(generate_files);

@@ -102,6 +102,23 @@ TEST_F(CommandLine, GeneratesARobotFromAnEmptyFolder) {
   EXPECT_TRUE(has(second, ": 0 generated, 0 files changed, 0 removed")) << second.output;
 }
 
+TEST_F(CommandLine, BothLanguagesShareAFolder) {
+  const std::string file = write("my_arm.toml", good_arm);
+  const std::string arguments = "generate " + file + " --only kinematics --output " + out();
+  EXPECT_EQ(run(arguments).code, 0);
+  const ToolRun c = run(arguments + " --language c");
+  EXPECT_EQ(c.code, 0) << c.output;
+  EXPECT_TRUE(has(run(arguments), ": 0 generated, 0 files changed, 0 removed"));
+  EXPECT_TRUE(has(run(arguments + " --language c"), ": 0 generated, 0 files changed, 0 removed"));
+  EXPECT_TRUE(fs::exists(fs::path(out()) / "source/my_arm/kinematics.cpp"));
+  EXPECT_EQ(run("remove my_arm --output " + out()).code, 0);
+  EXPECT_FALSE(fs::exists(fs::path(out()) / "source"));
+  EXPECT_TRUE(fs::exists(fs::path(out()) / "c/qvgen_my_arm.c"));
+  EXPECT_TRUE(has(run("generate " + file + " --language c --require inverse --output " + out()),
+                  "inverse is required and c/my_arm has none"));
+  EXPECT_EQ(run("generate " + file + " --language fortran --output " + out()).code, 2);
+}
+
 TEST_F(CommandLine, GeneratesOnlyThePartsAskedFor) {
   const std::string file = write("my_arm.toml", good_arm);
   // The file may stand on either side of the parts.
