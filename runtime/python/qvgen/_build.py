@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: MIT
+"""Compiles a robot's module, once for each content of what it is made from."""
+
+import hashlib
+import importlib.util
+import json
+import os
+import pathlib
+import shlex
+import shutil
+import subprocess
+import sys
+import sysconfig
+import tempfile
+
+from ._source import binding_source
+
+_here = pathlib.Path(__file__).resolve().parent
+_root = _here.parents[2]  # of the source tree
+generated_folder = _root / "generated"
+
+
+class BuildError(RuntimeError):
+    """The generator or the compiler has refused; the text is what it said."""
+
+
+def cache_folder():
+    """Where modules are kept: $QVGEN_CACHE, or ~/.cache/qvgen. It may be deleted at any time."""
+    default = pathlib.Path(os.environ.get("XDG_CACHE_HOME", pathlib.Path.home() / ".cache")) / "qvgen"
+    return pathlib.Path(os.environ.get("QVGEN_CACHE", default))
+
+
+def _run(command):
+    done = subprocess.run([str(each) for each in command], capture_output=True, text=True)
+    if done.returncode != 0:
+        raise BuildError(f"{shlex.join(str(each) for each in command)}\n{done.stderr}{done.stdout}")
+
+
+def _hash(texts):
+    digest = hashlib.sha256()
+    for text in texts:
+        digest.update(text if isinstance(text, bytes) else str(text).encode())
+        digest.update(b"\0")
+    return digest.hexdigest()[:24]
+
+
+def _options(source):
+    """As CMake compiles it: inverse kinematics without contraction, vector forms for AVX2."""
+    options = ["-std=c++17", "-O2", "-fPIC", "-fvisibility=hidden", "-fno-math-errno", "-Wno-psabi"]
+    if source.name.startswith("inverse") and source.parent.parent.name == "source":
+        options += ["-ffp-contract=off", "-DQVGEN_NO_CONTRACTION"]
+    if source.name.endswith("_avx2.cpp"):
+        options += ["-mavx2"] if source.name.startswith("inverse") else ["-mavx2", "-mfma"]
+        if source.name.startswith("sine"):
+            options += ["-ffp-contract=off"]
+    if source.name == "sine_cosine.cpp":
+        options += ["-DQVGEN_HAS_AVX2_KERNEL"]
+    return options
+
+
+def _built(name):
+    """A library of a build of this source tree, in one of the folders of $QVGEN_LIBRARIES."""
+    folders = os.environ.get("QVGEN_LIBRARIES", "").split(":")
+    return next((path for path in (pathlib.Path(each) / name for each in folders if each) if path.exists()), None)
+
+
+def _make(robot, generated, sources, target):
+    """Compiles and links in a folder of its own; the module appears whole, or not at all."""
+    robot_library = _built(f"libqvgen_robot_{robot}.a") if generated == generated_folder else None
+    runtime_library = _built("libqvgen_runtime.a")
+    to_compile = [] if robot_library else sorted((generated / "source" / robot).glob("*.cpp"))
+    to_compile += [] if runtime_library else sorted((_root / "runtime/source").rglob("*.cpp"))
+    folders = [generated / "include", _here, _root / "runtime/include",
+               os.environ.get("QVGEN_EIGEN", "/usr/include/eigen3"), sysconfig.get_paths()["include"]]
+    compiler = shlex.split(os.environ.get("CXX", "c++"))
+    target.parent.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(dir=target.parent) as work:
+        work = pathlib.Path(work)
+        binding = work / "module.cpp"
+        binding.write_text(sources)
+        objects = []
+        for source in [binding, *to_compile]:
+            objects.append(work / f"{len(objects)}.o")
+            _run([*compiler, *_options(source), *(f"-I{each}" for each in folders), "-c", source, "-o", objects[-1]])
+        _run([*compiler, "-shared", "-o", work / target.name, *objects,
+              *(each for each in (robot_library, runtime_library) if each)])
+        os.replace(work / target.name, target)
+
+
+def build_module(robot, generated=generated_folder):
+    """The module of a robot whose generated code is in a folder; compiled if it is not in the cache.
+
+    Its `functions` say of each function that it is there, or why a part is not.
+    """
+    generated = pathlib.Path(generated)
+    counts = json.loads((generated / "operation_counts.json").read_text())
+    if robot not in counts:
+        raise AttributeError(f"there is no robot {robot}; there are {', '.join(counts)}")
+    functions = {name: "generated" for name, value in counts[robot].items() if name != "missing"}
+    binding = binding_source(robot, functions)
+    made_of = [*(generated / "source" / robot).glob("*"), *(generated / "include/qvgen/robots" / robot).glob("*"),
+               *(_root / "runtime").rglob("*.h"), *(_root / "runtime/source").rglob("*.cpp")]
+    key = _hash([binding, sys.version, os.environ.get("CXX"), *(path.read_bytes() for path in sorted(made_of))])
+    target = cache_folder() / f"{robot}-{key}" / (robot + sysconfig.get_config_var("EXT_SUFFIX"))
+    if not target.exists():
+        _make(robot, generated, binding, target)
+    spec = importlib.util.spec_from_file_location(robot, target)
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    missing = {part["part"]: part["reason"] for part in counts[robot].get("missing", [])}
+    module.functions = {**functions, **missing}
+    return module
+
+
+def generate(description, options):
+    """Generates the code of a description into the cache; returns the robot's name and the folder."""
+    description = pathlib.Path(description).resolve()
+    known = _root / "build/release/generator/cli/qvgen"
+    tool = os.environ.get("QVGEN_TOOL") or (known if known.exists() else shutil.which("qvgen"))
+    if tool is None:
+        raise BuildError("there is no tool qvgen: run ./qvgen generate once, or set QVGEN_TOOL")
+    folder = cache_folder() / ("generated-" + _hash([description, *options]))
+    _run([tool, "generate", description, "--output", folder, *options])
+    counts = json.loads((folder / "operation_counts.json").read_text())
+    return next(iter(counts)), folder

@@ -1,0 +1,141 @@
+# SPDX-License-Identifier: MIT
+"""The Python module: two robots of the library and one that is loaded from a description."""
+
+import pathlib
+
+import numpy as np
+import pytest
+
+import qvgen
+
+HERE = pathlib.Path(__file__).resolve().parent
+POINTS = 50
+
+
+@pytest.fixture(scope="module")
+def ns():
+    return qvgen.robots.ns
+
+
+@pytest.fixture(scope="module")
+def arm():
+    """Two joints with dynamics, generated and compiled here."""
+    return qvgen.load(HERE.parent / "c/robots/urdf_arm.urdf")
+
+
+def rows(arm, count=POINTS, seed=1):
+    return np.random.default_rng(seed).uniform(-1.5, 1.5, (count, arm.dof))
+
+
+def rotation(quaternion):
+    w, x, y, z = quaternion
+    return np.array([[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+                     [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+                     [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]])
+
+
+def test_pose_and_transform_agree(ns, arm):
+    for robot in (ns, arm):
+        q = rows(robot)
+        for pose, matrix in zip(robot.forward_kinematics(q), robot.homogeneous_transform(q)):
+            np.testing.assert_allclose(rotation(pose[:4]), matrix[:3, :3], atol=1e-14)
+            np.testing.assert_allclose(pose[4:], matrix[:3, 3], atol=1e-14)
+            np.testing.assert_array_equal(matrix[3], [0, 0, 0, 1])
+
+
+def test_a_batch_is_its_rows(ns, arm):
+    for robot in (ns, arm):
+        q, qd = rows(robot), rows(robot, seed=2)
+        np.testing.assert_array_equal(robot.jacobian(q), [robot.jacobian(row) for row in q])
+        np.testing.assert_array_equal(robot.velocity(q, qd[0]), [robot.velocity(row, qd[0]) for row in q])
+        assert robot.jacobian(q[:0]).shape == (0, 6, robot.dof)
+
+
+def test_jacobian_is_the_derivative(ns):
+    step = 1e-6
+    q = rows(ns, 5)
+    for k in range(ns.dof):
+        dq = step * np.eye(ns.dof)[k]
+        slope = (ns.forward_kinematics(q + dq) - ns.forward_kinematics(q - dq))[:, 4:] / (2 * step)
+        np.testing.assert_allclose(ns.jacobian(q)[:, :3, k], slope, atol=1e-8)
+
+
+def test_inverse_kinematics(ns):
+    q = rows(ns)
+    poses = ns.forward_kinematics(q)
+    solutions, counts, status, branches = ns.inverse_kinematics(poses)
+    assert solutions.shape == (POINTS, 8, 6)
+    assert (status == qvgen.Status.solved).all() and (counts == 8).all() and (branches >= 0).all()
+    again = ns.forward_kinematics(solutions.reshape(-1, 6)).reshape(POINTS, 8, 7)
+    np.testing.assert_allclose(again[..., 4:], np.broadcast_to(poses[:, None, 4:], (POINTS, 8, 3)), atol=1e-11)
+    nearest, *_ = ns.inverse_kinematics(poses, q)
+    np.testing.assert_allclose(nearest[:, 0], q, atol=1e-9)
+
+
+def test_poses_without_solutions(ns):
+    far = ns.forward_kinematics(np.full(6, 0.4))
+    solutions, count, status, _ = ns.inverse_kinematics(np.stack([far, far * np.nan]))
+    assert count[0] > 0 and count[1] == 0
+    assert status[1] == qvgen.Status.invalid and np.isnan(solutions[1]).all()
+
+
+def test_dynamics(arm):
+    q, qd, qdd = rows(arm), rows(arm, seed=2), rows(arm, seed=3)
+    torque = arm.inverse_dynamics(q, qd, qdd)
+    np.testing.assert_allclose(arm.forward_dynamics(q, qd, torque), qdd, atol=1e-9)
+    still = arm.inverse_dynamics(q, qd * 0, qdd, gravity=0)
+    np.testing.assert_allclose(still, np.einsum("nik,nk->ni", arm.mass_matrix(q), qdd), atol=1e-12)
+    energy = 0.5 * np.einsum("ni,nik,nk->n", qd, arm.mass_matrix(q), qd)
+    np.testing.assert_allclose(arm.kinetic_energy(q, qd), energy, atol=1e-12)
+
+
+def test_constants_by_name(ns):
+    assert set(ns.default_geometry) == {"h1", "d2"}
+    q = rows(ns, 1)[0]
+    higher = ns.default_geometry["h1"] + 1
+    difference = ns.forward_kinematics(q, geometry={"h1": higher}) - ns.forward_kinematics(q)
+    np.testing.assert_allclose(difference, [0, 0, 0, 0, 0, 0, 1], atol=1e-14)
+    with pytest.raises(ValueError, match="geometry has no l9"):
+        ns.forward_kinematics(q, geometry={"l9": 1})
+
+
+def test_out(ns):
+    q = rows(ns)
+    out = np.empty((POINTS, 6, 6))
+    assert ns.jacobian(q, out=out) is out
+    np.testing.assert_array_equal(out, ns.jacobian(q))
+    for wrong in (np.empty((POINTS, 6, 5)), np.empty((6, 6, POINTS)).T, np.empty((POINTS, 6, 6), order="F")):
+        with pytest.raises(ValueError, match="out must be"):
+            ns.jacobian(q, out=wrong)
+    with pytest.raises(TypeError, match="float64"):
+        ns.jacobian(q, out=np.empty((POINTS, 6, 6), dtype=np.float32))
+
+
+def test_wrong_shapes_are_named(ns):
+    with pytest.raises(ValueError, match=r"q has the shape \(5,\); it must be \(6,\)"):
+        ns.jacobian(np.zeros(5))
+    with pytest.raises(ValueError, match="batches of 2 and of 3 rows"):
+        ns.velocity(np.zeros((2, 6)), np.zeros((3, 6)))
+    with pytest.raises(TypeError, match="not an array of numbers"):
+        ns.jacobian("elbow")
+
+
+def test_what_is_there_and_what_is_not(ns, arm):
+    assert "inverse_kinematics" in ns.functions and "inverse_kinematics" not in dir(arm)
+    assert "no mass" in ns.functions["dynamics"]
+    assert "puma560" in dir(qvgen.robots)
+    with pytest.raises(AttributeError, match="there is no robot"):
+        qvgen.robots.elbow
+    with pytest.raises(qvgen.BuildError, match="nowhere.toml"):
+        qvgen.load("nowhere.toml")
+
+
+def test_the_same_description_is_compiled_once(arm):
+    assert qvgen.load(HERE.parent / "c/robots/urdf_arm.urdf").__file__ == arm.__file__
+
+
+def test_what_the_readme_shows():
+    lines = (HERE.parents[1] / "README.md").read_text().splitlines()
+    begin = lines.index("    import numpy, qvgen")
+    end = next(place for place in range(begin, len(lines)) if not lines[place].startswith("    "))
+    exec("\n".join(line[4:] for line in lines[begin:end]), {})
