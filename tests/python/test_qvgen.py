@@ -121,7 +121,10 @@ def test_wrong_shapes_are_named(ns):
 
 
 def test_what_is_there_and_what_is_not(ns, arm):
-    assert "inverse_kinematics" in ns.functions and "inverse_kinematics" not in dir(arm)
+    for robot in (ns, arm):
+        for name, place in robot.functions.items():
+            assert hasattr(robot, name) == (place == "here")
+    assert "inverse_kinematics" in dir(ns) and "inverse_kinematics" not in dir(arm)
     assert "no mass" in ns.functions["dynamics"]
     assert "puma560" in dir(qvgen.robots)
     with pytest.raises(AttributeError, match="there is no robot"):
@@ -136,6 +139,6 @@ def test_the_same_description_is_compiled_once(arm):
 
 def test_what_the_readme_shows():
     lines = (HERE.parents[1] / "README.md").read_text().splitlines()
-    begin = lines.index("    import numpy, qvgen")
-    end = next(place for place in range(begin, len(lines)) if not lines[place].startswith("    "))
+    begin = next(place for place, line in enumerate(lines) if line.startswith("    import numpy, qvgen"))
+    end = next(place for place in range(begin, len(lines)) if lines[place] and lines[place][0] != " ")
     exec("\n".join(line[4:] for line in lines[begin:end]), {})

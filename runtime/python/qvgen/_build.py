@@ -13,7 +13,7 @@ import sys
 import sysconfig
 import tempfile
 
-from ._source import binding_source
+from ._source import BOUND, binding_source
 
 _here = pathlib.Path(__file__).resolve().parent
 _root = _here.parents[2]  # of the source tree
@@ -90,13 +90,13 @@ def _make(robot, generated, sources, target):
 def build_module(robot, generated=generated_folder):
     """The module of a robot whose generated code is in a folder; compiled if it is not in the cache.
 
-    Its `functions` say of each function that it is there, or why a part is not.
+    Its `functions` say of each function that was generated where it is, and of each part that was not why.
     """
     generated = pathlib.Path(generated)
     counts = json.loads((generated / "operation_counts.json").read_text())
     if robot not in counts:
         raise AttributeError(f"there is no robot {robot}; there are {', '.join(counts)}")
-    functions = {name: "generated" for name, value in counts[robot].items() if name != "missing"}
+    functions = {name: "here" if name in BOUND else "in C++ only" for name in counts[robot] if name != "missing"}
     binding = binding_source(robot, functions)
     made_of = [*(generated / "source" / robot).glob("*"), *(generated / "include/qvgen/robots" / robot).glob("*"),
                *(_root / "runtime").rglob("*.h"), *(_root / "runtime/source").rglob("*.cpp")]

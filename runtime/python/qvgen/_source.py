@@ -26,6 +26,8 @@ DYNAMICS = {
 }
 WITH_GRAVITY = {"inverse_dynamics", "forward_dynamics", "gravity_torque", "potential_energy"}
 
+BOUND = {*KINEMATICS, *DYNAMICS, "inverse_kinematics"}
+
 HEAD = """// SPDX-License-Identifier: MIT
 #include <qvgen/robots/{robot}.h>
 
