@@ -155,6 +155,22 @@ int run_show(const ShowArguments& arguments) {
   return success;
 }
 
+int run_show_functions(const std::string& robot, const fs::path& folder) {
+  const auto counts = pipeline::counts_in(folder);
+  if (!counts.contains(robot)) {
+    fmt::print(stderr, "qvgen: {} has no robot {}: run `qvgen generate` first, or say where with --output\n",
+               folder.string(), robot);
+    return failure;
+  }
+  const auto& entry = counts.at(robot);
+  for (const auto& [name, function] : entry.items())
+    if (name != "missing") fmt::print("{}\n", name);
+  if (!entry.contains("missing")) return success;
+  for (const pipeline::Missing& missing : pipeline::missing_from_json(entry.at("missing")))
+    fmt::print("no {}: {}\n", missing.part, missing.reason);
+  return success;
+}
+
 int run_counts(const fs::path& folder, ReportFormat format, bool forms) {
   const auto counts = pipeline::counts_in(folder);
   if (counts.empty()) {

@@ -56,6 +56,8 @@ int run_generate(const GenerateArguments& arguments);
 /// Removes robots from a folder, their files and nothing else.
 int run_remove(const std::vector<std::string>& robots, const std::filesystem::path& output);
 int run_show(const ShowArguments& arguments);
+/// The functions that a folder has of a robot, and why any is missing.
+int run_show_functions(const std::string& robot, const std::filesystem::path& folder);
 int run_counts(const std::filesystem::path& folder, ReportFormat format, bool forms);
 /// `thorough`: derives and certifies everything as run_generate does.
 int run_check(const std::vector<std::filesystem::path>& descriptions, const description::ReadOptions& options,

@@ -181,6 +181,10 @@ int run(int argc, char** argv) {
   show_command->add_flag("--singularities", show.singularities,
                          "the factored determinant of the Jacobian instead");
   show_command->add_flag("--inverse", show.inverse, "the derivation of inverse kinematics");
+  bool functions = false;
+  show_command->add_flag("--functions", functions,
+                         "the functions that were generated, and why any is missing");
+  add_output(show_command, "for --functions: folder that was generated");
   add_reading(*show_command, show.read);
 
   ReportFormat format = ReportFormat::table;
@@ -248,6 +252,7 @@ int run(int argc, char** argv) {
     return run_generate(generate);
   }
   if (*remove_command) return run_remove(removed, folder({}));
+  if (*show_command && functions) return run_show_functions(fs::path(shown).stem().string(), folder({}));
   if (*show_command) {
     show.description = description_of(shown, here.robots);
     return run_show(show);

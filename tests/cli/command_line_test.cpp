@@ -119,6 +119,17 @@ TEST_F(CommandLine, BothLanguagesShareAFolder) {
   EXPECT_EQ(run("generate " + file + " --language fortran --output " + out()).code, 2);
 }
 
+TEST_F(CommandLine, SaysWhichFunctionsThereAre) {
+  const std::string file = write("my_arm.toml", good_arm);
+  EXPECT_EQ(run("show my_arm --functions --output " + out()).code, 1);
+  EXPECT_EQ(run("generate " + file + " --only kinematics,dynamics --output " + out()).code, 0);
+  const ToolRun shown = run("show " + file + " --functions --output " + out());
+  EXPECT_EQ(shown.code, 0);
+  EXPECT_TRUE(
+      has(shown, "forward_kinematics\nhomogeneous_transform\nno dynamics: the description gives no mass"))
+      << shown.output;
+}
+
 TEST_F(CommandLine, GeneratesOnlyThePartsAskedFor) {
   const std::string file = write("my_arm.toml", good_arm);
   // The file may stand on either side of the parts.
