@@ -64,8 +64,8 @@ std::string render(const std::string& template_name, const nlohmann::json& value
   const std::string result = text.render(context);
   if (!context.missing().empty())
     throw std::invalid_argument("template " + template_name + ": no value for the key " + context.missing());
-  const bool is_code = template_name.ends_with(".h") || template_name.ends_with(".cpp") ||
-                       template_name.ends_with(".c");
+  const bool is_code =
+      template_name.ends_with(".h") || template_name.ends_with(".cpp") || template_name.ends_with(".c");
   return is_code ? tidy(result) : result;
 }
 

@@ -12,8 +12,7 @@ struct Dual {
   double derivative = 0;
 
   Dual() = default;
-  Dual(double number, double slope = 0)
-      : value(number), derivative(slope) {}  // a number is a constant
+  Dual(double number, double slope = 0) : value(number), derivative(slope) {}  // a number is a constant
 
   friend Dual operator+(const Dual& a, const Dual& b) {
     return {a.value + b.value, a.derivative + b.derivative};
