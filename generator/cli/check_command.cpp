@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "cli/commands.h"
+#include "derive/inverse/general.h"
 #include "derive/inverse/inverse.h"
 #include "emit/cpp/inverse/frames.h"
 #include "model/private_names.h"
@@ -26,6 +27,9 @@ RobotOutput outlook(const model::Robot& robot) {
       if (derivation.found) return;
       reasons.insert(reasons.end(), derivation.reasons.begin(), derivation.reasons.end());
     }
+    const derive::inverse::GeneralDerivation general = derive::inverse::derive_general(robot);
+    if (general.found) return;
+    if (!general.reason.empty()) reasons.push_back(general.reason);
     for (const std::string& reason : reasons)
       made.missing.push_back({"inverse", Missing::Kind::not_derived, reason});
   });

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "derive/inverse/general.h"
 #include "derive/inverse/inverse.h"
 #include "description/reader.h"
 #include "description/write.h"
@@ -102,7 +103,17 @@ int show_dynamics(const model::Robot& robot) {
   return success;
 }
 
+bool show_general(const model::Robot& described) {
+  const derive::inverse::GeneralDerivation general = derive::inverse::derive_general(described);
+  if (!general.reason.empty())
+    fmt::print(stderr, "{}: no inverse kinematics: {}\n", described.name, general.reason);
+  if (general.found)
+    for (const std::string& line : describe_general(described, general)) fmt::print("{}\n", line);
+  return general.found;
+}
+
 int show_inverse(const model::Robot& described, emit::Notation notation) {
+  if (derive::inverse::lacks_structure(described) && show_general(described)) return success;
   const canonical::Arm arm = derive::inverse::arm_to_solve(model::with_private_names(described));
   const model::Robot robot = emit::inverse_arm(arm).robot;
   bool found = false;
@@ -119,7 +130,7 @@ int show_inverse(const model::Robot& described, emit::Notation notation) {
     for (const std::string& line : describe(lower(derivation.plan), variables, notation))
       fmt::print("{}\n", line);
   }
-  return found ? success : failure;
+  return found || show_general(described) ? success : failure;
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <qvgen/inverse/effort.h>
 
+#include "derive/inverse/general.h"
 #include "derive/inverse/inverse.h"
 #include "emit/cpp/inverse/frames.h"
 #include "emit/cpp/inverse/scalar_loops.h"
@@ -18,6 +19,7 @@
 #include "emit/render.h"
 #include "model/evaluate.h"
 #include "model/private_names.h"
+#include "pipeline/products/inverse_general.h"
 #include "verify/inverse/certify.h"
 #include "verify/inverse/count.h"
 
@@ -187,11 +189,13 @@ json variant(const model::Robot& described, const emit::InverseArm& arm, const d
 }  // namespace
 
 void generate_inverse(const model::Robot& described, RobotOutput& output) {
+  std::vector<std::string> reasons;
+  if (derive::inverse::lacks_structure(described) && generate_general_inverse(described, reasons, output))
+    return;
   const emit::InverseArm arm =
       emit::inverse_arm(derive::inverse::arm_to_solve(model::with_private_names(described)));
   json values{{"name", described.name}, {"variants", json::array()}};
   values["change"] = emit::change_of_arm(arm);
-  std::vector<std::string> reasons;
   for (const auto& derivation :
        {derive::inverse::derive(arm.robot), derive::inverse::derive_locked(arm.robot)}) {
     if (derivation.found)
@@ -199,6 +203,7 @@ void generate_inverse(const model::Robot& described, RobotOutput& output) {
     reasons.insert(reasons.end(), derivation.reasons.begin(), derivation.reasons.end());
   }
   if (values["variants"].empty()) {
+    if (generate_general_inverse(described, reasons, output)) return;
     for (const std::string& reason : reasons)
       output.missing.push_back({"inverse", Missing::Kind::not_derived, reason});
     return;

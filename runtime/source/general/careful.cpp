@@ -40,6 +40,7 @@ Careful::Careful(const Setup& setup, const Pose<double>& pose, double tolerance,
     : setup_(setup),
       pose_(pose),
       task_(matching(setup, pose)),
+      tolerance_(tolerance),
       boundary_(Boundary::ends(tolerance)),
       seeded_(preference.seeded),
       pass_(pass) {
@@ -48,7 +49,7 @@ Careful::Careful(const Setup& setup, const Pose<double>& pose, double tolerance,
 }
 
 void Careful::eliminate(int number, const Pose<double>& pose, Gathered& gathered) const {
-  pass_(setup_.chain, setup_.eliminations[number], goal_of(setup_.chain, pose), gathered);
+  pass_(setup_.chain, setup_.eliminations[number], goal_of(setup_.chain, pose), tolerance_, gathered);
 }
 
 void Careful::settle(const JointPairs& start) {
@@ -82,25 +83,64 @@ bool Careful::is_even() {
   return simple % 2 == 0;
 }
 
+/// Whether what lies between two rows reaches the pose, too, to what rows may miss it by.
+bool Careful::are_one(const Row& a, const Row& b) {
+  constexpr double far = 1e-2;
+  if (distance_square(a.values, b.values) > far * far) return false;
+  Values middle;
+  for (std::size_t j = 0; j < joints; ++j) {
+    middle[j].cosine = (a.values[j].cosine + b.values[j].cosine) / 2;
+    middle[j].sine = (a.values[j].sine + b.values[j].sine) / 2;
+  }
+  normalise(task_, middle);
+  const polishing::Newton<double, joints, 3> newton(task_);
+  const auto idle = polishing::Newton<double, joints, 3>::idle(newton.reached(middle));
+  if (idle.least == joints) return false;
+  Budget few{0, 6};
+  Reached<double, joints, 3> there;
+  const double share = std::max(tolerance_, default_tolerance);
+  return polish(task_, {share}, middle, there, few, idle.is);
+}
+
+/// Near a place where two solutions meet many joint values reach the pose to rounding: one of them stays.
+void Careful::merge() {
+  for (int i = 0; i < size_; ++i)
+    for (int k = i + 1; k < size_; ++k) {
+      if (!are_one(rows_[i], rows_[k])) continue;
+      rows_[i].continuum = rows_[i].continuum || rows_[k].continuum;
+      rows_[k--] = rows_[--size_];
+    }
+}
+
 void Careful::run(Gathered& first) {
   settle(first);
+  merge();
+  bool all_loud = first.loud;
+  bool agreed = false;
   for (int k = 1; k < setup_.count; ++k) {
     Gathered more;
     eliminate(k, pose_, more);
+    const int before = size_;
     settle(more);
+    merge();
+    all_loud = all_loud && more.loud;
     ++effort_.passes;
-    if (!more.doubtful && is_even()) break;
+    agreed = size_ == before;
+    if (agreed && !more.doubtful && is_even()) break;
   }
   for (int k = 0; k < 6 && (size_ == 0 || !is_even()); ++k) {
     constexpr double far = 30;  // times what `displaced` takes for a little
     Gathered near;
     eliminate(0, quartic::displaced(pose_, far * setup_.chain.size, k), near);
     settle(near);
+    merge();
     ++effort_.passes;
   }
   const Effort& spent = tracker_.budget().spent;
   effort_.steps = spent.steps;
-  effort_.used_up = effort_.used_up || spent.used_up || !is_even();
+  effort_.used_up = effort_.used_up || spent.used_up;
+  // Trusted is what the last elimination has added nothing to.
+  unsure_ = !agreed || all_loud || !is_even();
 }
 
 }  // namespace qvgen::inverse::general

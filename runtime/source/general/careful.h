@@ -37,6 +37,8 @@ class Careful {
   [[nodiscard]] int size() const { return size_; }
   [[nodiscard]] const Row& row(int i) const { return rows_[i]; }
   [[nodiscard]] const Effort& effort() const { return effort_; }
+  /// Whether a solution may be missing.
+  [[nodiscard]] bool is_unsure() const { return unsure_; }
 
  private:
   static constexpr int most_starts = 192;
@@ -47,10 +49,13 @@ class Careful {
   void settle(const JointPairs& start);
   void eliminate(int number, const Pose<double>& pose, Gathered& gathered) const;
   [[nodiscard]] bool is_even();
+  [[nodiscard]] bool are_one(const Row& a, const Row& b);
+  void merge();
 
   const Setup& setup_;
   const Pose<double>& pose_;
   Task task_;
+  double tolerance_;
   Boundary boundary_;
   Values seed_;
   bool seeded_;
@@ -60,6 +65,7 @@ class Careful {
   int size_ = 0;
   Row rows_[most_solutions];
   Effort effort_;
+  bool unsure_ = false;
 };
 
 }  // namespace qvgen::inverse::general

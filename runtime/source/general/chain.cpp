@@ -64,11 +64,13 @@ Chain chain_of(const Description& arm) {
   Chain chain;
   chain.to_base = motion_of(frames[0].inverse());
   double links = 0;
+  chain.reach = frames[0].translation().norm();
   for (int i = 0; i < joints; ++i) {
     const Isometry3d link = frames[i].inverse() * frames[i + 1];
     chain.links[i] = motion_of(link);
     chain.slides[i] = !arm.axes[i].revolute;
     if (i + 1 < joints) links += link.translation().norm();
+    chain.reach += chain.slides[i] ? 1e50 : link.translation().norm();
   }
   chain.size = links / 4;
   return chain;

@@ -26,6 +26,7 @@ struct Gathered {
   int starts = 0;
   JointPairs start[most_rows];  ///< where steps to a solution may begin, if there is one
   bool doubtful = false;        ///< there may be more
+  bool loud = false;            ///< the polynomial drowns in rounding
 
   void add_row(const JointPairs& values) {
     if (rows < most_rows)
@@ -39,8 +40,8 @@ struct Gathered {
   }
 };
 
-/// Eliminates once and adds what comes of it.
-using Pass = void (*)(const Chain&, const Elimination&, const Goal&, Gathered&);
+/// Eliminates once and adds what comes of it. `tolerance`: see `default_tolerance`.
+using Pass = void (*)(const Chain&, const Elimination&, const Goal&, double tolerance, Gathered&);
 /// Four numbers at a time; null if the compiler was not asked for AVX2. To be called only where the machine
 /// has it.
 extern const Pass pass_for_avx2;

@@ -27,13 +27,14 @@ class Eliminated {
   using T = Lanes<width>;
 
  public:
-  Eliminated(const Chain& chain, const Elimination& e, const Goal& goal, Gathered& found)
+  Eliminated(const Chain& chain, const Elimination& e, const Goal& goal, double tolerance, Gathered& found)
       : chain_(chain), e_(e), goal_(goal), found_(found), rows_before_(found.rows) {
     set_pose(e, chain, goal, system_);
     Candidates candidates;
-    const double noise = find_candidates<width>(system_, e.pair, candidates);
+    const double noise = find_candidates<width>(system_, e.pair, tolerance, candidates);
     constexpr double loud = 1e-7;
-    if (!(noise < loud) || candidates.overflow) found.doubtful = true;
+    found.loud = !(noise < loud);
+    if (found.loud || candidates.overflow) found.doubtful = true;
     for (int first = 0; first < candidates.count; first += width) follow(candidates, first);
     int all = found.rows - rows_before_;
     for (int k = 0; k < rows_before_; ++k) all += seen_[k] ? 1 : 0;
@@ -56,7 +57,7 @@ class Eliminated {
     polish(count, q);
     const T miss = squared_miss(chain_, goal_, q);
     for (int i = 0; i < count; ++i) {
-      if (candidates.list[first + i].doubtful) found_.doubtful = true;
+      if (candidates.list[first + i].is_doubtful()) found_.doubtful = true;
       if (!(miss[i] < good_miss && is_new(lane(q, i)))) offer_start(lane(start, i));
     }
   }
@@ -119,8 +120,9 @@ class Eliminated {
 };
 
 template <int width>
-void eliminate_once(const Chain& chain, const Elimination& e, const Goal& goal, Gathered& found) {
-  Eliminated<width>(chain, e, goal, found);
+void eliminate_once(const Chain& chain, const Elimination& e, const Goal& goal, double tolerance,
+                    Gathered& found) {
+  Eliminated<width>(chain, e, goal, tolerance, found);
 }
 
 }  // namespace

@@ -9,7 +9,10 @@ namespace {
 /// An outer angle that may belong to a solution.
 struct Candidate {
   Direction angle;
-  bool doubtful;  ///< one of two roots that are not told apart, or a place where there may be none
+  /// Not zero: one of two roots that are not told apart, or a place where there may be none; how far the root
+  /// may be off, rad.
+  double spread;
+  [[nodiscard]] bool is_doubtful() const { return spread > 0; }
 };
 
 /// A stretch of the circle where the polynomial is as small as its rounding.
@@ -28,9 +31,18 @@ struct Candidates {
   int faint_count = 0;
   Faint faint[most_faint];
 
-  void add(const Direction& angle, bool doubtful) {
+  void add(const Direction& angle, double spread) {
     overflow = overflow || count == most_candidates;
-    if (count < most_candidates) list[count++] = {angle, doubtful};
+    if (count < most_candidates) list[count++] = {angle, spread};
+  }
+  /// The same, unless a neighbouring stretch has given it before.
+  void add_once(const Direction& angle, double spread) {
+    for (int i = 0; i < count; ++i) {
+      const double x = list[i].angle.cosine - angle.cosine, y = list[i].angle.sine - angle.sine;
+      const double near = std::fmax(1e-7, 0.7 * std::fmax(spread, list[i].spread));
+      if ((list[i].is_doubtful() == (spread > 0)) && x * x + y * y < near * near) return;
+    }
+    add(angle, spread);
   }
   bool add_faint(const Direction& middle, double half_width) {
     if (faint_count == most_faint) return false;
@@ -47,9 +59,14 @@ class RootFinder {
   using T = Lanes<width>;
 
  public:
-  /// `farthest`: only arcs nearer to 0 than this, rad. `may_be_faint`: faint stretches are put aside.
-  RootFinder(const Trigonometric& f, double farthest, bool may_be_faint, Candidates& found)
-      : f_(f), may_be_faint_(may_be_faint), tolerance_(std::fmax(1e-12, 100 * f.noise)), found_(found) {
+  /// `allowed`: how far off zero a double root may be, as a tenth. `farthest`: only arcs nearer to 0 than
+  /// this, rad. `may_be_faint`: faint stretches are put aside.
+  RootFinder(const Trigonometric& f, double allowed, double farthest, bool may_be_faint, Candidates& found)
+      : f_(f),
+        may_be_faint_(may_be_faint),
+        faint_below_(1e3 * std::fmax(1e-12, 100 * f.noise)),
+        tolerance_(std::fmax(10 * allowed, faint_below_ / 1e3)),
+        found_(found) {
     for (int first = 0; first < arcs; first += width) look_at_arcs(first, farthest);
     while (cells_ > 0) halve();
     for (int first = 0; first < brackets_; first += width) close_in(first);
@@ -58,7 +75,6 @@ class RootFinder {
  private:
   static constexpr int most_cells = 64;
   static constexpr double smallest = 0.004;  ///< of half an arc, about 0.8 mrad
-  static constexpr double faint_below = 1e3;
   static constexpr double relative_tolerance = 1e-11;
 
   /// A part of an arc: tangents from low to high, in units of the arc's.
@@ -117,7 +133,7 @@ class RootFinder {
       // Arcs lie at odd multiples of pi/8, the last ones below zero.
       const double from_zero = half_arc * (arc < arcs / 2 ? 2 * arc + 1 : 2 * (arcs - arc) - 1);
       bool skip = from_zero - half_arc > farthest;
-      if (!skip && may_be_faint_ && largest[i] < faint_below * tolerance_)
+      if (!skip && may_be_faint_ && largest[i] < faint_below_)
         skip = found_.add_faint(middle_of(arc), half_arc);
       if (skip)
         for (T& c : control) c[i] = 1e9;
@@ -163,7 +179,7 @@ class RootFinder {
     if (!may_be_faint_ || part.high - part.low > 1.9) return false;
     double largest = 0;
     for (const T& c : control) largest = std::fmax(largest, std::fabs(c[lane]));
-    if (!(largest < faint_below * tolerance_)) return false;
+    if (!(largest < faint_below_)) return false;
     const Direction low = angle_of(part.arc, part.low), high = angle_of(part.arc, part.high);
     const Direction middle = angle_of(part.arc, (part.low + part.high) / 2);
     const double sine = high.sine * low.cosine - high.cosine * low.sine;
@@ -229,8 +245,8 @@ class RootFinder {
     if (std::fabs(v.value) > 30 * part.tolerance && square < 0) return;
     const double unsure = std::fmin(2 * part.tolerance / std::fabs(v.bend), 0.01);
     const double apart = std::sqrt(std::fmax(square, unsure));
-    found_.add(at(by - apart), true);
-    found_.add(at(by + apart), true);
+    found_.add_once(at(by - apart), apart);
+    found_.add_once(at(by + apart), apart);
   }
 
   /// Newton steps kept in their brackets.
@@ -269,7 +285,7 @@ class RootFinder {
       y = next <= high ? y : middle;
       x = y;
     }
-    for (int i = 0; i < count; ++i) found_.add({cosine[i], sine[i]}, false);
+    for (int i = 0; i < count; ++i) found_.add({cosine[i], sine[i]}, 0);
   }
 
   /// Clenshaw's recurrence for value and slope: the real part of sum (a - i b) z^k by Horner's rule.
@@ -291,6 +307,7 @@ class RootFinder {
 
   const Trigonometric& f_;
   bool may_be_faint_;
+  double faint_below_;
   double tolerance_;
   Candidates& found_;
   int cells_ = 0;
@@ -299,11 +316,38 @@ class RootFinder {
   Bracket bracket_[most_cells];
 };
 
+/// The same equations with every coefficient changed by about as much as rounding has changed it.
+inline void disturb(Equations& equations) {
+  unsigned state = 1;
+  for (auto& part : equations.a)
+    for (double& x : part) {
+      state = state * 1664525U + 1013904223U;
+      x *= (state >> 16U & 1U) != 0 ? 1 + 0x1p-52 : 1 - 0x1p-52;
+    }
+}
+
+/// A magnified stretch. There the samples may be off together, which their last frequency does not show: how
+/// far is seen from equations that are off by rounding.
+template <int width>
+Trigonometric magnified(const PoseSystem& system, Pair pair, const Magnifier& magnifier) {
+  PoseSystem other = system;
+  disturb(other.equations);
+  if (pair != Pair::skew) disturb(other.derived);
+  Trigonometric result = sampled<width>(system, pair, magnifier);
+  const Trigonometric disturbed = sampled<width>(other, pair, magnifier);
+  double change = 0;
+  for (int k = 0; k <= degree; ++k)
+    change +=
+        std::fabs(result.cosine[k] - disturbed.cosine[k]) + std::fabs(result.sine[k] - disturbed.sine[k]);
+  result.noise = std::fmax(result.noise, change);
+  return result;
+}
+
 /// All candidates, faint stretches magnified, up to four times one in the other.
 template <int width>
-double find_candidates(const PoseSystem& system, Pair pair, Candidates& found) {
+double find_candidates(const PoseSystem& system, Pair pair, double tolerance, Candidates& found) {
   const Trigonometric whole = sampled<width>(system, pair, {});
-  RootFinder<width>(whole, 4, true, found);
+  RootFinder<width>(whole, tolerance, 4, true, found);
   int level[most_faint];
   for (int i = 0; i < found.faint_count; ++i) level[i] = 1;
   for (int i = 0; i < found.faint_count; ++i) {
@@ -311,14 +355,14 @@ double find_candidates(const PoseSystem& system, Pair pair, Candidates& found) {
     const double half = 1.02 * faint.half_width;
     constexpr double tangent = 0.57735026918962576;  // of 30 degrees
     const Magnifier magnifier{faint.middle, tangent / std::tan(half / 2)};
-    const Trigonometric part = sampled<width>(system, pair, magnifier);
+    const Trigonometric part = magnified<width>(system, pair, magnifier);
     Candidates widened;
-    RootFinder<width>(part, 1.0471975511965976, level[i] < 4, widened);
+    RootFinder<width>(part, tolerance, 1.0471975511965976, level[i] < 4, widened);
     found.overflow = found.overflow || widened.overflow;
     for (int k = 0; k < widened.count; ++k) {
       const Direction angle = magnifier.circle(widened.list[k].angle);
       const double cosine = angle.cosine * faint.middle.cosine + angle.sine * faint.middle.sine;
-      if (cosine >= std::cos(half)) found.add(angle, widened.list[k].doubtful);
+      if (cosine >= std::cos(half)) found.add_once(angle, widened.list[k].spread / magnifier.factor);
     }
     for (int k = 0; k < widened.faint_count; ++k) {
       const Faint& inner = widened.faint[k];

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <qvgen/inverse/general/setup.h>
+#include <qvgen/inverse/scalar.h>
 
 #include "gathered.h"
 
@@ -72,7 +73,7 @@ Trial tried(const Chain& chain, const Elimination& e) {
   for (int i = 0; i < trials; ++i) {
     const JointPairs q = sampled_joints(chain, i);
     Gathered found;
-    pass_for_all(chain, e, reached(chain, q), found);
+    pass_for_all(chain, e, reached(chain, q), default_tolerance, found);
     trial.missing += has_row(found, q) ? 0 : 1;
     trial.doubtful += found.doubtful ? 1 : 0;
   }

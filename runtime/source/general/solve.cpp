@@ -45,13 +45,14 @@ void solve(const Setup& setup, const Pose<double>& pose, double tolerance,
            const Preference<joints>& preference, Form form, Found& found) {
   found.clear();
   found.effort = {};
-  if (outlook(pose, 1e150, tolerance) != Outlook::open || setup.count == 0) {
+  if (outlook(pose, setup.chain.reach, tolerance) != Outlook::open || setup.count == 0) {
     found.status = status_beyond(pose);
     return;
   }
   const Pass pass = pass_for(form);
   Gathered gathered;
-  pass(setup.chain, setup.eliminations[0], goal_of(setup.chain, pose), gathered);
+  bool unsure = false;
+  pass(setup.chain, setup.eliminations[0], goal_of(setup.chain, pose), tolerance, gathered);
   if (!gathered.doubtful && gathered.rows <= most_solutions) {
     for (int i = 0; i < gathered.rows; ++i) append(setup.chain, values_of(gathered.row[i]), false, found);
   } else {
@@ -60,9 +61,11 @@ void solve(const Setup& setup, const Pose<double>& pose, double tolerance,
     for (int i = 0; i < careful.size(); ++i)
       append(setup.chain, careful.row(i).values, careful.row(i).continuum, found);
     found.effort = careful.effort();
+    unsure = careful.is_unsure();
   }
   number_rows(found);
   found.conclude();
+  if (unsure && !found.empty()) found.status = Status::incomplete;
 }
 
 }  // namespace qvgen::inverse::general

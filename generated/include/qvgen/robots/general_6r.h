@@ -18,3 +18,4 @@
 //   inverse: joints 3, 4 and 5: their axes are not parallel
 //   inverse: joints 1, 2 and 3: their axes are not parallel
 //   inverse: joints 4, 5 and 6: their axes are not parallel
+//   inverse: any six joints: there are symbols in the arm's geometry

@@ -12,3 +12,4 @@
 //   joints 3, 4 and 5: their axes are not parallel
 //   joints 1, 2 and 3: their axes are not parallel
 //   joints 4, 5 and 6: their axes are not parallel
+//   any six joints: there are symbols in the arm's geometry

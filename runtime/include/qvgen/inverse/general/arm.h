@@ -29,7 +29,8 @@ struct Chain {
   Motion to_base;  ///< takes a pose into the first axis's frame
   Motion links[joints];
   bool slides[joints];
-  double size;  ///< m: a fourth of all links
+  double size;   ///< m: a fourth of the links between the axes
+  double reach;  ///< m: what the tool's distance from the origin cannot exceed
 };
 
 }  // namespace qvgen::inverse::general
