@@ -2,11 +2,8 @@
 #include <fmt/format.h>
 
 #include "cli/commands.h"
-#include "derive/inverse/general.h"
-#include "derive/inverse/inverse.h"
-#include "emit/cpp/inverse/frames.h"
-#include "model/private_names.h"
 #include "pipeline/pipeline.h"
+#include "pipeline/products/inverse_derivation.h"
 
 namespace qvgen::cli {
 namespace {
@@ -20,17 +17,9 @@ constexpr Budget quick{20, 4096};
 RobotOutput outlook(const model::Robot& robot) {
   RobotOutput output{robot.name};
   attempt("inverse", output, [&](RobotOutput& made) {
-    const model::Robot own =
-        emit::inverse_arm(derive::inverse::arm_to_solve(model::with_private_names(robot))).robot;
-    std::vector<std::string> reasons;
-    for (const auto& derivation : {derive::inverse::derive(own), derive::inverse::derive_locked(own)}) {
-      if (derivation.found) return;
-      reasons.insert(reasons.end(), derivation.reasons.begin(), derivation.reasons.end());
-    }
-    const derive::inverse::GeneralDerivation general = derive::inverse::derive_general(robot);
-    if (general.found) return;
-    if (!general.reason.empty()) reasons.push_back(general.reason);
-    for (const std::string& reason : reasons)
+    const InverseDerivation derivation = derive_inverse(robot);
+    if (derivation.found()) return;
+    for (const std::string& reason : derivation.reasons)
       made.missing.push_back({"inverse", Missing::Kind::not_derived, reason});
   });
   return output;

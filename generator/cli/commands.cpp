@@ -6,20 +6,17 @@
 
 #include <fmt/format.h>
 
-#include "derive/inverse/general.h"
-#include "derive/inverse/inverse.h"
 #include "description/reader.h"
 #include "description/write.h"
-#include "emit/cpp/inverse/frames.h"
 #include "emit/math/closed_form.h"
 #include "emit/math/describe.h"
 #include "emit/math/dynamics_closed_form.h"
 #include "emit/math/legend.h"
 #include "emit/math/singularities.h"
-#include "model/private_names.h"
 #include "optimise/dynamics_function.h"
 #include "pipeline/files.h"
 #include "pipeline/output_folder.h"
+#include "pipeline/products/inverse_derivation.h"
 
 namespace qvgen::cli {
 namespace {
@@ -103,34 +100,20 @@ int show_dynamics(const model::Robot& robot) {
   return success;
 }
 
-bool show_general(const model::Robot& described) {
-  const derive::inverse::GeneralDerivation general = derive::inverse::derive_general(described);
-  if (!general.reason.empty())
-    fmt::print(stderr, "{}: no inverse kinematics: {}\n", described.name, general.reason);
-  if (general.found)
-    for (const std::string& line : describe_general(described, general)) fmt::print("{}\n", line);
-  return general.found;
-}
-
 int show_inverse(const model::Robot& described, emit::Notation notation) {
-  if (derive::inverse::lacks_structure(described) && show_general(described)) return success;
-  const canonical::Arm arm = derive::inverse::arm_to_solve(model::with_private_names(described));
-  const model::Robot robot = emit::inverse_arm(arm).robot;
-  bool found = false;
-  bool explained = false;
+  const pipeline::InverseDerivation derivation = pipeline::derive_inverse(described);
+  if (derivation.general.found)
+    for (const std::string& line : describe_general(described, derivation.general)) fmt::print("{}\n", line);
+  if (!derivation.plans.empty())
+    for (const std::string& line : emit::legend(described, derivation.canonical)) fmt::print("{}\n", line);
   std::vector<std::string> variables;
-  for (const model::Joint& joint : robot.joints) variables.push_back(joint.variable);
-  for (const auto& derivation : {derive::inverse::derive(robot), derive::inverse::derive_locked(robot)}) {
-    for (const std::string& reason : derivation.reasons)
-      fmt::print(stderr, "{}: no inverse kinematics: {}\n", robot.name, reason);
-    if (!derivation.found) continue;
-    found = true;
-    if (!std::exchange(explained, true))
-      for (const std::string& line : emit::legend(arm)) fmt::print("{}\n", line);
-    for (const std::string& line : describe(lower(derivation.plan), variables, notation))
-      fmt::print("{}\n", line);
-  }
-  return found || show_general(described) ? success : failure;
+  for (const model::Joint& joint : derivation.arm.robot.joints) variables.push_back(joint.variable);
+  for (const derive::inverse::Plan& plan : derivation.plans)
+    for (const std::string& line : describe(lower(plan), variables, notation)) fmt::print("{}\n", line);
+  if (derivation.found()) return success;
+  for (const std::string& reason : derivation.reasons)
+    fmt::print(stderr, "{}: no inverse kinematics: {}\n", described.name, reason);
+  return failure;
 }
 
 }  // namespace

@@ -7,19 +7,6 @@ namespace {
 std::string header_of(const std::string& robot) { return "c/qvgen_" + robot + ".h"; }
 std::string source_of(const std::string& robot) { return "c/qvgen_" + robot + ".c"; }
 
-std::vector<std::string> lines_of(const std::vector<Missing>& missing) {
-  std::vector<std::string> lines;
-  for (const Missing& part : missing) {
-    std::string text = part.part + ": " + part.reason;
-    for (std::size_t end = text.find('\n'); end != std::string::npos; end = text.find('\n')) {
-      lines.push_back(text.substr(0, end));
-      text.erase(0, end + 1);
-    }
-    lines.push_back(text);
-  }
-  return lines;
-}
-
 }  // namespace
 
 void add_c_part(RobotOutput& output, const emit::c::Part& part) {
@@ -32,7 +19,7 @@ RobotOutput with_c_files(RobotOutput output) {
   for (const OutputFile& file : output.files)
     all += file.path == header_of(output.robot) ? emit::c::Part{file.content, ""}
                                                 : emit::c::Part{"", file.content};
-  const emit::c::Part text = emit::c::file(output.robot, all, lines_of(output.missing));
+  const emit::c::Part text = emit::c::file(output.robot, all, lines_of_missing(output));
   output.files = {{header_of(output.robot), text.header}, {source_of(output.robot), text.source}};
   return output;
 }

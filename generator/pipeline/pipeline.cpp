@@ -5,6 +5,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "emit/cpp/template_values.h"
 #include "emit/render.h"
 #include "pipeline/c_files.h"
 #include "pipeline/products/product.h"
@@ -21,17 +22,6 @@ std::string header_of(const std::string& robot, const std::string& part) {
 bool has_file(const RobotOutput& output, const std::string& path) {
   return std::any_of(output.files.begin(), output.files.end(),
                      [&](const OutputFile& file) { return file.path == path; });
-}
-
-/// A reason of several lines, or a long one, as lines of a comment.
-json comment_lines(const std::string& text) {
-  json lines = json::array();
-  for (std::size_t start = 0; start <= text.size();) {
-    const std::size_t end = std::min(text.find('\n', start), text.size());
-    lines.push_back({{"line", text.substr(start, end - start)}});
-    start = end + 1;
-  }
-  return lines;
 }
 
 bool contains(const std::vector<std::string>& names, const std::string& name) {
@@ -52,7 +42,7 @@ void add_headers_of_missing_parts(RobotOutput& output) {
   for (const Missing& missing : output.missing) {
     if (missing.kind == Missing::Kind::not_described || !is_header(missing.part)) continue;
     json& lines = reasons.emplace(missing.part, json::array()).first->second;
-    for (const json& line : comment_lines(missing.reason)) lines.push_back(line);
+    for (const json& line : emit::lines_of(emit::split_lines(missing.reason))) lines.push_back(line);
   }
   for (const auto& [part, lines] : reasons)
     output.files.push_back(
@@ -65,9 +55,7 @@ OutputFile umbrella_header(const RobotOutput& output) {
   json parts = json::array();
   for (const Product& product : all_products())
     if (has_file(output, header_of(output.robot, product.part))) parts.push_back({{"part", product.part}});
-  json missing = json::array();
-  for (const Missing& part : output.missing)
-    for (const json& line : comment_lines(part.part + ": " + part.reason)) missing.push_back(line);
+  const json missing = emit::lines_of(lines_of_missing(output));
   return {"include/qvgen/robots/" + output.robot + ".h",
           emit::render("robot.h", {{"name", output.robot},
                                    {"parts", parts},
@@ -77,8 +65,7 @@ OutputFile umbrella_header(const RobotOutput& output) {
 
 /// Every part rests on the model header.
 bool is_wanted(const Product& product, const Parts& parts) {
-  return parts.empty() || product.part == all_products().front().part ||
-         std::find(parts.begin(), parts.end(), product.part) != parts.end();
+  return parts.empty() || product.part == all_products().front().part || contains(parts, product.part);
 }
 
 std::vector<Product> wanted_products(const Parts& parts) {

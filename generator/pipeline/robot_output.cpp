@@ -3,6 +3,7 @@
 
 #include <new>
 
+#include "emit/cpp/template_values.h"
 #include "verify/certificate.h"
 
 namespace qvgen::pipeline {
@@ -31,6 +32,14 @@ void attempt(const std::string& part, RobotOutput& output,
   } catch (const std::exception& error) {
     leave_out(Missing::Kind::not_derived, error.what());
   }
+}
+
+std::vector<std::string> lines_of_missing(const RobotOutput& output) {
+  std::vector<std::string> lines;
+  for (const Missing& missing : output.missing)
+    for (const std::string& line : emit::split_lines(missing.part + ": " + missing.reason))
+      lines.push_back(line);
+  return lines;
 }
 
 void append(RobotOutput& output, const RobotOutput& more) {

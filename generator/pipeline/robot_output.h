@@ -44,6 +44,9 @@ void attempt(const std::string& part, RobotOutput& output, const std::function<v
 nlohmann::ordered_json missing_to_json(const std::vector<Missing>& missing);
 std::vector<Missing> missing_from_json(const nlohmann::ordered_json& json);
 
+/// What a robot does not get, with the reasons, as lines.
+std::vector<std::string> lines_of_missing(const RobotOutput& output);
+
 /// Appends what another process has made of the same robot.
 void append(RobotOutput& output, const RobotOutput& more);
 

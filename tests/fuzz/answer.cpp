@@ -33,7 +33,7 @@ bool generates(const model::Robot& robot) {
 Answer answer(std::string_view text, std::size_t most_joints) {
   const std::size_t start = text.find_first_not_of(" \t\r\n");
   const bool is_xml = start != std::string_view::npos && text[start] == '<';
-  const auto result = description::read_text(text, is_xml ? "fuzz.urdf" : "fuzz.toml");
+  const auto result = description::read_text(text, is_xml ? "fuzz.xml" : "fuzz.toml");
   const long lines = std::count(text.begin(), text.end(), '\n') + 1;
   for (const description::Diagnostic& diagnostic : result.diagnostics) check_place(diagnostic, lines);
   if (!result.robot) {

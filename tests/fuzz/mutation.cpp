@@ -35,9 +35,10 @@ const std::vector<std::string> values = {
     "0.1",    "1.5708",    "90 deg",   "30 deg",  "-0.7071",  "theta1",      "a1",   "pi",
     "pi/2",   "sqrt(2)",   "sqrt(-1)", "cos(a1)", "l1/l2",    "2^64",        "a1^2", "\"\"",
     "\"+z\"", "[0, 0, 0]", "[1, 0]",   "true",    "\"free\"", "\"a1 + b1\"", "{}",   "0.000001"};
-const std::vector<std::string> pieces = {"-",    "\"", "[",  "]",       "x",  " ",          "\n", "(",
-                                         ")",    "=",  "é",  "{",       "'",  "^9",         "<",  "/>",
-                                         "&lt;", "#",  "\\", "\\u202E", "\t", "[[joint]]\n"};
+const std::vector<std::string> pieces = {
+    "-",  "\"", "[", "]",  "x",    " ", "\n", "(",       ")",  "=",           "é",        "{",
+    "'",  "^9", "<", "/>", "&lt;", "#", "\\", "\\u202E", "\t", "[[joint]]\n", "<joint/>", " pos=\"0 0\"",
+    "1e9"};
 
 void change_characters(std::string& text, std::mt19937& random) {
   const std::size_t at = below(text.size(), random);

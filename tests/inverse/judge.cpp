@@ -23,10 +23,10 @@ class Judge {
     if (verdict_.rows > test_.robot().info.capacity) blame("more rows than the capacity");
     for (std::size_t i = 0; i < found_.rows.size(); ++i) row(i);
     status();
-    if (sample_.expect == Expect::joints && found_.status != Status::incomplete &&
-        !contains(test_, found_, sample_)) {
-      verdict_.missing = true;
-      blame("the sampled joints are missing");
+    if (sample_.expect == Expect::joints && !contains(test_, found_, sample_)) {
+      verdict_.told = admits();
+      verdict_.missing = !verdict_.told;
+      if (!test_.robot().info.by_elimination) blame("the sampled joints are missing");
     }
     return verdict_;
   }
@@ -40,6 +40,11 @@ class Judge {
          << found_.rows.size() << " rows";
     for (const Row& r : found_.rows) text << "\n  " << r.q.transpose() << (r.continuum ? " (continuum)" : "");
     verdict_.fault = text.str();
+  }
+
+  /// Whether the arm has no closed form, and its status says that there may be more solutions.
+  [[nodiscard]] bool admits() const {
+    return test_.robot().info.by_elimination && found_.status == Status::incomplete;
   }
 
   void row(std::size_t i) {
@@ -69,7 +74,7 @@ class Judge {
     const Status status = found_.status;
     const bool none = status == Status::unreachable || status == Status::invalid;
     if (found_.rows.empty() != none) blame("status and rows disagree");
-    if (!none && status != Status::incomplete && (status == Status::singular) != continuum)
+    if (!none && !admits() && (status == Status::singular) != continuum)
       blame("status and marks of a continuum disagree");
     if (sample_.expect == Expect::invalid && status != Status::invalid) blame("should be invalid");
     if (sample_.expect != Expect::invalid && status == Status::invalid) blame("should not be invalid");

@@ -10,11 +10,12 @@ namespace qvgen::test {
 /// What is wrong with the solutions of one pose, and how exact they are.
 struct Verdict {
   int rows = 0;
-  Case::Miss miss;   ///< largest of all rows
-  int bad = 0;       ///< rows that do not reach the pose within 1e-12
-  int repeated = 0;  ///< rows within 1e-9 of another one
-  bool missing = false;
-  std::string fault;  ///< the first thing wrong, in words; empty if all is right
+  Case::Miss miss;       ///< largest of all rows
+  int bad = 0;           ///< rows that do not reach the pose within 1e-12
+  int repeated = 0;      ///< rows within 1e-9 of another one
+  bool missing = false;  ///< the sampled joints, and nothing is said of it
+  bool told = false;     ///< they are missing, and the status says that solutions may be
+  std::string fault;     ///< the first thing wrong, in words; empty if all is right
 };
 
 Verdict judge(const Case& test, const Sample& sample, const Found& found);

@@ -20,7 +20,8 @@ constexpr const char* help =
     "  solutions  rows a pose (of the random set in the short table)\n"
     "  error      largest position (m, a share of the distance beyond 1 m) and orientation (rad) error of a "
     "row\n"
-    "  missing    poses whose sampled joints are not among the solutions\n"
+    "  missing    poses whose sampled joints are not among the solutions; \"told\" are those of which the\n"
+    "             status says that solutions may be missing (arms without a closed form)\n"
     "  lost       poses of reachable joints that were given no solution at all\n"
     "  repeated   rows that equal another one\n"
     "  bad        rows off the pose by more than 1e-12 of 1 m plus the distance, wrong status or mark\n";
@@ -30,6 +31,7 @@ struct Line {
   long rows = 0;
   Case::Miss miss;
   int missing = 0;
+  int told = 0;
   int lost = 0;
   int repeated = 0;
   int bad = 0;
@@ -42,6 +44,7 @@ struct Line {
     miss.position = std::max(miss.position, verdict.miss.position / size);
     miss.orientation = std::max(miss.orientation, verdict.miss.orientation);
     missing += verdict.missing ? 1 : 0;
+    told += verdict.told ? 1 : 0;
     lost += sample.expect == Expect::joints && verdict.rows == 0 ? 1 : 0;
     repeated += verdict.repeated;
     const bool otherwise =
@@ -54,6 +57,7 @@ struct Line {
     miss.position = std::max(miss.position, other.miss.position);
     miss.orientation = std::max(miss.orientation, other.miss.orientation);
     missing += other.missing;
+    told += other.told;
     lost += other.lost;
     repeated += other.repeated;
     bad += other.bad;
@@ -79,8 +83,10 @@ Line measure(Case& test, const PoseSet& set, int count, bool faults) {
 }
 
 void print(const std::string& name, const Line& line, double solutions) {
-  std::printf("| %s | %d | %.4f | %.1e / %.1e | %d | %d | %d | %d |\n", name.c_str(), line.poses, solutions,
-              line.miss.position, line.miss.orientation, line.missing, line.lost, line.repeated, line.bad);
+  const std::string told = line.told > 0 ? " + " + std::to_string(line.told) + " told" : "";
+  std::printf("| %s | %d | %.4f | %.1e / %.1e | %d%s | %d | %d | %d |\n", name.c_str(), line.poses, solutions,
+              line.miss.position, line.miss.orientation, line.missing, told.c_str(), line.lost, line.repeated,
+              line.bad);
 }
 
 double a_pose(const Line& line) { return line.poses == 0 ? 0 : static_cast<double>(line.rows) / line.poses; }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-
 #include "emit/c/parts.h"
 #include "emit/cpp/symbol_table.h"
+#include "emit/cpp/template_values.h"
 #include "emit/render.h"
 
 namespace qvgen::emit::c {
@@ -65,13 +64,8 @@ std::vector<std::string> assignments(const DynamicsInterface& interface, std::si
 }
 
 std::vector<std::string> without_slashes(const std::string& doc) {
-  std::vector<std::string> lines;
-  for (std::size_t start = 0; start < doc.size();) {
-    const std::size_t end = std::min(doc.find('\n', start), doc.size());
-    const std::string line = doc.substr(start, end - start);
-    lines.push_back(line.substr(std::min<std::size_t>(4, line.size())));
-    start = end + 1;
-  }
+  std::vector<std::string> lines = split_lines(doc);
+  for (std::string& line : lines) line.erase(0, 4);
   return lines;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "emit/cpp/template_values.h"
 
+#include <algorithm>
+
 namespace qvgen::emit {
 
 using nlohmann::json;
@@ -9,6 +11,16 @@ json lines_of(const std::vector<std::string>& lines) {
   json list = json::array();
   for (const std::string& line : lines) list.push_back({{"line", line}});
   return list;
+}
+
+std::vector<std::string> split_lines(const std::string& text) {
+  std::vector<std::string> lines;
+  for (std::size_t start = 0; start < text.size();) {
+    const std::size_t end = std::min(text.find('\n', start), text.size());
+    lines.push_back(text.substr(start, end - start));
+    start = end + 1;
+  }
+  return lines;
 }
 
 json values_of(const std::vector<Code::Value>& values) {

@@ -14,6 +14,9 @@ namespace qvgen::emit {
 /// A line an entry: line.
 nlohmann::json lines_of(const std::vector<std::string>& lines);
 
+/// The lines of a text that may end with one.
+std::vector<std::string> split_lines(const std::string& text);
+
 /// A value an entry: name, expression, last.
 nlohmann::json values_of(const std::vector<Code::Value>& values);
 

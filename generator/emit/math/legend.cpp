@@ -8,14 +8,17 @@
 
 namespace qvgen::emit {
 
-std::vector<std::string> legend(const canonical::Arm& arm) {
+std::vector<std::string> legend(const model::Robot& described, const canonical::Arm& arm) {
   std::vector<std::string> lines;
   for (std::size_t i = 0; i < arm.phases.size(); ++i) {
-    if (arm.phases[i] == exact::Angle{}) continue;
-    const double phase = cln::double_approx(*exact::radians(arm.phases[i]));
     const std::string& name = arm.robot.joints[i].variable;
-    lines.push_back(fmt::format("below, {} stands for {} {} {:.6g}", name, name, phase < 0 ? "-" : "+",
-                                phase < 0 ? -phase : phase));
+    const std::string& meant = described.joints[i].variable;
+    const bool has_phase = !(arm.phases[i] == exact::Angle{});
+    if (name == meant && !has_phase) continue;
+    lines.push_back(fmt::format("below, {} stands for {}", name, meant));
+    if (!has_phase) continue;
+    const double phase = cln::double_approx(*exact::radians(arm.phases[i]));
+    lines.back() += fmt::format(" {} {:.6g}", phase < 0 ? "-" : "+", phase < 0 ? -phase : phase);
   }
   return lines;
 }

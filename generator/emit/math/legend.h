@@ -8,8 +8,8 @@
 
 namespace qvgen::emit {
 
-/// One line for each joint whose angle a derivation counts from another zero than the description; none for
-/// most arms.
-std::vector<std::string> legend(const canonical::Arm& arm);
+/// One line for each joint that has another name in a derivation than in the description, or whose angle is
+/// counted from another zero there; none for most arms.
+std::vector<std::string> legend(const model::Robot& described, const canonical::Arm& arm);
 
 }  // namespace qvgen::emit

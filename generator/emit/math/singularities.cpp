@@ -108,7 +108,7 @@ std::vector<std::string> singularity_lines(const model::Robot& described, Notati
   }
   put_in_order(all);
   certify_product(robot, all);
-  std::vector<std::string> lines = legend(arm);
+  std::vector<std::string> lines = legend(described, arm);
   std::string product = text_of(all.constant, notation);
   for (std::size_t i = 0; i < all.factors.size(); ++i) {
     const int power = all.factors[i].multiplicity;

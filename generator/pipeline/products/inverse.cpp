@@ -7,9 +7,6 @@
 #include <fmt/format.h>
 #include <qvgen/inverse/effort.h>
 
-#include "derive/inverse/general.h"
-#include "derive/inverse/inverse.h"
-#include "emit/cpp/inverse/frames.h"
 #include "emit/cpp/inverse/scalar_loops.h"
 #include "emit/cpp/inverse/simd_loops.h"
 #include "emit/cpp/inverse/step_code.h"
@@ -18,7 +15,7 @@
 #include "emit/math/describe.h"
 #include "emit/render.h"
 #include "model/evaluate.h"
-#include "model/private_names.h"
+#include "pipeline/products/inverse_derivation.h"
 #include "pipeline/products/inverse_general.h"
 #include "verify/inverse/certify.h"
 #include "verify/inverse/count.h"
@@ -189,25 +186,20 @@ json variant(const model::Robot& described, const emit::InverseArm& arm, const d
 }  // namespace
 
 void generate_inverse(const model::Robot& described, RobotOutput& output) {
-  std::vector<std::string> reasons;
-  if (derive::inverse::lacks_structure(described) && generate_general_inverse(described, reasons, output))
+  const InverseDerivation derivation = derive_inverse(described);
+  if (derivation.general.found) {
+    add_general_inverse(described, derivation.general, output);
     return;
-  const emit::InverseArm arm =
-      emit::inverse_arm(derive::inverse::arm_to_solve(model::with_private_names(described)));
-  json values{{"name", described.name}, {"variants", json::array()}};
-  values["change"] = emit::change_of_arm(arm);
-  for (const auto& derivation :
-       {derive::inverse::derive(arm.robot), derive::inverse::derive_locked(arm.robot)}) {
-    if (derivation.found)
-      values["variants"].push_back(variant(described, arm, derivation.plan, output.counts));
-    reasons.insert(reasons.end(), derivation.reasons.begin(), derivation.reasons.end());
   }
-  if (values["variants"].empty()) {
-    if (generate_general_inverse(described, reasons, output)) return;
-    for (const std::string& reason : reasons)
+  if (!derivation.found()) {
+    for (const std::string& reason : derivation.reasons)
       output.missing.push_back({"inverse", Missing::Kind::not_derived, reason});
     return;
   }
+  json values{{"name", described.name}, {"variants", json::array()}};
+  values["change"] = emit::change_of_arm(derivation.arm);
+  for (const derive::inverse::Plan& plan : derivation.plans)
+    values["variants"].push_back(variant(described, derivation.arm, plan, output.counts));
   output.files.push_back(
       {"include/qvgen/robots/" + described.name + "/inverse.h", emit::render("inverse.h", values)});
   const std::string sources = "source/" + described.name + "/";

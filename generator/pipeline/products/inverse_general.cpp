@@ -3,7 +3,6 @@
 
 #include <qvgen/inverse/general/solve.h>
 
-#include "derive/inverse/general.h"
 #include "emit/cpp/inverse/setup_code.h"
 #include "emit/cpp/template_values.h"
 #include "emit/render.h"
@@ -28,13 +27,8 @@ std::vector<std::vector<double>> rows_of(const Setup& setup, const verify::PoseI
 
 }  // namespace
 
-bool generate_general_inverse(const model::Robot& described, std::vector<std::string>& reasons,
-                              RobotOutput& output) {
-  const derive::inverse::GeneralDerivation derivation = derive::inverse::derive_general(described);
-  if (!derivation.found) {
-    if (!derivation.reason.empty()) reasons.push_back(derivation.reason);
-    return false;
-  }
+void add_general_inverse(const model::Robot& described, const derive::inverse::GeneralDerivation& derivation,
+                         RobotOutput& output) {
   constexpr int certificate_poses = 5;
   const Setup& setup = derivation.setup;
   const auto solver = [&](const verify::PoseInDoubles& pose) { return rows_of(setup, pose); };
@@ -48,7 +42,6 @@ bool generate_general_inverse(const model::Robot& described, std::vector<std::st
       {"include/qvgen/robots/" + described.name + "/inverse.h", emit::render("inverse_general.h", values)});
   output.files.push_back(
       {"source/" + described.name + "/inverse.cpp", emit::render("inverse_general.cpp", values)});
-  return true;
 }
 
 }  // namespace qvgen::pipeline

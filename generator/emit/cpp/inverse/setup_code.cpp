@@ -22,6 +22,7 @@ class Initialiser {
   }
   void close() { token("}"); }
   void comma() { lines_.back() += ","; }
+  /// Entries are of order one: what is this small is the rounding of a zero.
   void number(double x) { token(std::abs(x) < 1e-18 ? "0" : fmt::format("{}", x)); }
   void integer(int x) { token(std::to_string(x)); }
   void text(const std::string& x) { token(x); }

@@ -21,11 +21,12 @@ enum class Status {
 
 /// What a generated inverse kinematics solves.
 struct InverseInfo {
-  int capacity;           ///< the most solutions that a pose can have
-  bool uses_orientation;  ///< false: the position alone is reached
-  int given_joint;        ///< index of the joint whose value the caller gives, -1 for none
-  bool has_lanes;         ///< there is a form that follows several branches at once
-  bool stable_branches;   ///< a branch keeps its number along a path without a singularity
+  int capacity;                 ///< the most solutions that a pose can have
+  bool uses_orientation;        ///< false: the position alone is reached
+  int given_joint;              ///< index of the joint whose value the caller gives, -1 for none
+  bool has_lanes;               ///< there is a form that follows several branches at once
+  bool stable_branches;         ///< a branch keeps its number along a path without a singularity
+  bool by_elimination = false;  ///< no closed form: near singular poses a solution may be missing
 };
 
 /// One row of a solution set.

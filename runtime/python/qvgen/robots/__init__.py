@@ -7,7 +7,8 @@ from .. import _build
 
 
 def __dir__():
-    return sorted(json.loads((_build.generated_folder / "operation_counts.json").read_text()))
+    counts = json.loads((_build.generated_folder / "operation_counts.json").read_text())
+    return sorted(name for name in counts if "/" not in name)  # c/NAME is a robot's C
 
 
 def __getattr__(name):

@@ -21,8 +21,8 @@ struct Limits : JointLimits<dof> {
 using Solutions = qvgen::Solutions<dof, 16>;
 /// At most 16 solutions; what of the pose is used; the joint that the caller gives, -1 for none; has lanes; whether
 /// branches
-/// keep their numbers along a path.
-inline constexpr InverseInfo inverse_info{ 16, true, -1, false, false };
+/// keep their numbers along a path; no closed form.
+inline constexpr InverseInfo inverse_info{ 16, true, -1, false, false, true };
 
 /// All joint values that bring the tool to a pose (position and orientation), angles in (-pi, pi], each once.
 ///
@@ -50,8 +50,8 @@ inline constexpr InverseInfo inverse_info{ 16, true, -1, false, false };
 /// Rows
 /// stand in the order of their joints, a row's branch is its place. Status::incomplete says that a solution may be
 /// missing:
-/// there is a reason to doubt that all have been found. No heap, no exceptions, bounded work. Four angles at a time in
-/// the
+/// there is a reason to doubt that all have been found; near singular poses one may be missing without a word. No heap,
+/// no exceptions, bounded work. Four angles at a time in the
 /// lanes of AVX2 registers, if the machine has them; `form` is for comparisons.
 Solutions inverse_kinematics(const Pose<double>& pose, const Geometry& g = {},
     double tolerance = inverse::default_tolerance, inverse::Form form = inverse::Form::fastest);

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#include "pipeline/products/inverse_derivation.h"
+
+#include "model/private_names.h"
+
+namespace qvgen::pipeline {
+namespace {
+
+void add_closed_forms(const model::Robot& described, InverseDerivation& result) {
+  result.canonical = derive::inverse::arm_to_solve(model::with_private_names(described));
+  result.arm = emit::inverse_arm(result.canonical);
+  const model::Robot& robot = result.arm.robot;
+  for (auto& derivation : {derive::inverse::derive(robot), derive::inverse::derive_locked(robot)}) {
+    if (derivation.found) result.plans.push_back(derivation.plan);
+    result.reasons.insert(result.reasons.end(), derivation.reasons.begin(), derivation.reasons.end());
+  }
+}
+
+void add_elimination(const model::Robot& described, InverseDerivation& result) {
+  result.general = derive::inverse::derive_general(described);
+  if (!result.general.reason.empty()) result.reasons.push_back(result.general.reason);
+}
+
+}  // namespace
+
+InverseDerivation derive_inverse(const model::Robot& described) {
+  InverseDerivation result;
+  const bool is_general = derive::inverse::lacks_structure(described);
+  if (is_general) add_elimination(described, result);
+  if (!result.found()) add_closed_forms(described, result);
+  if (!result.found() && !is_general) add_elimination(described, result);
+  return result;
+}
+
+}  // namespace qvgen::pipeline

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+// What the tool prints of robots, and whether the documents show the same.
+#include <iterator>
+#include <map>
+#include <sstream>
+#include <vector>
+
+#include "command_line.h"
+
+namespace qvgen::test {
+namespace {
+
+TEST_F(CommandLine, SaysWhichFunctionsThereAre) {
+  const std::string file = write("my_arm.toml", good_arm);
+  EXPECT_EQ(run("show my_arm --functions --output " + out()).code, 1);
+  EXPECT_EQ(run("generate " + file + " --only kinematics,dynamics --output " + out()).code, 0);
+  const ToolRun shown = run("show " + file + " --functions --output " + out());
+  EXPECT_EQ(shown.code, 0);
+  EXPECT_TRUE(
+      has(shown, "forward_kinematics\nhomogeneous_transform\nno dynamics: the description gives no mass"))
+      << shown.output;
+}
+
+TEST_F(CommandLine, ShowsTheClosedForm) {
+  const ToolRun text = run("show ss");
+  EXPECT_EQ(text.code, 0);
+  EXPECT_TRUE(has(text, "w = cos((theta4 + theta6)/2)*cos(theta5/2)")) << text.output;
+  const ToolRun latex = run("show ss --latex");
+  EXPECT_TRUE(has(latex, "\\begin{align*}"));
+  EXPECT_TRUE(has(latex, "\\bar{\\theta_{4}}+\\bar{\\theta_{6}}")) << latex.output;
+  EXPECT_EQ(run("show general_6r").code, 1);
+}
+
+TEST_F(CommandLine, ShowsTheDerivationOfTheInverseKinematics) {
+  const ToolRun text = run("show ns --inverse");
+  EXPECT_EQ(text.code, 0);
+  EXPECT_TRUE(has(text, "at most 8 solutions"));
+  EXPECT_TRUE(has(text, "low = sqrt(p_y^2 + p_x^2) - d2"));
+  EXPECT_TRUE(has(text, "N_31 = N_21*cos(theta2/2) - N_23*sin(theta2/2)"));
+  EXPECT_TRUE(has(text, "theta4 = arg u + arg v"));
+  const ToolRun latex = run("show ns --inverse --latex");
+  EXPECT_TRUE(has(latex, "M_i &= Q_i Q_{i+1} \\dots Q_{6} = N_i"));
+  EXPECT_TRUE(has(latex, "\\paragraph{$d_{3}$: foot of the perpendicular and square root, 2 values.}"));
+  EXPECT_FALSE(has(text, "Out of reach"));  // a slide reaches everything
+  EXPECT_TRUE(has(run("show irb6640 --inverse"), "Out of reach, before any branch: no theta3"));
+  const ToolRun none = run("show general_6r --inverse");
+  EXPECT_EQ(none.code, 1);
+  EXPECT_TRUE(has(none, "their axes do not meet in one point"));
+}
+
+TEST_F(CommandLine, ShowsTheEliminationOfAMeasuredArm) {
+  const ToolRun result = run("show --inverse " + write("measured.toml", measured_arm));
+  EXPECT_EQ(result.code, 0);
+  EXPECT_TRUE(has(result, "\nsix joints of any geometry: elimination")) << result.output;
+  EXPECT_TRUE(has(result, "_joint dropped")) << result.output;
+}
+
+TEST_F(CommandLine, SaysHowADerivationCallsTheJoints) {
+  std::string text = good_arm;
+  text.replace(text.find("\"theta2\""), 8, "\"elbow_joint\"");
+  const ToolRun result = run("show --inverse " + write("my_arm.toml", text));
+  EXPECT_EQ(result.code, 0);
+  EXPECT_TRUE(has(result, "below, joint2 stands for elbow_joint")) << result.output;
+  EXPECT_FALSE(has(result, "no inverse kinematics")) << "of an arm that has one\n" << result.output;
+}
+
+TEST_F(CommandLine, ShowsTheFactorsOfTheDeterminant) {
+  const ToolRun two_links = run("show " + write("my_arm.toml", good_arm) + " --singularities");
+  EXPECT_EQ(two_links.code, 0);
+  EXPECT_TRUE(has(two_links, "vx, vy of the Jacobian = l1*l2 f1")) << two_links.output;
+  EXPECT_TRUE(has(two_links, "elbow: f1 = sin(theta2) = 0")) << two_links.output;
+  const ToolRun puma = run("show puma560 --singularities");
+  for (const char* name : {"spherical wrist", "shoulder: f1", "elbow: f2", "wrist: f3 = sin(theta5)"})
+    EXPECT_TRUE(has(puma, name)) << puma.output;
+  EXPECT_TRUE(has(run("show stanford --singularities"), "inner boundary: f2 = d3 = 0"));
+}
+
+TEST_F(CommandLine, PrintsWhatTheReadmeShows) {
+  std::ifstream file(std::string(QVGEN_SOURCE_DIR) + "/runtime/README.md");
+  const std::string readme{std::istreambuf_iterator<char>(file), {}};
+  const ToolRun shown = run("show puma560 --singularities");
+  EXPECT_NE(readme.find("```\n" + shown.output + "```"), std::string::npos) << shown.output;
+}
+
+/// Words of a line, one space between them.
+std::string words(const std::string& line) {
+  std::istringstream stream(line);
+  std::string all;
+  for (std::string word; stream >> word;) all += word + " ";
+  return all;
+}
+
+TEST_F(CommandLine, CountsAreThoseOfTheReadme) {
+  const ToolRun counts = run("counts");
+  std::map<std::string, std::string> lines;  // "robot function" -> line
+  std::istringstream output(counts.output);
+  for (std::string line; std::getline(output, line);) {
+    std::istringstream stream(line);
+    std::string robot, function;
+    if (line.find("  ") != std::string::npos && stream >> robot >> function)
+      lines[robot + " " + function] = words(line);
+  }
+  // Each with the lines that it has at least: a document whose table is not recognised would pass unread.
+  const std::map<std::string, int> documents{
+      {"README.md", 5}, {"runtime/README.md", 20}, {"generator/README.md", 20}};
+  for (const auto& [document, at_least] : documents) {
+    std::ifstream readme(std::string(QVGEN_SOURCE_DIR) + "/" + document);
+    int found = 0;
+    for (std::string line; std::getline(readme, line);) {
+      std::istringstream stream(line);
+      std::string robot, function;
+      stream >> robot >> function;
+      const auto known = lines.find(robot + " " + function);
+      if (known == lines.end()) continue;
+      ++found;
+      EXPECT_EQ(words(line), known->second) << document;
+    }
+    EXPECT_GE(found, at_least) << document;
+  }
+}
+
+TEST_F(CommandLine, SaysWhatHappensWhereAFactorVanishes) {
+  const std::map<std::string, std::vector<std::string>> expected{
+      {"rr_planar",
+       {"theta2 = 0, arm stretched: workspace boundary; theta2 = pi, arm folded: inner boundary"}},
+      {"irb6640", {"the wrist centre on the axis of joint 1", "the axes of joints 4 and 6 in line"}},
+      {"puma560", {"the wrist centre in the plane of the axes of joints 1 and 2"}},
+      {"rx90", {"theta3 = pi/2, arm folded", "theta3 = -pi/2, arm stretched"}},
+      {"rr",
+       {"workspace boundary: f2 = cos(theta3) = 0 (joint 3 moves the wrist centre along the slide of joint "
+        "2)"}},
+      {"rn", {"workspace boundary: f2 = sin(theta3) = 0 (the wrist centre as far along"}},
+      {"ur5",
+       {"the axes of joints 2, 3 and 4 in one plane; theta3 = 0, arm stretched",
+        "the axes of joints 4 and 6 parallel"}}};
+  for (const auto& [robot, texts] : expected) {
+    const ToolRun shown = run("show " + robot + " --singularities");
+    for (const std::string& text : texts) EXPECT_TRUE(has(shown, text)) << text << "\n" << shown.output;
+  }
+}
+
+}  // namespace
+}  // namespace qvgen::test
