@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <utility>
+
 #include <gtest/gtest.h>
 
 #include "passes/search/anneal.h"
+#include "passes/search/operand_order.h"
 #include "passes/search/random.h"
 #include "passes/search/selection_state.h"
 
@@ -43,11 +47,25 @@ Network random_network(std::uint64_t seed, std::uint32_t nodes) {
   return network;
 }
 
+/// By taking away, again and again, all classes whose operands are gone.
+bool is_acyclic(const std::vector<const Choice*>& choices) {
+  std::vector<bool> gone(choices.size());
+  const auto is_ready = [&](const Choice* choice) {
+    bool ready = true;
+    for (std::uint32_t i = 0; choice != nullptr && i < choice->operand_count; ++i)
+      ready = ready && gone[choice->operands[i]];
+    return ready;
+  };
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (std::size_t node = 0; node < choices.size(); ++node)
+      if (!gone[node] && is_ready(choices[node])) gone[node] = changed = true;
+  }
+  return std::find(gone.begin(), gone.end(), false) == gone.end();
+}
+
 bool is_acyclic(const Network& network, const Selection& selection) {
-  SelectionState state(network, selection);
-  for (std::uint32_t node = 0; node < network.size(); ++node)
-    if (state.on_cycle(node)) return false;
-  return true;
+  return is_acyclic(SelectionState(network, selection).choices());
 }
 
 TEST(SelectionState, CostFollowsEverySwitchAndItsUndoing) {
@@ -61,7 +79,7 @@ TEST(SelectionState, CostFollowsEverySwitchAndItsUndoing) {
       const std::uint32_t node = random.below(network.size());
       history.emplace_back(node, state.selection()[node]);
       state.select(node, random.below(network.choice_count(node)));
-      if (state.on_cycle(node)) {
+      if (!is_acyclic(state.choices())) {
         state.select(node, history.back().second);
         history.pop_back();
       }
@@ -69,6 +87,48 @@ TEST(SelectionState, CostFollowsEverySwitchAndItsUndoing) {
     }
     for (; !history.empty(); history.pop_back()) state.select(history.back().first, history.back().second);
     EXPECT_EQ(state.cost(), start);
+  }
+}
+
+/// Also of choices that are refused, and of classes that have lost theirs.
+TEST(OperandOrder, RefusesExactlyTheChoicesThatCloseACycle) {
+  int refused = 0, taken = 0;
+  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+    const Network network = random_network(seed, 40);
+    std::vector<const Choice*> choices = SelectionState(network, Selection(network.size(), 0)).choices();
+    OperandOrder order(choices);
+    Random random(seed);
+    for (int i = 0; i < 500; ++i) {
+      const std::uint32_t node = random.below(network.size());
+      const Choice& next = network.choices[network.first[node] + random.below(network.choice_count(node))];
+      if (random.chance(64)) {
+        order.clear(node);
+        choices[node] = nullptr;
+      }
+      const Choice* before = std::exchange(choices[node], &next);
+      const bool expected = is_acyclic(choices);
+      if (!expected) choices[node] = before;
+      ASSERT_EQ(order.assign(node, next), expected) << "seed " << seed << ", change " << i;
+      (expected ? taken : refused)++;
+    }
+  }
+  EXPECT_GT(refused, 1000);
+  EXPECT_GT(taken, 1000);
+}
+
+/// So often at one place that no label is left between two others.
+TEST(OperandOrder, FindsRoomForEver) {
+  Network network;
+  network.choices = {choice(0, {}), choice(1, {0}), choice(1, {1})};
+  OperandOrder order({nullptr, nullptr, nullptr});
+  for (int i = 0; i < 200; ++i) {
+    EXPECT_TRUE(order.assign(2, network.choices[2]));
+    EXPECT_TRUE(order.assign(1, network.choices[1]));
+    EXPECT_FALSE(order.assign(0, network.choices[2]));
+    order.clear(1);
+    order.clear(2);
+    EXPECT_TRUE(order.assign(0, network.choices[2]));
+    order.clear(0);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 
+#include "passes/search/operand_order.h"
 #include "passes/search/random.h"
 #include "passes/search/selection_state.h"
 
@@ -41,7 +42,7 @@ class Cooling {
 class Step {
  public:
   Step(const Network& network, SelectionState& state, Random& random)
-      : network_(network), state_(state), random_(random) {}
+      : network_(network), state_(state), order_(state.choices()), random_(random) {}
 
   void propose() {
     const std::uint32_t wanted = 1U + (random_.chance(102) ? 1U : 0U) + (random_.chance(51) ? 1U : 0U) +
@@ -49,16 +50,16 @@ class Step {
     count_ = 0;
     for (std::uint32_t i = 0; i < wanted && !state_.candidates().empty(); ++i) change(pick());
   }
-  bool closes_cycle() {
-    for (std::uint32_t i = 0; i < count_; ++i)
-      if (state_.on_cycle(changes_[i].node)) return true;
+  /// Goes on from the switched classes unless they close a cycle.
+  bool accept() {
+    if (order()) return true;
+    undo();
+    // The choices before are without a cycle.
+    static_cast<void>(order());
     return false;
   }
   void undo() {
-    while (count_ > 0) {
-      const Change& last = changes_[--count_];
-      state_.select(last.node, last.before);
-    }
+    for (std::uint32_t i = count_; i-- > 0;) state_.select(changes_[i].node, changes_[i].before);
   }
 
  private:
@@ -83,8 +84,18 @@ class Step {
     state_.select(node, (before + 1 + random_.below(count - 1)) % count);
   }
 
+  /// The switched classes among their operands and users; all lose their operands first, since one may break
+  /// the cycle that another closes.
+  bool order() {
+    for (std::uint32_t i = 0; i < count_; ++i) order_.clear(changes_[i].node);
+    for (std::uint32_t i = 0; i < count_; ++i)
+      if (!order_.assign(changes_[i].node, state_.chosen(changes_[i].node))) return false;
+    return true;
+  }
+
   const Network& network_;
   SelectionState& state_;
+  OperandOrder order_;
   Random& random_;
   std::array<Change, 4> changes_{};
   std::uint32_t count_ = 0;
@@ -107,9 +118,9 @@ Selection anneal(const Network& network, const Selection& start, const Schedule&
     const std::int64_t before = state.cost();
     const std::int64_t allowed = (cooling.at(i) * random.exponential()) >> 16U;
     step.propose();
-    if (state.cost() - before > allowed || step.closes_cycle()) {
+    if (state.cost() - before > allowed) {
       step.undo();
-    } else if (state.cost() < best_cost) {
+    } else if (step.accept() && state.cost() < best_cost) {
       best_cost = state.cost();
       best = state.selection();
     }

@@ -8,31 +8,42 @@ namespace qvgen::passes::search_detail {
 SelectionState::SelectionState(const Network& network, Selection selection)
     : network_(network),
       selection_(std::move(selection)),
-      references_(network.size(), 0),
-      angle_references_(network.angle_costs.size(), 0),
-      place_(network.size(), 0),
-      visited_(network.size(), 0) {
+      uses_(network.size()),
+      angle_references_(network.angle_costs.size(), 0) {
+  for (std::uint32_t node = 0; node < network.size(); ++node) {
+    const std::uint32_t count = network.choice_count(node);
+    if (count > 0) uses_[node].chosen = &network.choices[network.first[node] + selection_[node]];
+    uses_[node].has_alternatives = count > 1;
+  }
   for (const std::uint32_t output : network.outputs) acquire(output);
 }
 
+std::vector<const Choice*> SelectionState::choices() const {
+  std::vector<const Choice*> result;
+  for (const Use& use : uses_) result.push_back(use.chosen);
+  return result;
+}
+
 void SelectionState::acquire(std::uint32_t node) {
-  if (references_[node]++ != 0) return;
-  if (network_.choice_count(node) > 1) {
-    place_[node] = static_cast<std::uint32_t>(candidates_.size());
+  Use& use = uses_[node];
+  if (use.references++ != 0) return;
+  if (use.has_alternatives) {
+    use.place = static_cast<std::uint32_t>(candidates_.size());
     candidates_.push_back(node);
   }
-  acquire_operands(chosen(node));
+  acquire_operands(*use.chosen);
 }
 
 void SelectionState::release(std::uint32_t node) {
-  if (--references_[node] != 0) return;
-  if (network_.choice_count(node) > 1) {
+  Use& use = uses_[node];
+  if (--use.references != 0) return;
+  if (use.has_alternatives) {
     const std::uint32_t last = candidates_.back();
-    candidates_[place_[node]] = last;
-    place_[last] = place_[node];
+    candidates_[use.place] = last;
+    uses_[last].place = use.place;
     candidates_.pop_back();
   }
-  release_operands(chosen(node));
+  release_operands(*use.chosen);
 }
 
 void SelectionState::acquire_operands(const Choice& choice) {
@@ -54,28 +65,13 @@ void SelectionState::release_operands(const Choice& choice) {
 }
 
 void SelectionState::select(std::uint32_t node, std::uint32_t choice) {
-  const Choice& before = chosen(node);
+  Use& use = uses_[node];
+  const Choice& before = *use.chosen;
   selection_[node] = choice;
-  if (references_[node] == 0) return;
-  acquire_operands(chosen(node));
+  use.chosen = &network_.choices[network_.first[node] + choice];
+  if (use.references == 0) return;
+  acquire_operands(*use.chosen);
   release_operands(before);
-}
-
-bool SelectionState::on_cycle(std::uint32_t node) {
-  ++visit_;
-  stack_.assign(1, node);
-  while (!stack_.empty()) {
-    const Choice& choice = chosen(stack_.back());
-    stack_.pop_back();
-    for (std::uint32_t i = 0; i < choice.operand_count; ++i) {
-      const std::uint32_t operand = choice.operands[i];
-      if (operand == node) return true;
-      if (visited_[operand] == visit_) continue;
-      visited_[operand] = visit_;
-      stack_.push_back(operand);
-    }
-  }
-  return false;
 }
 
 }  // namespace qvgen::passes::search_detail

@@ -9,9 +9,6 @@
 namespace qvgen::passes::search_detail {
 
 /// A selection with the reference counts of the classes it uses, and their cost.
-///
-/// The graph of all selected choices, used or not, is kept acyclic by the caller: then switching one class
-/// can close a cycle only through that class.
 class SelectionState {
  public:
   SelectionState(const Network& network, Selection selection);
@@ -20,14 +17,20 @@ class SelectionState {
   [[nodiscard]] const Selection& selection() const { return selection_; }
   /// Classes in use that have more than one choice.
   [[nodiscard]] const std::vector<std::uint32_t>& candidates() const { return candidates_; }
-  [[nodiscard]] const Choice& chosen(std::uint32_t node) const {
-    return network_.choices[network_.first[node] + selection_[node]];
-  }
+  [[nodiscard]] const Choice& chosen(std::uint32_t node) const { return *uses_[node].chosen; }
   void select(std::uint32_t node, std::uint32_t choice);
-  /// Whether the class needs its own value.
-  [[nodiscard]] bool on_cycle(std::uint32_t node);
+  /// Of each class the choice it takes, null for classes without.
+  [[nodiscard]] std::vector<const Choice*> choices() const;
 
  private:
+  /// Kept together, since a switch of one class visits many.
+  struct Use {
+    const Choice* chosen = nullptr;
+    std::uint32_t references = 0;
+    std::uint32_t place = 0;  ///< among the candidates
+    bool has_alternatives = false;
+  };
+
   void acquire(std::uint32_t node);
   void release(std::uint32_t node);
   void acquire_operands(const Choice& choice);
@@ -35,10 +38,9 @@ class SelectionState {
 
   const Network& network_;
   Selection selection_;
-  std::vector<std::uint32_t> references_, angle_references_;
-  std::vector<std::uint32_t> candidates_, place_;
-  std::vector<std::uint32_t> visited_, stack_;
-  std::uint32_t visit_ = 0;
+  std::vector<Use> uses_;
+  std::vector<std::uint32_t> angle_references_;
+  std::vector<std::uint32_t> candidates_;
   std::int64_t cost_ = 0;
 };
 
