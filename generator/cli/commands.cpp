@@ -2,12 +2,12 @@
 #include "cli/commands.h"
 
 #include <algorithm>
-#include <utility>
 
 #include <fmt/format.h>
 
 #include "description/reader.h"
 #include "description/write.h"
+#include "emit/math/ability.h"
 #include "emit/math/closed_form.h"
 #include "emit/math/describe.h"
 #include "emit/math/dynamics_closed_form.h"
@@ -100,16 +100,23 @@ int show_dynamics(const model::Robot& robot) {
   return success;
 }
 
+void show_closed_form(const model::Robot& described, const derive::inverse::Derivation& derivation,
+                      emit::Notation notation) {
+  const derive::inverse::Problem& problem = derivation.problem;
+  fmt::print("{}\n\n", emit::ability(described, derivation));
+  for (const std::string& line : emit::legend(described, {problem.moving, problem.phases}))
+    fmt::print("{}\n", line);
+  std::vector<std::string> variables;
+  for (const model::Joint& joint : problem.robot.joints) variables.push_back(joint.variable);
+  for (const std::string& line : describe(lower(derivation.plan), variables, notation))
+    fmt::print("{}\n", line);
+}
+
 int show_inverse(const model::Robot& described, emit::Notation notation) {
   const pipeline::InverseDerivation derivation = pipeline::derive_inverse(described);
   if (derivation.general.found)
     for (const std::string& line : describe_general(described, derivation.general)) fmt::print("{}\n", line);
-  if (!derivation.plans.empty())
-    for (const std::string& line : emit::legend(described, derivation.canonical)) fmt::print("{}\n", line);
-  std::vector<std::string> variables;
-  for (const model::Joint& joint : derivation.arm.robot.joints) variables.push_back(joint.variable);
-  for (const derive::inverse::Plan& plan : derivation.plans)
-    for (const std::string& line : describe(lower(plan), variables, notation)) fmt::print("{}\n", line);
+  for (const auto& form : derivation.closed_forms) show_closed_form(described, form, notation);
   if (derivation.found()) return success;
   for (const std::string& reason : derivation.reasons)
     fmt::print(stderr, "{}: no inverse kinematics: {}\n", described.name, reason);

@@ -12,6 +12,7 @@
 #include "description/names.h"
 #include "description/physics.h"
 #include "description/plain_text.h"
+#include "description/request.h"
 #include "description/size_limits.h"
 #include "description/symbols.h"
 #include "description/xml/reader.h"
@@ -84,13 +85,15 @@ void read_chain(const Table& root, const FreeParameters& free, model::Robot& rob
 model::Robot read_robot(const Table& root) {
   Context& context = root.context();
   root.allow_only({"name", "title", "source", "symbols", "inertia", "drives", "accept_unphysical_inertia",
-                   "base", "tool", "defaults", "joint", "convention", "dh", "home", "screw"});
+                   "base", "tool", "defaults", "joint", "convention", "dh", "home", "screw", "task",
+                   "tool_axis", "given"});
   model::Robot robot;
   read_name(root, robot);
   robot.base = read_frame(root, "base");
   robot.tool = read_frame(root, "tool");
   read_chain(root, read_free_parameters(root), robot);
   check_count(root, robot);
+  read_request(root, robot);
   resolve_symbols(root, robot);
   const bool accept_inertia = root.boolean("accept_unphysical_inertia").value_or(false);
   check_default_values(context, robot);

@@ -47,7 +47,9 @@ Robot with_private_names(const Robot& robot) {
     joint.before = marked(joint.before);
     joint.axis = marked(joint.axis);
     joint.after = marked(joint.after);
-    if (!keep) joint.variable = "joint" + std::to_string(i + 1);
+    if (keep) continue;
+    joint.variable = "joint" + std::to_string(i + 1);
+    if (robot.inverse.given == robot.joints[i].variable) result.inverse.given = joint.variable;
   }
   return result;
 }

@@ -66,6 +66,23 @@ struct Parameter {
   std::optional<Expression> default_value;
 };
 
+/// What inverse kinematics asks of the tool. The reduced ones are for arms that cannot follow a whole pose.
+enum class Task {
+  pose,                    ///< position and orientation
+  position,                ///< of the tool point; the orientation follows
+  position_and_direction,  ///< the tool point, and where one axis of the tool points
+  position_and_yaw,        ///< the tool point, and the turn about the direction that all axes have
+  direction,               ///< where one axis of the tool points; the position follows
+  orientation              ///< the position follows
+};
+
+/// What a description says about its inverse kinematics; what it leaves open is derived from the arm.
+struct InverseRequest {
+  std::optional<Task> task;
+  std::optional<Vector3> tool_axis;  ///< unit vector in the tool's frame, for tasks with a direction
+  std::optional<std::string> given;  ///< variable of the joint whose value the caller gives
+};
+
 /// A validated kinematic chain, base to tool. Immutable once a reader has built it.
 struct Robot {
   std::string name;  ///< a C++ identifier, lower case: the namespace of the generated code
@@ -78,6 +95,7 @@ struct Robot {
   Displacement tool;  ///< last link frame -> tool
   /// Symbols that stand for expressions in other symbols; none in what a reader builds.
   std::map<std::string, Expression> definitions;
+  InverseRequest inverse;
 };
 
 /// The symbols in the frames, axes and offsets of a robot, sorted, each once.

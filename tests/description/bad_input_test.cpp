@@ -204,6 +204,16 @@ TEST(BadInput, JointCount) {
   EXPECT_EQ(report(many), lines({"67:1: error: 17 joints are too many; a robot has at most 16 joints"}));
 }
 
+TEST(BadInput, Tasks) {
+  EXPECT_EQ(report(head + "task = \"positon\"\n" + joint),
+            lines({"3:8: error: unknown task 'positon'; did you mean 'position'?"}));
+  EXPECT_EQ(report(head + "given = \"t2\"\n" + joint),
+            lines({"3:9: error: 'given' names no joint: 't2'; did you mean 't1'?"}));
+  EXPECT_EQ(report(head + "tool_axis = \"+w\"\n" + joint),
+            lines({"3:13: error: '+w' is no axis; write \"+x\", \"-x\", \"+y\", \"-y\", \"+z\" or \"-z\", or "
+                   "three entries [x, y, z]"}));
+}
+
 TEST(BadInput, JointTypes) {
   EXPECT_EQ(report(head + "[[joint]]\ntype = \"revolut\"\naxis = \"+z\"\nvariable = \"t1\"\n"),
             lines({"4:8: error: unknown joint type 'revolut'; did you mean \"revolute\"?"}));

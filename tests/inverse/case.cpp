@@ -12,20 +12,39 @@ Eigen::VectorXd Case::joints() {
   return Eigen::VectorXd::NullaryExpr(robot_.dof, [this] { return uniform(-pi, pi); });
 }
 
+bool Case::asks_position() const {
+  return robot_.info.task != Task::direction && robot_.info.task != Task::orientation;
+}
+
+bool Case::asks_orientation() const {
+  return robot_.info.task == Task::pose || robot_.info.task == Task::position_and_yaw ||
+         robot_.info.task == Task::orientation;
+}
+
+bool Case::asks_direction() const {
+  return robot_.info.task == Task::direction || robot_.info.task == Task::position_and_direction;
+}
+
+Eigen::Vector3d Case::tool_axis() const { return Eigen::Vector3d(robot_.info.tool_axis); }
+
 Case::Miss Case::miss(const Eigen::VectorXd& q, const Eigen::Isometry3d& target) const {
   const Eigen::Isometry3d reached = tool(q);
-  Miss result{(reached.translation() - target.translation()).norm(), 0};
+  Miss result;
+  if (asks_position()) result.position = (reached.translation() - target.translation()).norm();
   // |R - R'| = 2 sqrt(2) sin(angle/2): no loss of digits at small angles, unlike the trace.
   const double gap = (reached.linear() - target.linear()).norm();
-  if (robot_.info.uses_orientation) result.orientation = 2 * std::asin(std::min(1.0, gap / std::sqrt(8.0)));
+  if (asks_orientation()) result.orientation = 2 * std::asin(std::min(1.0, gap / std::sqrt(8.0)));
+  if (asks_direction()) result.orientation = ((reached.linear() - target.linear()) * tool_axis()).norm();
   return result;
 }
 
 Eigen::VectorXd Case::residual(const Eigen::VectorXd& q, const Eigen::Isometry3d& target) const {
   const Eigen::Isometry3d reached = tool(q);
-  Eigen::VectorXd result(robot_.info.uses_orientation ? 6 : 3);
-  result.head<3>() = target.translation() - reached.translation();
-  if (!robot_.info.uses_orientation) return result;
+  Eigen::VectorXd result(3 * parts());
+  if (asks_position()) result.head<3>() = target.translation() - reached.translation();
+  if (asks_direction())
+    result.tail<3>() = reached.linear().transpose() * (target.linear() - reached.linear()) * tool_axis();
+  if (!asks_orientation()) return result;
   const Eigen::AngleAxisd turn(target.linear() * reached.linear().transpose());
   result.tail<3>() = turn.angle() * turn.axis();
   return result;
@@ -47,11 +66,18 @@ Eigen::VectorXd Case::difference(const Eigen::VectorXd& a, const Eigen::VectorXd
 
 Eigen::MatrixXd Case::jacobian(const Eigen::VectorXd& q) const {
   const Eigen::MatrixXd full = reference::jacobian(chain_, q);
-  Eigen::MatrixXd result(robot_.info.uses_orientation ? 6 : 3, 0);
+  const Eigen::Matrix3d to_tool = tool(q).linear().transpose();
+  Eigen::MatrixXd result(3 * parts(), 0);
   for (int i = 0; i < dof(); ++i) {
     if (i == robot_.info.given_joint) continue;
+    Eigen::VectorXd column(result.rows());
+    if (asks_position()) column.head<3>() = full.col(i).head<3>();
+    if (asks_orientation()) column.tail<3>() = full.col(i).tail<3>();
+    // In the tool's frame, where nothing moves along the axis.
+    if (asks_direction())
+      column.tail<3>() = Eigen::Vector3d(to_tool * full.col(i).tail<3>()).cross(tool_axis());
     result.conservativeResize(Eigen::NoChange, result.cols() + 1);
-    result.col(result.cols() - 1) = full.col(i).head(result.rows());
+    result.col(result.cols() - 1) = column;
   }
   return result;
 }

@@ -41,9 +41,11 @@ class Case {
     return robot_.solve(Pose<double>::from_isometry(tool(q)), given(q), inverse::default_tolerance);
   }
 
+  [[nodiscard]] bool asks_position() const;
+
   struct Miss {
     double position = 0;     ///< m
-    double orientation = 0;  ///< rad; 0 if the solver leaves the orientation out
+    double orientation = 0;  ///< rad; 0 if the solver leaves it out
     [[nodiscard]] double largest() const { return std::max(position, orientation); }
   };
   [[nodiscard]] Miss miss(const Eigen::VectorXd& q, const Eigen::Isometry3d& target) const;
@@ -63,6 +65,14 @@ class Case {
   [[nodiscard]] Eigen::VectorXd moved(const Eigen::VectorXd& q, const Eigen::VectorXd& step) const;
 
  private:
+  [[nodiscard]] bool asks_orientation() const;
+  [[nodiscard]] bool asks_direction() const;
+  [[nodiscard]] Eigen::Vector3d tool_axis() const;
+  /// Of the residual, three rows each.
+  [[nodiscard]] int parts() const {
+    return (asks_position() ? 1 : 0) + (asks_orientation() || asks_direction() ? 1 : 0);
+  }
+
   InverseUnderTest robot_;
   reference::Chain chain_;
   std::mt19937_64 random_{20070711};

@@ -51,7 +51,9 @@ TEST_P(InverseEffort, NoPoseNeedsAllThatIsAllowed) {
 TEST_P(InverseEffort, ARegularPoseNeedsNone) {
   const Cost found = cost(pose_set("random"), 200);
   EXPECT_EQ(found.poses, 200);
-  EXPECT_LE(found.steps, 200);
+  // A whole pose of an arm that is asked for less: each row is looked at.
+  const int looks = GetParam().info.task == Task::position_and_yaw ? GetParam().info.capacity : 0;
+  EXPECT_LE(found.steps, 200 * (1 + looks));
 }
 
 /// Poses that have taken a hand-written bound's time a thousandfold: joints, and evaluations of the Jacobian.

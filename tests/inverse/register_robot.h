@@ -31,12 +31,14 @@ template <class Arm>
 bool register_inverse() {
   // The given joint's value stands behind the pose, if there is such a joint.
   const auto solve = [](double given, const auto& pose, const auto&... rest) {
+    const auto task = asked<Arm::info.task>(pose, Arm::info);
     if constexpr (Arm::info.given_joint >= 0)
-      return copy(Arm::inverse(pose, given, rest...));
+      return copy(Arm::inverse(task, given, rest...));
     else
-      return copy(Arm::inverse(pose, rest...));
+      return copy(Arm::inverse(task, rest...));
   };
-  const auto of_matrix = [](double given, const Eigen::Matrix3d& rotation, const Eigen::Vector3d& position) {
+  [[maybe_unused]] const auto of_matrix = [](double given, const Eigen::Matrix3d& rotation,
+                                             const Eigen::Vector3d& position) {
     if constexpr (Arm::info.given_joint >= 0)
       return copy(Arm::inverse(rotation, position, given));
     else
@@ -51,8 +53,18 @@ bool register_inverse() {
                              const reference::Values& values) {
     return solve(given, pose, typename Arm::Joints(seed), geometry_of<Arm>(values));
   };
-  functions.solve_matrix = [=](const Eigen::Matrix3d& rotation, const Eigen::Vector3d& position,
-                               double given) { return of_matrix(given, rotation, position); };
+  constexpr bool takes_poses = Arm::info.task == Task::pose || Arm::info.task == Task::position;
+  if constexpr (takes_poses) {
+    functions.solve_matrix = [=](const Eigen::Matrix3d& rotation, const Eigen::Vector3d& position,
+                                 double given) { return of_matrix(given, rotation, position); };
+  } else {
+    functions.solve_pose = [](const Pose<double>& pose, double tolerance) {
+      return copy(Arm::inverse(pose, typename Arm::Geometry{}, tolerance));
+    };
+    functions.solve_pose_from = [](const Pose<double>& pose, const Eigen::VectorXd& seed) {
+      return copy(Arm::inverse(pose, typename Arm::Joints(seed)));
+    };
+  }
   functions.solve_within = [=](const Pose<double>& pose, double given, const Eigen::VectorXd& lower,
                                const Eigen::VectorXd& upper) {
     return solve(given, pose, JointLimits<Arm::dof>{lower, upper});

@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 #include <qvgen/inverse/scalar.h>
 #include <qvgen/inverse/solutions.h>
+#include <qvgen/inverse/tasks.h>
 #include <qvgen/pose.h>
 
 #include "reference/expression.h"
@@ -47,7 +48,28 @@ struct InverseFunctions {
       solve_within;
   std::function<Found(const Pose<double>&, double given, double tolerance, const reference::Values&)>
       solve_scalar = {};
+  /// Of arms that are asked for less than a pose: the whole pose, with and without a seed.
+  std::function<Found(const Pose<double>&, double tolerance)> solve_pose = {};
+  std::function<Found(const Pose<double>&, const Eigen::VectorXd& seed)> solve_pose_from = {};
 };
+
+/// What a robot's main entry takes for a pose: not a number where the pose is invalid, which a task would
+/// hide.
+template <Task task>
+auto asked(const Pose<double>& pose, const InverseInfo& info) {
+  const bool valid = pose.position.allFinite() && std::abs(pose.orientation.squaredNorm() - 1) < 1e-3;
+  const double scale = valid ? 1 : std::numeric_limits<double>::quiet_NaN();
+  [[maybe_unused]] const Eigen::Vector3d direction =
+      scale * (pose.normalised().orientation * Eigen::Vector3d(info.tool_axis));
+  if constexpr (task == Task::position_and_direction)
+    return PositionAndDirection<double>{pose.position, direction};
+  else if constexpr (task == Task::direction)
+    return Direction<double>{direction};
+  else if constexpr (task == Task::orientation)
+    return Eigen::Quaterniond(Eigen::Vector4d(scale * pose.orientation.coeffs()));
+  else
+    return pose;
+}
 
 /// The generated inverse kinematics of one robot behind one type.
 struct InverseUnderTest {

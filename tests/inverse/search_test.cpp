@@ -33,7 +33,10 @@ TEST_P(InverseSearch, ConfirmsTheBranches) {
   const int poses = std::clamp(pose_count() / 50, 10, 1000);
   const std::size_t claimed = static_cast<std::size_t>(GetParam().info.capacity);
   std::size_t most = 0;
-  for (int i = 0; i < 20 * poses && (i < poses || most < claimed) && !HasFailure(); ++i) {
+  // Of a pose that fixes more than the joints, some branches are never left.
+  const bool fixes_more = GetParam().dof == 5 ? GetParam().info.task != Task::position_and_direction
+                                              : GetParam().dof == 4 && GetParam().info.task == Task::pose;
+  for (int i = 0; i < (fixes_more ? 1 : 20) * poses && (i < poses || most < claimed) && !HasFailure(); ++i) {
     // Some branches exist for some lengths only.
     if (i % 10 == 5) change_geometry();
     const Sample sample = sample_at(test(), test().joints());
@@ -48,7 +51,7 @@ TEST_P(InverseSearch, ConfirmsTheBranches) {
     most = std::max(most, ends.size());
   }
   // Sixteen is what any six joints may have; few arms without structure do.
-  if (is_general())
+  if (is_general() || fixes_more)
     EXPECT_LE(most, claimed);
   else
     EXPECT_EQ(most, claimed);

@@ -4,6 +4,7 @@
 #include <array>
 #include <random>
 
+#include "cut_arms.h"
 #include "other_zeros.h"
 #include "sliding_arms.h"
 #include "twisted_arms.h"
@@ -194,7 +195,25 @@ std::string parallel_description(std::uint32_t seed) {
   return Writer(arm_name("parallel", seed), seed).parallel_axes();
 }
 
+namespace {
+
+constexpr std::array<const char*, 16> codes{"cc", "cn", "cr", "cs", "nc", "nn", "nr", "ns",
+                                            "rc", "rn", "rr", "rs", "sc", "sn", "sr", "ss"};
+
+/// Arms with five joints, or four, of arms with six; every sixteenth turn the codes are a joint shorter.
+std::string fewer(const std::string& family, std::uint32_t seed) {
+  const std::string name = arm_name(family, seed);
+  if (family == "codes")
+    return cut_arm(committed(codes[(5 * seed) % codes.size()]), 2 + static_cast<int>((seed + seed / 4) % 4),
+                   name);
+  const std::string whole = seed % 3 == 2 ? parallel_description(seed) : pieper_description(seed);
+  return cut_arm(whole, family == "five" ? 5 : 4, name);
+}
+
+}  // namespace
+
 std::string arm_description(const std::string& family, std::uint32_t seed) {
+  if (family == "five" || family == "four" || family == "codes") return fewer(family, seed);
   if (family == "slides") return sliding_arm(arm_name(family, seed), seed);
   if (family == "twists") return twisted_arm(arm_name(family, seed), seed);
   if (family == "zeros")

@@ -9,8 +9,8 @@ namespace qvgen::test {
 /// "pieper_007", "parallel_007", "slides_001"
 std::string arm_name(const std::string& family, std::uint32_t seed);
 
-/// Of a family "pieper" or "parallel", or the arm of that number in sliding_arms.h, twisted_arms.h or
-/// other_zeros.h.
+/// Of a family "pieper" or "parallel", the same cut to "five" or "four" joints, one of the sixteen "codes"
+/// cut to two to five, or the arm of that number in sliding_arms.h, twisted_arms.h or other_zeros.h.
 std::string arm_description(const std::string& family, std::uint32_t seed);
 
 /// The description of a random arm of six joints, three consecutive of them revolute with axes through one

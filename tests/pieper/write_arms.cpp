@@ -34,10 +34,11 @@ namespace {
 namespace @NAME@ {
 namespace robot = qvgen::robots::@NAME@;
 using Pose = qvgen::Pose<double>;
+using qvgen::test::asked;
 using qvgen::test::copy;
 const bool registered = qvgen::test::add_inverse({"@NAME@", "@DESCRIPTION@", robot::dof, robot::inverse_info, {}, {
-    [](const Pose& pose, double, double tolerance, const reference::Values&) { return copy(robot::inverse_kinematics(pose, robot::Geometry{}, tolerance)); },
-    [](const Pose& pose, double, const Eigen::VectorXd& seed, const reference::Values&) { return copy(robot::inverse_kinematics(pose, robot::JointVector<double>(seed))); },
+    [](const Pose& pose, double, double tolerance, const reference::Values&) { return copy(robot::inverse_kinematics(asked<robot::inverse_info.task>(pose, robot::inverse_info), robot::Geometry{}, tolerance)); },
+    [](const Pose& pose, double, const Eigen::VectorXd& seed, const reference::Values&) { return copy(robot::inverse_kinematics(asked<robot::inverse_info.task>(pose, robot::inverse_info), robot::JointVector<double>(seed))); },
     {}, {}}});
 }
 }

@@ -27,15 +27,16 @@ Program falsified(const Program& program, const std::string& name) {
   return result;
 }
 
-void certify(const model::Robot& robot, const Plan& plan) {
-  verify::certify_inverse(robot, derive::inverse::lower(plan), 2);
+void certify(const derive::inverse::Problem& problem, const Plan& plan) {
+  verify::certify_inverse(problem.robot, derive::inverse::lower(plan), 2, problem.task);
 }
 
 class InverseCertificate : public testing::TestWithParam<std::string> {};
 
 TEST_P(InverseCertificate, RefusesAWrongEquation) {
-  const model::Robot arm = robot(GetParam());
-  const Plan plan = derive::inverse::derive(arm).plan;
+  const derive::inverse::Derivation derivation = derive::inverse::derive(robot(GetParam()));
+  const derive::inverse::Problem& arm = derivation.problem;
+  const Plan& plan = derivation.plan;
   EXPECT_NO_THROW(certify(arm, plan));
   Plan wrong = plan;
   for (derive::inverse::Step& step : wrong.steps)
@@ -44,8 +45,9 @@ TEST_P(InverseCertificate, RefusesAWrongEquation) {
 }
 
 TEST_P(InverseCertificate, RefusesAWrongRangeTest) {
-  const model::Robot arm = robot(GetParam());
-  Plan plan = derive::inverse::derive(arm).plan;
+  const derive::inverse::Derivation derivation = derive::inverse::derive(robot(GetParam()));
+  const derive::inverse::Problem& arm = derivation.problem;
+  Plan plan = derivation.plan;
   ASSERT_TRUE(plan.range_test.exists());
   const Program right = plan.range_test.values;
   for (const char* output : {"middle", "swing"}) {

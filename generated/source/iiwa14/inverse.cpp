@@ -16,26 +16,26 @@ namespace qvgen::robots::iiwa14 {
 namespace detail::given_theta3 {
 namespace {
 
+using Rows = qvgen::Solutions<7, 8>;
+
 /// All of a target that the pose does not say.
-Target given([[maybe_unused]] const Geometry& g, double tolerance, const inverse::Preference<dof>& preference,
-    double locked) {
+Target given([[maybe_unused]] const Geometry& g, double tolerance, const inverse::Preference<7>& preference,
+    double given_theta3) {
   Target t;
   t.tolerance = tolerance;
   t.preference = &preference;
-  t.lock(locked);
-
+  t.geometry.given_ = given_theta3;
   return t;
 }
 
 /// All branches, one after the other. Returns whether rounding has decided nothing, of a valid pose.
-[[gnu::flatten, gnu::noinline]] bool solve_one_by_one(inverse::PoseNumbers pose, const Target& given,
-    SolutionsGiven_theta3& found) {
+[[gnu::flatten, gnu::noinline]] bool solve_one_by_one(inverse::PoseNumbers pose, const Target& given, Rows& found) {
   Target t = given;
   if (const inverse::Outlook outlook =
       look_at(pose, t); outlook != inverse::Outlook::open) return outlook == inverse::Outlook::unreachable;
   Work<double> w;
-  JointVector<double> q;
-  q[2] = t.locked;
+  qvgen::Joints<7> q;
+  q[2] = t.geometry.given_;
   const inverse::Branch<double> above0 = w.branch;
   for (int k0 = 0; k0 < 2; ++k0) {
     w.branch.resume(above0);
@@ -74,11 +74,10 @@ using Tracker = inverse::BranchTracker<double, 3, 4>;
 
 /// One pass near singular poses: every branch that may exist at one target, its joints polished by Newton steps towards
 /// another. Returns whether an angle was free.
-[[gnu::noinline]] bool follow_near_singular(const Target& t, const Target& goal, Tracker& tracker,
-    SolutionsGiven_theta3& found) {
+[[gnu::noinline]] bool follow_near_singular(const Target& t, const Target& goal, Tracker& tracker, Rows& found) {
   Work<double> w;
-  JointVector<double> q;
-  q[2] = t.locked;
+  qvgen::Joints<7> q;
+  q[2] = t.geometry.given_;
   const inverse::Branch<double> above0 = w.branch;
   for (int k0 = 0; k0 < 2; ++k0) {
     w.branch.resume(above0);
@@ -114,8 +113,7 @@ using Tracker = inverse::BranchTracker<double, 3, 4>;
   return w.branch.doubtful;
 }
 
-[[gnu::noinline]] void solve_near_singular(const Pose<double>& pose, const Target& given,
-    SolutionsGiven_theta3& found) {
+[[gnu::noinline]] void solve_near_singular(const Pose<double>& pose, const Target& given, Rows& found) {
   found.clear();
   if (inverse::outlook(pose, farthest, given.tolerance) != inverse::Outlook::open) {
     found.status = inverse::status_beyond(pose);
@@ -130,7 +128,7 @@ using Tracker = inverse::BranchTracker<double, 3, 4>;
 }
 
 [[gnu::always_inline]] inline void solve(const Pose<double>& pose, const Target& given, inverse::Form form,
-    SolutionsGiven_theta3& found) {
+    Rows& found) {
   // Branches side by side where machine and compiler know AVX2.
   if (form == inverse::Form::fastest && solve_in_lanes != nullptr && inverse::machine_has_avx2()) {
     const inverse::RowCount count = solve_in_lanes(inverse::numbers_of(pose), given, inverse::row_places(found));
@@ -142,28 +140,34 @@ using Tracker = inverse::BranchTracker<double, 3, 4>;
   solve_near_singular(pose, given, found);
 }
 
+Rows rows_of(const Pose<double>& pose, const Geometry& g, double tolerance, const inverse::Preference<7>& preference,
+    inverse::Form form, double given_theta3) {
+  Rows found;
+  solve(pose, given(g, tolerance, preference, given_theta3), form, found);
+  return found;
+}
+
 }  // namespace
 }  // namespace detail::given_theta3
 
 SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Pose<double>& pose, double given_theta3, const Geometry& g,
     double tolerance,
     inverse::Form form) {
-  SolutionsGiven_theta3 found;
-  detail::given_theta3::solve(pose, detail::given_theta3::given(g, tolerance, inverse::zero_preference<dof>,
-      given_theta3), form, found);
+  SolutionsGiven_theta3 found = detail::given_theta3::rows_of(pose, g, tolerance, inverse::zero_preference<7>, form,
+      given_theta3);
   return found;
 }
 
 SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Pose<double>& pose, double given_theta3,
     const JointVector<double>& seed, const Geometry& g, double tolerance) {
-  SolutionsGiven_theta3 found;
   if (!seed.allFinite()) {
-    found.status = Status::invalid;
-    return found;
+    SolutionsGiven_theta3 none;
+    none.status = Status::invalid;
+    return none;
   }
-  const inverse::Preference<dof> preference = inverse::preference<dof>(seed);
-  detail::given_theta3::solve(pose, detail::given_theta3::given(g, tolerance, preference, given_theta3),
-      inverse::Form::fastest, found);
+  const auto preference = inverse::preference<dof>(seed);
+  SolutionsGiven_theta3 found = detail::given_theta3::rows_of(pose, g, tolerance, preference, inverse::Form::fastest,
+      given_theta3);
   sort_by_distance(found, seed, is_revolute);
   return found;
 }

@@ -25,7 +25,7 @@ namespace {
   inverse::avx2::LaneRows<7> rows(places);
   Work<Pack> w;
   Pack q[7];
-  q[2] = Pack(t.locked);
+  q[2] = Pack(t.geometry.given_);
   solve_theta4(t, Pack(1, 1, -1, -1), w);
   if (!any(w.branch.exists)) return rows.count(w.branch);
   solve_theta1(t, Pack(1, -1, 1, -1), w);

@@ -17,6 +17,11 @@ namespace qvgen::robots::iiwa14::detail::given_theta3 {
 
 /// What the pose says, once for all branches.
 struct Target : inverse::TargetBase<7> {
+  struct {
+    double given_;
+  } geometry;
+  double cos_theta3;
+  double sin_theta3;
   double size_square;
   double goal_x;
   double goal_y;
@@ -56,8 +61,8 @@ inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
   const double pose_p_x = pose.position[0];
   const double pose_p_y = pose.position[1];
   const double pose_p_z = pose.position[2];
-  [[maybe_unused]] const double cos_locked = t.cos_locked;
-  [[maybe_unused]] const double sin_locked = t.sin_locked;
+  const Scalar sin_theta3 = std::sin(t.geometry.given_);
+  const Scalar cos_theta3 = std::cos(t.geometry.given_);
   const Scalar t0 = Scalar(0.252) * pose_s * (pose_r_x * pose_r_z + pose_r_w * pose_r_y);
   const Scalar t1 = pose_p_x - t0;
   const Scalar t2 = Scalar(0.252) * pose_s * (pose_r_w * pose_r_x - pose_r_y * pose_r_z);
@@ -66,6 +71,8 @@ inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
   const Scalar t5 = pose_p_z - Scalar(0.126) * (Scalar(1) - t4);
   const Scalar t6 = Scalar(9) - Scalar(25) * t5;
   const Scalar t7 = t3 * t3 + Scalar(0.0016) * t6 * t6 + t1 * t1;
+  t.cos_theta3 = cos_theta3;
+  t.sin_theta3 = sin_theta3;
   t.size_square = Scalar(1.705636) + pose_p_y * pose_p_y + pose_p_z * pose_p_z + pose_p_x * pose_p_x;
   t.goal_x = t1;
   t.goal_y = t3;
@@ -149,8 +156,8 @@ inline void solve_theta4(const Target& t, const Scalar& sign,
   w.cos_theta4 = result.cosine;
   w.sin_theta4 = result.sine;
   w.plane_theta4_x = Scalar(0.42) + Scalar(0.4) * result.cosine;
-  w.plane_theta4_y = -Scalar(0.4) * Scalar(t.cos_locked) * result.sine;
-  w.height_theta1 = -Scalar(0.4) * Scalar(t.sin_locked) * result.sine;
+  w.plane_theta4_y = -Scalar(0.4) * Scalar(t.cos_theta3) * result.sine;
+  w.height_theta1 = -Scalar(0.4) * result.sine * Scalar(t.sin_theta3);
 }
 
 /// theta1: line or circle meets circle, 2 values.
@@ -244,8 +251,8 @@ inline void solve_half_theta3(const Target& t,
   using std::sqrt;
   inverse::Rotor<Scalar> result;
   {
-    const Scalar cosine = Scalar(t.cos_locked);
-    const Scalar sine = Scalar(t.sin_locked);
+    const Scalar cosine = Scalar(t.cos_theta3);
+    const Scalar sine = Scalar(t.sin_theta3);
     result = inverse::half_direction<Scalar>(inverse::Rotor<Scalar>{cosine, sine}, Scalar(1));
   }
 
@@ -292,8 +299,8 @@ inline bool solve_arm(const Target& t, int label, Tracker& tracker, Work<Scalar>
   const Scalar point2_x = Scalar(0);
   const Scalar point2_y = Scalar(0);
   const Scalar point2_z = Scalar(0.36);
-  const Scalar axis3_x = Scalar(t.sin_locked);
-  const Scalar axis3_y = -Scalar(t.cos_locked);
+  const Scalar axis3_x = Scalar(t.sin_theta3);
+  const Scalar axis3_y = -Scalar(t.cos_theta3);
   const Scalar axis3_z = Scalar(0);
   const Scalar point3_x = Scalar(0);
   const Scalar point3_y = Scalar(0);

@@ -55,7 +55,6 @@ inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
   const double pose_p_x = pose.position[0];
   const double pose_p_y = pose.position[1];
   const double pose_p_z = pose.position[2];
-
   const Scalar t0 = Scalar(2) * pose_s * (pose_r_y * pose_r_y + pose_r_z * pose_r_z);
   const Scalar t1 = Scalar(0.4) * pose_s * (pose_r_x * pose_r_y + pose_r_w * pose_r_z);
   const Scalar t2 = Scalar(0.4) * pose_s * (pose_r_x * pose_r_z - pose_r_w * pose_r_y);

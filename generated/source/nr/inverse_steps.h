@@ -61,7 +61,6 @@ inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
   const double pose_p_x = pose.position[0];
   const double pose_p_y = pose.position[1];
   const double pose_p_z = pose.position[2];
-
   const Scalar t0 = Scalar(2) * t.geometry.d4 * t.geometry.h1 - t.geometry.d4 * t.geometry.d4 - pose_p_y * pose_p_y
       - t.geometry.h1 * t.geometry.h1 - t.geometry.d2 * t.geometry.d2 - pose_p_z * pose_p_z - pose_p_x * pose_p_x
       - t.geometry.l2 * t.geometry.l2;

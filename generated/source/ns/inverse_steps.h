@@ -59,7 +59,6 @@ inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
   const double pose_p_x = pose.position[0];
   const double pose_p_y = pose.position[1];
   const double pose_p_z = pose.position[2];
-
   const Scalar t0 = pose_p_y * pose_p_y + t.geometry.h1 * t.geometry.h1 + t.geometry.d2 * t.geometry.d2 + pose_p_z
       * pose_p_z + pose_p_x * pose_p_x;
   t.size_square = t0;

@@ -16,12 +16,13 @@ namespace qvgen::robots::planar_3r {
 namespace detail::all {
 namespace {
 
+using Rows = qvgen::Solutions<3, 2>;
+
 /// All of a target that the pose does not say.
-Target given(const Geometry& g, double tolerance, const inverse::Preference<dof>& preference) {
+Target given(const Geometry& g, double tolerance, const inverse::Preference<3>& preference) {
   Target t;
   t.tolerance = tolerance;
   t.preference = &preference;
-
   t.geometry.l1 = g.l1;
   t.geometry.l2 = g.l2;
   t.geometry.l3 = g.l3;
@@ -29,13 +30,12 @@ Target given(const Geometry& g, double tolerance, const inverse::Preference<dof>
 }
 
 /// All branches, one after the other. Returns whether rounding has decided nothing, of a valid pose.
-[[gnu::flatten, gnu::noinline]] bool solve_one_by_one(inverse::PoseNumbers pose, const Target& given,
-    Solutions& found) {
+[[gnu::flatten, gnu::noinline]] bool solve_one_by_one(inverse::PoseNumbers pose, const Target& given, Rows& found) {
   Target t = given;
   if (const inverse::Outlook outlook =
       look_at(pose, t); outlook != inverse::Outlook::open) return outlook == inverse::Outlook::unreachable;
   Work<double> w;
-  JointVector<double> q;
+  qvgen::Joints<3> q;
   solve_condition_1(t, w);
   if (!w.branch.exists) return !w.branch.doubtful;
   solve_condition_2(t, w);
@@ -61,9 +61,9 @@ using Tracker = inverse::BranchTracker<double, 2, 2>;
 
 /// One pass near singular poses: every branch that may exist at one target, its joints polished by Newton steps towards
 /// another. Returns whether an angle was free.
-[[gnu::noinline]] bool follow_near_singular(const Target& t, const Target& goal, Tracker& tracker, Solutions& found) {
+[[gnu::noinline]] bool follow_near_singular(const Target& t, const Target& goal, Tracker& tracker, Rows& found) {
   Work<double> w;
-  JointVector<double> q;
+  qvgen::Joints<3> q;
   solve_condition_1(t, w);
   if (!w.branch.exists) return w.branch.doubtful;
   solve_condition_2(t, w);
@@ -88,7 +88,7 @@ using Tracker = inverse::BranchTracker<double, 2, 2>;
   return w.branch.doubtful;
 }
 
-[[gnu::noinline]] void solve_near_singular(const Pose<double>& pose, const Target& given, Solutions& found) {
+[[gnu::noinline]] void solve_near_singular(const Pose<double>& pose, const Target& given, Rows& found) {
   found.clear();
   if (inverse::outlook(pose, farthest, given.tolerance) != inverse::Outlook::open) {
     found.status = inverse::status_beyond(pose);
@@ -103,9 +103,16 @@ using Tracker = inverse::BranchTracker<double, 2, 2>;
 }
 
 [[gnu::always_inline]] inline void solve(const Pose<double>& pose, const Target& given,
-    [[maybe_unused]] inverse::Form form, Solutions& found) {
+    [[maybe_unused]] inverse::Form form, Rows& found) {
   if (solve_one_by_one(inverse::numbers_of(pose), given, found)) return found.conclude();
   solve_near_singular(pose, given, found);
+}
+
+Rows rows_of(const Pose<double>& pose, const Geometry& g, double tolerance, const inverse::Preference<3>& preference,
+    inverse::Form form) {
+  Rows found;
+  solve(pose, given(g, tolerance, preference), form, found);
+  return found;
 }
 
 }  // namespace
@@ -113,27 +120,28 @@ using Tracker = inverse::BranchTracker<double, 2, 2>;
 namespace detail::given_theta3 {
 namespace {
 
+using Rows = qvgen::Solutions<3, 2>;
+
 /// All of a target that the pose does not say.
-Target given(const Geometry& g, double tolerance, const inverse::Preference<dof>& preference, double locked) {
+Target given(const Geometry& g, double tolerance, const inverse::Preference<3>& preference, double given_theta3) {
   Target t;
   t.tolerance = tolerance;
   t.preference = &preference;
-  t.lock(locked);
   t.geometry.l1 = g.l1;
   t.geometry.l2 = g.l2;
   t.geometry.l3 = g.l3;
+  t.geometry.given_ = given_theta3;
   return t;
 }
 
 /// All branches, one after the other. Returns whether rounding has decided nothing, of a valid pose.
-[[gnu::flatten, gnu::noinline]] bool solve_one_by_one(inverse::PoseNumbers pose, const Target& given,
-    SolutionsGiven_theta3& found) {
+[[gnu::flatten, gnu::noinline]] bool solve_one_by_one(inverse::PoseNumbers pose, const Target& given, Rows& found) {
   Target t = given;
   if (const inverse::Outlook outlook =
       look_at(pose, t); outlook != inverse::Outlook::open) return outlook == inverse::Outlook::unreachable;
   Work<double> w;
-  JointVector<double> q;
-  q[2] = t.locked;
+  qvgen::Joints<3> q;
+  q[2] = t.geometry.given_;
   solve_condition_1(t, w);
   if (!w.branch.exists) return !w.branch.doubtful;
   const inverse::Branch<double> above0 = w.branch;
@@ -153,11 +161,10 @@ using Tracker = inverse::BranchTracker<double, 2, 2>;
 
 /// One pass near singular poses: every branch that may exist at one target, its joints polished by Newton steps towards
 /// another. Returns whether an angle was free.
-[[gnu::noinline]] bool follow_near_singular(const Target& t, const Target& goal, Tracker& tracker,
-    SolutionsGiven_theta3& found) {
+[[gnu::noinline]] bool follow_near_singular(const Target& t, const Target& goal, Tracker& tracker, Rows& found) {
   Work<double> w;
-  JointVector<double> q;
-  q[2] = t.locked;
+  qvgen::Joints<3> q;
+  q[2] = t.geometry.given_;
   solve_condition_1(t, w);
   if (!w.branch.exists) return w.branch.doubtful;
   const inverse::Branch<double> above0 = w.branch;
@@ -176,8 +183,7 @@ using Tracker = inverse::BranchTracker<double, 2, 2>;
   return w.branch.doubtful;
 }
 
-[[gnu::noinline]] void solve_near_singular(const Pose<double>& pose, const Target& given,
-    SolutionsGiven_theta3& found) {
+[[gnu::noinline]] void solve_near_singular(const Pose<double>& pose, const Target& given, Rows& found) {
   found.clear();
   if (inverse::outlook(pose, farthest, given.tolerance) != inverse::Outlook::open) {
     found.status = inverse::status_beyond(pose);
@@ -192,9 +198,16 @@ using Tracker = inverse::BranchTracker<double, 2, 2>;
 }
 
 [[gnu::always_inline]] inline void solve(const Pose<double>& pose, const Target& given,
-    [[maybe_unused]] inverse::Form form, SolutionsGiven_theta3& found) {
+    [[maybe_unused]] inverse::Form form, Rows& found) {
   if (solve_one_by_one(inverse::numbers_of(pose), given, found)) return found.conclude();
   solve_near_singular(pose, given, found);
+}
+
+Rows rows_of(const Pose<double>& pose, const Geometry& g, double tolerance, const inverse::Preference<3>& preference,
+    inverse::Form form, double given_theta3) {
+  Rows found;
+  solve(pose, given(g, tolerance, preference, given_theta3), form, found);
+  return found;
 }
 
 }  // namespace
@@ -202,20 +215,19 @@ using Tracker = inverse::BranchTracker<double, 2, 2>;
 
 Solutions inverse_kinematics(const Pose<double>& pose, const Geometry& g, double tolerance,
     inverse::Form form) {
-  Solutions found;
-  detail::all::solve(pose, detail::all::given(g, tolerance, inverse::zero_preference<dof>), form, found);
+  Solutions found = detail::all::rows_of(pose, g, tolerance, inverse::zero_preference<3>, form);
   return found;
 }
 
 Solutions inverse_kinematics(const Pose<double>& pose, const JointVector<double>& seed, const Geometry& g,
     double tolerance) {
-  Solutions found;
   if (!seed.allFinite()) {
-    found.status = Status::invalid;
-    return found;
+    Solutions none;
+    none.status = Status::invalid;
+    return none;
   }
-  const inverse::Preference<dof> preference = inverse::preference<dof>(seed);
-  detail::all::solve(pose, detail::all::given(g, tolerance, preference), inverse::Form::fastest, found);
+  const auto preference = inverse::preference<dof>(seed);
+  Solutions found = detail::all::rows_of(pose, g, tolerance, preference, inverse::Form::fastest);
   sort_by_distance(found, seed, is_revolute);
   return found;
 }
@@ -240,25 +252,59 @@ LimitedSolutions<dof, 2, 1> inverse_kinematics(const Pose<double>& pose, const J
   return nearest_within_limits(inverse_kinematics(pose, seed, g, tolerance), limits, is_revolute, seed);
 }
 
+SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Vector3<double>& position, double given_theta3,
+    const Geometry& g, double tolerance,
+    inverse::Form form) {
+  const Pose<double> pose = Pose<double>{Eigen::Quaternion<double>::Identity(), position};
+  SolutionsGiven_theta3 found = detail::given_theta3::rows_of(pose, g, tolerance, inverse::zero_preference<3>, form,
+      given_theta3);
+  return found;
+}
+
+SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Vector3<double>& position, double given_theta3,
+    const JointVector<double>& seed, const Geometry& g, double tolerance) {
+  if (!seed.allFinite()) {
+    SolutionsGiven_theta3 none;
+    none.status = Status::invalid;
+    return none;
+  }
+  const Pose<double> pose = Pose<double>{Eigen::Quaternion<double>::Identity(), position};
+  const auto preference = inverse::preference<dof>(seed);
+  SolutionsGiven_theta3 found = detail::given_theta3::rows_of(pose, g, tolerance, preference, inverse::Form::fastest,
+      given_theta3);
+  sort_by_distance(found, seed, is_revolute);
+  return found;
+}
+
+LimitedSolutions<dof, 2> inverse_kinematics_given_theta3(const Vector3<double>& position, double given_theta3,
+    const JointLimits<dof>& limits, const Geometry& g, double tolerance) {
+  return within_limits(inverse_kinematics_given_theta3(position, given_theta3, g, tolerance), limits, is_revolute);
+}
+
+LimitedSolutions<dof, 2, 1> inverse_kinematics_given_theta3(const Vector3<double>& position, double given_theta3,
+    const JointVector<double>& seed, const JointLimits<dof>& limits, const Geometry& g, double tolerance) {
+  return nearest_within_limits(inverse_kinematics_given_theta3(position, given_theta3, seed, g, tolerance), limits,
+      is_revolute, seed);
+}
+
 SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Pose<double>& pose, double given_theta3, const Geometry& g,
     double tolerance,
     inverse::Form form) {
-  SolutionsGiven_theta3 found;
-  detail::given_theta3::solve(pose, detail::given_theta3::given(g, tolerance, inverse::zero_preference<dof>,
-      given_theta3), form, found);
+  SolutionsGiven_theta3 found = detail::given_theta3::rows_of(pose, g, tolerance, inverse::zero_preference<3>, form,
+      given_theta3);
   return found;
 }
 
 SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Pose<double>& pose, double given_theta3,
     const JointVector<double>& seed, const Geometry& g, double tolerance) {
-  SolutionsGiven_theta3 found;
   if (!seed.allFinite()) {
-    found.status = Status::invalid;
-    return found;
+    SolutionsGiven_theta3 none;
+    none.status = Status::invalid;
+    return none;
   }
-  const inverse::Preference<dof> preference = inverse::preference<dof>(seed);
-  detail::given_theta3::solve(pose, detail::given_theta3::given(g, tolerance, preference, given_theta3),
-      inverse::Form::fastest, found);
+  const auto preference = inverse::preference<dof>(seed);
+  SolutionsGiven_theta3 found = detail::given_theta3::rows_of(pose, g, tolerance, preference, inverse::Form::fastest,
+      given_theta3);
   sort_by_distance(found, seed, is_revolute);
   return found;
 }

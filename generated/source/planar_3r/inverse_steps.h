@@ -57,7 +57,6 @@ inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
   const double pose_p_x = pose.position[0];
   const double pose_p_y = pose.position[1];
   const double pose_p_z = pose.position[2];
-
   const Scalar t0 = Scalar(2) * pose_s * (pose_r_y * pose_r_y + pose_r_z * pose_r_z);
   const Scalar t1 = Scalar(2) * t.geometry.l2 * t.geometry.l3 + Scalar(2) * t.geometry.l1 * t.geometry.l3 + pose_p_y
       * pose_p_y + t.geometry.l3 * t.geometry.l3 + pose_p_z * pose_p_z + pose_p_x * pose_p_x + t.geometry.l2
@@ -274,6 +273,7 @@ struct Target : inverse::TargetBase<3> {
     double l1;
     double l2;
     double l3;
+    double given_;
   } geometry;
   double size_square;
   double start_x;
@@ -305,14 +305,14 @@ inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
   const double pose_p_x = pose.position[0];
   const double pose_p_y = pose.position[1];
   const double pose_p_z = pose.position[2];
-  const double cos_locked = t.cos_locked;
-  const double sin_locked = t.sin_locked;
+  const Scalar sin_theta3 = std::sin(t.geometry.given_);
+  const Scalar cos_theta3 = std::cos(t.geometry.given_);
   const Scalar t0 = Scalar(2) * t.geometry.l2 * t.geometry.l3 + Scalar(2) * t.geometry.l1 * t.geometry.l3 + pose_p_y
       * pose_p_y + t.geometry.l3 * t.geometry.l3 + pose_p_z * pose_p_z + pose_p_x * pose_p_x + t.geometry.l2
       * t.geometry.l2 + Scalar(2) * t.geometry.l1 * t.geometry.l2 + t.geometry.l1 * t.geometry.l1;
   t.size_square = t0;
-  t.start_x = t.geometry.l1 + t.geometry.l2 + cos_locked * t.geometry.l3;
-  t.start_y = t.geometry.l3 * sin_locked;
+  t.start_x = t.geometry.l1 + t.geometry.l2 + t.geometry.l3 * cos_theta3;
+  t.start_y = t.geometry.l3 * sin_theta3;
   t.pose_p_x = pose_p_x;
   t.pose_p_y = pose_p_y;
   t.pose_p_z = pose_p_z;

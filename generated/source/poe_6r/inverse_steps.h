@@ -63,7 +63,6 @@ inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
   const double pose_p_x = pose.position[0];
   const double pose_p_y = pose.position[1];
   const double pose_p_z = pose.position[2];
-
   const Scalar t0 = Scalar(2) * t.geometry.a1 * t.geometry.a3 + Scalar(2) * t.geometry.a2 * t.geometry.a3 + Scalar(2)
       * t.geometry.d1 * t.geometry.d3 + t.geometry.a3 * t.geometry.a3 + Scalar(2) * t.geometry.a1 * t.geometry.a2
       + Scalar(2) * t.geometry.d2 * t.geometry.d3 + pose_p_y * pose_p_y + t.geometry.d2 * t.geometry.d2 + t.geometry.d3

@@ -16,8 +16,10 @@ namespace qvgen::robots::puma560 {
 namespace detail::all {
 namespace {
 
+using Rows = qvgen::Solutions<6, 8>;
+
 /// All of a target that the pose does not say.
-Target given([[maybe_unused]] const Geometry& g, double tolerance, const inverse::Preference<dof>& preference) {
+Target given([[maybe_unused]] const Geometry& g, double tolerance, const inverse::Preference<6>& preference) {
   Target t;
   t.tolerance = tolerance;
   t.preference = &preference;
@@ -26,13 +28,12 @@ Target given([[maybe_unused]] const Geometry& g, double tolerance, const inverse
 }
 
 /// All branches, one after the other. Returns whether rounding has decided nothing, of a valid pose.
-[[gnu::flatten, gnu::noinline]] bool solve_one_by_one(inverse::PoseNumbers pose, const Target& given,
-    Solutions& found) {
+[[gnu::flatten, gnu::noinline]] bool solve_one_by_one(inverse::PoseNumbers pose, const Target& given, Rows& found) {
   Target t = given;
   if (const inverse::Outlook outlook =
       look_at(pose, t); outlook != inverse::Outlook::open) return outlook == inverse::Outlook::unreachable;
   Work<double> w;
-  JointVector<double> q;
+  qvgen::Joints<6> q;
   const inverse::Branch<double> above0 = w.branch;
   for (int k0 = 0; k0 < 2; ++k0) {
     w.branch.resume(above0);
@@ -69,9 +70,9 @@ using Tracker = inverse::BranchTracker<double, 3, 4>;
 
 /// One pass near singular poses: every branch that may exist at one target, its joints polished by Newton steps towards
 /// another. Returns whether an angle was free.
-[[gnu::noinline]] bool follow_near_singular(const Target& t, const Target& goal, Tracker& tracker, Solutions& found) {
+[[gnu::noinline]] bool follow_near_singular(const Target& t, const Target& goal, Tracker& tracker, Rows& found) {
   Work<double> w;
-  JointVector<double> q;
+  qvgen::Joints<6> q;
   const inverse::Branch<double> above0 = w.branch;
   for (int k0 = 0; k0 < 2; ++k0) {
     w.branch.resume(above0);
@@ -105,7 +106,7 @@ using Tracker = inverse::BranchTracker<double, 3, 4>;
   return w.branch.doubtful;
 }
 
-[[gnu::noinline]] void solve_near_singular(const Pose<double>& pose, const Target& given, Solutions& found) {
+[[gnu::noinline]] void solve_near_singular(const Pose<double>& pose, const Target& given, Rows& found) {
   found.clear();
   if (inverse::outlook(pose, farthest, given.tolerance) != inverse::Outlook::open) {
     found.status = inverse::status_beyond(pose);
@@ -120,7 +121,7 @@ using Tracker = inverse::BranchTracker<double, 3, 4>;
 }
 
 [[gnu::always_inline]] inline void solve(const Pose<double>& pose, const Target& given, inverse::Form form,
-    Solutions& found) {
+    Rows& found) {
   // Branches side by side where machine and compiler know AVX2.
   if (form == inverse::Form::fastest && solve_in_lanes != nullptr && inverse::machine_has_avx2()) {
     const inverse::RowCount count = solve_in_lanes(inverse::numbers_of(pose), given, inverse::row_places(found));
@@ -132,25 +133,31 @@ using Tracker = inverse::BranchTracker<double, 3, 4>;
   solve_near_singular(pose, given, found);
 }
 
+Rows rows_of(const Pose<double>& pose, const Geometry& g, double tolerance, const inverse::Preference<6>& preference,
+    inverse::Form form) {
+  Rows found;
+  solve(pose, given(g, tolerance, preference), form, found);
+  return found;
+}
+
 }  // namespace
 }  // namespace detail::all
 
 Solutions inverse_kinematics(const Pose<double>& pose, const Geometry& g, double tolerance,
     inverse::Form form) {
-  Solutions found;
-  detail::all::solve(pose, detail::all::given(g, tolerance, inverse::zero_preference<dof>), form, found);
+  Solutions found = detail::all::rows_of(pose, g, tolerance, inverse::zero_preference<6>, form);
   return found;
 }
 
 Solutions inverse_kinematics(const Pose<double>& pose, const JointVector<double>& seed, const Geometry& g,
     double tolerance) {
-  Solutions found;
   if (!seed.allFinite()) {
-    found.status = Status::invalid;
-    return found;
+    Solutions none;
+    none.status = Status::invalid;
+    return none;
   }
-  const inverse::Preference<dof> preference = inverse::preference<dof>(seed);
-  detail::all::solve(pose, detail::all::given(g, tolerance, preference), inverse::Form::fastest, found);
+  const auto preference = inverse::preference<dof>(seed);
+  Solutions found = detail::all::rows_of(pose, g, tolerance, preference, inverse::Form::fastest);
   sort_by_distance(found, seed, is_revolute);
   return found;
 }

@@ -55,7 +55,6 @@ inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
   const double pose_p_x = pose.position[0];
   const double pose_p_y = pose.position[1];
   const double pose_p_z = pose.position[2];
-
   const Scalar t0 = Scalar(0.7071067811865476) * pose_q_w;
   const Scalar t1 = Scalar(0.7071067811865476) * pose_q_z;
   const Scalar t2 = Scalar(0.7071067811865476) * pose_q_x;

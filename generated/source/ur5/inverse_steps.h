@@ -64,7 +64,6 @@ inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
   const double pose_p_x = pose.position[0];
   const double pose_p_y = pose.position[1];
   const double pose_p_z = pose.position[2];
-
   const Scalar t0 = pose_r_y * pose_r_y;
   const Scalar t1 = Scalar(1) - Scalar(2) * pose_s * (t0 + pose_r_z * pose_r_z);
   const Scalar t2 = pose_r_x * pose_r_z;

@@ -17,9 +17,12 @@ Polar polar(const Flat& v, const Scope& scope) {
   return {length, {v.x / length, v.y / length}};
 }
 
-Builder::Builder(const model::Robot& robot, Scope& scope, Plan& plan) : scope_(scope), plan_(plan) {
-  for (const auto& parameter : robot.geometry) constants_.insert(symbolic::symbol(parameter.name));
-  for (const auto& output : plan.target.outputs()) constants_.insert(symbolic::symbol(output.name));
+Builder::Builder(const model::Robot& robot, Scope& scope, Plan& plan, const std::string& held)
+    : scope_(scope), plan_(plan) {
+  for (const auto& parameter : robot.geometry)
+    if (parameter.name != held) constants_.insert(symbolic::symbol(parameter.name));
+  for (const auto& step : plan.target.steps())
+    if (is_constant(step.value)) constants_.insert(step.name);
   plan_.joints.resize(robot.joints.size());
   scope_.turn("result");
   for (const char* name : {"result", "result_1", "result_2"}) scope_.length(name);
@@ -54,6 +57,7 @@ Step& Builder::add(Kind kind, const Screw* screw, int branches, const std::strin
 }
 
 Scope::Turn Builder::value(const Screw& screw) {
+  if (screw.joint < 0) return {scope_.held()->cosine, scope_.held()->sine};
   const JointValue& value = plan_.joints[static_cast<std::size_t>(screw.joint)];
   return {symbolic::symbol(value.cosine), value.revolute ? ex(symbolic::symbol(value.sine)) : ex(0)};
 }

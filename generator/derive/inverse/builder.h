@@ -48,7 +48,8 @@ struct Reach {
 /// Appends steps to a plan: every canonical equation in its robust form, and the names of what it gives.
 class Builder {
  public:
-  Builder(const model::Robot& robot, Scope& scope, Plan& plan);
+  /// What depends on the parameter `held` is no constant of the arm: it may vanish.
+  Builder(const model::Robot& robot, Scope& scope, Plan& plan, const std::string& held = "");
 
   [[nodiscard]] Scope& scope() { return scope_; }
   [[nodiscard]] Plan& plan() { return plan_; }

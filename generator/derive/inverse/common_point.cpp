@@ -13,10 +13,16 @@ using symbolic::cross;
 using symbolic::dot;
 using symbolic::Vector;
 
-std::string joint_range(std::size_t first, std::size_t count) {
+std::string Attempt::joints(std::size_t first, std::size_t count) const {
   std::string text;
-  for (std::size_t i = 0; i < count; ++i)
-    text += (i == 0 ? "" : i + 1 == count ? " and " : ", ") + std::to_string(first + i + 1);
+  for (std::size_t i = 0; i < count; ++i) {
+    const int place = problem.places[first + i];
+    const bool is_own = place < problem.own_joints;
+    text += (i == 0           ? ""
+             : i + 1 == count ? " and "
+                              : ", ") +
+            (is_own ? std::to_string(place + 1) : std::string("the tool's own"));
+  }
   return text;
 }
 
@@ -50,7 +56,8 @@ std::optional<Wrist> wrist_of(Attempt& attempt, std::size_t k) {
   if (!serves(wrist.axes)) return std::nullopt;
   const auto point = meeting_point(screws[k], screws[k + 1], scope);
   if (!point || !scope.is_zero(cross(screws[k + 2].axis, *point - screws[k + 2].point))) return std::nullopt;
-  wrist.centre = wrist.own_frame ? scope.define(attempt.plan.target, "centre", *point) : *point;
+  wrist.centre =
+      wrist.own_frame ? scope.define(attempt.plan.target, "centre", scope.settled(*point)) : *point;
   return wrist;
 }
 
@@ -61,101 +68,109 @@ void turn_wrist(Attempt& attempt, std::size_t k, const Wrist& wrist, const symbo
               wrist.own_frame ? symbolic::inverse(frame) * rotation * frame : rotation);
 }
 
-/// The screw as it stands after a locked joint has moved.
-Screw carried(Attempt& attempt, const Screw& lock, const Screw& screw) {
-  Scope& scope = attempt.scope;
-  const Scope::Turn at = attempt.builder.value(lock);
-  const auto direction = [&](const std::string& what, const Vector& v) {
-    const Vector moved =
-        apply(lock, at.cosine, at.sine, lock.point + v) - apply(lock, at.cosine, at.sine, lock.point);
-    return scope.define(attempt.plan.target, what + "_" + screw.variable, scope.clean(moved));
+}  // namespace
+
+std::string place_centre(Attempt& attempt, Target& target, std::size_t k, std::size_t count,
+                         const Vector& centre) {
+  const auto& screws = attempt.chain.screws;
+  const auto place = [&](std::size_t i) { return screws.begin() + static_cast<std::ptrdiff_t>(i); };
+  const std::vector<Screw> pre(screws.begin(), place(k));
+  const std::vector<Screw> post(place(k + count), screws.end());
+  const auto named = [&](const Vector& v) {
+    return attempt.scope.define(attempt.plan.target, "goal", attempt.scope.clean(v));
   };
-  Screw result = screw;
-  result.axis = direction("axis", screw.axis);
-  result.first = direction("first", screw.first);
-  result.second = direction("second", screw.second);
-  result.point = scope.define(attempt.plan.target, "point_" + screw.variable,
-                              scope.clean(apply(lock, at.cosine, at.sine, screw.point)));
-  return result;
+  if (post.empty())
+    return solve_position(attempt.builder, pre[0], pre[1], pre[2], centre, named(target.image(centre)));
+  if (pre.empty())
+    return solve_position(attempt.builder, reversed(post[2]), reversed(post[1]), reversed(post[0]), centre,
+                          named(target.source(centre)));
+  // post T^-1 pre carries the point to itself; the first joints are seen through T^-1.
+  std::vector<Screw> loop = post;
+  for (std::size_t i = 0; i < pre.size(); ++i) {
+    Screw seen = pre[i];
+    const std::string name = "seen" + std::to_string(i + 1);
+    auto& program = attempt.plan.target;
+    seen.axis = attempt.scope.define(program, name + "_axis", target.direction_source(pre[i].axis));
+    seen.first = attempt.scope.define(program, name + "_first", target.direction_source(pre[i].first));
+    seen.second = attempt.scope.define(program, name + "_second", target.direction_source(pre[i].second));
+    seen.point = attempt.scope.define(program, name + "_point", target.source(pre[i].point));
+    loop.push_back(seen);
+  }
+  return solve_position(attempt.builder, loop[0], loop[1], loop[2], named(target.source(centre)), centre);
 }
 
-/// Seven joints: the wrist last, one of the four others held; the joints beyond it are carried along.
-std::string by_locked_joint(Attempt& attempt, Target& target, const Wrist& wrist, std::size_t k,
-                            std::size_t locked) {
-  const auto& screws = attempt.chain.screws;
-  if (k != 4 || locked >= k) return "the wrist is not last";
-  const Screw& lock = screws[locked];
-  if (!lock.revolute) return "the locked joint is prismatic";
-  std::vector<std::size_t> free;
-  for (std::size_t i = 0; i < screws.size(); ++i)
-    if (i != locked) free.push_back(i);
-  const std::string dependent = dependent_joints(attempt, free, false);
-  if (!dependent.empty()) return "with " + lock.variable + " given: " + dependent;
-  attempt.scope.turn(locked_joint);
-  attempt.plan.locked = static_cast<int>(locked);
-  attempt.plan.joints[locked] = {true, std::string("cos_") + locked_joint,
-                                 std::string("sin_") + locked_joint};
-  std::vector<Screw> arm;
-  for (std::size_t i = 0; i < k; ++i)
-    if (i != locked) arm.push_back(i < locked ? screws[i] : carried(attempt, lock, screws[i]));
-  const Scope::Turn at = attempt.builder.value(lock);
-  const Vector start = attempt.scope.define(
-      attempt.plan.target, "start", attempt.scope.clean(apply(lock, at.cosine, at.sine, wrist.centre)));
-  const Vector goal =
-      attempt.scope.define(attempt.plan.target, "goal", attempt.scope.clean(target.image(wrist.centre)));
-  const std::string reason = solve_position(attempt.builder, arm[0], arm[1], arm[2], start, goal);
-  if (!reason.empty()) return "with " + lock.variable + " given: " + reason;
-  const std::vector<Screw> pre(screws.begin(), screws.begin() + static_cast<std::ptrdiff_t>(k));
-  const symbolic::Quaternion rotation = without_first(attempt.builder, pre, target.orientation());
-  turn_wrist(attempt, k, wrist, rotation);
-  attempt.plan.structure =
-      "with " + lock.variable + " given, the axes of joints " + joint_range(k, 3) + " meet in one point";
-  return "";
+namespace {
+
+/// The arm with its held joint at zero: what a tool's orientation is by turns about constant axes, the held
+/// joint's among them.
+struct AtZero {
+  std::vector<Screw> pre, post;
+  Wrist wrist;
+  symbolic::Quaternion home;
+};
+
+/// Nothing if no joint's angle is held, if it is one between the wrist's joints, or if the axes are no
+/// numbers at zero either.
+std::optional<AtZero> at_zero(Attempt& attempt, std::size_t k) {
+  const auto held = static_cast<std::size_t>(attempt.problem.given);
+  if (!attempt.scope.held() || (held > k && held < k + 3)) return std::nullopt;
+  const std::size_t first = held <= k ? k + 1 : k;
+  Scope scope(attempt.problem.moving);
+  symbolic::Program constants;
+  Chain chain = chain_of(attempt.problem.moving, scope, constants);
+  if (!constants.outputs().empty()) return std::nullopt;
+  for (Screw& screw : chain.screws)
+    if (const auto joint = static_cast<std::size_t>(screw.joint); joint >= held)
+      screw.joint = joint == held ? -1 : screw.joint - 1;
+  const auto place = [&](std::size_t i) { return chain.screws.begin() + static_cast<std::ptrdiff_t>(i); };
+  const Wrist wrist{{*place(first), *place(first + 1), *place(first + 2)}, false, {}};
+  if (!is_wrist(wrist.axes[0], wrist.axes[1], wrist.axes[2], attempt.scope)) return std::nullopt;
+  return AtZero{
+      {chain.screws.begin(), place(first)}, {place(first + 3), chain.screws.end()}, wrist, chain.home.q};
+}
+
+/// The angles of joints k, k+1, k+2 from the tool's orientation and the other joints.
+void turn_tool(Attempt& attempt, Target& target, std::size_t k, const Wrist& wrist,
+               const std::vector<Screw>& pre, const std::vector<Screw>& post) {
+  const symbolic::Quaternion first = without_first(attempt.builder, pre, target.orientation());
+  turn_wrist(attempt, k, wrist, without_last(attempt.builder, post, first));
 }
 
 }  // namespace
 
-std::string by_common_point(Attempt& attempt, std::size_t k, int locked) {
+std::string by_common_point(Attempt& attempt, std::size_t k) {
   const auto& screws = attempt.chain.screws;
   const auto wrist = wrist_of(attempt, k);
-  if (!wrist) return "joints " + joint_range(k, 3) + ": their axes do not meet in one point";
+  if (!wrist) return "joints " + attempt.joints(k, 3) + ": their axes do not meet in one point";
   Target target(attempt.builder, attempt.chain.home);
   const std::vector<Screw> pre(screws.begin(), screws.begin() + static_cast<std::ptrdiff_t>(k));
-  if (locked >= 0) return by_locked_joint(attempt, target, *wrist, k, static_cast<std::size_t>(locked));
   const std::vector<Screw> post(screws.begin() + static_cast<std::ptrdiff_t>(k) + 3, screws.end());
-  const auto named = [&](const Vector& v) {
-    return attempt.scope.define(attempt.plan.target, "goal", attempt.scope.clean(v));
-  };
-  std::string reason;
-  if (k == 3) {
-    reason = solve_position(attempt.builder, pre[0], pre[1], pre[2], wrist->centre,
-                            named(target.image(wrist->centre)));
-  } else if (k == 0) {
-    reason = solve_position(attempt.builder, reversed(post[2]), reversed(post[1]), reversed(post[0]),
-                            wrist->centre, named(target.source(wrist->centre)));
-  } else {
-    // post T^-1 pre carries the point to itself; the first joints are seen through T^-1.
-    std::vector<Screw> loop = post;
-    for (std::size_t i = 0; i < pre.size(); ++i) {
-      Screw seen = pre[i];
-      const std::string name = "seen" + std::to_string(i + 1);
-      auto& program = attempt.plan.target;
-      seen.axis = attempt.scope.define(program, name + "_axis", target.direction_source(pre[i].axis));
-      seen.first = attempt.scope.define(program, name + "_first", target.direction_source(pre[i].first));
-      seen.second = attempt.scope.define(program, name + "_second", target.direction_source(pre[i].second));
-      seen.point = attempt.scope.define(program, name + "_point", target.source(pre[i].point));
-      loop.push_back(seen);
-    }
-    reason = solve_position(attempt.builder, loop[0], loop[1], loop[2], named(target.source(wrist->centre)),
-                            wrist->centre);
-  }
+  const std::string reason = place_centre(attempt, target, k, 3, wrist->centre);
   if (!reason.empty())
-    return "joints " + joint_range(k, 3) + " meet in a point, but the others cannot place it: " + reason;
-  const symbolic::Quaternion first = without_first(attempt.builder, pre, target.orientation());
-  const symbolic::Quaternion rotation = without_last(attempt.builder, post, first);
-  turn_wrist(attempt, k, *wrist, rotation);
+    return "joints " + attempt.joints(k, 3) + " meet in a point, but the others cannot place it: " + reason;
+  if (const auto zero = at_zero(attempt, k)) {
+    target.orientation(zero->home);
+    turn_tool(attempt, target, k, zero->wrist, zero->pre, zero->post);
+  } else {
+    turn_tool(attempt, target, k, *wrist, pre, post);
+  }
   attempt.plan.structure =
-      "the axes of joints " + joint_range(k, 3) + " meet in one point: position and orientation decouple";
+      "the axes of joints " + attempt.joints(k, 3) + " meet in one point: position and orientation decouple";
+  return "";
+}
+
+std::string by_orientation(Attempt& attempt) {
+  const auto& screws = attempt.chain.screws;
+  const auto serves = [&](const std::array<Screw, 3>& axes) {
+    return is_wrist(axes[0], axes[1], axes[2], attempt.scope);
+  };
+  Wrist wrist{{screws[0], screws[1], screws[2]}, false, {}};
+  if (!serves(wrist.axes)) wrist = {in_own_frame(attempt.robot, 0, attempt.scope), true, {}};
+  if (!serves(wrist.axes))
+    return "three turns make an orientation, but neighbouring axes are parallel or not all joints turn";
+  Target target(attempt.builder, attempt.chain.home);
+  turn_wrist(attempt, 0, wrist, target.orientation());
+  attempt.plan.structure = "three axes turn the tool; the position follows";
   return "";
 }
 
@@ -167,7 +182,6 @@ std::string by_position(Attempt& attempt) {
   const std::string reason =
       solve_position(attempt.builder, screws[0], screws[1], screws[2], attempt.chain.home.p, target.pose().p);
   if (!reason.empty()) return "three joints place the tool point, but: " + reason;
-  attempt.plan.position_only = true;
   attempt.plan.structure = "three joints place the tool point; the orientation follows";
   return "";
 }

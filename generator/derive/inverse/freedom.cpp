@@ -29,14 +29,19 @@ class Placed {
   }
 
   /// Velocity of the tool point, then the angular velocity.
-  [[nodiscard]] Column column(std::size_t joint) const {
-    const Screw& screw = screws_[joint];
-    const Vector point = carried(screw.point, joint);
-    const Vector axis = carried(screw.point + screw.axis, joint) - point;
-    return screw.revolute ? numbers(cross(axis, tool_ - point), axis) : numbers(axis, Vector{0, 0, 0});
+  [[nodiscard]] Column column(std::size_t joint) const { return column(joint, tool_); }
+  /// The same for the tool's point that stands on a joint's axis.
+  [[nodiscard]] Column column_about(std::size_t joint, std::size_t axis) const {
+    return column(joint, carried(screws_[axis].point, axis));
   }
 
  private:
+  [[nodiscard]] Column column(std::size_t joint, const Vector& at) const {
+    const Screw& screw = screws_[joint];
+    const Vector point = carried(screw.point, joint);
+    const Vector axis = carried(screw.point + screw.axis, joint) - point;
+    return screw.revolute ? numbers(cross(axis, at - point), axis) : numbers(axis, Vector{0, 0, 0});
+  }
   [[nodiscard]] Vector at_sample(const Vector& v) const {
     return {scope_.value(v.x), scope_.value(v.y), scope_.value(v.z)};
   }
@@ -93,6 +98,17 @@ std::string dependent_joints(const Attempt& attempt, const std::vector<std::size
   }
   return std::string("at every pose some joints can move without moving the tool") +
          (position_only ? " point" : "") + ": the Jacobian's determinant vanishes everywhere";
+}
+
+std::string dependent_joints_about(const Attempt& attempt, std::size_t k) {
+  for (const long place : {1, 2, 3}) {
+    const Placed placed(attempt, place);
+    std::vector<Column> columns;
+    for (std::size_t joint = 0; joint < 4; ++joint)
+      if (joint != k) columns.push_back(placed.column_about(joint, k));
+    if (independent(std::move(columns), 3)) return "";
+  }
+  return "at every pose they can move without moving it";
 }
 
 }  // namespace qvgen::derive::inverse

@@ -19,10 +19,11 @@ namespace {
 using Method = std::function<std::string(Attempt&)>;
 
 /// Takes the first method that succeeds; the reasons of the others are kept only if none does.
-Derivation first_of(const model::Robot& robot, const std::vector<Method>& methods) {
+Derivation first_of(const Problem& problem, const std::vector<Method>& methods) {
   Derivation derivation;
+  derivation.problem = problem;
   for (const Method& method : methods) {
-    Attempt attempt(robot);
+    Attempt attempt(problem);
     const std::string reason = method(attempt);
     if (!reason.empty()) {
       derivation.reasons.push_back(reason);
@@ -36,6 +37,9 @@ Derivation first_of(const model::Robot& robot, const std::vector<Method>& method
     prune(attempt.plan);
     for (const Step& step : attempt.plan.steps) attempt.plan.capacity *= step.branches;
     derivation.plan = std::move(attempt.plan);
+    derivation.plan.places = problem.places;
+    derivation.plan.row_size = problem.row_size;
+    derivation.plan.given = problem.given;
     derivation.found = true;
     derivation.reasons.clear();
     return derivation;
@@ -45,36 +49,31 @@ Derivation first_of(const model::Robot& robot, const std::vector<Method>& method
 
 }  // namespace
 
-Derivation derive(const model::Robot& robot) {
+Derivation derive_pose(const Problem& problem) {
   std::vector<Method> methods;
-  const std::size_t count = robot.joints.size();
+  const std::size_t count = problem.robot.joints.size();
   if (count == 6) {
-    const std::string reason = dependent_joints(Attempt(robot), {0, 1, 2, 3, 4, 5}, false);
-    if (!reason.empty()) return {false, {}, {reason}};
+    const std::string reason = dependent_joints(Attempt(problem), {0, 1, 2, 3, 4, 5}, false);
+    if (!reason.empty()) return {false, problem, {}, {reason}};
     for (const std::size_t k : {3U, 0U, 2U, 1U})
       methods.push_back([k](Attempt& a) { return by_common_point(a, k); });
     for (const std::size_t k : {1U, 2U, 0U, 3U})
       methods.push_back([k](Attempt& a) { return by_parallel_axes(a, k); });
+  } else if (count == 4) {
+    for (const std::size_t k : {3U, 0U, 2U, 1U})
+      methods.push_back([k](Attempt& a) { return by_single_turn(a, k); });
   } else if (count == 3) {
-    methods.push_back([](Attempt& a) { return in_plane(a, false); });
-    methods.push_back(by_position);
-  } else if (count == 2) {
-    methods.push_back([](Attempt& a) { return in_plane(a, false); });
+    methods.emplace_back(in_plane);
   }
-  Derivation derivation = first_of(robot, methods);
-  if (methods.empty())
-    derivation.reasons.push_back(std::to_string(count) + " joints: a pose in space fixes six, a point three");
-  return derivation;
+  return first_of(problem, methods);
 }
 
-Derivation derive_locked(const model::Robot& robot) {
-  if (robot.joints.size() == 3) return first_of(robot, {[](Attempt& a) { return in_plane(a, true); }});
-  if (robot.joints.size() != 7) return {};
-  std::vector<Method> methods;
-  for (const int locked : {2, 1, 0, 3})
-    methods.push_back([locked](Attempt& a) { return by_common_point(a, 4, locked); });
-  return first_of(robot, methods);
+Derivation derive_position(const Problem& problem) {
+  if (problem.robot.joints.size() == 2) return first_of(problem, {in_plane});
+  return first_of(problem, {by_position});
 }
+
+Derivation derive_orientation(const Problem& problem) { return first_of(problem, {by_orientation}); }
 
 namespace {
 
@@ -86,15 +85,12 @@ bool has_oblique_wrist(const Derivation& derivation) {
 
 }  // namespace
 
-canonical::Arm arm_to_solve(const model::Robot& described) {
-  canonical::Arm arm = canonical::for_kinematics(described);
-  if (!has_oblique_wrist(derive(arm.robot)) && !has_oblique_wrist(derive_locked(arm.robot))) return arm;
-  canonical::Arm other = canonical::along_normals(described);
-  const Derivation whole = derive(other.robot);
-  const Derivation locked = derive_locked(other.robot);
-  const bool better =
-      (whole.found || locked.found) && !has_oblique_wrist(whole) && !has_oblique_wrist(locked);
-  return better ? other : arm;
+Derivation in_canonical_frames(const Problem& problem,
+                               const std::function<Derivation(const Problem&)>& derived) {
+  Derivation derivation = derived(of_canonical_arm(problem, canonical::for_kinematics(problem.robot)));
+  if (!has_oblique_wrist(derivation)) return derivation;
+  Derivation other = derived(of_canonical_arm(problem, canonical::along_normals(problem.robot)));
+  return other.found && !has_oblique_wrist(other) ? other : derivation;
 }
 
 }  // namespace qvgen::derive::inverse

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "dag/import.h"
+#include "derive/inverse/arm_at_zero.h"
 #include "passes/constants.h"
 #include "passes/pass.h"
 
@@ -38,6 +39,14 @@ std::string step_name(const LoweredPlan& plan, std::size_t index) {
   if (step.kind == Kind::half) return "half_" + step.unknown;
   if (step.kind == Kind::require) return "condition_" + std::to_string(index + 1);
   return step.unknown;
+}
+
+dag::Function lowered_arm_at_zero(const model::Robot& robot) {
+  const symbolic::Program program = arm_at_zero(robot);
+  std::vector<std::string> kept;
+  for (const auto& output : program.outputs())
+    if (output.name.rfind("chain_", 0) != 0) kept.push_back(output.name);
+  return optimised(program, kept);
 }
 
 }  // namespace qvgen::derive::inverse

@@ -6,6 +6,7 @@
 
 #include "dag/graph.h"
 #include "derive/inverse/plan.h"
+#include "model/robot.h"
 
 namespace qvgen::derive::inverse {
 
@@ -22,6 +23,9 @@ struct LoweredPlan {
 };
 
 LoweredPlan lower(const Plan& plan);
+
+/// The values of `arm_at_zero`.
+dag::Function lowered_arm_at_zero(const model::Robot& robot);
 
 /// Identifier of a step, which names its function and its counts: "theta3", "half_theta1", "wrist".
 std::string step_name(const LoweredPlan& plan, std::size_t index);

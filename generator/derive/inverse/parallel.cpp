@@ -279,10 +279,10 @@ class ParallelAxes {
 
 std::string by_parallel_axes(Attempt& attempt, std::size_t k) {
   if (!all_parallel(attempt.chain.screws, k, attempt.scope))
-    return "joints " + joint_range(k, 3) + ": their axes are not parallel";
+    return "joints " + attempt.joints(k, 3) + ": their axes are not parallel";
   const std::string reason = ParallelAxes(attempt, k).solve();
-  if (!reason.empty()) return "joints " + joint_range(k, 3) + " are parallel, but " + reason;
-  attempt.plan.structure = "the axes of joints " + joint_range(k, 3) + " are parallel";
+  if (!reason.empty()) return "joints " + attempt.joints(k, 3) + " are parallel, but " + reason;
+  attempt.plan.structure = "the axes of joints " + attempt.joints(k, 3) + " are parallel";
   return "";
 }
 

@@ -110,15 +110,24 @@ struct RangeTest {
 
 struct Plan {
   std::string structure;                 ///< "joints 4, 5, 6 meet in a point", ...
-  symbolic::Program target;              ///< from the pose (and a locked joint) to what the steps need
+  symbolic::Program target;              ///< from the pose to what the steps need
   std::vector<std::string> target_kept;  ///< names of `target` that a step reads
   RangeTest range_test;
   std::vector<Step> steps;
   std::vector<JointValue> joints;  ///< by joint
   WristPlan wrist;
-  bool position_only = false;  ///< the pose's orientation is not used
-  int locked = -1;             ///< joint whose value the caller gives
+  bool candidates = false;  ///< some rows may miss the pose: not every pose is one of the arm's
+  std::vector<int> places;  ///< by joint: where in a row of solutions its value stands
+  int row_size = 0;
+  int given = -1;  ///< place of what the caller gives
   int capacity = 1;
+  /// Whether the joints behind a free one may be out of reach of what has been chosen for it: where they have
+  /// to follow the orientation too.
+  [[nodiscard]] bool chooses_for_others(const Step& step) const {
+    bool follows = false;
+    for (const Step& other : steps) follows = follows || other.kind == Kind::reach;
+    return follows && step.kind == Kind::opposite && !step.unit;
+  }
   [[nodiscard]] bool quartic() const {
     for (const Step& step : steps)
       if (step.is_quartic()) return true;
@@ -129,12 +138,5 @@ struct Plan {
 /// The steps in the order of a first pass, which leaves out Newton steps, or of a careful one: what may wait
 /// until the joints are polished then does. An arm with a quartic has no first pass.
 std::vector<std::size_t> order(const Plan& plan, bool careful);
-
-/// A plan, or why there is none.
-struct Derivation {
-  bool found = false;
-  Plan plan;
-  std::vector<std::string> reasons;  ///< each: which structure was looked for and what was missing
-};
 
 }  // namespace qvgen::derive::inverse

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <optional>
-
 #include "derive/inverse/attempt.h"
 #include "derive/inverse/inverse.h"
 #include "symbolic/model.h"
@@ -22,14 +20,12 @@ void require_height(Attempt& attempt, const Vector& axis, const Vector& start, c
                                GiNaC::sqrt(symbolic::symbol(size_square)), "the height along the axes");
 }
 
-/// Why two links cannot place a point: one of them has no length. The second one's is known if `start`, the
-/// point at zero, is.
-std::string missing_link(const Scope& scope, const Screw& a, const Screw& b,
-                         const std::optional<Vector>& start) {
+/// Why two links cannot place a point that is `start` at zero: one of them has no length.
+std::string missing_link(const Scope& scope, const Screw& a, const Screw& b, const Vector& start) {
   const auto has_no_length = [&](const Flat& link) { return scope.is_zero(link.x) && scope.is_zero(link.y); };
   if (has_no_length(in_frame(b, b.point - a.point, scope)))
     return "the axes of " + a.variable + " and " + b.variable + " coincide";
-  if (start && has_no_length(in_frame(b, *start - b.point, scope)))
+  if (has_no_length(in_frame(b, start - b.point, scope)))
     return "the point to be placed lies on the axis of " + b.variable;
   return "";
 }
@@ -64,7 +60,7 @@ void two_link(Attempt& attempt, const Screw& a, const Screw& b, const Vector& st
   builder.turn_by_pair(a, plane_g * conjugate(f), "the turn about the axis of " + a.variable);
 }
 
-std::string in_plane(Attempt& attempt, bool locked) {
+std::string in_plane(Attempt& attempt) {
   const auto& screws = attempt.chain.screws;
   const Scope& scope = attempt.scope;
   for (const Screw& screw : screws)
@@ -72,32 +68,19 @@ std::string in_plane(Attempt& attempt, bool locked) {
       return "not a planar arm: the axes are not all parallel";
   const Vector axis = screws[0].axis;
   Target target(attempt.builder, attempt.chain.home);
-  const Vector tool = attempt.chain.home.p;
-  std::optional<Vector> placed = tool;
-  if (screws.size() == 3) placed = locked ? std::nullopt : std::optional(screws[2].point);
+  // The tool point as a held joint has moved it.
+  const Vector tool = scope.held() ? attempt.scope.define(attempt.plan.target, "start", attempt.chain.home.p)
+                                   : attempt.chain.home.p;
+  const Vector placed = screws.size() == 3 ? screws[2].point : tool;
   if (std::string missing = missing_link(scope, screws[0], screws[1], placed); !missing.empty())
     return missing;
   if (screws.size() == 2) {
     require_height(attempt, axis, tool, target.pose().p);
     place_by_two_links(attempt, screws[0], screws[1], tool, target.pose().p);
-    attempt.plan.position_only = true;
     attempt.plan.structure = "two parallel axes place the tool point in their plane; the orientation follows";
     return "";
   }
   const Screw& third = screws[2];
-  if (locked) {
-    const Scope::Turn at = attempt.scope.turn(locked_joint);
-    attempt.plan.locked = 2;
-    attempt.plan.joints[2] = {true, std::string("cos_") + locked_joint, std::string("sin_") + locked_joint};
-    const Vector start = attempt.scope.define(attempt.plan.target, "start",
-                                              scope.clean(apply(third, at.cosine, at.sine, tool)));
-    require_height(attempt, axis, tool, target.pose().p);
-    place_by_two_links(attempt, screws[0], screws[1], start, target.pose().p);
-    attempt.plan.position_only = true;
-    attempt.plan.structure =
-        "three parallel axes with " + third.variable + " given: two links place the tool point";
-    return "";
-  }
   const symbolic::Quaternion& q = target.orientation();
   const Vector part{q.x, q.y, q.z};
   attempt.builder.require_zero(scope.clean(dot(screws[0].first, part)), 1, "no tilt out of the plane");

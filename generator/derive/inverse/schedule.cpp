@@ -110,6 +110,13 @@ std::vector<const Step*> steps_behind(const Plan& plan, std::size_t index) {
   return found;
 }
 
+bool reads_halves(const Plan& plan, const Step& step) {
+  const std::vector<std::string> read = reads(step);
+  const std::set<std::string> wanted(read.begin(), read.end());
+  return std::any_of(plan.steps.begin(), plan.steps.end(),
+                     [&](const Step& other) { return moves(other) && any_of(writes(other), wanted); });
+}
+
 std::vector<std::size_t> order(const Plan& plan, bool careful) {
   const std::size_t polish = polish_of(plan);
   const std::vector<bool> needed = needed_before(plan, polish);

@@ -15,6 +15,9 @@ void prune(Plan& plan);
 /// Names of symbols that a step reads.
 std::vector<std::string> reads(const Step& step);
 
+/// Whether a step reads what half angles leave, itself.
+bool reads_halves(const Plan& plan, const Step& step);
+
 /// The steps before one whose values it reads, itself or by another, in order.
 std::vector<const Step*> steps_behind(const Plan& plan, std::size_t index);
 

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include <cln/cln.h>
+
 #include "exact/named_constant.h"
 #include "symbolic/model.h"
 
@@ -53,7 +55,7 @@ ex value_at(const ex& value, const GiNaC::exmap& point) {
 
 }  // namespace
 
-Scope::Scope(const model::Robot& robot) {
+Scope::Scope(const model::Robot& robot, const std::string& held) {
   for (const auto& parameter : robot.geometry) length(parameter.name);
   for (const std::string& name : model::symbols(robot)) {
     const auto value = exact::named_value(name);
@@ -65,6 +67,14 @@ Scope::Scope(const model::Robot& robot) {
     for (std::size_t i = 0; i < points; ++i)
       values[i] = value_at(symbolic::to_symbolic(definition), samples_[i]);
     add(name, values);
+  }
+  if (held.empty()) return;
+  held_.emplace(held);
+  const Digits digits;
+  for (GiNaC::exmap& sample : samples_) {
+    const ex cosine = value_at(held_->cosine_value, sample), sine = value_at(held_->sine_value, sample);
+    sample[held_->cosine] = cosine;
+    sample[held_->sine] = sine;
   }
 }
 
@@ -143,7 +153,8 @@ bool Scope::is_zero(const ex& value) const {
 
 ex Scope::clean(const ex& value) const {
   if (is_zero(value)) return 0;
-  return expanded_terms(value) > most_terms ? value : value.expand();
+  if (expanded_terms(value) > most_terms) return value;
+  return held_ ? held_->in_whole_angle(value.expand()) : value.expand();
 }
 
 bool Scope::is_number(const ex& value) {
@@ -167,6 +178,17 @@ numeric Scope::value(const ex& value) const {
 }
 
 double Scope::sample(const ex& value) const { return this->value(value).to_double(); }
+
+ex Scope::settled(const ex& value) const {
+  const ex cleaned = clean(value);
+  if (is_number(cleaned)) return cleaned;
+  const cln::cl_N sample = this->value(cleaned).to_cl_N();
+  // To fewer digits than were computed: what rounding has left is not to be made good.
+  const cln::cl_R rounded = cln::cl_float(cln::realpart(sample), cln::float_format(40));
+  const cln::cl_RA simplest = cln::rationalize(rounded);
+  const bool is_short = cln::denominator(simplest) < cln::cl_I(1000000000);
+  return is_short && is_zero(cleaned - numeric(simplest)) ? ex(numeric(simplest)) : cleaned;
+}
 
 ex Scope::define(symbolic::Program& program, const std::string& name, const ex& value) {
   if (is_number(value) || GiNaC::is_a<GiNaC::symbol>(value) || GiNaC::is_a<GiNaC::symbol>(-value))

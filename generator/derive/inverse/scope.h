@@ -3,8 +3,10 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <string>
 
+#include "derive/inverse/held_angle.h"
 #include "model/robot.h"
 #include "symbolic/program.h"
 
@@ -17,7 +19,8 @@ namespace qvgen::derive::inverse {
 /// of 60 digits; for algebraic expressions a chance hit at rational points of this size does not occur.
 class Scope {
  public:
-  explicit Scope(const model::Robot& robot);
+  /// `held`: the parameter that is the angle of a held joint, if there is one.
+  explicit Scope(const model::Robot& robot, const std::string& held = "");
 
   symbolic::Quaternion quaternion(const std::string& prefix);
   /// A quaternion that is the same but for its length, whose inverse square is the symbol `scale`.
@@ -34,10 +37,17 @@ class Scope {
   [[nodiscard]] bool is_zero(const symbolic::Vector& v) const {
     return is_zero(v.x) && is_zero(v.y) && is_zero(v.z);
   }
-  /// Expanded, with what vanishes replaced by 0.
+  [[nodiscard]] const std::optional<HeldAngle>& held() const { return held_; }
+
+  /// Expanded, with what vanishes replaced by 0 and half of a held angle by the whole where that is possible.
   [[nodiscard]] GiNaC::ex clean(const GiNaC::ex& value) const;
   [[nodiscard]] symbolic::Vector clean(const symbolic::Vector& v) const {
     return {clean(v.x), clean(v.y), clean(v.z)};
+  }
+  /// Cleaned, and the number that it is if nothing in it matters: what a held joint does not change, say.
+  [[nodiscard]] GiNaC::ex settled(const GiNaC::ex& value) const;
+  [[nodiscard]] symbolic::Vector settled(const symbolic::Vector& v) const {
+    return {settled(v.x), settled(v.y), settled(v.z)};
   }
   /// A number, or made of numbers alone.
   [[nodiscard]] static bool is_number(const GiNaC::ex& value);
@@ -64,6 +74,7 @@ class Scope {
   GiNaC::numeric random();
 
   Samples samples_;
+  std::optional<HeldAngle> held_;
   unsigned long state_ = 88172645463325252UL;
 };
 

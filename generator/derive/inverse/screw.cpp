@@ -67,7 +67,10 @@ class Frames {
  private:
   ex small(const ex& value, const char* part) {
     const ex cleaned = scope_.clean(value);
-    if (Scope::is_number(cleaned) || !holds_twist(cleaned)) return cleaned;
+    const ex others = scope_.held() ? scope_.held()->left_out(cleaned) : cleaned;
+    if (Scope::is_number(cleaned) || !holds_twist(others)) return cleaned;
+    const ex settled = scope_.settled(cleaned);
+    if (Scope::is_number(settled)) return settled;
     return scope_.define(constants_, named_part + std::to_string(count_) + "_" + part, cleaned);
   }
 
@@ -80,6 +83,10 @@ class Frames {
 
 Chain chain_of(const model::Robot& robot, Scope& scope, symbolic::Program& constants) {
   Chain chain;
+  if (scope.held()) {
+    constants.output(scope.held()->cosine, scope.held()->cosine_value);
+    constants.output(scope.held()->sine, scope.held()->sine_value);
+  }
   Frames frames(scope, constants);
   symbolic::Pair frame = symbolic::to_symbolic(robot.base);
   for (const model::Joint& joint : robot.joints) {

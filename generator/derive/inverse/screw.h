@@ -15,7 +15,7 @@ struct Screw {
   symbolic::Vector axis, first, second;
   symbolic::Vector point;
   std::string variable;
-  int joint = 0;
+  int joint = 0;               ///< -1: held
   symbolic::Quaternion frame;  ///< orientation of the frame in which the model gives its axis
 };
 

@@ -23,7 +23,9 @@ Target::Target(Builder& builder, const symbolic::Pair& home) : builder_(builder)
     }
   }
   const Vector wide{pose_.p.x, pose_.p.y, pose_.p.z};
-  scope.define(builder.plan().target, size_square, dot(wide, wide) + scope.clean(dot(home.p, home.p)));
+  GiNaC::ex arm = scope.clean(dot(home.p, home.p));
+  if (scope.held()) arm = scope.clean(scope.held()->at_zero(arm));
+  scope.define(builder.plan().target, size_square, dot(wide, wide) + arm);
 }
 
 void read_unit_quaternion(symbolic::Program& program) {
@@ -57,10 +59,10 @@ Vector Target::direction_source(const Vector& v) {
   return symbolic::rotate(home_.q, symbolic::transpose(matrix_) * v);
 }
 
-const symbolic::Quaternion& Target::orientation() {
+const symbolic::Quaternion& Target::orientation(const symbolic::Quaternion& home) {
   if (!named_) {
     const Scope& scope = builder_.scope();
-    const symbolic::Quaternion q = pose_.q * symbolic::inverse(home_.q);
+    const symbolic::Quaternion q = pose_.q * symbolic::inverse(home);
     orientation_ = builder_.scope().define(
         builder_.plan().target, "target_q",
         symbolic::Quaternion{scope.clean(q.w), scope.clean(q.x), scope.clean(q.y), scope.clean(q.z)});

@@ -10,7 +10,7 @@ namespace qvgen::emit {
 
 std::vector<std::string> legend(const model::Robot& described, const canonical::Arm& arm) {
   std::vector<std::string> lines;
-  for (std::size_t i = 0; i < arm.phases.size(); ++i) {
+  for (std::size_t i = 0; i < described.joints.size(); ++i) {
     const std::string& name = arm.robot.joints[i].variable;
     const std::string& meant = described.joints[i].variable;
     const bool has_phase = !(arm.phases[i] == exact::Angle{});

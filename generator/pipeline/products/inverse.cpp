@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 #include <qvgen/inverse/effort.h>
 
+#include "emit/cpp/inverse/entries.h"
+#include "emit/cpp/inverse/frames.h"
 #include "emit/cpp/inverse/scalar_loops.h"
 #include "emit/cpp/inverse/simd_loops.h"
 #include "emit/cpp/inverse/step_code.h"
@@ -15,6 +17,7 @@
 #include "emit/math/describe.h"
 #include "emit/render.h"
 #include "model/evaluate.h"
+#include "model/tasks.h"
 #include "pipeline/products/inverse_derivation.h"
 #include "pipeline/products/inverse_general.h"
 #include "verify/inverse/certify.h"
@@ -56,11 +59,14 @@ double length(const model::Vector3& v) {
 }
 
 /// What the tool's distance from the origin cannot exceed, as text: the sum of all lengths, if they are
-/// numbers and no joint slides; else empty.
-std::string reach(const model::Robot& robot) {
+/// numbers and no joint of the arm's own slides; else empty. A virtual joint at the tool has to end at zero.
+std::string reach(const derive::inverse::Problem& problem) {
+  const model::Robot& robot = problem.moving;
   std::vector<const model::Vector3*> offsets{&robot.base.translation, &robot.tool.translation};
-  for (const model::Joint& joint : robot.joints) {
-    if (joint.type == model::JointType::prismatic) return "";
+  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
+    const model::Joint& joint = robot.joints[i];
+    const bool is_own = i < static_cast<std::size_t>(problem.own_joints);
+    if (is_own && joint.type == model::JointType::prismatic) return "";
     offsets.insert(offsets.end(), {&joint.before.translation, &joint.after.translation});
   }
   double sum = 0;
@@ -71,39 +77,44 @@ std::string reach(const model::Robot& robot) {
   return fmt::format("{:.6f}", sum);
 }
 
-/// Fields of the target's geometry with what the caller's geometry says of them.
-json geometry_values(const model::Robot& robot) {
+/// Of the joint whose value is given.
+std::string unit_of(const derive::inverse::Derivation& derivation) {
+  return derivation.problem.given_slides ? "m" : "rad";
+}
+
+/// Fields of the target's geometry with what the caller's geometry, or the given joint's value, says of them.
+json geometry_values(const derive::inverse::Problem& problem, const std::string& given) {
+  const model::Robot& robot = problem.robot;
+  const std::string held = derive::inverse::held_parameter(problem);
   const emit::SymbolTable names = emit::symbol_table(robot, {});
   json list = json::array();
   const auto fields = emit::geometry_fields(robot);
   const auto add = [&](const std::string& name) {
-    list.push_back({{"field", fields.at(name)}, {"value", names.symbol(name)}});
+    list.push_back(
+        {{"field", fields.at(name)}, {"value", name == held ? "given_" + given : names.symbol(name)}});
   };
   for (const auto& parameter : robot.geometry) add(parameter.name);
   for (const auto& definition : robot.definitions) add(definition.first);
   return list;
 }
 
-/// Adds what the public functions hand to the derivation's arm in place of what they are given.
-void add_change_of_arm(const emit::InverseArm& arm, int locked, const std::string& given, json& values) {
-  const json change = emit::change_of_arm(arm);
-  const bool has_phases = change != json(false) && change["has_phases"] == json(true);
+/// Adds what the solver hands to the derivation's arm in place of what it is given.
+void add_change_of_arm(const derive::inverse::Problem& problem, const std::string& given, json& values) {
+  const bool has_phases = problem.has_phases();
+  const std::string phase = has_phases ? " + phases[" + std::to_string(problem.given) + "]" : "";
+  values["change"] = emit::change_of_arm(problem);
   values["has_phases"] = has_phases;
-  values["inner_pose"] = arm.has_frames
-                             ? "inverse::between_frames(detail::before_base(g), pose, detail::behind_tool(g))"
-                             : "pose";
-  values["inner_seed"] = has_phases ? "inverse::with_phases<dof>(seed, detail::phases)" : "seed";
-  values["zero_preference"] =
-      has_phases ? "inverse::zero_preference_at<dof>(detail::phases)" : "inverse::zero_preference<dof>";
-  const std::string index = std::to_string(locked);
-  values["locked_value"] =
-      given.empty() ? "" : ", given_" + given + (has_phases ? " + detail::phases[" + index + "]" : "");
+  values["inner_pose"] =
+      problem.has_frames ? "inverse::between_frames(before_base(g), pose, behind_tool(g))" : "pose";
+  values["inner_preference"] = has_phases ? "moved" : "preference";
+  values["inner_given"] = given.empty() ? "" : ", given_" + given + phase;
 }
 
-int polished_joints(const derive::inverse::Plan& plan) {
+/// None for a wrist alone.
+std::size_t polished_joints(const derive::inverse::Plan& plan) {
   for (const auto& step : plan.steps)
-    if (step.kind == derive::inverse::Kind::polish) return static_cast<int>(step.turns.size());
-  throw std::logic_error("inverse kinematics: a plan without Newton steps");
+    if (step.kind == derive::inverse::Kind::polish) return step.turns.size();
+  return 0;
 }
 
 /// Whether a pose may leave a slide free that the joints behind it have to follow.
@@ -122,41 +133,50 @@ int polished_branches(const derive::inverse::Plan& plan) {
   return branches;
 }
 
-/// `described` has the names of the description, `arm` those of the plan.
-json variant(const model::Robot& described, const emit::InverseArm& arm, const derive::inverse::Plan& derived,
+json effort_values(const qvgen::inverse::Budget& budget) {
+  return {{"passes", budget.passes}, {"steps", budget.steps}};
+}
+
+/// `described` has the names of the description, the problem its own.
+json variant(const model::Robot& described, const derive::inverse::Derivation& derivation,
              nlohmann::ordered_json& all_counts) {
-  const model::Robot& robot = arm.robot;
+  const derive::inverse::Problem& problem = derivation.problem;
+  const model::Robot& robot = problem.robot;
+  const std::string farthest = reach(problem);
+  const derive::inverse::Plan& derived = derivation.plan;
   const derive::inverse::LoweredPlan plan = lower(derived);
-  const verify::InverseCertificate certificate = verify::certify_inverse(robot, plan, certificate_poses);
-  const bool locked = derived.locked >= 0;
+  const verify::InverseCertificate certificate =
+      verify::certify_inverse(robot, plan, certificate_poses, problem.task);
+  const bool locked = problem.given >= 0;
   const bool lanes = emit::has_lanes(plan);
-  const std::string farthest = reach(robot);
-  const json geometry = geometry_values(robot);
-  const std::string given = locked ? described.joints[static_cast<std::size_t>(derived.locked)].variable : "";
+  const std::string given = locked ? described.joints[static_cast<std::size_t>(problem.given)].variable : "";
+  const json geometry = geometry_values(problem, given);
   const std::string function = locked ? "inverse_kinematics_given_" + given : "inverse_kinematics";
   if (const auto counts = verify::inverse_counts(plan); !counts.empty()) all_counts[function] = counts;
-  const int joints = polished_joints(derived);
+  // A tracker of branches is there for a wrist alone too.
+  const std::size_t joints = std::max<std::size_t>(polished_joints(derived), 1);
   const int branches = polished_branches(derived);
-  const qvgen::inverse::Budget most = qvgen::inverse::most_effort(joints, branches);
+  const qvgen::inverse::Budget most = qvgen::inverse::most_effort(static_cast<int>(joints), branches);
   json values{
       {"space", locked ? "given_" + given : "all"},
       {"function", function},
       {"solutions", locked ? "SolutionsGiven_" + given : "Solutions"},
       {"info", locked ? "inverse_info_given_" + given : "inverse_info"},
-      {"uses_orientation", derived.position_only ? "false" : "true"},
-      {"given", derived.locked},
+      {"task", model::task_name(problem.task)},
+      {"given", problem.given},
       {"locked", locked},
-      {"locked_parameter", locked ? "double given_" + given + ", " : ""},
-      {"locked_argument", locked ? ", given_" + given : ""},
+      {"given_name", "given_" + given},
+      {"given_parameter", locked ? "double given_" + given + ", " : ""},
+      {"given_argument", locked ? "given_" + given + ", " : ""},
+      {"given_last_parameter", locked ? ", double given_" + given : ""},
+      {"given_last_argument", locked ? ", given_" + given : ""},
+      {"given_meaning", locked ? "; " + given + ", " + unit_of(derivation) + ", is given" : ""},
       {"quartic", derived.quartic() || chooses_slide(derived)},
       {"stable_branches", derived.quartic() ? "false" : "true"},
       {"counts_roots", derived.quartic()},
       {"reach", farthest.empty() ? "1e50" : farthest},
       {"has_reach", !farthest.empty()},
       {"capacity", derived.capacity},
-      {"meaning", std::string(derived.position_only ? "its position; the orientation is not used"
-                                                    : "position and orientation") +
-                      (locked ? "; " + given + ", rad, is given" : "")},
       {"structure", derived.structure},
       {"summary", emit::lines_of(summary(plan))},
       {"certificate", certificate.text()},
@@ -165,7 +185,7 @@ json variant(const model::Robot& described, const emit::InverseArm& arm, const d
       {"target", emit::target_values(robot, plan)},
       {"range_test", emit::range_test_values(robot, plan)},
       {"steps", emit::step_values(robot, plan)},
-      {"dof", robot.joints.size()},
+      {"row_size", problem.row_size},
       {"has_geometry", !geometry.empty()},
       {"geometry", geometry},
       {"first_pass",
@@ -174,12 +194,14 @@ json variant(const model::Robot& described, const emit::InverseArm& arm, const d
            : json{{"lines", emit::lines_of(emit::scalar_loop_lines(robot, plan, emit::Pass::first))}}},
       {"polished_joints", std::to_string(joints)},
       {"polished_branches", std::to_string(branches)},
-      {"most_passes", most.passes},
-      {"most_steps", most.steps},
+      {"most_of_rows", effort_values(most)},
+      {"most_of_reaching",
+       effort_values(qvgen::inverse::most_effort_of_reaching(problem.own_joints, derived.capacity, most))},
       {"careful_pass", emit::lines_of(emit::scalar_loop_lines(robot, plan, emit::Pass::careful))},
       {"has_lanes", lanes ? "true" : "false"},
       {"lanes", lanes ? json{{"lines", emit::lines_of(emit::simd_loop_lines(robot, plan))}} : json(false)}};
-  add_change_of_arm(arm, derived.locked, given, values);
+  add_change_of_arm(problem, given, values);
+  emit::add_entries(described, derivation, values);
   return values;
 }
 
@@ -197,9 +219,10 @@ void generate_inverse(const model::Robot& described, RobotOutput& output) {
     return;
   }
   json values{{"name", described.name}, {"variants", json::array()}};
-  values["change"] = emit::change_of_arm(derivation.arm);
-  for (const derive::inverse::Plan& plan : derivation.plans)
-    values["variants"].push_back(variant(described, derivation.arm, plan, output.counts));
+  for (const derive::inverse::Derivation& form : derivation.closed_forms)
+    values["variants"].push_back(variant(described, form, output.counts));
+  values["checks"] = std::any_of(values["variants"].begin(), values["variants"].end(),
+                                 [](const json& each) { return each["arm"].is_object(); });
   output.files.push_back(
       {"include/qvgen/robots/" + described.name + "/inverse.h", emit::render("inverse.h", values)});
   const std::string sources = "source/" + described.name + "/";

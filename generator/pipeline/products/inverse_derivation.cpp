@@ -7,11 +7,9 @@ namespace qvgen::pipeline {
 namespace {
 
 void add_closed_forms(const model::Robot& described, InverseDerivation& result) {
-  result.canonical = derive::inverse::arm_to_solve(model::with_private_names(described));
-  result.arm = emit::inverse_arm(result.canonical);
-  const model::Robot& robot = result.arm.robot;
-  for (auto& derivation : {derive::inverse::derive(robot), derive::inverse::derive_locked(robot)}) {
-    if (derivation.found) result.plans.push_back(derivation.plan);
+  const model::Robot robot = model::with_private_names(described);
+  for (auto& derivation : {derive::inverse::derive(robot), derive::inverse::derive_given(robot)}) {
+    if (derivation.found) result.closed_forms.push_back(derivation);
     result.reasons.insert(result.reasons.end(), derivation.reasons.begin(), derivation.reasons.end());
   }
 }

@@ -13,9 +13,12 @@ namespace {
 
 using derive::inverse::LoweredPlan;
 /// Differences of two poses and of two joint vectors, orientations up to sign, angles up to whole turns.
-double difference(const Pair& a, const Pair& b, bool orientation) {
+double difference(const Pair& a, const Pair& b, model::Task task) {
   Real worst(0);
-  for (std::size_t i = 0; i < 3; ++i) worst = abs(a.p[i] - b.p[i]) > worst ? abs(a.p[i] - b.p[i]) : worst;
+  const bool position = task != model::Task::direction && task != model::Task::orientation;
+  const bool orientation = task != model::Task::position;
+  for (std::size_t i = 0; position && i < 3; ++i)
+    worst = abs(a.p[i] - b.p[i]) > worst ? abs(a.p[i] - b.p[i]) : worst;
   const Quaternion between = product(conjugate(a.q), b.q);
   for (std::size_t i = 1; orientation && i < 4; ++i)
     worst = abs(between[i]) > worst ? abs(between[i]) : worst;
@@ -54,7 +57,8 @@ std::string InverseCertificate::text() const {
          " solutions give the pose back to 50 digits,\n/// the sampled joints among them.";
 }
 
-InverseCertificate certify_inverse(const model::Robot& robot, const LoweredPlan& plan, int poses) {
+InverseCertificate certify_inverse(const model::Robot& robot, const LoweredPlan& plan, int poses,
+                                   model::Task task) {
   InverseCertificate certificate;
   Numbers numbers;
   for (int k = 0; k < poses; ++k) {
@@ -70,22 +74,19 @@ InverseCertificate certify_inverse(const model::Robot& robot, const LoweredPlan&
     const Definition definition(robot, geometry);
     const Pair pose = definition.pose(q);
     Values values = target(geometry, pose);
-    if (plan.plan.locked >= 0) {
-      const Real locked = q[static_cast<std::size_t>(plan.plan.locked)];
-      values[std::string("cos_") + derive::inverse::locked_joint] = cos(locked);
-      values[std::string("sin_") + derive::inverse::locked_joint] = sin(locked);
-    }
     const std::vector<Row> rows = execute(plan, values);
     bool sampled = false;
     for (const Row& row : rows) {
-      if (difference(definition.pose(row.q), pose, !plan.plan.position_only) > fifty_digits)
+      if (difference(definition.pose(row.q), pose, task) > fifty_digits) {
+        if (plan.plan.candidates) continue;
         throw CertificateError("inverse kinematics: a solution does not give the pose back");
+      }
+      ++certificate.solutions;
       sampled = sampled || difference(robot, row.q, q) < fifty_digits;
     }
     if (!sampled)
       throw CertificateError("inverse kinematics: the sampled joints are not among the solutions");
     ++certificate.poses;
-    certificate.solutions += static_cast<int>(rows.size());
   }
   return certificate;
 }

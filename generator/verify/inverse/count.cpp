@@ -173,8 +173,7 @@ OperationCounts count_of_range_test(const LoweredPlan& plan) {
 
 nlohmann::ordered_json inverse_counts(const LoweredPlan& plan) {
   if (plan.plan.quartic()) return {};
-  OperationCounts target = dag::count(plan.target) + preparation();
-  if (plan.plan.locked >= 0) ++target.sine_cosines;
+  const OperationCounts target = dag::count(plan.target) + preparation();
   nlohmann::ordered_json steps{{"pose", to_json(target)}};
   OperationCounts all = target;
   if (plan.plan.range_test.exists()) {

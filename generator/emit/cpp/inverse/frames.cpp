@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "emit/cpp/inverse/frames.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
 #include "dag/import.h"
@@ -16,12 +14,6 @@ namespace qvgen::emit {
 namespace {
 
 using nlohmann::json;
-
-/// An angle that is no whole number of right angles has a name.
-bool is_oblique(const model::Displacement& displacement) {
-  return std::any_of(displacement.turns.begin(), displacement.turns.end(),
-                     [](const model::Turn& turn) { return !model::symbols(turn.angle).empty(); });
-}
 
 /// The displacement's inverse as the arguments of a Pose: quaternion w, x, y, z and position.
 json inverse_pose(const model::Robot& robot, const model::Displacement& displacement) {
@@ -47,31 +39,17 @@ double phase_in_radians(const exact::Angle& phase) { return cln::double_approx(*
 
 }  // namespace
 
-InverseArm inverse_arm(const canonical::Arm& arm) {
-  InverseArm result{arm.robot, {}, {}, false, arm.phases};
-  const bool numbers = std::all_of(arm.phases.begin(), arm.phases.end(), [](const exact::Angle& phase) {
-    return exact::radians(phase).has_value();
-  });
-  if (numbers && (is_oblique(arm.robot.base) || is_oblique(arm.robot.tool))) {
-    result.has_frames = true;
-    std::swap(result.base, result.robot.base);
-    std::swap(result.tool, result.robot.tool);
-  }
-  return result;
-}
-
-json change_of_arm(const InverseArm& arm) {
-  const bool has_phases = std::any_of(arm.phases.begin(), arm.phases.end(),
-                                      [](const exact::Angle& phase) { return !(phase == exact::Angle{}); });
-  if (!arm.has_frames && !has_phases) return false;
+json change_of_arm(const derive::inverse::Problem& problem) {
+  const bool has_phases = problem.has_phases();
+  if (!problem.has_frames && !has_phases) return false;
   json phases = json::array();
-  for (std::size_t i = 0; i < arm.phases.size(); ++i)
-    phases.push_back({{"phase", fmt::format("{}", phase_in_radians(arm.phases[i]))},
-                      {"last", i + 1 == arm.phases.size()}});
+  for (std::size_t i = 0; i < problem.phases.size(); ++i)
+    phases.push_back({{"phase", fmt::format("{}", phase_in_radians(problem.phases[i]))},
+                      {"last", i + 1 == problem.phases.size()}});
   json result{{"phases", phases}, {"has_phases", has_phases}, {"frames", false}};
-  if (arm.has_frames) {
-    result["frames"] = {{"base", inverse_pose(arm.robot, arm.base)},
-                        {"tool", inverse_pose(arm.robot, arm.tool)}};
+  if (problem.has_frames) {
+    result["frames"] = {{"base", inverse_pose(problem.moving, problem.base)},
+                        {"tool", inverse_pose(problem.moving, problem.tool)}};
   }
   return result;
 }

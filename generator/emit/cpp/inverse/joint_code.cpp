@@ -18,7 +18,9 @@ std::string length_argument(const LoweredPlan& plan, const derive::inverse::Join
 
 }  // namespace
 
-std::string joint_place(int joint) { return "q[" + std::to_string(joint) + "]"; }
+std::string joint_place(const derive::inverse::Plan& plan, int joint) {
+  return "q[" + std::to_string(plan.places[static_cast<std::size_t>(joint)]) + "]";
+}
 
 std::vector<std::string> joint_lines(const model::Robot& robot, const LoweredPlan& plan,
                                      const derive::inverse::Step& step, const std::string& work) {
@@ -27,7 +29,7 @@ std::vector<std::string> joint_lines(const model::Robot& robot, const LoweredPla
     const auto& value = plan.plan.joints[static_cast<std::size_t>(joint)];
     const std::string pair =
         work + "." + value.cosine + ", " + work + "." + value.sine + length_argument(plan, value, work);
-    lines.push_back(joint_place(joint) + " = " +
+    lines.push_back(joint_place(plan.plan, joint) + " = " +
                     (value.revolute ? "inverse::output_angle(" + pair + ")" : work + "." + value.cosine) +
                     ";");
   };

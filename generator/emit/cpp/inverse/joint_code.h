@@ -10,7 +10,7 @@
 namespace qvgen::emit {
 
 /// Where generated code has a joint's value: "q[2]".
-std::string joint_place(int joint);
+std::string joint_place(const derive::inverse::Plan& plan, int joint);
 
 /// Assignments of the joints' values that a step leaves in `work`, angles by their arctangent.
 std::vector<std::string> joint_lines(const model::Robot& robot, const derive::inverse::LoweredPlan& plan,

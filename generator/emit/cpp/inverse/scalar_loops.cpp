@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "emit/cpp/inverse/scalar_loops.h"
 
+#include "derive/inverse/schedule.h"
 #include "emit/cpp/inverse/joint_code.h"
 #include "emit/cpp/inverse/step_code.h"
 
@@ -18,8 +19,8 @@ class ScalarLoops {
 
   std::vector<std::string> write() {
     line("Work<double> w;");
-    line("JointVector<double> q;");
-    if (plan_.plan.locked >= 0) line(joint_place(plan_.plan.locked) + " = t.locked;");
+    line("qvgen::Joints<" + std::to_string(plan_.plan.row_size) + "> q;");
+    if (plan_.plan.given >= 0) line("q[" + std::to_string(plan_.plan.given) + "] = t.geometry.given_;");
     for (const std::size_t i : derive::inverse::order(plan_.plan, careful_)) step(i);
     if (!ended_) {
       flush();
@@ -72,6 +73,7 @@ class ScalarLoops {
     if (step.kind == Kind::half) return deferred_.push_back(call(i) + ";");
     if (step.is_quartic()) return quartic(i);
     if (step.branches == 1) {
+      if (derive::inverse::reads_halves(plan_.plan, step)) flush();
       line(call(i) + ";");
       if (step.kind == Kind::require) leave_unless(branch() + ".exists");
       return angles(step);
@@ -135,11 +137,13 @@ class ScalarLoops {
     const Step& step = plan_.plan.steps[i];
     const auto& joints = plan_.plan.wrist.joints;
     ended_ = true;
+    const bool alone = careful_ && work_ == "w";
+    if (alone) line("if (tracker.settled(0)) " + leave());
     flush();
     const auto set = [&](const std::string& first, const std::string& middle, const std::string& last) {
-      line(joint_place(joints[0]) + " = " + first + ";");
-      line(joint_place(joints[1]) + " = " + middle + ";");
-      line(joint_place(joints[2]) + " = " + last + ";");
+      line(joint_place(plan_.plan, joints[0]) + " = " + first + ";");
+      line(joint_place(plan_.plan, joints[1]) + " = " + middle + ";");
+      line(joint_place(plan_.plan, joints[2]) + " = " + last + ";");
     };
     if (step.kind == Kind::oblique_wrist) {
       const std::string arm = label();
@@ -151,7 +155,8 @@ class ScalarLoops {
       append("q", label());
       --depth_;
       line("}");
-      if (careful_)
+      if (alone) line("if (found.size() > before) tracker.close(0);");
+      if (careful_ && !alone)
         line("if (found.size() == before) tracker.reopen(" + arm + ", " + branch() + ".continuum);");
       return;
     }
@@ -161,6 +166,7 @@ class ScalarLoops {
     append("q", both.empty() ? "0" : both);
     set("angles.other.first", "angles.other.middle", "angles.other.last");
     append("q", both.empty() ? "1" : both + " + 1");
+    if (alone) line("tracker.close(0);");
   }
 
   const model::Robot& robot_;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "derive/inverse/schedule.h"
 #include "emit/cpp/inverse/joint_code.h"
 #include "emit/cpp/inverse/step_code.h"
 
@@ -33,7 +34,7 @@ class SimdLoops {
     line("inverse::avx2::LaneRows<" + dof() + "> rows(places);");
     line("Work<Pack> w;");
     line("Pack q[" + dof() + "];");
-    if (plan_.plan.locked >= 0) line(joint_place(plan_.plan.locked) + " = Pack(t.locked);");
+    if (plan_.plan.given >= 0) line("q[" + std::to_string(plan_.plan.given) + "] = Pack(t.geometry.given_);");
     for (const std::size_t i : derive::inverse::order(plan_.plan, false)) step(i);
     if (!ended_) {
       flush();
@@ -48,7 +49,8 @@ class SimdLoops {
   }
 
  private:
-  std::string dof() const { return std::to_string(robot_.joints.size()); }
+  std::string dof() const { return std::to_string(plan_.plan.row_size); }
+  int place(int joint) const { return plan_.plan.places[static_cast<std::size_t>(joint)]; }
   void line(const std::string& text) {
     lines_.push_back(std::string(static_cast<std::size_t>(2 * depth_), ' ') + text);
   }
@@ -71,7 +73,7 @@ class SimdLoops {
     if (is_last_wrist(plan_, step)) return wrist(i);
     if (step.kind == Kind::half)
       return ended_leaving_ ? line(call(i) + ";") : halves_.push_back(call(i) + ";");
-    if (step.is_wrist()) flush_halves();
+    if (step.is_wrist() || derive::inverse::reads_halves(plan_.plan, step)) flush_halves();
     if (step.branches == 2 && loops_left_ > 0) {
       loop(i);
     } else if (step.branches == 2) {
@@ -132,13 +134,15 @@ class SimdLoops {
                          const std::string& last) {
       const std::array<std::string, 3> values = {first, middle, last};
       for (std::size_t k = 0; k < 3; ++k)
-        line(array + "[" + std::to_string(joints[k]) + "] = " + values[k] + ";");
+        line(array + "[" + std::to_string(place(joints[k])) + "] = " + values[k] + ";");
     };
     const auto copy = [&] {
       line("Pack twin[" + dof() + "];");
-      for (std::size_t j = 0; j < robot_.joints.size(); ++j)
-        if (std::find(joints.begin(), joints.end(), static_cast<int>(j)) == joints.end())
-          line("twin[" + std::to_string(j) + "] = " + joint_place(static_cast<int>(j)) + ";");
+      for (int j = 0; j < plan_.plan.row_size; ++j) {
+        const bool turns =
+            std::any_of(joints.begin(), joints.end(), [&](int joint) { return place(joint) == j; });
+        if (!turns) line("twin[" + std::to_string(j) + "] = q[" + std::to_string(j) + "];");
+      }
     };
     if (plan_.plan.steps[i].kind == Kind::oblique_wrist) {
       line("const inverse::Branch<Pack> before = w.branch;");

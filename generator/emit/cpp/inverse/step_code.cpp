@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <map>
 
-#include "derive/inverse/inverse.h"
 #include "derive/inverse/schedule.h"
 #include "emit/cpp/code.h"
 #include "emit/cpp/literal.h"
@@ -49,9 +48,6 @@ SymbolTable names_of(const model::Robot& robot, const LoweredPlan& plan, const S
     if (name == "sin_result" || name == "result_2") return "result.sine";
     if (name == "result") return result;
     if (std::find(target.begin(), target.end(), name) != target.end()) return "Scalar(t." + name + ")";
-    if (name == std::string("cos_") + derive::inverse::locked_joint ||
-        name == std::string("sin_") + derive::inverse::locked_joint)
-      return "Scalar(t." + name + ")";
     return "w." + name;
   };
   const auto refuse = [](const dag::Angle& angle) -> std::string {
@@ -81,15 +77,16 @@ std::string choice(int joint, const std::string& kind = "turn") {
   const std::string turn = "t.preference->" + kind + "[" + std::to_string(joint) + "]";
   return rotor("Scalar(" + turn + ".cosine)", "Scalar(" + turn + ".sine)");
 }
-std::string choice(const Step& step) { return choice(step.joint); }
+/// The row's place of the joint that a step determines.
+int place(const LoweredPlan& plan, int joint) { return plan.plan.places[static_cast<std::size_t>(joint)]; }
 
 std::string spread() {
   return rotor("Scalar(t.preference->spread.cosine)", "Scalar(t.preference->spread.sine)");
 }
 
 /// A slide's seed, or what is nearest to it with the joint after it in reach.
-std::string slide_choice(const Step& step) {
-  const std::string value = preferred_slide(step.joint);
+std::string slide_choice(const LoweredPlan& plan, const Step& step) {
+  const std::string value = preferred_slide(place(plan, step.joint));
   if (!step.has_input("inner")) return value;
   const bool between = step.has_input("outer");
   return std::string("inverse::") + (between ? "slide_between" : "slide_beyond") + "<Scalar>(" +
@@ -98,10 +95,10 @@ std::string slide_choice(const Step& step) {
 }
 
 /// The turn that the seed's angles add up to.
-std::string seeds(const Step& step) {
+std::string seeds(const LoweredPlan& plan, const Step& step) {
   std::string product;
   for (const Step::Seed& seed : step.seeds) {
-    const std::string turn = choice(seed.joint);
+    const std::string turn = choice(place(plan, seed.joint));
     product += (product.empty() ? "" : " * ") + (seed.sense > 0 ? turn : "inverse::inverse(" + turn + ")");
   }
   return product;
@@ -109,14 +106,14 @@ std::string seeds(const Step& step) {
 
 std::string tiny(const Step& step) { return "Scalar(t.tiny" + std::to_string(step.degree) + ")"; }
 
-std::string direction(const Step& step) {
+std::string direction(const LoweredPlan& plan, const Step& step) {
   // What a sum of angles shall be is worked out before.
   if (step.joint < 0)
     return "inverse::chosen_direction<Scalar>(" + rotor("x", "y") + ", " + rotor("choice_x", "choice_y") +
            ", t.boundary, w.branch)";
   const std::string block = step.unit ? "direction" : step.length_known ? "span_of_length" : "span";
   return "inverse::" + block + "<Scalar>(" + rotor("x", "y") + (step.length_known ? ", length, " : ", ") +
-         tiny(step) + ", " + choice(step.joint, step.unit ? "turn" : "brief") + ", " +
+         tiny(step) + ", " + choice(place(plan, step.joint), step.unit ? "turn" : "brief") + ", " +
          (step.unit ? "" : length_place(step.unknown) + ", ") + "w.branch)";
 }
 
@@ -138,17 +135,18 @@ std::pair<std::string, std::string> block(const LoweredPlan& plan, const Step& s
       return {turn, "inverse::circle_angle<Scalar>(low, high, scale, sign, t.boundary, w.branch)"};
     case Kind::free_circle:
       return {turn, "inverse::free_circle_angle<Scalar>(low, high, " + rotor("x", "y") + ", " + tiny(step) +
-                        ", " + choice(step) + ", sign, t.boundary, w.branch)"};
+                        ", " + choice(place(plan, step.joint)) + ", sign, t.boundary, w.branch)"};
     case Kind::factored:
       return {turn, "inverse::factored_line_angle<Scalar>(" + rotor("x", "y") + ", rhs, low, high, " +
-                        tiny(step) + ", " + choice(step) + ", sign, t.boundary, w.branch)"};
+                        tiny(step) + ", " + choice(place(plan, step.joint)) +
+                        ", sign, t.boundary, w.branch)"};
     case Kind::reach:
       return {turn, "inverse::reachable_direction<Scalar>(" + rotor("point_x", "point_y") + ", " +
-                        rotor("offset_x", "offset_y") + ", inner, outer, " + seeds(step) + ")"};
+                        rotor("offset_x", "offset_y") + ", inner, outer, " + seeds(plan, step) + ")"};
     case Kind::opposite:
-      return {turn, "sign * " + direction(step)};
+      return {turn, "sign * " + direction(plan, step)};
     case Kind::pair:
-      return {turn, direction(step)};
+      return {turn, direction(plan, step)};
     case Kind::half:
       return {turn, half(plan, step)};
     case Kind::root:
@@ -159,12 +157,12 @@ std::pair<std::string, std::string> block(const LoweredPlan& plan, const Step& s
                             (step.has_input("divisor")
                                  ? rotor("divisor", "Scalar(0)") + ", " + rotor("rhs", "Scalar(0)")
                                  : rotor("x", "y") + ", " + rotor("rhs_x", "rhs_y")) +
-                            ", Scalar(t.tiny1), " + slide_choice(step) + ", t.boundary, w.branch)"};
+                            ", Scalar(t.tiny1), " + slide_choice(plan, step) + ", t.boundary, w.branch)"};
     case Kind::slides:
       return {turn, "inverse::two_slides<Scalar>(" + rotor("a", "b") + ", k, " + rotor("g", "f") +
-                        ", gap, Scalar(t.tiny1), Scalar(t.size_square), " + preferred_slide(step.joint) +
-                        ", " + spread() + ", " + (step.branches == 1 ? "Scalar(0)" : "sign") +
-                        ", t.boundary, w.branch)"};
+                        ", gap, Scalar(t.tiny1), Scalar(t.size_square), " +
+                        preferred_slide(place(plan, step.joint)) + ", " + spread() + ", " +
+                        (step.branches == 1 ? "Scalar(0)" : "sign") + ", t.boundary, w.branch)"};
     case Kind::require:
       return {"", "inverse::require_zero<Scalar>(residual, scale, " + tolerance + ", w.branch)"};
     case Kind::conic:
@@ -174,14 +172,16 @@ std::pair<std::string, std::string> block(const LoweredPlan& plan, const Step& s
       return {"inverse::SlideTurns<Scalar>",
               "inverse::slide_and_turn<Scalar>({divisor, h, level, {l_x, l_y}, mean, {m_x, m_y}}, "
               "Scalar(t.tiny1), Scalar(t.size_square), " +
-                  preferred_slide(step.slide) + ", " + spread() + ", t.boundary, inverse::pi<Scalar>())"};
+                  preferred_slide(place(plan, step.slide)) + ", " + spread() +
+                  ", t.boundary, inverse::pi<Scalar>())"};
     case Kind::right_wrist: {
       const std::string swapped = plan.plan.wrist.middle_swapped ? "true" : "false";
       const std::string uv = rotor("u_x", "u_y") + ", " + rotor("v_x", "v_y") + ", " + swapped + ", ";
       if (ends(plan, step))
-        return {"inverse::WristBranches<Scalar>", "inverse::right_wrist<Scalar>(" + uv +
-                                                      preferred_angle(plan.plan.wrist.joints[0]) +
-                                                      ", inverse::pi<Scalar>(), w.branch)"};
+        return {"inverse::WristBranches<Scalar>",
+                "inverse::right_wrist<Scalar>(" + uv +
+                    preferred_angle(place(plan, plan.plan.wrist.joints[0])) +
+                    ", inverse::pi<Scalar>(), w.branch)"};
       return {"inverse::WristTurns<Scalar>", "inverse::right_wrist_turns<Scalar>(" + uv +
                                                  rotor("choice_x", "choice_y") +
                                                  ", sign, t.boundary, w.branch)"};
@@ -194,7 +194,7 @@ std::pair<std::string, std::string> block(const LoweredPlan& plan, const Step& s
                 "inverse::oblique_wrist_turns<Scalar>(" + uv + rotor("cosine_delta", "sine_delta") + ", " +
                     rotor("choice_x", "choice_y") + ", sign, t.boundary, w.branch)"};
       return {"inverse::WristAngles<Scalar>", "inverse::oblique_wrist<Scalar>(" + uv + "sign, " +
-                                                  preferred_angle(plan.plan.wrist.joints[0]) +
+                                                  preferred_angle(place(plan, plan.plan.wrist.joints[0])) +
                                                   ", t.boundary, inverse::pi<Scalar>(), w.branch)"};
     }
     case Kind::polish:
@@ -230,7 +230,8 @@ std::vector<std::string> polish_lines(const model::Robot& robot, const LoweredPl
     arm.push_back(std::string("inverse::Screw<Scalar>{") + (joint.revolute ? "true" : "false") + ", " +
                   triple("axis", i) + ", " + triple("point", i) + "}");
     from.push_back(rotor("w." + joint.cosine, joint.revolute ? "w." + joint.sine : "Scalar(0)"));
-    seed.push_back(joint.revolute ? choice(index) : rotor(preferred_slide(index), "Scalar(0)"));
+    seed.push_back(joint.revolute ? choice(place(plan, index))
+                                  : rotor(preferred_slide(place(plan, index)), "Scalar(0)"));
     const std::string value = "values[" + std::to_string(i) + "].";
     back.push_back("w." + joint.cosine + " = " + value + "cosine;");
     if (joint.revolute) back.push_back("w." + joint.sine + " = " + value + "sine;");
@@ -272,6 +273,9 @@ std::vector<std::string> wrist_turn_lines(const Step& step) {
 std::map<std::string, std::string> geometry_fields(const model::Robot& robot) {
   std::map<std::string, std::string> fields;
   for (const auto& parameter : robot.geometry) fields[parameter.name] = model::described_name(parameter.name);
+  // The only symbol without a mark is a held joint's.
+  for (auto& [name, field] : fields)
+    if (!model::is_marked(name)) field = "given_";
   std::size_t index = 0;
   for (const auto& definition : robot.definitions)
     fields[definition.first] = "defined_" + std::to_string(++index) + "_";
@@ -291,6 +295,14 @@ std::vector<std::string> work_fields(const LoweredPlan& plan) {
   return fields;
 }
 
+namespace {
+
+bool mentions(const json& code, const std::string& name) {
+  return code.dump().find(name) != std::string::npos;
+}
+
+}  // namespace
+
 json target_values(const model::Robot& robot, const LoweredPlan& plan) {
   const std::map<std::string, std::string> fields = geometry_fields(robot);
   const auto symbol = [&](const std::string& name) {
@@ -298,13 +310,30 @@ json target_values(const model::Robot& robot, const LoweredPlan& plan) {
     const auto field = fields.find(name);
     return field != fields.end() ? "t.geometry." + field->second : name;
   };
-  // Sines of twists that are symbols.
+  // Sines of twists that are symbols, and of a joint that is held.
   const SymbolTable plain{symbol, {}, {}};
-  const auto function = [&](const std::string& name) {
-    return [&, name](const dag::Angle& angle) { return name + "(" + angle_code(angle, plain) + ")"; };
+  const std::vector<dag::Angle> angles = angles_of(plan.target);
+  const auto name = [&](const std::string& letter, const dag::Angle& angle) {
+    const auto place =
+        static_cast<std::size_t>(std::find(angles.begin(), angles.end(), angle) - angles.begin());
+    std::string of = angle_name(robot, angle, place);
+    if (const auto mark = of.find("g."); mark != std::string::npos) of.erase(mark, 2);
+    return letter + (of.front() == '_' ? "" : "_") + of;
   };
-  const Code code = straight_code(plan.target, {symbol, function("std::sin"), function("std::cos")});
-  return to_json(code);
+  const auto named = [&](const std::string& letter) {
+    return [&, letter](const dag::Angle& angle) { return name(letter, angle); };
+  };
+  json code = to_json(straight_code(plan.target, {symbol, named("sin"), named("cos")}));
+  json sines = json::array();
+  for (const dag::Angle& angle : angles)
+    for (const char* function : {"sin", "cos"})
+      if (mentions(code, name(function, angle)))
+        sines.push_back(
+            {{"name", name(function, angle)},
+             {"expression", std::string("std::") + function + "(" + angle_code(angle, plain) + ")"}});
+  sines.insert(sines.end(), code["temporaries"].begin(), code["temporaries"].end());
+  code["temporaries"] = sines;
+  return code;
 }
 
 json range_test_values(const model::Robot& robot, const LoweredPlan& plan) {
@@ -329,6 +358,7 @@ json step_values(const model::Robot& robot, const LoweredPlan& plan) {
     if (step.is_wrist() && !ends(plan, step)) extra = wrist_turn_lines(step);
     const bool split = step.is_quartic();
     const bool slides = step.kind == Kind::slide_turn;
+    if (plan.plan.chooses_for_others(step)) extra = {"w.branch.doubt(w.branch.continuum);"};
     if (slides) extra = {"if (result.chosen) w.branch.continuum = w.branch.doubtful = true;"};
     const bool returns = split || ends(plan, step);
     const bool oblique = step.kind == Kind::oblique_wrist;

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "derive/inverse/lower.h"
+#include "emit/cpp/code.h"
 #include "model/robot.h"
 
 namespace qvgen::emit {

@@ -39,6 +39,9 @@ class BranchTracker {
 
   [[nodiscard]] Budget& budget() { return budget_; }
 
+  /// A solution of which nothing is polished.
+  void close(int label) { states_[static_cast<std::size_t>(label)] = BranchState::settled; }
+
   /// Takes back the last solution: a wrist cannot follow there.
   void reopen(int label, bool continuum) {
     states_[static_cast<std::size_t>(label)] = continuum ? BranchState::turned_back : BranchState::missed;

@@ -35,4 +35,18 @@ constexpr Budget most_effort(int joints, int branches) {
   return {8, joints > 3 ? 20 + 5 * branches : 40 + 8 * branches};
 }
 
+/// So often are the rows that `reaching` looks at computed anew, where they leave a joint free.
+inline constexpr int reaching_choices = 16;
+
+/// What `reaching` may cost besides the rows, which are at most so many.
+constexpr Budget effort_of_reaching(int joints, int rows) {
+  return {0, reaching_choices * most_effort(joints, rows).steps};
+}
+
+/// The same together with the rows, each time of which costs at most `once`.
+constexpr Budget most_effort_of_reaching(int joints, int rows, Budget once) {
+  return {reaching_choices * once.passes,
+          reaching_choices * once.steps + effort_of_reaching(joints, rows).steps};
+}
+
 }  // namespace qvgen::inverse

@@ -41,19 +41,16 @@ void subtract_phases(Solutions<dof, capacity>& found, const Phases<dof>& phases)
     }
 }
 
-/// A seed in the derivation's angles.
+/// What free joints are to be, in the derivation's angles.
 template <int dof>
-Eigen::Matrix<double, dof, 1> with_phases(Eigen::Matrix<double, dof, 1> q, const Phases<dof>& phases) {
-  for (int i = 0; i < dof; ++i) q[i] += phases[static_cast<std::size_t>(i)];
-  return q;
-}
-
-/// What free joints are where no seed says it: zero in the description's angles.
-template <int dof>
-Preference<dof> zero_preference_at(const Phases<dof>& phases) {
-  Preference<dof> result = preference<dof>(with_phases<dof>(Eigen::Matrix<double, dof, 1>::Zero(), phases));
-  result.seeded = false;
-  return result;
+Preference<dof> with_phases(Preference<dof> preference, const Phases<dof>& phases) {
+  for (int i = 0; i < dof; ++i) {
+    const double phase = phases[static_cast<std::size_t>(i)];
+    if (phase == 0) continue;
+    preference.angle[i] += phase;
+    preference.choose(i, Rotor<double>{std::cos(phase), std::sin(phase)} * preference.turn[i]);
+  }
+  return preference;
 }
 
 }  // namespace qvgen::inverse

@@ -19,13 +19,17 @@ enum class Status {
   incomplete    ///< near a singular pose all allowed work is done: every row is right, others may exist
 };
 
+/// What of a pose is asked for; see tasks.h.
+enum class Task { pose, position, position_and_direction, position_and_yaw, direction, orientation };
+
 /// What a generated inverse kinematics solves.
 struct InverseInfo {
-  int capacity;                 ///< the most solutions that a pose can have
-  bool uses_orientation;        ///< false: the position alone is reached
+  int capacity;                 ///< the most solutions that there can be
+  Task task;                    ///< of the entry that asks for the most that the arm can follow
   int given_joint;              ///< index of the joint whose value the caller gives, -1 for none
   bool has_lanes;               ///< there is a form that follows several branches at once
   bool stable_branches;         ///< a branch keeps its number along a path without a singularity
+  double tool_axis[3];          ///< for tasks with a direction: the axis of the tool that points there
   bool by_elimination = false;  ///< no closed form: near singular poses a solution may be missing
 };
 

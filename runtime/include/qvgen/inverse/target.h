@@ -53,19 +53,12 @@ struct TargetBase {
   Boundary boundary;                              ///< how this pass treats the ends of ranges
   double tiny1, tiny2,
       tiny4;  ///< squares of directions that are noise: of lengths, squared lengths, short lengths squared
-  double locked, cos_locked, sin_locked;
   const Preference<dof>* preference;
 
   [[gnu::always_inline]] void set_size(double square) {
     tiny1 = noise * noise * square;
     tiny2 = tiny1 * square;
     tiny4 = tiny1 * tiny1;
-  }
-
-  void lock(double angle) {
-    locked = angle;
-    cos_locked = std::cos(angle);
-    sin_locked = std::sin(angle);
   }
 };
 

@@ -19,9 +19,10 @@ struct Limits : JointLimits<dof> {
 };
 
 using Solutions = qvgen::Solutions<dof, 4>;
-/// At most 4 solutions; what of the pose is used; the joint that the caller gives, -1 for none; has lanes;
-/// whether branches keep their numbers along a path.
-inline constexpr InverseInfo inverse_info{ 4, true, -1, false, true };
+/// At most 4 solutions; what is asked for; the joint that the caller gives, -1 for none; has lanes;
+/// whether branches keep their numbers along a path;
+/// the axis of the tool whose direction is asked for.
+inline constexpr InverseInfo inverse_info{ 4, Task::pose, -1, false, true, {} };
 
 /// All joint values that bring the tool to a pose (position and orientation), angles in (-pi, pi], each once.
 ///
@@ -43,7 +44,6 @@ inline constexpr InverseInfo inverse_info{ 4, true, -1, false, true };
 /// Near a singular pose, where rounding would decide which solutions exist, at most
 /// 8 passes over the branches and 56 evaluations of the Jacobian are added (`effort` of the set);
 /// Status::incomplete says that they did not suffice.
-
 Solutions inverse_kinematics(const Pose<double>& pose, const Geometry& g = {},
     double tolerance = inverse::default_tolerance, inverse::Form form = inverse::Form::fastest);
 /// The same, nearest to the seed first (see `sort_by_distance`); free joints are taken from the seed.

@@ -19,10 +19,9 @@ struct Limits : JointLimits<dof> {
 };
 
 using Solutions = qvgen::Solutions<dof, 16>;
-/// At most 16 solutions; what of the pose is used; the joint that the caller gives, -1 for none; has lanes; whether
-/// branches
-/// keep their numbers along a path; no closed form.
-inline constexpr InverseInfo inverse_info{ 16, true, -1, false, false, true };
+/// At most 16 solutions; what is asked for; the joint that the caller gives, -1 for none; has lanes; whether branches
+/// keep their numbers along a path; no axis of the tool; no closed form.
+inline constexpr InverseInfo inverse_info{ 16, Task::pose, -1, false, false, {}, true };
 
 /// All joint values that bring the tool to a pose (position and orientation), angles in (-pi, pi], each once.
 ///

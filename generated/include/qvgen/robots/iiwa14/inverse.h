@@ -19,14 +19,15 @@ struct Limits : JointLimits<dof> {
 };
 
 using SolutionsGiven_theta3 = qvgen::Solutions<dof, 8>;
-/// At most 8 solutions; what of the pose is used; the joint that the caller gives, -1 for none; has lanes;
-/// whether branches keep their numbers along a path.
-inline constexpr InverseInfo inverse_info_given_theta3{ 8, true, 2, true, true };
+/// At most 8 solutions; what is asked for; the joint that the caller gives, -1 for none; has lanes;
+/// whether branches keep their numbers along a path;
+/// the axis of the tool whose direction is asked for.
+inline constexpr InverseInfo inverse_info_given_theta3{ 8, Task::pose, 2, true, true, {} };
 
-/// All joint values that bring the tool to a pose (position and orientation; theta3, rad, is given), angles in (-pi,
+/// All joint values that bring the tool to a pose (position and orientation); theta3, rad, is given, angles in (-pi,
 /// pi], each once.
 ///
-/// Derived from the description: with theta3 given, the axes of joints 5, 6 and 7 meet in one point.
+/// Derived from the description: the axes of joints 5, 6 and 7 meet in one point: position and orientation decouple.
 /// - theta4: line or circle meets circle, 2 values.
 /// - theta1: line or circle meets circle, 2 values.
 /// - theta2: turn of one known vector into another, one value.

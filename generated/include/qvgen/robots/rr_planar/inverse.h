@@ -19,9 +19,45 @@ struct Limits : JointLimits<dof> {
 };
 
 using Solutions = qvgen::Solutions<dof, 2>;
-/// At most 2 solutions; what of the pose is used; the joint that the caller gives, -1 for none; has lanes;
-/// whether branches keep their numbers along a path.
-inline constexpr InverseInfo inverse_info{ 2, false, -1, false, true };
+/// At most 2 solutions; what is asked for; the joint that the caller gives, -1 for none; has lanes;
+/// whether branches keep their numbers along a path;
+/// the axis of the tool whose direction is asked for.
+inline constexpr InverseInfo inverse_info{ 2, Task::position, -1, false, true, {} };
+
+/// All joint values that bring the tool to a position of the tool point, angles in (-pi, pi], each once.
+///
+/// Derived from the description: two parallel axes place the tool point in their plane; the orientation follows.
+/// - theta2: line or circle meets circle, 2 values.
+/// - theta1: turn of one known vector into another, one value.
+///
+/// Checked in 60 digits at 3 random poses: the 6 solutions give the pose back to 50 digits,
+/// the sampled joints among them.
+///
+/// Directions and quaternions may be off their length by rounding; NaN, infinity or another length gives
+/// Status::invalid.
+/// `tolerance` is how far beyond the boundary of reach, as a share of the arm's size, the task is still solved by the
+/// nearest joints. What a singular place leaves free is taken as 0, or near it where the other joints cannot follow. No
+/// heap, no exceptions.
+/// Near a singular pose, where rounding would decide which solutions exist, at most
+/// 8 passes over the branches and 56 evaluations of the Jacobian are added (`effort` of the set);
+/// Status::incomplete says that they did not suffice.
+Solutions inverse_kinematics(const Vector3<double>& position, const Geometry& g = {},
+    double tolerance = inverse::default_tolerance, inverse::Form form = inverse::Form::fastest);
+/// The same, nearest to the seed first (see `sort_by_distance`); free joints are taken from the seed.
+Solutions inverse_kinematics(const Vector3<double>& position, const JointVector<double>& seed, const Geometry& g = {},
+    double tolerance = inverse::default_tolerance);
+/// The solutions within joint limits, as in inverse_kinematics(position, Limits()):
+/// every representative of an angle that differs by whole turns and lies inside, in each branch those nearest to zero
+/// first (see `within_limits`).
+LimitedSolutions<dof, 2> inverse_kinematics(const Vector3<double>& position, const JointLimits<dof>& limits,
+    const Geometry& g = {},
+    double tolerance = inverse::default_tolerance);
+/// The same with a seed, inverse_kinematics(position, seed, Limits()):
+/// one row for each branch that has one inside, the representative nearest to the seed; the nearest row first.
+/// `continued` goes on a path by them.
+LimitedSolutions<dof, 2, 1> inverse_kinematics(const Vector3<double>& position, const JointVector<double>& seed,
+    const JointLimits<dof>& limits,
+    const Geometry& g = {}, double tolerance = inverse::default_tolerance);
 
 /// All joint values that bring the tool to a pose (its position; the orientation is not used), angles in (-pi, pi],
 /// each once.
@@ -42,7 +78,6 @@ inline constexpr InverseInfo inverse_info{ 2, false, -1, false, true };
 /// Near a singular pose, where rounding would decide which solutions exist, at most
 /// 8 passes over the branches and 56 evaluations of the Jacobian are added (`effort` of the set);
 /// Status::incomplete says that they did not suffice.
-
 Solutions inverse_kinematics(const Pose<double>& pose, const Geometry& g = {},
     double tolerance = inverse::default_tolerance, inverse::Form form = inverse::Form::fastest);
 /// The same, nearest to the seed first (see `sort_by_distance`); free joints are taken from the seed.

@@ -19,9 +19,10 @@ struct Limits : JointLimits<dof> {
 };
 
 using Solutions = qvgen::Solutions<dof, 8>;
-/// At most 8 solutions; what of the pose is used; the joint that the caller gives, -1 for none; has lanes;
-/// whether branches keep their numbers along a path.
-inline constexpr InverseInfo inverse_info{ 8, true, -1, true, true };
+/// At most 8 solutions; what is asked for; the joint that the caller gives, -1 for none; has lanes;
+/// whether branches keep their numbers along a path;
+/// the axis of the tool whose direction is asked for.
+inline constexpr InverseInfo inverse_info{ 8, Task::pose, -1, true, true, {} };
 
 /// All joint values that bring the tool to a pose (position and orientation), angles in (-pi, pi], each once.
 ///

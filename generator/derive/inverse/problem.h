@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "canonical/arm.h"
+#include "model/robot.h"
+
+/// Arms that a pose does not determine, or that cannot follow one, made into arms that it does.
+///
+/// A task that leaves motions of the tool open is the whole pose of an arm which makes these motions by
+/// virtual joints at its tool: with a turn about the tool's axis behind five joints, "position and direction"
+/// is a pose of six. A joint whose value the caller gives is a constant displacement by a parameter. What is
+/// derived then knows nothing of tasks.
+namespace qvgen::derive::inverse {
+
+/// What of a pose the rows of a plan may still miss and has to be looked at.
+enum class Filter { none, position, pose };
+
+struct Problem {
+  model::Robot robot;  ///< the arm that the plan is of
+  model::Task task = model::Task::pose;
+  std::vector<int>
+      places;  ///< by its joints: where in a row a value stands, virtual joints behind the arm's own
+  int row_size = 0;
+  int own_joints = 0;  ///< of the arm, the given one among them
+  int given = -1;      ///< the arm's joint whose value the caller gives
+  bool given_slides = false;
+  Filter filter = Filter::none;
+  model::Vector3 tool_axis;  ///< of the tool's frame, for tasks with a direction
+
+  // What the described arm's poses and joint values are for `robot`, where that has canonical frames.
+  model::Robot moving;  ///< `robot` with the given joint moving
+  model::Displacement base,
+      tool;  ///< oblique frames, which cost one product with a pose: `robot` has base^-1 pose tool^-1
+  bool has_frames = false;
+  std::vector<exact::Angle> phases;  ///< by places in a row: its values are those described plus these
+
+  [[nodiscard]] bool has_phases() const;
+};
+
+/// The arm itself.
+Problem problem_of(const model::Robot& robot, model::Task task);
+/// The arm with one more joint, about or along a direction of the tool's frame, through the tool point.
+Problem with_turn(const Problem& problem, const model::Vector3& axis);
+Problem with_slide(const Problem& problem, const model::Vector3& axis);
+/// The arm in other frames, those in front of its first joint and behind the last taken off where they are
+/// oblique. Before a joint is held.
+Problem of_canonical_arm(const Problem& problem, const canonical::Arm& arm);
+/// The arm with a joint held; its variable is a parameter of the geometry.
+Problem with_held(const Problem& problem, std::size_t joint);
+
+/// The parameter that stands for a held joint, empty if there is none.
+std::string held_parameter(const Problem& problem);
+
+}  // namespace qvgen::derive::inverse

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+#include "model/tasks.h"
+
+#include <algorithm>
+#include <functional>
+
+#include "derive/inverse/attempt.h"
+#include "derive/inverse/inverse.h"
+#include "model/arithmetic.h"
+
+namespace qvgen::derive::inverse {
+
+using model::Robot;
+using model::Task;
+using model::Vector3;
+
+namespace {
+
+struct Kinds {
+  std::size_t turns = 0, slides = 0;
+  bool parallel = true;  ///< all turns about parallel axes
+  bool planar = true;    ///< and all slides across them, or no turns at all
+  bool level = false;    ///< the first and the last joint turn about parallel axes, with all joints at zero
+};
+
+Kinds kinds_of(const Robot& robot) {
+  const Problem problem = problem_of(canonical::for_dynamics(robot), Task::pose);
+  const Attempt attempt(problem);
+  Kinds kinds;
+  const Screw* turn = nullptr;
+  const auto along = [&](const Screw& a, const Screw& b) {
+    return attempt.scope.is_zero(symbolic::cross(a.axis, b.axis));
+  };
+  for (const Screw& screw : attempt.chain.screws) {
+    ++(screw.revolute ? kinds.turns : kinds.slides);
+    if (!screw.revolute) continue;
+    if (turn == nullptr) turn = &screw;
+    kinds.parallel = kinds.parallel && along(*turn, screw);
+  }
+  const Screw& first = attempt.chain.screws.front();
+  const Screw& last = attempt.chain.screws.back();
+  kinds.level = first.revolute && last.revolute && along(first, last);
+  kinds.planar = kinds.parallel;
+  for (const Screw& screw : attempt.chain.screws)
+    if (!screw.revolute && turn != nullptr)
+      kinds.planar = kinds.planar && attempt.scope.is_zero(symbolic::dot(turn->axis, screw.axis));
+  return kinds;
+}
+
+/// z first: most tools point along it.
+const std::vector<Vector3>& tool_axes() {
+  static const std::vector<Vector3> axes{model::unit_vector(2), model::unit_vector(0), model::unit_vector(1)};
+  return axes;
+}
+
+/// Takes the first that is found, else all reasons.
+template <class Try, class Choices>
+Derivation first_found(const Choices& choices, const Try& attempt) {
+  Derivation none;
+  for (const auto& choice : choices) {
+    Derivation derivation = attempt(choice);
+    if (derivation.found) return derivation;
+    for (const std::string& reason : derivation.reasons)
+      if (std::find(none.reasons.begin(), none.reasons.end(), reason) == none.reasons.end())
+        none.reasons.push_back(reason);
+  }
+  return none;
+}
+
+/// With a turn about an axis of the tool: its direction is asked for.
+Derivation with_direction(const Robot& robot, Task task, Derivation derived(const Problem&)) {
+  const std::vector<Vector3> asked =
+      robot.inverse.tool_axis ? std::vector<Vector3>{*robot.inverse.tool_axis} : tool_axes();
+  return first_found(asked, [&](const Vector3& axis) {
+    Derivation derivation = in_canonical_frames(with_turn(problem_of(robot, task), axis), derived);
+    for (std::string& reason : derivation.reasons)
+      reason = "with the direction of the tool's axis " + model::axis_text(axis) + " left: " + reason;
+    return derivation;
+  });
+}
+
+/// With slides at the tool until there are so many joints. On the poses that the arm can follow they are
+/// zero.
+Derivation with_slides(const Problem& problem, std::size_t count, Derivation derived(const Problem&)) {
+  if (problem.robot.joints.size() == count) return in_canonical_frames(problem, derived);
+  std::vector<Vector3> axes = tool_axes();
+  return first_found(
+      axes, [&](const Vector3& axis) { return with_slides(with_slide(problem, axis), count, derived); });
+}
+
+Derivation candidates(const Robot& robot, Task task, Filter filter, std::size_t count,
+                      Derivation derived(const Problem&)) {
+  Problem problem = problem_of(robot, task);
+  problem.filter = filter;
+  return with_slides(problem, count, derived);
+}
+
+/// A palletiser: what a direction leaves is looked at, and of all poses those with the tool level are asked
+/// for.
+Derivation kept_level(const Robot& robot) {
+  Derivation derivation = with_direction(robot, Task::position_and_yaw, derive_pose);
+  derivation.problem.filter = Filter::pose;
+  return derivation;
+}
+
+/// What an arm may be asked for, the most it can follow first.
+using Way = std::function<Derivation()>;
+struct Offer {
+  Task task;
+  Way way;
+};
+
+std::vector<Offer> offers(const Robot& robot) {
+  const Kinds kinds = kinds_of(robot);
+  std::vector<Offer> result;
+  const auto offer = [&](Task task, Way way) { result.push_back({task, std::move(way)}); };
+  const auto whole = [&](Task task, Derivation derived(const Problem&)) {
+    offer(task, [&robot, task, derived] { return in_canonical_frames(problem_of(robot, task), derived); });
+  };
+  const auto checked = [&](Task task, Filter filter, std::size_t count, Derivation derived(const Problem&)) {
+    offer(task, [=, &robot] { return candidates(robot, task, filter, count, derived); });
+  };
+  const auto directed = [&](Task task, Derivation derived(const Problem&)) {
+    offer(task, [=, &robot] { return with_direction(robot, task, derived); });
+  };
+  const std::size_t count = robot.joints.size();
+  if (count == 6) whole(Task::pose, derive_pose);
+  if (count == 5) directed(Task::position_and_direction, derive_pose);
+  if (count == 5 && kinds.level) offer(Task::position_and_yaw, [&robot] { return kept_level(robot); });
+  if (count == 4 && kinds.parallel) whole(Task::position_and_yaw, derive_pose);
+  if (count == 4) checked(Task::pose, Filter::pose, 4, derive_pose);
+  if (count == 3 && kinds.planar && kinds.slides == 0) whole(Task::pose, derive_pose);
+  if (count == 3 && !kinds.planar) whole(Task::position, derive_position);
+  if (count == 3 && kinds.turns == 3) whole(Task::orientation, derive_orientation);
+  if (count == 3 && kinds.slides == 3) whole(Task::position, derive_position);
+  if (count == 2 && kinds.turns == 2) whole(Task::position, derive_position);
+  if (count == 2 && kinds.turns == 2) directed(Task::direction, derive_orientation);
+  if (count == 2 && kinds.planar && kinds.slides > 0)
+    checked(Task::position, Filter::position, 3, derive_position);
+  if (count < 4 && kinds.turns > 0)
+    checked(kinds.planar && count == 3 ? Task::position_and_yaw : Task::pose, Filter::pose, 4, derive_pose);
+  if (count < 4 && kinds.turns == 0) checked(Task::pose, Filter::pose, 3, derive_position);
+  return result;
+}
+
+}  // namespace
+
+Derivation derive(const Robot& robot) {
+  const std::vector<Offer> all = offers(robot);
+  const auto asked = robot.inverse.task;
+  std::vector<Offer> wanted;
+  std::string tasks;
+  for (const Offer& each : all) {
+    if (!asked || each.task == *asked || *asked == Task::pose) wanted.push_back(each);
+    tasks += (tasks.empty() ? "" : ", ") + model::task_name(each.task);
+  }
+  Derivation derivation = first_found(wanted, [](const Offer& each) { return each.way(); });
+  if (!derivation.found && all.empty())
+    derivation.reasons.push_back(std::to_string(robot.joints.size()) +
+                                 " joints: a pose in space fixes six, a point three");
+  if (wanted.empty() && !all.empty())
+    derivation.reasons.push_back("the task " + model::task_name(*asked) +
+                                 " is none for this arm: it may be asked for " + tasks);
+  if (derivation.found && asked == Task::pose && derivation.problem.task != Task::pose) {
+    derivation.problem.task = Task::pose;
+    derivation.problem.filter = Filter::pose;
+  }
+  return derivation;
+}
+
+namespace {
+
+/// The joints that may be given, what is most often the best first: an elbow turns about the line between the
+/// shoulder and the wrist.
+std::vector<std::size_t> given_joints(const Robot& robot) {
+  const std::size_t count = robot.joints.size();
+  std::vector<std::size_t> result;
+  for (const std::size_t joint : {2U, 6U, 0U, 1U, 3U, 5U, 4U})
+    if (joint < count && (!robot.inverse.given || *robot.inverse.given == robot.joints[joint].variable))
+      result.push_back(joint);
+  return result;
+}
+
+Derivation with_given(const Robot& robot, Task task, std::size_t joint, Derivation derived(const Problem&)) {
+  return in_canonical_frames(problem_of(robot, task),
+                             [&](const Problem& moving) { return derived(with_held(moving, joint)); });
+}
+
+}  // namespace
+
+Derivation derive_given(const Robot& robot) {
+  const std::size_t count = robot.joints.size();
+  const bool planar = count == 3 && kinds_of(robot).planar && kinds_of(robot).turns == 3;
+  if (planar) return with_given(robot, Task::position, 2, derive_position);
+  if (count == 4 && robot.inverse.task == Task::position)
+    return first_found(given_joints(robot), [&](std::size_t joint) {
+      return with_given(robot, Task::position, joint, derive_position);
+    });
+  if (count != 7) return {};
+  Derivation best;
+  for (const std::size_t joint : given_joints(robot)) {
+    Derivation derivation = with_given(robot, Task::pose, joint, derive_pose);
+    for (std::string& reason : derivation.reasons)
+      best.reasons.push_back("with " + robot.joints[joint].variable + " given: " + reason);
+    if (!derivation.found || (best.found && !best.plan.quartic())) continue;
+    if (!best.found || !derivation.plan.quartic()) best = derivation;
+    if (!best.plan.quartic()) break;
+  }
+  if (best.found) best.reasons.clear();
+  return best;
+}
+
+}  // namespace qvgen::derive::inverse

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "description/document.h"
+#include "model/robot.h"
+
+namespace qvgen::description {
+
+/// What the file asks of the inverse kinematics: `task`, `tool_axis`, `given`.
+void read_request(const Table& root, model::Robot& robot);
+
+}  // namespace qvgen::description

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+#include "emit/cpp/inverse/entries.h"
+
+#include <fmt/format.h>
+
+#include "canonical/arm.h"
+#include "derive/inverse/lower.h"
+#include "emit/cpp/code.h"
+#include "emit/cpp/symbol_table.h"
+#include "emit/cpp/template_values.h"
+#include "model/evaluate.h"
+#include "model/private_names.h"
+#include "model/tasks.h"
+
+namespace qvgen::emit {
+namespace {
+
+using derive::inverse::Filter;
+using derive::inverse::Problem;
+using model::Task;
+using nlohmann::json;
+
+/// What a public function takes.
+struct Argument {
+  std::string parameter;  ///< as it is declared
+  std::string name;
+  std::string meaning;
+  std::string pose;    ///< the pose that it stands for
+  std::string seeded;  ///< the same next to a seed
+  bool is_pose = false;
+};
+
+std::string numbers_of(const model::Vector3& axis) {
+  const auto number = [](const model::Expression& e) {
+    return fmt::format("{}", model::to_double(model::evaluate(e)));
+  };
+  return number(axis[0]) + ", " + number(axis[1]) + ", " + number(axis[2]);
+}
+
+Argument pose_argument(bool position_only) {
+  return {"const Pose<double>& pose",
+          "pose",
+          std::string("a pose (") +
+              (position_only ? "its position; the orientation is not used)" : "position and orientation)"),
+          "pose",
+          "pose",
+          true};
+}
+
+Argument directed(const Problem& problem, const std::string& type, const std::string& what) {
+  const std::string axis = "Vector3<double>(" + numbers_of(problem.tool_axis) + ")";
+  return {"const " + type + "<double>& task", "task",
+          what + "the direction of its axis " + model::axis_text(problem.tool_axis) + " in the base frame",
+          "inverse::pose_of(task, " + axis + ", Eigen::Quaterniond::Identity())",
+          "inverse::pose_of(task, " + axis + ", inverse::tool_of<dof>(arm, seed).orientation)"};
+}
+
+int first_turn(const model::Robot& robot) {
+  int joint = 0;
+  while (robot.joints[static_cast<std::size_t>(joint)].type != model::JointType::revolute) ++joint;
+  return joint;
+}
+
+/// Of a task that is less than a pose.
+Argument reduced_argument(const model::Robot& described, const Problem& problem) {
+  const auto both = [](Argument argument) {
+    argument.seeded = argument.pose;
+    return argument;
+  };
+  switch (problem.task) {
+    case Task::position_and_direction:
+      return directed(problem, "PositionAndDirection", "a position of the tool point and ");
+    case Task::direction:
+      return directed(problem, "Direction", "");
+    case Task::orientation:
+      return both({"const Eigen::Quaternion<double>& orientation", "orientation", "an orientation",
+                   "Pose<double>{orientation, Vector3<double>::Zero()}", "", false});
+    case Task::position_and_yaw: {
+      const int joint = first_turn(problem.robot);
+      return both(
+          {"const PositionAndYaw<double>& task", "task",
+           "a position of the tool point and a turn about the axis of " +
+               described.joints[static_cast<std::size_t>(joint)].variable,
+           "inverse::pose_of(task, arm.joints[" + std::to_string(joint) + "].axis, arm.tool.orientation)", "",
+           false});
+    }
+    case Task::position:
+    case Task::pose:
+      break;
+  }
+  return both({"const Vector3<double>& position", "position", "a position of the tool point",
+               "Pose<double>{Eigen::Quaternion<double>::Identity(), position}", "", false});
+}
+
+/// Lines that solve for a pose, the rows looked at if need be.
+std::vector<std::string> body(const Problem& problem, const Argument& argument, Filter filter, bool seeded,
+                              const json& variant) {
+  const std::string space = "detail::" + variant["space"].get<std::string>() + "::";
+  const std::string given = variant["given_last_argument"];
+  const std::string rows = std::to_string(problem.row_size);
+  const bool virtual_joints = variant["virtual_joints"];
+  const std::string form = seeded ? "inverse::Form::fastest" : "form";
+  const std::string& pose = seeded ? argument.seeded : argument.pose;
+  std::vector<std::string> lines;
+  if (filter != Filter::none || pose.find("arm") != std::string::npos)
+    lines.push_back("const inverse::ArmAtZero<dof> arm = " + space + "arm_at_zero(g);");
+  if (pose != argument.name || !argument.is_pose) lines.push_back("const Pose<double> pose = " + pose + ";");
+  std::string preference = "inverse::zero_preference<" + rows + ">";
+  if (seeded) {
+    lines.push_back("const auto preference = inverse::" +
+                    (virtual_joints ? "row_preference<" + rows + ", dof>" : std::string("preference<dof>")) +
+                    "(seed);");
+    preference = "preference";
+  }
+  const auto solved = [&](const std::string& chosen) {
+    return space + "rows_of(pose, g, tolerance, " + chosen + ", " + form + given + ")";
+  };
+  std::string result = solved(preference);
+  if (filter != Filter::none)
+    result = std::string("inverse::reaching<") + (filter == Filter::pose ? "3" : "1") + ", dof, " + rows +
+             ">(pose, arm, tolerance, " + preference + ", [&](const auto& chosen) { return " +
+             solved("chosen") + "; })";
+  else if (virtual_joints)
+    result = "inverse::own_joints<dof>(" + result + ")";
+  lines.push_back(variant["solutions"].get<std::string>() + " found = " + result + ";");
+  return lines;
+}
+
+json entry(const Problem& problem, const Argument& argument, Filter filter, const json& variant) {
+  return {{"most", variant[filter == Filter::none ? "most_of_rows" : "most_of_reaching"]},
+          {"parameter", argument.parameter},
+          {"argument", argument.name},
+          {"meaning", argument.meaning},
+          {"is_pose", argument.is_pose},
+          {"lines", lines_of(body(problem, argument, filter, false, variant))},
+          {"seeded", lines_of(body(problem, argument, filter, true, variant))},
+          {"whole_pose", filter == Filter::pose && argument.is_pose && problem.task != Task::pose}};
+}
+
+/// The arm's screws at zero as C++, for functions that look at rows or turn a tool.
+json arm_values(const model::Robot& described) {
+  const model::Robot robot = canonical::for_dynamics(model::with_private_names(described));
+  const dag::Function function = derive::inverse::lowered_arm_at_zero(robot);
+  const SymbolTable plain = symbol_table(robot, {});
+  const auto angle = [plain](const std::string& name) {
+    return [name, plain](const dag::Angle& value) { return name + "(" + angle_code(value, plain) + ")"; };
+  };
+  const Code code = straight_code(function, {plain.symbol, angle("std::sin"), angle("std::cos")});
+  json joints = json::array();
+  for (std::size_t i = 0; i < robot.joints.size(); ++i)
+    joints.push_back({{"open", "{"},
+                      {"number", std::to_string(i + 1)},
+                      {"revolute", robot.joints[i].type == model::JointType::revolute ? "true" : "false"}});
+  return {{"values", {{"temporaries", values_of(code.temporaries)}, {"outputs", values_of(code.outputs)}}},
+          {"joints", joints}};
+}
+
+}  // namespace
+
+void add_entries(const model::Robot& robot, const derive::inverse::Derivation& derivation, json& variant) {
+  const Problem& problem = derivation.problem;
+  const Task task = problem.task;
+  variant["virtual_joints"] = problem.row_size > static_cast<int>(robot.joints.size());
+  json entries = json::array();
+  const bool position_only = task == Task::position;
+  if (task != Task::pose)
+    entries.push_back(entry(problem, reduced_argument(robot, problem), problem.filter, variant));
+  const Filter whole = task == Task::pose || position_only ? problem.filter : Filter::pose;
+  entries.push_back(entry(problem, pose_argument(position_only), whole, variant));
+  variant["entries"] = entries;
+  const bool directed = task == Task::direction || task == Task::position_and_direction;
+  variant["tool_axis"] = directed ? "{" + numbers_of(problem.tool_axis) + "}" : "{}";
+  const bool plain = problem.filter == Filter::none && (task == Task::pose || position_only);
+  variant["arm"] = plain ? json(false) : arm_values(robot);
+}
+
+}  // namespace qvgen::emit

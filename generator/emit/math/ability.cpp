@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "emit/math/ability.h"
+
+#include <fmt/format.h>
+
+#include "model/tasks.h"
+
+namespace qvgen::emit {
+
+using derive::inverse::Derivation;
+using derive::inverse::Filter;
+using derive::inverse::Problem;
+using model::Task;
+
+namespace {
+
+std::string asked(const Problem& problem) {
+  switch (problem.task) {
+    case Task::pose:
+      return problem.filter == Filter::none ? "position and orientation" : "the poses that it can take";
+    case Task::position:
+      return "a position of the tool point";
+    case Task::position_and_direction:
+      return "a position of the tool point and the direction of the tool's axis " +
+             model::axis_text(problem.tool_axis);
+    case Task::position_and_yaw:
+      return "a position of the tool point and a turn about the direction that its axes share";
+    case Task::direction:
+      return "the direction of the tool's axis " + model::axis_text(problem.tool_axis);
+    case Task::orientation:
+      return "an orientation of the tool";
+  }
+  return {};
+}
+
+/// What the derivation has put behind the arm's own joints.
+std::string virtual_joints(const Problem& problem) {
+  std::string text;
+  const auto& joints = problem.moving.joints;
+  for (std::size_t i = static_cast<std::size_t>(problem.own_joints); i < joints.size(); ++i)
+    text += fmt::format(" Joint {}, {}, is none of the arm's but {}.", i + 1, joints[i].variable,
+                        joints[i].type == model::JointType::revolute
+                            ? "a turn of the tool that may end anywhere"
+                            : "a slide of the tool that has to end at zero");
+  return text;
+}
+
+}  // namespace
+
+std::string ability(const model::Robot& described, const Derivation& derivation) {
+  const Problem& problem = derivation.problem;
+  const std::size_t own = described.joints.size();
+  std::string text = fmt::format("{} {}, asked for {}", own, own == 1 ? "joint" : "joints", asked(problem));
+  if (problem.given >= 0)
+    text += fmt::format(" with {} given by the caller",
+                        described.joints[static_cast<std::size_t>(problem.given)].variable);
+  text += fmt::format(": {}. At most {} {}{}.", derivation.plan.structure, derivation.plan.capacity,
+                      derivation.plan.capacity == 1 ? "solution" : "solutions",
+                      derivation.plan.quartic() ? ", by a quartic" : "");
+  text += virtual_joints(problem);
+  if (problem.task != Task::pose && problem.task != Task::position)
+    text += " A whole pose may be asked for too; it is unreachable unless the arm can take it.";
+  return text;
+}
+
+}  // namespace qvgen::emit

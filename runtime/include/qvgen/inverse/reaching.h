@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <qvgen/inverse/choose.h>
+#include <qvgen/inverse/continuum.h>
+#include <qvgen/inverse/near_singular.h>
+#include <qvgen/inverse/tasks.h>
+
+namespace qvgen::inverse {
+
+/// The arm's own joints of rows that virtual ones stand behind.
+template <int dof, int row, int capacity>
+Solutions<dof, capacity> own_joints(const Solutions<row, capacity>& rows) {
+  Solutions<dof, capacity> result;
+  result.status = rows.status;
+  for (const Solution<row>& each : rows)
+    append(result, Joints<dof>(each.q.template head<dof>()), each.branch, each.continuum);
+  result.effort = rows.effort;
+  return result;
+}
+
+/// What is preferred of rows that virtual joints stand in: nothing of these.
+template <int row, int dof>
+Preference<row> row_preference(const Joints<dof>& seed) {
+  Joints<row> all = Joints<row>::Zero();
+  all.template head<dof>() = seed;
+  return preference<row>(all);
+}
+
+/// Of rows that solve less than is asked those which reach the tool's point (`points` 1) or the whole pose
+/// (3).
+template <int points, int dof, int capacity>
+class Reaching {
+ public:
+  Reaching(const Pose<double>& pose, const ArmAtZero<dof>& arm, double tolerance) : tolerance_(tolerance) {
+    const Pose<double> moved = pose.normalised() * arm.tool.inverse();
+    const double square = pose.position.squaredNorm() + arm.tool.position.squaredNorm();
+    // Of an arm without size: any length serves to measure turns by.
+    const double size = square > 0 ? std::sqrt(square) : 1;
+    task_.arm = arm.joints;
+    task_.size_square = size * size;
+    for (int i = 0; i < points; ++i) {
+      Vector3<double> start = arm.tool.position;
+      if (i > 0) start[i - 1] += size;
+      const Vector3<double> goal = points == 1 ? pose.position : moved * start;
+      task_.start[static_cast<std::size_t>(i)] = {start.x(), start.y(), start.z()};
+      task_.goal[static_cast<std::size_t>(i)] = {goal.x(), goal.y(), goal.z()};
+    }
+  }
+
+  /// Looks at every row, all on continua from wherever they are; `once_more`: at other places of these.
+  template <int row>
+  void take(const Solutions<row, capacity>& rows, bool once_more) {
+    add(rows.effort);
+    for (const Solution<row>& each : rows) {
+      if (once_more && !each.continuum) continue;
+      take(Joints<dof>(each.q.template head<dof>()), each.branch, each.continuum, once_more);
+    }
+  }
+
+  Solutions<dof, capacity> result() {
+    add(budget_.spent);
+    sort_by_branch(found_);
+    found_.conclude();
+    return found_;
+  }
+
+ private:
+  using Values = JointValues<double, static_cast<std::size_t>(dof)>;
+  using Task = PointMatching<double, static_cast<std::size_t>(dof), static_cast<std::size_t>(points)>;
+  using At = Reached<double, static_cast<std::size_t>(dof), static_cast<std::size_t>(points)>;
+
+  void add(const Effort& effort) {
+    found_.effort.passes += effort.passes;
+    found_.effort.steps += effort.steps;
+    found_.effort.used_up = found_.effort.used_up || effort.used_up;
+  }
+
+  void take(Joints<dof> q, int branch, bool is_free, bool once_more) {
+    constexpr double near = 1e-4;
+    constexpr double exact = 4 * std::numeric_limits<double>::epsilon();
+    Values values;
+    for (int i = 0; i < dof; ++i) {
+      const auto joint = static_cast<std::size_t>(i);
+      values[joint] =
+          task_.arm[joint].revolute ? Rotor<double>{std::cos(q[i]), std::sin(q[i])} : Rotor<double>{q[i], 0};
+    }
+    if (!budget_.step()) return;
+    At at = polishing::Newton<double, dof, points>(task_).reached(values);
+    const double miss = at.error / task_.size_square;
+    if (!(is_free || miss < near * near)) return;
+    if (!(miss < exact * exact)) {
+      if (!polish(task_, {tolerance_}, values, at, budget_)) return;
+      for (int i = 0; i < dof; ++i) {
+        const auto& value = values[static_cast<std::size_t>(i)];
+        q[i] = task_.arm[static_cast<std::size_t>(i)].revolute ? output_angle(value.cosine, value.sine)
+                                                               : value.cosine;
+      }
+    }
+    const bool continuum =
+        is_free &&
+        Idling<double, static_cast<std::size_t>(dof), static_cast<std::size_t>(points)>(task_, budget_)
+            .is_continuum(values, at);
+    if (continuum && once_more) return;
+    keep(q, values, branch, continuum);
+  }
+
+  void keep(const Joints<dof>& q, const Values& values, int branch, bool continuum) {
+    if (found_.size() == capacity) return;
+    for (int k = 0; k < found_.size(); ++k)
+      if (distance_square(known_[static_cast<std::size_t>(k)], values) <
+          180 * std::numeric_limits<double>::epsilon())
+        return;
+    // Two places of one continuum have its branch; each row has its own.
+    for (int k = 0; k < found_.size(); ++k) {
+      if (found_[k].branch != branch) continue;
+      branch = (branch + 1) % capacity;
+      k = -1;
+    }
+    known_[static_cast<std::size_t>(found_.size())] = values;
+    append(found_, q, branch, continuum);
+  }
+
+  Task task_;
+  double tolerance_;
+  Budget budget_ = effort_of_reaching(dof, capacity);
+  Solutions<dof, capacity> found_;
+  std::array<Values, static_cast<std::size_t>(capacity)> known_;
+};
+
+/// The joints that reach the tool's point or the whole pose, of those that `solve(preference)` gives for
+/// less. Where these leave a joint free it is looked for all around.
+template <int points, int dof, int row, class Solve>
+auto reaching(const Pose<double>& pose, const ArmAtZero<dof>& arm, double tolerance,
+              Preference<row> preference, const Solve& solve) {
+  const auto rows = solve(preference);
+  constexpr int capacity = std::decay_t<decltype(rows)>::max_size;
+  if (rows.status == Status::invalid) {
+    Solutions<dof, capacity> none;
+    none.status = Status::invalid;
+    return none;
+  }
+  Reaching<points, dof, capacity> kept(pose, arm, tolerance);
+  kept.take(rows, false);
+  for (int k = 1; rows.status == Status::singular && k < reaching_choices; ++k) {
+    preference = next_choice(preference);
+    kept.take(solve(preference), true);
+  }
+  return kept.result();
+}
+
+}  // namespace qvgen::inverse

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <qvgen/inverse/screw.h>
+#include <qvgen/pose.h>
+
+namespace qvgen {
+
+/// Where the tool point is, m, and where one axis of the tool points: a unit vector. The turn about it is
+/// left.
+template <class Scalar>
+struct PositionAndDirection {
+  Vector3<Scalar> position;
+  Vector3<Scalar> direction;
+};
+
+/// Where the tool point is, m, and how far the tool is turned, rad, from where it is with all joints at zero,
+/// about the direction that all of the arm's axes have.
+template <class Scalar>
+struct PositionAndYaw {
+  Vector3<Scalar> position;
+  Scalar yaw;
+};
+
+/// Where one axis of the tool points: a unit vector.
+template <class Scalar>
+struct Direction {
+  Vector3<Scalar> vector;
+};
+
+namespace inverse {
+
+/// An arm with all joints at zero, for telling whether joints reach a pose.
+template <int dof>
+struct ArmAtZero {
+  std::array<Screw<double>, static_cast<std::size_t>(dof)> joints;
+  Pose<double> tool;
+};
+
+template <int dof>
+Pose<double> tool_of(const ArmAtZero<dof>& arm, const Eigen::Matrix<double, dof, 1>& q) {
+  Pose<double> tool = arm.tool;
+  for (int i = dof; i-- > 0;) {
+    const Screw<double>& joint = arm.joints[static_cast<std::size_t>(i)];
+    const Vector3<double> axis(joint.axis[0], joint.axis[1], joint.axis[2]);
+    const Vector3<double> point(joint.point[0], joint.point[1], joint.point[2]);
+    if (joint.revolute) {
+      const Eigen::Quaterniond turn(Eigen::AngleAxisd(q[i], axis));
+      tool = {turn * tool.orientation, point + turn * (tool.position - point)};
+    } else {
+      tool.position += q[i] * axis;
+    }
+  }
+  return tool;
+}
+
+/// The shortest turn that brings a unit vector to the direction of another, whose length the quaternion takes
+/// over: one that is no unit vector by more than rounding makes no valid pose.
+inline Eigen::Quaterniond turn_between(const Vector3<double>& from, const Vector3<double>& to) {
+  const double length = to.norm();
+  const double cosine = from.dot(to);
+  if (cosine < -0.5 * length) {
+    // By half a turn about a direction across first.
+    const Vector3<double> across = from.unitOrthogonal();
+    const Eigen::Quaterniond half(0, across.x(), across.y(), across.z());
+    return turn_between(Vector3<double>(-from), to) * half;
+  }
+  const Vector3<double> normal = from.cross(to);
+  const Eigen::Quaterniond twice(length + cosine, normal.x(), normal.y(), normal.z());
+  return Eigen::Quaterniond(Eigen::Vector4d(twice.coeffs() * (length / twice.norm())));
+}
+
+/// The pose with a given direction that turns a tool at `near` least.
+inline Pose<double> pose_of(const PositionAndDirection<double>& task, const Vector3<double>& tool_axis,
+                            const Eigen::Quaterniond& near) {
+  return {turn_between(near * tool_axis, task.direction) * near, task.position};
+}
+inline Pose<double> pose_of(const Direction<double>& task, const Vector3<double>& tool_axis,
+                            const Eigen::Quaterniond& near) {
+  return {turn_between(near * tool_axis, task.vector) * near, Vector3<double>::Zero()};
+}
+
+/// `axis`: what the yaw turns about.
+inline Pose<double> pose_of(const PositionAndYaw<double>& task, const Triple<double>& axis,
+                            const Eigen::Quaterniond& at_zero) {
+  const Eigen::Quaterniond turn(Eigen::AngleAxisd(task.yaw, Vector3<double>(axis[0], axis[1], axis[2])));
+  return {turn * at_zero, task.position};
+}
+
+}  // namespace inverse
+}  // namespace qvgen

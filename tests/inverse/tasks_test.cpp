@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// What reduced tasks mean, said by joints of arms whose geometry is plain.
+#include <gtest/gtest.h>
+#include <qvgen/robots/pan_tilt/inverse.h>
+#include <qvgen/robots/scara/inverse.h>
+#include <qvgen/robots/scara/kinematics.h>
+
+#include "random.h"
+
+namespace qvgen::test {
+namespace {
+
+template <class Found, class JointVector>
+bool has(const Found& found, const JointVector& q) {
+  for (const auto& row : found) {
+    double off = 0;
+    for (int i = 0; i < q.size(); ++i) off = std::max(off, std::abs(std::sin((row.q[i] - q[i]) / 2)));
+    if (off < 1e-10) return true;
+  }
+  return false;
+}
+
+TEST(Tasks, TheYawOfAScaraIsTheSumOfItsTurns) {
+  namespace arm = robots::scara;
+  Random random;
+  for (int i = 0; i < 100; ++i) {
+    const arm::JointVector<double> q(random(-3, 3), random(-3, 3), random(), random(-3, 3));
+    const Pose<double> tool = arm::forward_kinematics(q);
+    const auto found = arm::inverse_kinematics(PositionAndYaw<double>{tool.position, q[0] + q[1] - q[3]});
+    EXPECT_EQ(found.size(), 2);
+    EXPECT_TRUE(has(found, q));
+    EXPECT_EQ(arm::inverse_kinematics(tool).size(), 2);
+  }
+}
+
+TEST(Tasks, ADirectionOfAnotherLengthIsInvalid) {
+  namespace arm = robots::pan_tilt;
+  for (const double length : {0.0, 0.5, 2.0})
+    EXPECT_EQ(arm::inverse_kinematics(Direction<double>{{0, 0, length}}).status, Status::invalid) << length;
+  EXPECT_EQ(arm::inverse_kinematics(Direction<double>{{0.6, 0, 0.8}}).status, Status::solved);
+}
+
+}  // namespace
+}  // namespace qvgen::test
