@@ -2,8 +2,13 @@
 #include "cli/build_files.h"
 
 #include <array>
+#include <cstdint>
+#include <optional>
 #include <stdexcept>
 
+#include <fmt/format.h>
+
+#include "exact/hash.h"
 #include "pipeline/files.h"
 #include "pipeline/output_folder.h"
 
@@ -32,20 +37,37 @@ std::string depfile(const GenerateArguments& arguments) {
   return text + "\n";
 }
 
-/// Every source that a robot may have.
+/// Every C++ source that a robot may have.
 constexpr std::array sources{"kinematics",           "inverse",        "inverse_avx2", "jacobian", "dynamics",
                              "dynamics_derivatives", "dynamics_loads", "regressor"};
 
+/// Of all files of a robot.
+std::string fingerprint(const fs::path& output, const std::string& robot) {
+  std::uint64_t all = 0;
+  for (const std::string& path : pipeline::files_of_robots(output, {robot}))
+    all = exact::combine(all, exact::hash(pipeline::content_of(output / path).value_or("")));
+  return fmt::format("{:016x}", all);
+}
+
+/// Sources whose names, and being there, a build knows before anything is generated. They differ whenever a
+/// file of the robot does: a build system that has read what they include one build ago compiles them again.
 void write_sources(const GenerateArguments& arguments, const std::string& robot) {
-  const fs::path& folder = arguments.build.sources;
-  for (const std::string source : sources) {
-    const fs::path path = fs::absolute(arguments.output) / "source" / robot / (source + ".cpp");
-    const std::string text =
-        fs::exists(path)
-            ? "#include \"" + path.lexically_relative(fs::absolute(folder)).generic_string() + "\"\n"
-            : "// This robot has none.\n";
-    write(folder / (source + ".cpp"), text);
-  }
+  const fs::path folder = fs::absolute(arguments.build.sources), output = fs::absolute(arguments.output);
+  const std::string mark = "// Code " + fingerprint(output, robot) + "\n";
+  const auto write_source = [&](const std::string& name, const fs::path& generated) {
+    const std::string include = generated.lexically_relative(folder).generic_string();
+    const bool exists = fs::exists(generated);
+    write(folder / name, mark + (exists ? "#include \"" + include + "\"\n" : "// This robot has none.\n"));
+  };
+  if (arguments.language == pipeline::Language::c)
+    return write_source("robot.c", output / "c" / ("qvgen_" + fs::path(robot).filename().string() + ".c"));
+  const fs::path model = output / "include/qvgen/robots" / robot / "model.h";
+  const std::optional<std::string> before = pipeline::content_of(folder / "kinematics.cpp");
+  // The header that all others include, for the sources of users: first, in case that this is the end.
+  if (before && before->substr(0, mark.size()) != mark && fs::exists(model))
+    fs::last_write_time(model, fs::file_time_type::clock::now());
+  for (const std::string source : sources)
+    write_source(source + ".cpp", output / "source" / robot / (source + ".cpp"));
 }
 
 }  // namespace

@@ -163,7 +163,7 @@ int run(int argc, char** argv) {
                                "write there, for make and ninja, what TARGET of TARGET.d is made from");
   generate_command->add_option(
       "--sources", generate.build.sources,
-      "folder for one source of each part of a single robot, whether it has the part or not");
+      "folder for sources of a single robot that are always the same: robot.c, or one of each part");
   generate_command->add_flag("--quiet", generate.build.quiet, "no table of operation counts");
 
   std::vector<std::string> removed;
@@ -241,8 +241,6 @@ int run(int argc, char** argv) {
       if (!generate.parts.empty())
         check_parts("--only without what is required", {product_of(part)}, generate.parts);
     if (language == "c") generate.language = Language::c;
-    if (language == "c" && !generate.build.sources.empty())
-      throw UsageError("--sources is for C++: C has one source a robot, c/qvgen_NAME.c");
     generate.known_robots = here.robots;
     generate.output = folder(generate_files);
     generate.tool = here.tool;

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
-# qvgen_generate(TARGET name ROBOTS arm.toml [other.urdf|known_name...] [PARTS kinematics inverse ...]): a static library
-# of the robots' functions, to be linked. The code is made in the build tree when the build runs: anew when a description,
-# the tool or the list of parts changes, and not otherwise. What cannot be derived for a robot is said there.
+# qvgen_generate(TARGET name ROBOTS arm.toml [other.urdf|known_name...] [PARTS kinematics inverse ...] [LANGUAGE cxx c]): a
+# static library of the robots' functions, to be linked. The code is made in the build tree when the build runs: anew when a
+# description, the tool or the list of parts changes, and not otherwise. What cannot be derived for a robot is said there.
+# C99 has headers qvgen_NAME.h, needs libm alone, and has no inverse kinematics.
 include_guard(GLOBAL)
 
 # The files that a robot's parts may have are known before it is derived; those that it lacks are empty.
@@ -11,57 +12,131 @@ set(qvgen_part_sources_jacobian jacobian)
 set(qvgen_part_sources_dynamics dynamics dynamics_derivatives dynamics_loads regressor)
 
 function(qvgen_generate)
-  cmake_parse_arguments(PARSE_ARGV 0 arg "" "TARGET" "ROBOTS;PARTS")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "TARGET" "ROBOTS;PARTS;LANGUAGE")
   if(NOT arg_TARGET OR NOT arg_ROBOTS OR arg_UNPARSED_ARGUMENTS)
-    message(FATAL_ERROR "qvgen_generate(TARGET name ROBOTS descriptions... [PARTS parts...]): ${arg_UNPARSED_ARGUMENTS}")
+    message(FATAL_ERROR "qvgen_generate(TARGET name ROBOTS descriptions... [PARTS parts...] [LANGUAGE cxx c]): "
+                        "${arg_UNPARSED_ARGUMENTS}")
   endif()
-  set(parts ${arg_PARTS})
-  if(NOT parts)
-    set(parts kinematics inverse jacobian dynamics)
-  endif()
-  set(only "")
-  if(arg_PARTS)
-    list(JOIN arg_PARTS "," only)
-    set(only --only ${only})
+  if(NOT arg_LANGUAGE)
+    set(arg_LANGUAGE cxx)
   endif()
 
   add_library(${arg_TARGET} INTERFACE)
   foreach(robot ${arg_ROBOTS})
-    set(description ${robot})
-    set(depends "")
-    if(robot MATCHES "[./]")
-      get_filename_component(description ${robot} ABSOLUTE)
-      set(depends ${description})
-    endif()
     get_filename_component(id ${robot} NAME_WE)
-    set(library ${arg_TARGET}_${id})
-    set(folder ${CMAKE_CURRENT_BINARY_DIR}/${library})
-    set(sources "")
-    foreach(part ${parts})
-      if(NOT DEFINED qvgen_part_sources_${part})
-        message(FATAL_ERROR "qvgen_generate: there is no part ${part}")
+    foreach(language ${arg_LANGUAGE})
+      if(language STREQUAL cxx)
+        qvgen_generate_cxx(${arg_TARGET}_${id} ${robot} "${arg_PARTS}")
+        target_link_libraries(${arg_TARGET} INTERFACE ${arg_TARGET}_${id})
+      elseif(language STREQUAL c)
+        qvgen_generate_c(${arg_TARGET}_${id}_c ${robot} "${arg_PARTS}")
+        target_link_libraries(${arg_TARGET} INTERFACE ${arg_TARGET}_${id}_c)
+      else()
+        message(FATAL_ERROR "qvgen_generate: there is no language ${language}; there are cxx and c")
       endif()
-      foreach(source ${qvgen_part_sources_${part}})
-        list(APPEND sources ${folder}/sources/${source}.cpp)
-      endforeach()
     endforeach()
-    # The stamp is new whenever the tool has run; files that it leaves as they were are not compiled again.
-    add_custom_command(
-      OUTPUT ${folder}/stamp
-      BYPRODUCTS ${sources}
-      COMMAND qvgen::tool generate ${description} --output ${folder} ${only} --sources ${folder}/sources
-              --depfile ${folder}/stamp.d --quiet
-      COMMAND ${CMAKE_COMMAND} -E touch ${folder}/stamp
-      DEPENDS ${depends} qvgen::tool
-      DEPFILE ${folder}/stamp.d
-      COMMENT "qvgen: ${robot}"
-      VERBATIM)
-    add_custom_target(${library}_code DEPENDS ${folder}/stamp)
-    qvgen_robot(${library} INCLUDE ${folder}/include SOURCES ${sources})
-    add_dependencies(${library} ${library}_code)
-    if(TARGET ${library}_inverse)
-      add_dependencies(${library}_inverse ${library}_code)
-    endif()
-    target_link_libraries(${arg_TARGET} INTERFACE ${library})
   endforeach()
+endfunction()
+
+function(qvgen_generate_cxx library robot only)
+  set(parts ${only})
+  if(NOT parts)
+    set(parts kinematics inverse jacobian dynamics)
+  endif()
+  set(folder ${CMAKE_CURRENT_BINARY_DIR}/${library})
+  set(sources "")
+  foreach(part ${parts})
+    if(NOT DEFINED qvgen_part_sources_${part})
+      message(FATAL_ERROR "qvgen_generate: there is no part ${part}")
+    endif()
+    foreach(source ${qvgen_part_sources_${part}})
+      list(APPEND sources ${folder}/sources/${source}.cpp)
+    endforeach()
+  endforeach()
+  qvgen_generated_code(${library} ${robot} cxx "${only}" ${sources})
+  qvgen_robot(${library} INCLUDE ${folder}/include SOURCES ${sources})
+  add_dependencies(${library} ${library}_code)
+  if(TARGET ${library}_inverse)
+    add_dependencies(${library}_inverse ${library}_code)
+  endif()
+endfunction()
+
+function(qvgen_generate_c library robot only)
+  if(NOT CMAKE_C_COMPILER)
+    message(FATAL_ERROR "qvgen_generate: LANGUAGE c needs a project with the language C")
+  endif()
+  set(folder ${CMAKE_CURRENT_BINARY_DIR}/${library})
+  qvgen_generated_code(${library} ${robot} c "${only}" ${folder}/sources/robot.c)
+  add_library(${library} STATIC ${folder}/sources/robot.c)
+  add_dependencies(${library} ${library}_code)
+  set_target_properties(${library} PROPERTIES C_STANDARD 99 C_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
+  target_include_directories(${library} PUBLIC ${folder}/c)
+  if(UNIX)
+    target_link_libraries(${library} PUBLIC m)
+  endif()
+endfunction()
+
+# The target ${library}_code writes the sources into the folder ${library}; `only`: parts, all of them if empty.
+#
+# Ninja compiles again what uses a declared output that has changed, and learns of other headers one build too late: a
+# header that every user of the code reads is declared, and the tool makes it newer when anything has changed.
+function(qvgen_generated_code library robot language only)
+  set(folder ${CMAKE_CURRENT_BINARY_DIR}/${library})
+  qvgen_robot_name(name naming ${robot})
+  set(header ${folder}/include/qvgen/robots/${name}/model.h)
+  if(language STREQUAL c)
+    set(header ${folder}/c/qvgen_${name}.h)
+  endif()
+  set(description ${robot})
+  set(depends "")
+  if(robot MATCHES "[./]")
+    get_filename_component(description ${robot} ABSOLUTE)
+    set(depends ${description})
+  endif()
+  set(options ${naming})
+  if(only)
+    list(JOIN only "," only)
+    list(APPEND options --only ${only})
+  endif()
+  # The stamp is new whenever the tool has run; files that it leaves as they were are not compiled again.
+  add_custom_command(
+    OUTPUT ${folder}/stamp
+    BYPRODUCTS ${ARGN} ${header}
+    COMMAND qvgen::tool generate ${description} --output ${folder} --language ${language} ${options}
+            --sources ${folder}/sources --depfile ${folder}/stamp.d --quiet
+    COMMAND ${CMAKE_COMMAND} -E touch ${folder}/stamp
+    DEPENDS ${depends} qvgen::tool
+    DEPFILE ${folder}/stamp.d
+    COMMENT "qvgen: ${robot}"
+    VERBATIM)
+  add_custom_target(${library}_code DEPENDS ${folder}/stamp)
+endfunction()
+
+# The name that the robot has in the generated code, and the options by which the tool gives it that name.
+function(qvgen_robot_name name naming robot)
+  get_filename_component(id ${robot} NAME_WE)
+  set(options "")
+  if(robot MATCHES "[./]")
+    get_filename_component(description ${robot} ABSOLUTE)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${description})
+    set(text "")
+    if(EXISTS ${description})
+      file(READ ${description} text)
+    endif()
+    if(robot MATCHES "\\.toml$")
+      if("\n${text}" MATCHES "\n[ \t]*name[ \t]*=[ \t]*[\"']([^\"'\n]*)[\"']")
+        set(id ${CMAKE_MATCH_1})
+      endif()
+    else()
+      if(text MATCHES "<(robot|mujoco)[^>]*[ \t\r\n](name|model)[ \t]*=[ \t]*[\"']([^\"']*)[\"']")
+        set(id ${CMAKE_MATCH_3})
+      endif()
+      string(MAKE_C_IDENTIFIER "${id}" id)
+      string(TOLOWER ${id} id)
+      string(REGEX REPLACE "^_" "robot_" id ${id})
+      set(options --name ${id})
+    endif()
+  endif()
+  set(${name} ${id} PARENT_SCOPE)
+  set(${naming} ${options} PARENT_SCOPE)
 endfunction()

@@ -26,9 +26,11 @@ endforeach()
 run("showing a known robot" ${tool} show ns)
 
 file(COPY ${CMAKE_CURRENT_LIST_DIR}/generator/ DESTINATION ${WORK}/project)
+file(COPY_FILE ${QVGEN}/tests/c/robots/urdf_arm.urdf ${WORK}/project/some-arm.urdf)
 function(describe length)
   file(WRITE ${WORK}/project/my_arm.toml "name = \"my_arm\"\ntitle = \"two links\"\n
-[[joint]]\ntype = \"revolute\"\naxis = \"+z\"\nvariable = \"theta1\"\nlink = [${length}, 0, 0]\n
+[[joint]]\ntype = \"revolute\"\naxis = \"+z\"\nvariable = \"theta1\"\nlimits = [-3, ${length}]
+link = [${length}, 0, 0]\n
 [[joint]]\ntype = \"revolute\"\naxis = \"+z\"\nvariable = \"theta2\"\nlink = [0.3, 0, 0]\n")
 endfunction()
 set(build ${CMAKE_COMMAND} --build ${WORK}/build --parallel 2)
@@ -36,9 +38,10 @@ describe(0.4)
 run("configuring" ${CMAKE_COMMAND} -S ${WORK}/project -B ${WORK}/build -G "${GENERATOR}" -DCMAKE_CXX_COMPILER=${CXX}
     -DCMAKE_PREFIX_PATH=${WORK}/moved)
 run("building" ${build})
-run("running" ${WORK}/build/own_arms)
+run("running" ${WORK}/build/own_arms 0.4)
+run("running C" ${WORK}/build/own_arms_in_c 0.4)
 run("building what has not changed" ${build})
-if(output MATCHES "qvgen: |Building CXX")
+if(output MATCHES "qvgen: |Building C")
   message(FATAL_ERROR "something was made anew though nothing has changed:\n${output}")
 endif()
 describe(0.5)
@@ -46,4 +49,5 @@ run("building what has changed" ${build})
 if(NOT output MATCHES "qvgen: my_arm.toml" OR output MATCHES "qvgen: rr_planar")
   message(FATAL_ERROR "not what has changed was made anew:\n${output}")
 endif()
-run("running again" ${WORK}/build/own_arms)
+run("running again" ${WORK}/build/own_arms 0.5)
+run("running C again" ${WORK}/build/own_arms_in_c 0.5)

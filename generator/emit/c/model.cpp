@@ -45,7 +45,8 @@ json values_of(const Joint& joint) {
 
 Part model(const model::Robot& robot, const std::vector<Joint>& joints,
            const std::vector<Constant>& geometry) {
-  json values{{"name", robot.name}, {"title", robot.title}, {"source", robot.source}, {"dof", joints.size()}};
+  json values{{"name", robot.name}, {"title", robot.title}, {"dof", joints.size()}};
+  values["source"] = robot.source.empty() ? json(false) : json(robot.source);
   values["joints"] = json::array();
   for (const Joint& joint : joints) {
     values["joints"].push_back(values_of(joint));

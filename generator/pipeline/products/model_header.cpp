@@ -37,8 +37,8 @@ json joint(const model::Joint& joint, const model::Robot& robot, bool last) {
 }  // namespace
 
 void generate_model_header(const model::Robot& robot, RobotOutput& output) {
-  json values{
-      {"name", robot.name}, {"title", robot.title}, {"source", robot.source}, {"dof", robot.joints.size()}};
+  json values{{"name", robot.name}, {"title", robot.title}, {"dof", robot.joints.size()}};
+  values["source"] = robot.source.empty() ? json(false) : json(robot.source);
   values["joints"] = json::array();
   for (const model::Joint& each : robot.joints)
     values["joints"].push_back(joint(each, robot, &each == &robot.joints.back()));
