@@ -6,6 +6,7 @@
 
 #include "cut_arms.h"
 #include "other_zeros.h"
+#include "seven_arms.h"
 #include "sliding_arms.h"
 #include "twisted_arms.h"
 
@@ -52,6 +53,25 @@ class Writer {
     for (int i = 0; i < 6; ++i)
       joints += i >= place_ && i < place_ + 3 ? parallel_joint(i, common) : turning_joint(i, common);
     return description("random arm with three parallel axes", joints);
+  }
+
+  /// One of these with one more joint, q7, whose value is given: anywhere but among the three axes.
+  std::string seven() {
+    const bool meet = below(2) == 0;
+    const Axis common = axis();
+    int at = below(5);
+    if (at > place_) at += 2;
+    std::string joints;
+    for (int i = 0; i <= 6; ++i) {
+      if (i == at) joints += arm_joint(6);
+      if (i == 6) break;
+      const bool three = i >= place_ && i < place_ + 3;
+      if (meet)
+        joints += three ? wrist_joint(i) : arm_joint(i);
+      else
+        joints += three ? parallel_joint(i, common) : turning_joint(i, common);
+    }
+    return description("random arm of seven joints", joints, "given = \"q7\"\n");
   }
 
  private:
@@ -214,6 +234,11 @@ std::string fewer(const std::string& family, std::uint32_t seed) {
 
 std::string arm_description(const std::string& family, std::uint32_t seed) {
   if (family == "five" || family == "four" || family == "codes") return fewer(family, seed);
+  if (family == "seven") {
+    const std::string name = arm_name(family, seed);
+    return seed < seven_arms.size() ? "name = \"" + name + "\"\ntitle = \"seven joints\"\n" + seven_arms[seed]
+                                    : Writer(name, seed).seven();
+  }
   if (family == "slides") return sliding_arm(arm_name(family, seed), seed);
   if (family == "twists") return twisted_arm(arm_name(family, seed), seed);
   if (family == "zeros")

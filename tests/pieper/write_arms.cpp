@@ -36,9 +36,9 @@ namespace robot = qvgen::robots::@NAME@;
 using Pose = qvgen::Pose<double>;
 using qvgen::test::asked;
 using qvgen::test::copy;
-const bool registered = qvgen::test::add_inverse({"@NAME@", "@DESCRIPTION@", robot::dof, robot::inverse_info, {}, {
-    [](const Pose& pose, double, double tolerance, const reference::Values&) { return copy(robot::inverse_kinematics(asked<robot::inverse_info.task>(pose, robot::inverse_info), robot::Geometry{}, tolerance)); },
-    [](const Pose& pose, double, const Eigen::VectorXd& seed, const reference::Values&) { return copy(robot::inverse_kinematics(asked<robot::inverse_info.task>(pose, robot::inverse_info), robot::JointVector<double>(seed))); },
+const bool registered = qvgen::test::add_inverse({"@NAME@", "@DESCRIPTION@", robot::dof, robot::inverse_info@SUFFIX@, {}, {
+    [](const Pose& pose, [[maybe_unused]] double given, double tolerance, const reference::Values&) { return copy(robot::inverse_kinematics@SUFFIX@(asked<robot::inverse_info@SUFFIX@.task>(pose, robot::inverse_info@SUFFIX@)@GIVEN@, robot::Geometry{}, tolerance)); },
+    [](const Pose& pose, [[maybe_unused]] double given, const Eigen::VectorXd& seed, const reference::Values&) { return copy(robot::inverse_kinematics@SUFFIX@(asked<robot::inverse_info@SUFFIX@.task>(pose, robot::inverse_info@SUFFIX@)@GIVEN@, robot::JointVector<double>(seed))); },
     {}, {}}});
 }
 }
@@ -63,10 +63,22 @@ std::string reasons(const fs::path& header) {
   return result;
 }
 
+/// What the functions' names end with: "_given_q7", or nothing.
+std::string suffix(const fs::path& header) {
+  const std::string start = "inline constexpr InverseInfo inverse_info";
+  std::ifstream file(header);
+  for (std::string line; std::getline(file, line);)
+    if (line.rfind(start, 0) == 0) return line.substr(start.size(), line.find('{') - start.size());
+  return "";
+}
+
 std::string registration(const Folder& folder, const std::string& name) {
   const bool solved = fs::exists(folder.source(name));
   std::string text = solved ? solved_arm : unsolved_arm;
+  const std::string given = suffix(folder.header(name));
   text = replaced(text, "@NAME@", name);
+  text = replaced(text, "@SUFFIX@", given);
+  text = replaced(text, "@GIVEN@", given.empty() ? "" : ", given");
   text = replaced(text, "@SOURCE@", folder.source(name).string());
   text = replaced(text, "@DESCRIPTION@", folder.description(name).string());
   return replaced(text, "@REASONS@", solved ? "" : reasons(folder.header(name)));

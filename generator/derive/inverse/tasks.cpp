@@ -145,8 +145,30 @@ std::vector<Offer> offers(const Robot& robot) {
 
 }  // namespace
 
+namespace {
+
+bool turns_in_plane(const Robot& robot) {
+  const Kinds kinds = kinds_of(robot);
+  return robot.joints.size() == 3 && kinds.planar && kinds.turns == 3;
+}
+
+/// Whether a joint's value may be given.
+bool has_one_too_many(const Robot& robot) {
+  const std::size_t count = robot.joints.size();
+  return count == 7 || (count == 4 && robot.inverse.task == Task::position) || turns_in_plane(robot);
+}
+
+}  // namespace
+
 Derivation derive(const Robot& robot) {
   const std::vector<Offer> all = offers(robot);
+  if (robot.inverse.given && !has_one_too_many(robot))
+    return {false,
+            {},
+            {},
+            {"a joint's value may be given for seven joints, four that are asked for a position, or "
+             "three that turn in a plane; here, " +
+             std::to_string(robot.joints.size()) + " joints leave none over"}};
   const auto asked = robot.inverse.task;
   std::vector<Offer> wanted;
   std::string tasks;
@@ -155,7 +177,7 @@ Derivation derive(const Robot& robot) {
     tasks += (tasks.empty() ? "" : ", ") + model::task_name(each.task);
   }
   Derivation derivation = first_found(wanted, [](const Offer& each) { return each.way(); });
-  if (!derivation.found && all.empty())
+  if (!derivation.found && all.empty() && !has_one_too_many(robot))
     derivation.reasons.push_back(std::to_string(robot.joints.size()) +
                                  " joints: a pose in space fixes six, a point three");
   if (wanted.empty() && !all.empty())
@@ -170,14 +192,17 @@ Derivation derive(const Robot& robot) {
 
 namespace {
 
-/// The joints that may be given, what is most often the best first: an elbow turns about the line between the
-/// shoulder and the wrist.
+/// The joints that may be given, what is most often the best first: a rail carries an arm of its own, an
+/// elbow turns about the line between the shoulder and the wrist.
 std::vector<std::size_t> given_joints(const Robot& robot) {
   const std::size_t count = robot.joints.size();
   std::vector<std::size_t> result;
   for (const std::size_t joint : {2U, 6U, 0U, 1U, 3U, 5U, 4U})
     if (joint < count && (!robot.inverse.given || *robot.inverse.given == robot.joints[joint].variable))
       result.push_back(joint);
+  std::stable_partition(result.begin(), result.end(), [&](std::size_t joint) {
+    return robot.joints[joint].type == model::JointType::prismatic;
+  });
   return result;
 }
 
@@ -190,9 +215,7 @@ Derivation with_given(const Robot& robot, Task task, std::size_t joint, Derivati
 
 Derivation derive_given(const Robot& robot) {
   const std::size_t count = robot.joints.size();
-  const bool planar = count == 3 && kinds_of(robot).planar && kinds_of(robot).turns == 3;
-  if (planar) return with_given(robot, Task::position, 2, derive_position);
-  if (count == 4 && robot.inverse.task == Task::position)
+  if (turns_in_plane(robot) || (count == 4 && robot.inverse.task == Task::position))
     return first_found(given_joints(robot), [&](std::size_t joint) {
       return with_given(robot, Task::position, joint, derive_position);
     });

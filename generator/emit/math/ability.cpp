@@ -38,10 +38,10 @@ std::string virtual_joints(const Problem& problem) {
   std::string text;
   const auto& joints = problem.moving.joints;
   for (std::size_t i = static_cast<std::size_t>(problem.own_joints); i < joints.size(); ++i)
-    text += fmt::format(" Joint {}, {}, is none of the arm's but {}.", i + 1, joints[i].variable,
-                        joints[i].type == model::JointType::revolute
-                            ? "a turn of the tool that may end anywhere"
-                            : "a slide of the tool that has to end at zero");
+    text +=
+        fmt::format(" Below, {} is {}.", joints[i].variable,
+                    joints[i].type == model::JointType::revolute ? "the turn of the tool that is left open"
+                                                                 : "a slide of the tool, which ends at zero");
   return text;
 }
 
@@ -57,10 +57,9 @@ std::string ability(const model::Robot& described, const Derivation& derivation)
   text += fmt::format(": {}. At most {} {}{}.", derivation.plan.structure, derivation.plan.capacity,
                       derivation.plan.capacity == 1 ? "solution" : "solutions",
                       derivation.plan.quartic() ? ", by a quartic" : "");
-  text += virtual_joints(problem);
   if (problem.task != Task::pose && problem.task != Task::position)
     text += " A whole pose may be asked for too; it is unreachable unless the arm can take it.";
-  return text;
+  return text + virtual_joints(problem);
 }
 
 }  // namespace qvgen::emit

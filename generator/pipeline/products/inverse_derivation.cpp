@@ -23,10 +23,12 @@ void add_elimination(const model::Robot& described, InverseDerivation& result) {
 
 InverseDerivation derive_inverse(const model::Robot& described) {
   InverseDerivation result;
-  const bool is_general = derive::inverse::lacks_structure(described);
+  const bool may_eliminate =
+      described.inverse.task.value_or(model::Task::pose) == model::Task::pose && !described.inverse.given;
+  const bool is_general = may_eliminate && derive::inverse::lacks_structure(described);
   if (is_general) add_elimination(described, result);
   if (!result.found()) add_closed_forms(described, result);
-  if (!result.found() && !is_general) add_elimination(described, result);
+  if (!result.found() && may_eliminate && !is_general) add_elimination(described, result);
   return result;
 }
 

@@ -131,7 +131,7 @@ void Careful::run(Gathered& first) {
   for (int k = 0; k < 6 && (size_ == 0 || !is_even()); ++k) {
     constexpr double far = 30;  // times what `displaced` takes for a little
     Gathered near;
-    eliminate(0, quartic::displaced(pose_, far * setup_.chain.size, k), near);
+    eliminate(0, quartic::displaced(pose_, far * setup_.chain.size, k).pose, near);
     settle(near);
     merge();
     ++effort_.passes;

@@ -20,7 +20,10 @@ class ScalarLoops {
   std::vector<std::string> write() {
     line("Work<double> w;");
     line("qvgen::Joints<" + std::to_string(plan_.plan.row_size) + "> q;");
-    if (plan_.plan.given >= 0) line("q[" + std::to_string(plan_.plan.given) + "] = t.geometry.given_;");
+    // What starts near the goal may hold the given joint next to its value.
+    const std::string asked = careful_ && plan_.plan.quartic() ? "goal" : "t";
+    if (plan_.plan.given >= 0)
+      line("q[" + std::to_string(plan_.plan.given) + "] = " + asked + ".geometry.given_;");
     for (const std::size_t i : derive::inverse::order(plan_.plan, careful_)) step(i);
     if (!ended_) {
       flush();

@@ -22,21 +22,27 @@ Preference<dof> next_choice(Preference<dof> preference) {
   return preference;
 }
 
+/// A pose, and how far the joint whose value is given, if there is one, is held from that value.
+struct Place {
+  Pose<double> pose;
+  double further = 0;  ///< rad or m
+};
+
 /// A pose moved and turned a little, another way for every k: the fractional parts of multiples of square
 /// roots of primes are spread evenly.
-inline Pose<double> displaced(const Pose<double>& pose, double size, int k) {
+inline Place displaced(const Pose<double>& pose, double size, int k) {
   constexpr double share = 1e-4;
-  constexpr double roots[] = {1.4142135623730951, 1.7320508075688772, 2.23606797749979,
-                              2.6457513110645906, 3.3166247903554,    3.605551275463989};
-  double by[6];
-  for (int i = 0; i < 6; ++i) {
+  constexpr double roots[] = {1.4142135623730951, 1.7320508075688772, 2.23606797749979, 2.6457513110645906,
+                              3.3166247903554,    3.605551275463989,  4.123105625617661};
+  double by[7];
+  for (int i = 0; i < 7; ++i) {
     const double multiple = (k + 1) * roots[i];
     by[i] = share * (2 * (multiple - std::floor(multiple)) - 1);
   }
   Pose<double> moved = pose;
   moved.position += size * Vector3<double>(by[0], by[1], by[2]);
   moved.orientation = (Eigen::Quaterniond(1, by[3], by[4], by[5]) * pose.orientation).normalized();
-  return moved;
+  return {moved, by[6]};
 }
 
 /// Solves near singular poses. `follow(start, goal, visited, found)` is one pass over all branches that may
@@ -44,12 +50,14 @@ inline Pose<double> displaced(const Pose<double>& pose, double size, int k) {
 /// what that is told to be may be noise, and out of reach for the joints after it, so that branches without a
 /// solution are followed again with a choice in its place. What is then still missing is looked for from
 /// poses nearby, where nothing is free, and, where a wrist cannot follow to what has been chosen or there is
-/// nothing at all, with other choices. `aimed(pose)` is the target of a pose. Whatever is chosen on the way,
-/// the goal's preference stays the caller's: a continuum is to be left next to the seed.
+/// nothing at all, with other choices. `aimed(place)` is the target of a pose. Whatever is chosen on the way,
+/// the goal's preference stays the caller's: a continuum is to be left next to the seed. `held`: an arm with
+/// a given joint has another structure at some of its values (axes that are parallel at zero), where the
+/// elimination divides by zero; it does not at values nearby.
 template <int dof, class Aim, class Visited, int capacity, class Follow>
 void solve_carefully(const Pose<double>& pose, const Aim& aimed, Visited visited, const Follow& follow,
-                     Solutions<dof, capacity>& found) {
-  auto goal = aimed(pose);
+                     Solutions<dof, capacity>& found, bool held) {
+  auto goal = aimed(Place{pose});
   Preference<dof> preference = *goal.preference;
   const auto pass_from = [&](auto start, const Boundary& boundary, const Boundary& at_goal) {
     start.boundary = boundary;
@@ -70,6 +78,7 @@ void solve_carefully(const Pose<double>& pose, const Aim& aimed, Visited visited
     pass_from(aimed(displaced(pose, std::sqrt(goal.size_square), k)), careful, choosing);
   };
   for (int k = 0; visited.strays_any() && k < 12; ++k) from_nearby(k);
+  for (int k = 0; held && (found.empty() || visited.misses_any()) && k < 4; ++k) from_nearby(k);
   if (visited.misses_any()) pass(Boundary::tolerant(goal.tolerance));
   const bool is_free = met_free || strays;
   constexpr int choices = 16;

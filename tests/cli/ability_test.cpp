@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// What `show --inverse` says first: what an arm can be asked for, by which structure, how many solutions.
+#include <sstream>
+
+#include "command_line.h"
+
+namespace qvgen::test {
+namespace {
+
+/// A description: "Rz 0 0 0.3; Py" is a turn about z with a link behind it and a slide along y.
+std::string arm(const std::string& joints, const std::string& keys = "") {
+  std::string text = "name = \"my_arm\"\ntitle = \"arm\"\n" + keys;
+  std::istringstream list(joints);
+  int number = 0;
+  for (std::string item; std::getline(list, item, ';');) {
+    std::istringstream words(item);
+    std::string kind, x = "0", y = "0", z = "0";
+    words >> kind >> x >> y >> z;
+    const bool turns = kind[0] == 'R';
+    text += "[[joint]]\ntype = \"" + std::string(turns ? "revolute" : "prismatic") + "\"\naxis = \"+" +
+            kind[1] + "\"\nvariable = \"q" + std::to_string(++number) + "\"\n" +
+            (turns ? "link = [" + x + ", " + y + ", " + z + "]\n" : "");
+  }
+  return text;
+}
+
+class Ability : public CommandLine {
+ protected:
+  /// The first paragraph.
+  std::string of(const std::string& description) {
+    const ToolRun shown = run("show --inverse " + write("my_arm.toml", description));
+    EXPECT_EQ(shown.code, 0) << shown.output;
+    return shown.output.substr(0, shown.output.find("\n\n"));
+  }
+};
+
+constexpr const char* whole_pose =
+    " A whole pose may be asked for too; it is unreachable unless the arm can take it.";
+constexpr const char* open_turn = " Below, toolturn is the turn of the tool that is left open.";
+constexpr const char* five_joints = "Rz 0 0 0.5; Ry 0.4 0 0; Rz 0 0 0.4; Ry 0 0 0; Rz 0 0 0.1";
+constexpr const char* four_joints = "Rz 0 0 0.5; Ry 0.4 0 0; Ry 0.4 0 0; Ry 0.1 0 0";
+constexpr const char* palletiser = "Rz 0.2 0 0.5; Ry 0 0 0.8; Ry 0.9 0 0; Ry 0.2 0 -0.1; Rz 0 0 -0.1";
+constexpr const char* seven_joints =
+    "Rz 0 0 0.34; Ry 0 0 0; Rz 0 0 0.4; Ry 0 0 0; Rz 0 0 0.4; Ry 0 0 0; Rz 0 0 0.1";
+
+TEST_F(Ability, OfFewerThanSixJoints) {
+  EXPECT_EQ(of(arm("Rz 0.3 0 0.4; Rz 0.25 0 0; Pz; Rz 0 0 0")),
+            "4 joints, asked for a position of the tool point and a turn about the direction that its axes "
+            "share: the other joints place a point on the axis of q4. At most 2 solutions." +
+                std::string(whole_pose));
+  EXPECT_EQ(of(arm("Rz 0 0 0.3; Ry 0 0 0.1")),
+            "2 joints, asked for the direction of the tool's axis z: three axes turn the tool; the position "
+            "follows. At most 2 solutions." +
+                std::string(whole_pose) + open_turn);
+  EXPECT_EQ(of(arm(five_joints)),
+            "5 joints, asked for a position of the tool point and the direction of the tool's axis x: the "
+            "axes of joints 3, 4 and 5 meet in one point: position and orientation decouple. At most 8 "
+            "solutions." +
+                std::string(whole_pose) + open_turn);
+  EXPECT_EQ(of(arm(palletiser, "task = \"position_and_yaw\"\n")),
+            "5 joints, asked for a position of the tool point and a turn about the direction that its axes "
+            "share: the axes of joints 2, 3 and 4 are parallel. At most 8 solutions." +
+                std::string(whole_pose) + open_turn);
+  EXPECT_EQ(of(arm("Rz 0 0 0.5; Ry 0.4 0 0; Ry 0.4 0 0")),
+            "3 joints, asked for a position of the tool point: three joints place the tool point; the "
+            "orientation follows. At most 4 solutions.");
+  EXPECT_EQ(of(arm(four_joints)),
+            "4 joints, asked for the poses that it can take: the other joints place a point on the axis of "
+            "q4. At most 4 solutions.");
+  EXPECT_EQ(of(arm("Rz 0 0 0; Px")),
+            "2 joints, asked for a position of the tool point: three joints place the tool point; the "
+            "orientation follows. At most 2 solutions. Below, toolslide is a slide of the tool, which ends "
+            "at zero.");
+}
+
+TEST_F(Ability, OfAGivenJoint) {
+  const std::string meet = " given by the caller: the axes of joints ";
+  const std::string end = " meet in one point: position and orientation decouple. At most 8 solutions.";
+  const std::string asked = "7 joints, asked for position and orientation with ";
+  EXPECT_EQ(of(arm(seven_joints)), asked + "q3" + meet + "5, 6 and 7" + end);
+  EXPECT_EQ(of(arm(seven_joints, "given = \"q5\"\n")), asked + "q5" + meet + "1, 2 and 3" + end);
+  EXPECT_EQ(of(arm("Py; Rz 0 0 0.6; Ry 0.4 0.1 0; Ry 0.02 0 0; Rz 0 0 0.4; Ry 0 0 0; Rz 0 0 0.1")),
+            asked + "q1" + meet + "5, 6 and 7" + end);
+  EXPECT_EQ(of(arm(four_joints, "task = \"position\"\ngiven = \"q3\"\n"))
+                .find("4 joints, asked for a "
+                      "position of the tool point with q3 given by the caller: "),
+            0U);
+}
+
+TEST_F(Ability, WhatIsNotServedIsRefused) {
+  const auto refused = [&](const std::string& description, const std::string& reason) {
+    const ToolRun shown = run("show --inverse " + write("my_arm.toml", description));
+    EXPECT_EQ(shown.code, 1);
+    EXPECT_TRUE(has(shown, reason)) << shown.output;
+  };
+  refused(arm(five_joints, "task = \"position\"\n"),
+          "the task position is none for this arm: it may be asked for position_and_direction");
+  refused(arm(five_joints, "given = \"q5\"\n"), "here, 5 joints leave none over");
+  refused(arm(std::string(seven_joints) + "; Ry 0 0 0.1"), "8 joints: a pose in space fixes six");
+}
+
+}  // namespace
+}  // namespace qvgen::test
