@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,5 +24,8 @@ inline bool add_unsolved(Unsolved arm) {
   unsolved().push_back(std::move(arm));
   return true;
 }
+
+/// How many arms the test is of, solved or not; defined beside them.
+std::size_t written_arms();
 
 }  // namespace qvgen::test
