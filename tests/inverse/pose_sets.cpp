@@ -5,9 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include <Eigen/LU>
-#include <Eigen/QR>
-#include <Eigen/SVD>
+#include "reference/linear_algebra.h"
 
 namespace qvgen::test {
 
@@ -92,7 +90,7 @@ Drawn centre_on_first_axis(Case& test, int) {
         slope.col(k) = (*offset_from_first_axis(test, moved) - *offset) / 1e-6;
         if (k + 1 == test.robot().info.given_joint) slope.col(k).setZero();
       }
-      q.segment(1, count) -= slope.completeOrthogonalDecomposition().solve(*offset);
+      q.segment(1, count) -= reference::least_squares(slope, *offset);
     }
   }
   return std::nullopt;
@@ -102,11 +100,11 @@ Drawn centre_on_first_axis(Case& test, int) {
 class Singularity {
  public:
   explicit Singularity(Case& test) : test_(test) {
-    const Eigen::JacobiSVD<Eigen::MatrixXd> parts(test.jacobian(test.joints()), Eigen::ComputeFullU);
-    space_ = parts.matrixU().leftCols(parts.singularValues().size());
+    const auto parts = reference::singular_values(test.jacobian(test.joints()));
+    space_ = parts.u.leftCols(parts.values.size());
   }
   double operator()(const Eigen::VectorXd& q) const {
-    return (space_.transpose() * test_.jacobian(q)).determinant();
+    return reference::determinant(space_.transpose() * test_.jacobian(q));
   }
 
  private:

@@ -3,8 +3,7 @@
 
 #include <algorithm>
 
-#include <Eigen/Cholesky>
-#include <Eigen/SVD>
+#include "reference/linear_algebra.h"
 
 namespace qvgen::test {
 
@@ -15,7 +14,7 @@ bool descend(const Case& test, Eigen::VectorXd& q, const Eigen::Isometry3d& targ
     const Eigen::MatrixXd jacobian = test.jacobian(q);
     Eigen::MatrixXd normal = jacobian.transpose() * jacobian;
     normal.diagonal().array() += damping;
-    const Eigen::VectorXd next = test.moved(q, normal.ldlt().solve(jacobian.transpose() * r));
+    const Eigen::VectorXd next = test.moved(q, reference::solve_symmetric(normal, jacobian.transpose() * r));
     const Eigen::VectorXd next_residual = test.residual(next, target);
     const bool better = next_residual.norm() < r.norm();
     if (!better && r.norm() < 1e-13) break;
@@ -29,7 +28,7 @@ bool descend(const Case& test, Eigen::VectorXd& q, const Eigen::Isometry3d& targ
 }
 
 bool nearly_singular(const Case& test, const Eigen::VectorXd& q) {
-  return Eigen::JacobiSVD<Eigen::MatrixXd>(test.jacobian(q)).singularValues().minCoeff() < 1e-3;
+  return reference::smallest_singular_value(test.jacobian(q)) < 1e-3;
 }
 
 std::vector<Eigen::VectorXd> search(const Case& test, const Sample& sample, std::size_t returned,

@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <random>
 
-#include <Eigen/LU>
-#include <Eigen/SVD>
 #include <gtest/gtest.h>
 
+#include "reference/linear_algebra.h"
 #include "robot_under_test.h"
 
 namespace {
@@ -14,10 +13,6 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using qvgen::test::RobotUnderTest;
-
-double smallest_singular_value(const MatrixXd& m) {
-  return Eigen::JacobiSVD<MatrixXd>(m).singularValues().minCoeff();
-}
 
 std::vector<RobotUnderTest> six_joint_robots() {
   std::vector<RobotUnderTest> result;
@@ -32,7 +27,9 @@ class Singularities : public testing::TestWithParam<RobotUnderTest> {
     std::uniform_real_distribution<double> number(-3, 3);
     return VectorXd::NullaryExpr(6, [&] { return number(random_); });
   }
-  double smallest(const VectorXd& q) const { return smallest_singular_value(GetParam().jacobian(q)); }
+  double smallest(const VectorXd& q) const {
+    return reference::smallest_singular_value(GetParam().jacobian(q));
+  }
   double least_measure(const VectorXd& q) const {
     return GetParam().singularity_measures(q).cwiseAbs().minCoeff();
   }

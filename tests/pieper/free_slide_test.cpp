@@ -2,9 +2,8 @@
 // Orientations that leave a slide free: any of its values that the joints after it can follow is a solution.
 #include <algorithm>
 
-#include <Eigen/SVD>
-
 #include "check.h"
+#include "reference/linear_algebra.h"
 
 namespace qvgen::test {
 namespace {
@@ -15,9 +14,9 @@ class FreeSlide : public Inverse {
  protected:
   /// The motion of the joints that leaves the pose as it is, if there is any.
   Eigen::VectorXd idle_motion(const Eigen::VectorXd& q) {
-    const Eigen::JacobiSVD<Eigen::MatrixXd> parts(test().jacobian(q), Eigen::ComputeFullV);
-    return parts.singularValues().minCoeff() < 1e-13 ? Eigen::VectorXd(parts.matrixV().rightCols<1>())
-                                                     : Eigen::VectorXd::Zero(q.size());
+    const auto parts = reference::singular_values(test().jacobian(q));
+    return parts.values.minCoeff() < 1e-13 ? Eigen::VectorXd(parts.v.rightCols<1>())
+                                           : Eigen::VectorXd::Zero(q.size());
   }
 
   /// What is wrong with solutions in any order.

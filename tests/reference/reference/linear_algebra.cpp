@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#include "reference/linear_algebra.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <Eigen/QR>
+#include <Eigen/SVD>
+
+namespace reference {
+
+SingularValues singular_values(const Eigen::MatrixXd& m) {
+  const Eigen::JacobiSVD<Eigen::MatrixXd> parts(m, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  return {parts.singularValues(), parts.matrixU(), parts.matrixV()};
+}
+
+double smallest_singular_value(const Eigen::MatrixXd& m) { return singular_values(m).values.minCoeff(); }
+
+double determinant(const Eigen::MatrixXd& m) { return m.determinant(); }
+
+Eigen::VectorXd least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b) {
+  return a.completeOrthogonalDecomposition().solve(b);
+}
+
+Eigen::VectorXd solve_symmetric(const Eigen::MatrixXd& a, const Eigen::VectorXd& b) {
+  return a.ldlt().solve(b);
+}
+
+}  // namespace reference

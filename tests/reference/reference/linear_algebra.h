@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+
+/// Decompositions that many tests ask for, compiled once: Eigen's templates take seconds in every file.
+namespace reference {
+
+/// m = u diag(values) v^T; values fall, u and v are square.
+struct SingularValues {
+  Eigen::VectorXd values;
+  Eigen::MatrixXd u, v;
+};
+SingularValues singular_values(const Eigen::MatrixXd& m);
+double smallest_singular_value(const Eigen::MatrixXd& m);
+
+double determinant(const Eigen::MatrixXd& m);
+
+/// The shortest of all x that make |a x - b| least.
+Eigen::VectorXd least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
+/// a x = b, a symmetric and positive or negative semidefinite.
+Eigen::VectorXd solve_symmetric(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
+
+}  // namespace reference
