@@ -15,10 +15,11 @@ std::vector<std::string> legend(const model::Robot& described, const canonical::
     const std::string& meant = described.joints[i].variable;
     const bool has_phase = !(arm.phases[i] == exact::Angle{});
     if (name == meant && !has_phase) continue;
-    lines.push_back(fmt::format("below, {} stands for {}", name, meant));
+    lines.push_back(
+        fmt::format("below, {} stands for {}", name, name == meant ? "the joint's value" : meant));
     if (!has_phase) continue;
     const double phase = cln::double_approx(*exact::radians(arm.phases[i]));
-    lines.back() += fmt::format(" {} {:.6g}", phase < 0 ? "-" : "+", phase < 0 ? -phase : phase);
+    lines.back() += fmt::format(" {} {:.6g} rad", phase < 0 ? "-" : "+", phase < 0 ? -phase : phase);
   }
   return lines;
 }
