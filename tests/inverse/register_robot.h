@@ -73,6 +73,16 @@ bool register_inverse() {
                                const reference::Values& values) {
     return solve(given, pose, geometry_of<Arm>(values), tolerance, inverse::Form::scalar);
   };
+  if constexpr (Arm::has_near) {
+    functions.solve_near = [](const Pose<double>& pose, double given, const Eigen::VectorXd& seed,
+                              double tolerance, const reference::Values& values) {
+      const typename Arm::Joints from = seed;
+      if constexpr (Arm::info.given_joint >= 0)
+        return copy(Arm::near(pose, given, from, geometry_of<Arm>(values), tolerance));
+      else
+        return copy(Arm::near(pose, from, geometry_of<Arm>(values), tolerance));
+    };
+  }
   std::vector<std::string> constants(Arm::geometry_names.begin(), Arm::geometry_names.end());
   return add_inverse({Arm::name, Arm::description, Arm::dof, Arm::info, constants, functions});
 }

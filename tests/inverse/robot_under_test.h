@@ -48,6 +48,10 @@ struct InverseFunctions {
       solve_within;
   std::function<Found(const Pose<double>&, double given, double tolerance, const reference::Values&)>
       solve_scalar = {};
+  /// The one solution on the seed's branch, of arms that take every pose.
+  std::function<Found(const Pose<double>&, double given, const Eigen::VectorXd& seed, double tolerance,
+                      const reference::Values&)>
+      solve_near = {};
   /// Of arms that are asked for less than a pose: the whole pose, with and without a seed.
   std::function<Found(const Pose<double>&, double tolerance)> solve_pose = {};
   std::function<Found(const Pose<double>&, const Eigen::VectorXd& seed)> solve_pose_from = {};
@@ -90,6 +94,10 @@ struct InverseUnderTest {
   }
   [[nodiscard]] Found solve_from(const Pose<double>& pose, double given, const Eigen::VectorXd& seed) const {
     return functions.solve_from(pose, given, seed, geometry);
+  }
+  [[nodiscard]] Found solve_near(const Pose<double>& pose, double given, const Eigen::VectorXd& seed,
+                                 double tolerance = inverse::default_tolerance) const {
+    return functions.solve_near(pose, given, seed, tolerance, geometry);
   }
   [[nodiscard]] Found solve_matrix(const Eigen::Matrix3d& r, const Eigen::Vector3d& p, double given) const {
     return functions.solve_matrix(r, p, given);

@@ -11,6 +11,7 @@
 #include <qvgen/inverse/phases.h>
 #include <qvgen/inverse/reaching.h>
 #include <qvgen/inverse/request.h>
+#include <qvgen/inverse/seed_branch.h>
 
 #include "inverse_steps.h"
 

@@ -146,7 +146,7 @@ inline void solve_theta1(const Target& t, const Scalar& sign,
   {
     const Scalar x = Scalar(t.goal_x);
     const Scalar y = Scalar(t.goal_y);
-    result = sign * inverse::span<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny1),
+    result = sign * inverse::span<Scalar, true>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny1),
         inverse::Rotor<Scalar>{Scalar(t.preference->brief[0].cosine), Scalar(t.preference->brief[0].sine)},
         w.length_theta1, w.branch);
   }

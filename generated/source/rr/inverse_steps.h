@@ -143,7 +143,7 @@ inline void solve_theta1(const Target& t, const Scalar& sign,
   {
     const Scalar x = -Scalar(t.pose_p_y);
     const Scalar y = Scalar(t.pose_p_x);
-    result = sign * inverse::direction<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny1),
+    result = sign * inverse::direction<Scalar, true>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny1),
         inverse::Rotor<Scalar>{Scalar(t.preference->turn[0].cosine), Scalar(t.preference->turn[0].sine)}, w.branch);
   }
 

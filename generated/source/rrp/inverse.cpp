@@ -9,6 +9,7 @@
 #include <qvgen/inverse/lanes.h>
 
 #include <qvgen/inverse/request.h>
+#include <qvgen/inverse/seed_branch.h>
 
 #include "inverse_steps.h"
 
@@ -122,6 +123,73 @@ Rows rows_of(const Pose<double>& pose, const Geometry& g, double tolerance, cons
   return found;
 }
 
+/// The seed's branch. Returns whether rounding has decided nothing.
+[[gnu::flatten, gnu::noinline]] bool follow_seed(const Target& t, inverse::Forks& forks, NearSolution& found) {
+  Work<double> w{};
+  JointVector<double> q;
+  Work<double> other0 = w;
+  solve_theta1(t, 1.0, w);
+  solve_theta1(t, -1.0, other0);
+  inverse::take_nearer(other0, inverse::apart({other0.cos_theta1, other0.sin_theta1}, t.preference->turn[0]), w,
+      inverse::apart({w.cos_theta1, w.sin_theta1}, t.preference->turn[0]), forks);
+  if (!w.branch.exists) return !w.branch.doubtful;
+  Work<double> other1 = w;
+  solve_d3(t, 1.0, w);
+  solve_d3(t, -1.0, other1);
+  inverse::take_nearer(other1, inverse::apart(other1.d3, t.preference->slide[2]), w,
+      inverse::apart(w.d3, t.preference->slide[2]), forks);
+  if (!w.branch.exists) return !w.branch.doubtful;
+  solve_theta2(t, w);
+  q[0] = inverse::output_angle(w.cos_theta1, w.sin_theta1);
+  q[2] = w.d3;
+  q[1] = inverse::output_angle(w.cos_theta2, w.sin_theta2, w.length_theta2);
+  inverse::append(found, q, forks.label, w.branch.continuum);
+  return !w.branch.doubtful;
+}
+
+/// The same near a singular pose, the joints polished by Newton steps.
+[[gnu::noinline]] void polish_near_seed(const Target& t, const Target& goal, inverse::SeedTracker<double, 3>& tracker,
+    inverse::Forks& forks, NearSolution& found) {
+  Work<double> w{};
+  JointVector<double> q;
+  Work<double> other0 = w;
+  solve_theta1(t, 1.0, w);
+  solve_theta1(t, -1.0, other0);
+  inverse::take_nearer(other0, inverse::apart({other0.cos_theta1, other0.sin_theta1}, t.preference->turn[0]), w,
+      inverse::apart({w.cos_theta1, w.sin_theta1}, t.preference->turn[0]), forks);
+  if (!w.branch.exists) return;
+  Work<double> other1 = w;
+  solve_d3(t, 1.0, w);
+  solve_d3(t, -1.0, other1);
+  inverse::take_nearer(other1, inverse::apart(other1.d3, t.preference->slide[2]), w,
+      inverse::apart(w.d3, t.preference->slide[2]), forks);
+  if (!w.branch.exists) return;
+  solve_theta2(t, w);
+  Work<double> p = w;
+  if (!solve_arm(goal, 0, tracker, p)) return;
+  q[0] = inverse::output_angle(p.cos_theta1, p.sin_theta1);
+  q[2] = p.d3;
+  q[1] = inverse::output_angle(p.cos_theta2, p.sin_theta2, p.length_theta2);
+  inverse::append(found, q, forks.label, p.branch.continuum);
+  return;
+}
+
+void solve_near_seed(const Pose<double>& pose, const Target& given, NearSolution& found) {
+  const inverse::PoseNumbers numbers = inverse::numbers_of(pose);
+  const double excess = inverse::unit_excess(numbers);
+  if (inverse::outlook(numbers, excess, farthest, given.tolerance) != inverse::Outlook::open) {
+    found.status = inverse::status_beyond(pose);
+    return;
+  }
+  Target t = given;
+  aim(numbers, excess, t);
+  const auto follow = [&](inverse::Forks& forks, NearSolution& row) { return follow_seed(t, forks, row); };
+  if (inverse::follow_forks(*t.preference, is_revolute.data(), follow, found)) return found.conclude();
+  found.clear();
+  inverse::follow_forks_carefully(t, inverse::SeedTracker<double, 3>(), is_revolute.data(), polish_near_seed, found);
+  found.conclude();
+}
+
 }  // namespace
 }  // namespace detail::all
 
@@ -193,6 +261,23 @@ LimitedSolutions<dof, 4> inverse_kinematics(const Pose<double>& pose, const Join
 LimitedSolutions<dof, 4, 1> inverse_kinematics(const Pose<double>& pose, const JointVector<double>& seed,
     const JointLimits<dof>& limits, const Geometry& g, double tolerance) {
   return nearest_within_limits(inverse_kinematics(pose, seed, g, tolerance), limits, is_revolute, seed);
+}
+
+NearSolution inverse_kinematics_near(const Pose<double>& pose, const JointVector<double>& seed, const Geometry& g,
+    double tolerance) {
+  using namespace detail::all;
+  NearSolution found;
+  if (!seed.allFinite()) {
+    found.status = Status::invalid;
+    return found;
+  }
+  const inverse::Preference<dof> preference = inverse::preference<dof>(seed);
+
+  solve_near_seed(pose, given(g, tolerance, preference), found);
+
+  inverse::unwind(found, seed, is_revolute);
+
+  return found;
 }
 
 }  // namespace qvgen::robots::rrp

@@ -130,7 +130,7 @@ inline void solve_theta1(const Target& t, const Scalar& sign,
   {
     const Scalar x = -Scalar(t.pose_p_x);
     const Scalar y = -Scalar(t.pose_p_y);
-    result = sign * inverse::span<Scalar>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny1),
+    result = sign * inverse::span<Scalar, true>(inverse::Rotor<Scalar>{x, y}, Scalar(t.tiny1),
         inverse::Rotor<Scalar>{Scalar(t.preference->brief[0].cosine), Scalar(t.preference->brief[0].sine)},
         w.length_theta1, w.branch);
   }

@@ -10,6 +10,7 @@
 
 #include <qvgen/inverse/reaching.h>
 #include <qvgen/inverse/request.h>
+#include <qvgen/inverse/seed_branch.h>
 
 #include "inverse_steps.h"
 

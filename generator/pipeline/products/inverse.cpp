@@ -10,6 +10,7 @@
 #include "emit/cpp/inverse/entries.h"
 #include "emit/cpp/inverse/frames.h"
 #include "emit/cpp/inverse/scalar_loops.h"
+#include "emit/cpp/inverse/seed_branch.h"
 #include "emit/cpp/inverse/simd_loops.h"
 #include "emit/cpp/inverse/step_code.h"
 #include "emit/cpp/symbol_table.h"
@@ -137,6 +138,19 @@ json effort_values(const qvgen::inverse::Budget& budget) {
   return {{"passes", budget.passes}, {"steps", budget.steps}};
 }
 
+/// What follows one branch: the first pass, if there is one, and the careful one. Of arms that take every
+/// pose.
+json seed_branch(const derive::inverse::Problem& problem, const derive::inverse::LoweredPlan& plan) {
+  const bool takes_poses = problem.task == model::Task::pose || problem.task == model::Task::position;
+  const bool has_virtual_joints = problem.row_size > problem.own_joints + (problem.given >= 0 ? 1 : 0);
+  if (!takes_poses || problem.filter != derive::inverse::Filter::none || has_virtual_joints) return false;
+  const auto lines = [&](emit::Pass pass) {
+    return emit::lines_of(emit::seed_branch_lines(problem.robot, plan, pass));
+  };
+  return {{"first", plan.plan.quartic() ? json(false) : json{{"lines", lines(emit::Pass::first)}}},
+          {"careful", lines(emit::Pass::careful)}};
+}
+
 /// `described` has the names of the description, the problem its own.
 json variant(const model::Robot& described, const derive::inverse::Derivation& derivation,
              nlohmann::ordered_json& all_counts) {
@@ -160,6 +174,9 @@ json variant(const model::Robot& described, const derive::inverse::Derivation& d
   json values{
       {"space", locked ? "given_" + given : "all"},
       {"function", function},
+      {"near_function", "inverse_kinematics_near" + (locked ? "_given_" + given : "")},
+      {"seed_branch", seed_branch(problem, plan)},
+      {"near_steps", qvgen::inverse::near_effort.steps},
       {"solutions", locked ? "SolutionsGiven_" + given : "Solutions"},
       {"info", locked ? "inverse_info_given_" + given : "inverse_info"},
       {"task", model::task_name(problem.task)},

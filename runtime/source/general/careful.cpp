@@ -35,6 +35,13 @@ Task matching(const Setup& setup, const Pose<double>& pose) {
   return task;
 }
 
+Values seed_of(const Setup& setup, const Preference<joints>& preference) {
+  Values seed;
+  for (std::size_t j = 0; j < joints; ++j)
+    seed[j] = setup.chain.slides[j] ? Rotor<double>{preference.slide[j], 0} : preference.turn[j];
+  return seed;
+}
+
 Careful::Careful(const Setup& setup, const Pose<double>& pose, double tolerance,
                  const Preference<joints>& preference, Pass pass)
     : setup_(setup),
@@ -42,11 +49,9 @@ Careful::Careful(const Setup& setup, const Pose<double>& pose, double tolerance,
       task_(matching(setup, pose)),
       tolerance_(tolerance),
       boundary_(Boundary::ends(tolerance)),
+      seed_(seed_of(setup, preference)),
       seeded_(preference.seeded),
-      pass_(pass) {
-  for (std::size_t j = 0; j < joints; ++j)
-    seed_[j] = setup.chain.slides[j] ? Rotor<double>{preference.slide[j], 0} : preference.turn[j];
-}
+      pass_(pass) {}
 
 void Careful::eliminate(int number, const Pose<double>& pose, Gathered& gathered) const {
   pass_(setup_.chain, setup_.eliminations[number], goal_of(setup_.chain, pose), tolerance_, gathered);

@@ -20,6 +20,9 @@ inline Values values_of(const JointPairs& pairs) {
 /// The tool's point and two more, the arm's size away, at the zero pose and at the goal.
 Task matching(const Setup& setup, const Pose<double>& pose);
 
+/// The values that a preference has.
+Values seed_of(const Setup& setup, const Preference<joints>& preference);
+
 /// Solves a pose at which the first elimination has left doubts: further eliminations, then poses nearby;
 /// whatever they lead to is brought to the pose by Newton's steps, and solutions that a curve of solutions
 /// joins are one.

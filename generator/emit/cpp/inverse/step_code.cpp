@@ -112,7 +112,8 @@ std::string direction(const LoweredPlan& plan, const Step& step) {
     return "inverse::chosen_direction<Scalar>(" + rotor("x", "y") + ", " + rotor("choice_x", "choice_y") +
            ", t.boundary, w.branch)";
   const std::string block = step.unit ? "direction" : step.length_known ? "span_of_length" : "span";
-  return "inverse::" + block + "<Scalar>(" + rotor("x", "y") + (step.length_known ? ", length, " : ", ") +
+  const std::string types = step.kind == Kind::opposite ? "<Scalar, true>(" : "<Scalar>(";
+  return "inverse::" + block + types + rotor("x", "y") + (step.length_known ? ", length, " : ", ") +
          tiny(step) + ", " + choice(place(plan, step.joint), step.unit ? "turn" : "brief") + ", " +
          (step.unit ? "" : length_place(step.unknown) + ", ") + "w.branch)";
 }

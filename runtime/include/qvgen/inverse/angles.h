@@ -66,10 +66,47 @@ Scalar output_angle(const Scalar& cosine, const Scalar& sine, const Scalar& leng
   return output_angle(Rotor<Scalar>{cosine, sine}, length, pi<Scalar>());
 }
 
+/// Where a vector is known but for rounding, which may move its end within a disc, so may its direction be
+/// turned: of all that it may have, the one nearest to `choice`. `unit` is the vector's direction, the
+/// squares are those of its length and of the disc's radius. Near a place where the vector
+/// vanishes and its direction is free this goes over from the choice to the direction without a jump.
+/// `opposites`: the opposite direction is another branch, which the opposite of the choice is near to.
+template <typename Scalar, bool opposites>
+Rotor<Scalar> turned_to(const Rotor<Scalar>& preferred, const Rotor<Scalar>& unit, const Scalar& square,
+                        const Scalar& disc) {
+  using std::sqrt;
+  Rotor<Scalar> choice = preferred;
+  Rotor<Scalar> off = choice * inverse(unit);
+  if constexpr (opposites) {
+    const Mask<Scalar> is_other = off.cosine < Scalar(0);
+    choice = {negated(is_other, choice.cosine), negated(is_other, choice.sine)};
+    off = {negated(is_other, off.cosine), negated(is_other, off.sine)};
+  }
+  const Scalar share = smaller(Scalar(disc / square), Scalar(1));
+  const Scalar sine = sqrt(share);
+  const Mask<Scalar> within = (off.cosine > Scalar(0)) & (magnitude(off.sine) <= sine);
+  const Rotor<Scalar> moved =
+      Rotor<Scalar>{sqrt(Scalar(Scalar(1) - share)), with_sign(sine, off.sine)} * unit;
+  return {select(within, choice.cosine, moved.cosine), select(within, choice.sine, moved.sine)};
+}
+
+/// Below this multiple of what is noise for sure rounding can be seen in a direction.
+template <typename Scalar>
+Mask<Scalar> is_blurred(const Scalar& square, const Scalar& noise) {
+  return square <= Scalar(1e16) * noise;
+}
+
+/// How much larger than what is noise for sure the square of a disc is that no rounding leaves: 8 times the
+/// radius.
+template <typename Scalar>
+Scalar widest_blur() {
+  return Scalar(64);
+}
+
 /// A pair brought to length one. Where its squared length is below `tiny`, any direction will do: the
 /// caller's choice is taken and the branch is marked; what the other signs then lead to may be the same.
 /// Where it is not much longer the direction may be noise.
-template <typename Scalar>
+template <typename Scalar, bool opposites = false>
 Rotor<Scalar> direction(const Rotor<Scalar>& v, const Scalar& tiny, const Rotor<Scalar>& choice,
                         Branch<Scalar>& branch) {
   using std::sqrt;
@@ -78,8 +115,14 @@ Rotor<Scalar> direction(const Rotor<Scalar>& v, const Scalar& tiny, const Rotor<
   branch.continuum = branch.continuum | (branch.exists & is_free);
   branch.doubt(square <= Scalar(1e16) * tiny);
   const Scalar scale = Scalar(1) / sqrt(select(is_free, Scalar(1), square));
-  return {select(is_free, choice.cosine, Scalar(v.cosine * scale)),
-          select(is_free, choice.sine, Scalar(v.sine * scale))};
+  Rotor<Scalar> unit = scale * v;
+  const Mask<Scalar> blurred = is_blurred(square, tiny);
+  if (any(blurred)) {
+    const Rotor<Scalar> near = turned_to<Scalar, opposites>(choice, unit, select(is_free, tiny, square),
+                                                            Scalar(widest_blur<Scalar>() * tiny));
+    unit = {select(blurred, near.cosine, unit.cosine), select(blurred, near.sine, unit.sine)};
+  }
+  return {select(is_free, choice.cosine, unit.cosine), select(is_free, choice.sine, unit.sine)};
 }
 
 /// Length of a choice that takes the place of a direction without length: as good as zero, and far from
@@ -89,33 +132,41 @@ inline constexpr double brief_length = 0x1p-100;
 /// A pair left as long as it is. A free one is the caller's choice, of `brief_length`: what is computed from
 /// its length is then as good as zero, as it should be, and its direction is still exact. `length` is known
 /// for the others.
-template <typename Scalar>
-Rotor<Scalar> chosen_if_free(const Rotor<Scalar>& v, const Mask<Scalar>& is_free,
+template <typename Scalar, bool opposites = false>
+Rotor<Scalar> chosen_if_free(const Rotor<Scalar>& v, const Scalar& square, const Scalar& tiny,
                              const Rotor<Scalar>& brief_choice, Scalar& length, Branch<Scalar>& branch) {
-  if (!any(is_free)) return v;
+  const Mask<Scalar> blurred = is_blurred(square, tiny);
+  if (!any(blurred)) return v;
+  const Mask<Scalar> is_free = square <= tiny;
   branch.continuum = branch.continuum | (branch.exists & is_free);
+  const Scalar safe = select(is_free, Scalar(1), length);
+  const Scalar unbrief(1 / brief_length);
+  const Rotor<Scalar> near = safe * turned_to<Scalar, opposites>(
+                                        unbrief * brief_choice, Scalar(Scalar(1) / safe) * v,
+                                        select(is_free, tiny, square), Scalar(widest_blur<Scalar>() * tiny));
+  const Rotor<Scalar> seen{select(blurred, near.cosine, v.cosine), select(blurred, near.sine, v.sine)};
   length = select(is_free, Scalar(brief_length), length);
-  return {select(is_free, brief_choice.cosine, v.cosine), select(is_free, brief_choice.sine, v.sine)};
+  return {select(is_free, brief_choice.cosine, seen.cosine), select(is_free, brief_choice.sine, seen.sine)};
 }
 
 /// The same, and its length.
-template <typename Scalar>
+template <typename Scalar, bool opposites = false>
 Rotor<Scalar> span(const Rotor<Scalar>& v, const Scalar& tiny, const Rotor<Scalar>& brief_choice,
                    Scalar& length, Branch<Scalar>& branch) {
   using std::sqrt;
   const Scalar square = v.cosine * v.cosine + v.sine * v.sine;
   length = sqrt(square);
-  return chosen_if_free(v, Mask<Scalar>(square <= tiny), brief_choice, length, branch);
+  return chosen_if_free<Scalar, opposites>(v, square, tiny, brief_choice, length, branch);
 }
 
 /// The same where the length is known but for rounding: a Newton step makes it good without waiting for a
 /// root.
-template <typename Scalar>
+template <typename Scalar, bool opposites = false>
 Rotor<Scalar> span_of_length(const Rotor<Scalar>& v, const Scalar& about, const Scalar& tiny,
                              const Rotor<Scalar>& brief_choice, Scalar& length, Branch<Scalar>& branch) {
   const Scalar square = v.cosine * v.cosine + v.sine * v.sine;
   length = Scalar(0.5) * about + square * (Scalar(0.5) / about);
-  return chosen_if_free(v, Mask<Scalar>(square <= tiny), brief_choice, length, branch);
+  return chosen_if_free<Scalar, opposites>(v, square, tiny, brief_choice, length, branch);
 }
 
 /// Cosine and sine of half the angle (in (-pi/2, pi/2]) from a normalised pair, accurate near 0 and near pi.

@@ -28,6 +28,9 @@ struct Budget {
   }
 };
 
+/// What one solution next to a seed may cost, whatever the arm.
+inline constexpr Budget near_effort{6, 60};
+
 /// What a pose may cost an arm whose joints are polished on so many branches. Of the poses that the tests
 /// draw an ur5 uses up to 49 of its 60 evaluations. With six joints a step takes three times as long as with
 /// three.

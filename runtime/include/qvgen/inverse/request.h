@@ -2,9 +2,11 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <qvgen/inverse/choose.h>
 #include <qvgen/inverse/outlook.h>
 #include <qvgen/inverse/solutions.h>
 #include <qvgen/pose.h>
+#include <qvgen/sine_cosine.h>
 
 namespace qvgen::inverse {
 
@@ -12,10 +14,12 @@ template <int dof>
 Preference<dof> preference(const Eigen::Matrix<double, dof, 1>& seed) {
   Preference<dof> result;
   result.seeded = true;
+  double sines[dof], cosines[dof];
+  sines_and_cosines(seed.data(), sines, cosines, dof);
   for (int i = 0; i < dof; ++i) {
-    result.angle[i] = seed[i];
+    result.angle[i] = without_turns(seed[i]);
     result.slide[i] = seed[i];
-    result.choose(i, {std::cos(seed[i]), std::sin(seed[i])});
+    result.choose(i, {cosines[i], sines[i]});
   }
   return result;
 }

@@ -23,16 +23,24 @@ Scalar wrist_noise() {
   return Scalar(18) * epsilon<Scalar>();
 }
 
+/// The same where the arm before the wrist is ill-conditioned, as a multiple of its square: no rounding
+/// leaves more, and turning by it is 4e-13 at most.
+template <typename Scalar>
+Scalar widest_wrist_noise() {
+  return Scalar(1024);
+}
+
 /// Which of two complex numbers, given by their squares, is noise next to the other: its argument is free.
 template <typename Scalar>
 struct Vanishing {
   Mask<Scalar> u, v;
+  Scalar noise;  ///< square below which it is
 };
 
 template <typename Scalar>
 Vanishing<Scalar> vanishing(const Scalar& u_square, const Scalar& v_square) {
   const Scalar noise = wrist_noise<Scalar>() * wrist_noise<Scalar>() * (u_square + v_square);
-  return {u_square <= noise, v_square <= noise};
+  return {u_square <= noise, v_square <= noise, noise};
 }
 
 /// The same before further joints: nearly free, what the angles are is for those to say, which may be at the
@@ -50,18 +58,44 @@ Vanishing<Scalar> vanishing(const Scalar& u_square, const Scalar& v_square, cons
   branch.doubt((u_square <= doubtful) | (v_square <= doubtful));
   branch.continuum = branch.continuum | (branch.exists & ((u_square <= noise) | (v_square <= noise)));
   const Scalar least = boundary.choose ? Scalar(choosable * noise) : noise;
-  return {u_square <= least, v_square <= least};
+  return {u_square <= least, v_square <= least, noise};
+}
+
+/// How far the argument of the smaller number, whose square is `least`, is to be turned: next to where it is
+/// free it may be rounding's, and then the first angle is to come as near to the choice as that allows, or to
+/// the opposite direction, which is the other branch's. Zero elsewhere.
+template <typename Scalar>
+Scalar turn_to_choice(const Scalar& first, const Scalar& choice, const Scalar& least, const Scalar& noise,
+                      const Scalar& pi) {
+  using std::sqrt;
+  const Mask<Scalar> blurred = is_blurred(least, noise);
+  const Scalar quarter = Scalar(0.5) * pi;
+  const Scalar most =
+      quarter *
+      sqrt(Scalar(widest_wrist_noise<Scalar>() * noise / select(blurred, larger(least, noise), Scalar(1))));
+  const Scalar off = wrapped(Scalar(choice - first), pi);
+  const Scalar nearer = off + select(off > quarter, Scalar(-pi), select(off <= -quarter, pi, Scalar(0)));
+  return select(blurred, smaller(larger(nearer, Scalar(-most)), most), Scalar(0));
 }
 
 /// Arguments of the two complex numbers; one that vanishes gets what makes their sum equal to `first`.
 template <typename Scalar>
-void arguments(const Rotor<Scalar>& u, const Rotor<Scalar>& v, const Vanishing<Scalar>& is_free,
-               const Scalar& first, Scalar& u_argument, Scalar& v_argument, Branch<Scalar>& branch) {
+void arguments(const Rotor<Scalar>& u, const Rotor<Scalar>& v, const Scalar& u_square, const Scalar& v_square,
+               const Vanishing<Scalar>& is_free, const Scalar& first, const Scalar& pi, Scalar& u_argument,
+               Scalar& v_argument, Branch<Scalar>& branch) {
   const Scalar u_angle = angle(u);
   const Scalar v_angle = angle(v);
   u_argument = select(is_free.u, Scalar(first - v_angle), u_angle);
   v_argument = select(is_free.v, Scalar(first - u_angle), v_angle);
-  branch.continuum = branch.continuum | (branch.exists & (is_free.u | is_free.v));
+  const Scalar least = smaller(u_square, v_square);
+  if (!any(is_blurred(least, is_free.noise))) return;
+  const Scalar turn =
+      select(is_free.u | is_free.v, Scalar(0),
+             turn_to_choice(wrapped(Scalar(u_angle + v_angle), pi), first, least, is_free.noise, pi));
+  u_argument = u_argument + select(u_square < v_square, turn, Scalar(0));
+  v_argument = v_argument + select(u_square < v_square, Scalar(0), turn);
+  branch.continuum =
+      branch.continuum | (branch.exists & (least <= widest_wrist_noise<Scalar>() * is_free.noise));
 }
 
 /// A wrist's two branches: (first, middle, last) and (first + pi, -middle, last + pi).
@@ -93,6 +127,19 @@ WristBranches<Scalar> aligned_wrist(const WristBranches<Scalar>& regular, const 
           both(last, regular.other.last), pi};
 }
 
+/// The argument of u, or else of v, turned; angles stay as they are where that is by zero.
+template <typename Scalar>
+WristBranches<Scalar> turned_wrist(const WristBranches<Scalar>& regular, const Scalar& turn,
+                                   const Mask<Scalar>& is_u, const Scalar& pi) {
+  const auto both = [&](const Scalar& one, const Scalar& other, const Scalar& by) {
+    const Scalar turned = wrapped(Scalar(one + by), pi);
+    const Mask<Scalar> stays = by == Scalar(0);
+    return Opposites<Scalar>{select(stays, one, turned), select(stays, other, opposite(turned, pi))};
+  };
+  return {both(regular.one.first, regular.other.first, turn), regular.one.middle,
+          both(regular.one.last, regular.other.last, select(is_u, turn, Scalar(-turn))), pi};
+}
+
 /// Wrist with right angles between neighbouring axes: the thesis's Euler wrist in half-angle form.
 ///
 /// u, v: the entries of the wrist's SU(2) matrix, of any length, turned so that first = arg u + arg v, last =
@@ -117,10 +164,13 @@ WristBranches<Scalar> right_wrist(const Rotor<Scalar>& u, const Rotor<Scalar>& v
   const Scalar middle = arctangent(product, Scalar(Scalar(0.5) * gap), Scalar(Scalar(0.5) * sum));
   const WristBranches<Scalar> regular(first, middle, last, pi);
   const Vanishing<Scalar> is_free = vanishing(u_square, v_square);
-  const Mask<Scalar> any_free = is_free.u | is_free.v;
-  if (!any(any_free)) return regular;
-  branch.continuum = branch.continuum | (branch.exists & any_free);
-  return aligned_wrist(regular, u, v, is_free, swapped, seed, pi);
+  const Scalar least = smaller(u_square, v_square);
+  if (!any(is_blurred(least, is_free.noise))) return regular;
+  branch.continuum =
+      branch.continuum | (branch.exists & (least <= widest_wrist_noise<Scalar>() * is_free.noise));
+  const Scalar turn = turn_to_choice(regular.one.first, seed, least, is_free.noise, pi);
+  return aligned_wrist(turned_wrist(regular, turn, u_square < v_square, pi), u, v, is_free, swapped, seed,
+                       pi);
 }
 
 /// A wrist's angles as cosines and sines, for arms that go on from there.
@@ -237,7 +287,8 @@ WristAngles<Scalar> oblique_wrist(const Rotor<Scalar>& u11, const Rotor<Scalar>&
   const auto z = oblique_products(u11, u12, shape, square, s, c, sign);
   Scalar first_argument;
   Scalar second_argument;
-  arguments(z.first, z.second, is_free, seed, first_argument, second_argument, branch);
+  arguments(z.first, z.second, square.u11, square.u12, is_free, seed, pi, first_argument, second_argument,
+            branch);
   return {wrapped(Scalar(first_argument + second_argument), pi), Scalar(2) * sign * acute_arctangent(s, c),
           wrapped(Scalar(first_argument - second_argument), pi)};
 }

@@ -18,6 +18,9 @@ struct Limits : JointLimits<dof> {
       : JointLimits<dof>{lower_bounds, upper_bounds} {}
 };
 
+/// One solution or none.
+using NearSolution = qvgen::Solutions<dof, 1>;
+
 using Solutions = qvgen::Solutions<dof, 8>;
 /// At most 8 solutions; what is asked for; the joint that the caller gives, -1 for none; has lanes;
 /// whether branches keep their numbers along a path;
@@ -65,5 +68,17 @@ LimitedSolutions<dof, 8> inverse_kinematics(const Pose<double>& pose, const Join
 LimitedSolutions<dof, 8, 1> inverse_kinematics(const Pose<double>& pose, const JointVector<double>& seed,
     const JointLimits<dof>& limits,
     const Geometry& g = {}, double tolerance = inverse::default_tolerance);
+
+/// For control loops: the solution on the branch of the seed, the joints that went before; of every equation above the
+/// value
+/// that is nearer to the seed's. If that branch does not come to the pose others are followed: whoever must not jump
+/// looks
+/// how far the row is. Angles are within half a turn of the seed's, not confined to (-pi, pi]. A joint that a singular
+/// pose
+/// leaves free stays where the seed has it, as far as the other joints can follow, and Status::singular says so. At
+/// most
+/// 60 evaluations of the Jacobian, and those near singular poses only; Status::incomplete: they did not suffice.
+NearSolution inverse_kinematics_near(const Pose<double>& pose, const JointVector<double>& seed, const Geometry& g = {},
+    double tolerance = inverse::default_tolerance);
 
 }  // namespace qvgen::robots::cr

@@ -19,6 +19,9 @@ struct Limits : JointLimits<dof> {
       : JointLimits<dof>{lower_bounds, upper_bounds} {}
 };
 
+/// One solution or none.
+using NearSolution = qvgen::Solutions<dof, 1>;
+
 using Solutions = qvgen::Solutions<dof, 2>;
 /// At most 2 solutions; what is asked for; the joint that the caller gives, -1 for none; has lanes;
 /// whether branches keep their numbers along a path;
@@ -86,5 +89,7 @@ LimitedSolutions<dof, 2> inverse_kinematics(const Pose<double>& pose, const Join
 LimitedSolutions<dof, 2, 1> inverse_kinematics(const Pose<double>& pose, const JointVector<double>& seed,
     const JointLimits<dof>& limits,
     const Geometry& g = {}, double tolerance = inverse::default_tolerance);
+
+// There is no inverse_kinematics_near: it is for arms that can take every pose near one that they have.
 
 }  // namespace qvgen::robots::pan_tilt

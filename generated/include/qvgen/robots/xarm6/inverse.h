@@ -19,6 +19,8 @@ struct Limits : JointLimits<dof> {
 };
 
 using Solutions = qvgen::Solutions<dof, 16>;
+/// One solution or none.
+using NearSolution = qvgen::Solutions<dof, 1>;
 /// At most 16 solutions; what is asked for; the joint that the caller gives, -1 for none; has lanes; whether branches
 /// keep their numbers along a path; no axis of the tool; no closed form.
 inline constexpr InverseInfo inverse_info{ 16, Task::pose, -1, false, false, {}, true };
@@ -70,5 +72,15 @@ LimitedSolutions<dof, 16> inverse_kinematics(const Pose<double>& pose, const Joi
 LimitedSolutions<dof, 16, 1> inverse_kinematics(const Pose<double>& pose, const JointVector<double>& seed,
     const JointLimits<dof>& limits,
     const Geometry& g = {}, double tolerance = inverse::default_tolerance);
+
+/// For control loops: the solution that Newton's steps from the seed, the joints that went before, lead to. Angles are
+/// within
+/// half a turn of the seed's, not confined to (-pi, pi]. A joint that a singular pose leaves free stays where the seed
+/// has it,
+/// as far as the other joints can follow, and Status::singular says so. Status::incomplete, and no row: the steps, a
+/// bounded
+/// number, do not come to the pose; there may be solutions, see inverse_kinematics.
+NearSolution inverse_kinematics_near(const Pose<double>& pose, const JointVector<double>& seed, const Geometry& g = {},
+    double tolerance = inverse::default_tolerance);
 
 }  // namespace qvgen::robots::xarm6

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include <qvgen/inverse/continuum.h>
+#include <qvgen/inverse/request.h>
+#include <qvgen/inverse/wrist.h>
+
+/// One solution: the branch of a seed. Of every equation's solutions the one whose joints are nearer to the
+/// seed's is followed; where rounding would decide, Newton steps from there and from the seed itself do.
+namespace qvgen::inverse {
+
+/// Squared distance of a joint's value from the seed's: of an angle that of the pairs, near zero its square.
+inline double apart(const Rotor<double>& value, const Rotor<double>& seed) {
+  const double x = value.cosine - seed.cosine;
+  const double y = value.sine - seed.sine;
+  return x * x + y * y;
+}
+inline double apart(double slide, double seed) { return (slide - seed) * (slide - seed); }
+inline double apart(const WristAngles<double>& angles, const WristAngles<double>& seed) {
+  const double first = without_turns(angles.first - seed.first);
+  const double middle = without_turns(angles.middle - seed.middle);
+  const double last = without_turns(angles.last - seed.last);
+  return first * first + middle * middle + last * last;
+}
+
+/// The choices between two solutions of an equation on the way along a branch.
+struct Forks {
+  static constexpr int most = 6;
+  unsigned flipped = 0;  ///< bit i: at the i-th the farther one is taken
+  int count = 0;
+  double left[most] =
+      {};  ///< squared distance from the seed of what was not taken, infinite if it is nothing
+  int label = 0;
+
+  /// Whether the other of two solutions is to be taken.
+  bool takes_other(const Branch<double>& other, double other_apart, const Branch<double>& branch,
+                   double apart) {
+    const bool is_nearer = other.exists && (!branch.exists || other_apart < apart);
+    const bool is_other = is_nearer != ((flipped >> count & 1U) != 0);
+    const bool has_rest = is_other ? branch.exists : other.exists;
+    left[count++] = has_rest ? (is_other ? apart : other_apart) : std::numeric_limits<double>::infinity();
+    label = 2 * label + (is_other ? 1 : 0);
+    return is_other;
+  }
+};
+
+template <class Work>
+void take_nearer(const Work& other, double other_apart, Work& work, double apart, Forks& forks) {
+  if (forks.takes_other(other.branch, other_apart, work.branch, apart)) work = other;
+}
+
+/// Of the roots of a quartic the nearest one.
+template <class Work>
+struct NearestRoot {
+  Work work;
+  int index = 0;
+
+  explicit NearestRoot(const Work& above) : work(above) { work.branch.exists = false; }
+  void add(const Work& each, double its_apart, int its_index) {
+    if (!each.branch.exists || (work.branch.exists && !(its_apart < apart_))) return;
+    work = each;
+    apart_ = its_apart;
+    index = its_index;
+  }
+
+ private:
+  double apart_ = 0;
+};
+
+/// Squared distance of a row from the seed; infinite if there is none.
+template <int dof>
+double apart(const Solutions<dof, 1>& found, const Preference<dof>& seed, const bool* revolute) {
+  if (found.empty()) return std::numeric_limits<double>::infinity();
+  double sum = 0;
+  for (int i = 0; i < dof; ++i) {
+    const double q = found[0].q[i];
+    const double off = revolute[i] ? without_turns(q - seed.angle[i]) : q - seed.slide[i];
+    sum += off * off;
+  }
+  return sum;
+}
+
+/// The nearest solution to the seed. `follow(forks, found)` is one way along the equations, each solution the
+/// nearer one but where the forks say otherwise; returns whether rounding has decided nothing. If what it
+/// comes to is as far from the seed as another choice would have been, or is nothing, the others are followed
+/// too: where two solutions meet the nearer value of one joint may lead the others far away.
+template <int dof, class Follow>
+bool follow_forks(const Preference<dof>& seed, const bool* revolute, const Follow& follow,
+                  Solutions<dof, 1>& found) {
+  constexpr double margin = 20 * 20;
+  Forks taken;
+  if (!follow(taken, found)) return false;
+  double least = apart(found, seed, revolute);
+  unsigned open = 0;
+  for (int i = 0; i < taken.count; ++i)
+    if (taken.left[i] < margin * least) open |= 1U << i;
+  for (unsigned flipped = 1; flipped < 1U << taken.count && open != 0; ++flipped) {
+    if ((flipped & ~open) != 0) continue;
+    Forks other;
+    other.flipped = flipped;
+    Solutions<dof, 1> row;
+    if (!follow(other, row)) return false;
+    const double its_apart = apart(row, seed, revolute);
+    if (!(its_apart < least)) continue;
+    least = its_apart;
+    found = row;
+  }
+  return true;
+}
+
+/// From where Newton's steps start.
+enum class Start {
+  form,  ///< from where the equations lead
+  held,  ///< from there, with what is idle put back to where the seed has it, and held
+  seed   ///< from the seed
+};
+
+/// Polishes the one branch's joints. What the pose costs is counted.
+template <typename Scalar, std::size_t joints>
+class SeedTracker {
+ public:
+  using Values = JointValues<Scalar, joints>;
+
+  [[nodiscard]] Budget& budget() { return budget_; }
+  void start_from(Start start) { start_ = start; }
+
+  /// False if no steps lead to the pose.
+  template <std::size_t points>
+  bool settle(int /*label*/, const PointMatching<Scalar, joints, points>& task, const Boundary& boundary,
+              const Values* seed, Values& values, Branch<Scalar>& branch) {
+    if (!branch.exists || (!branch.unsure && start_ != Start::form)) return false;
+    if (!branch.unsure) {
+      normalise(task, values);
+      return true;
+    }
+    const Idling<Scalar, joints, points> idling(task, budget_);
+    Reached<Scalar, joints, points> reached;
+    if (start_ == Start::seed) values = *seed;
+    if (!leads_to_goal(idling, task, {boundary.miss}, values, reached)) return false;
+    if (start_ == Start::held && !holds(task, {boundary.miss}, *seed, values, reached)) return false;
+    branch.continuum = branch.continuum || idling.is_continuum(values, reached);
+    return true;
+  }
+
+ private:
+  template <std::size_t points>
+  bool leads_to_goal(const Idling<Scalar, joints, points>& idling,
+                     const PointMatching<Scalar, joints, points>& task, const Patience& patience,
+                     Values& values, Reached<Scalar, joints, points>& reached) {
+    const auto is_known = [](const Values&) { return false; };
+    return polish(task, patience, values, reached, budget_) ||
+           idling.leave_double_root(patience, is_known, values, reached);
+  }
+
+  /// Whether the joints that are idle can be where the seed has them.
+  template <std::size_t points>
+  bool holds(const PointMatching<Scalar, joints, points>& task, const Patience& patience, const Values& seed,
+             Values& values, Reached<Scalar, joints, points>& reached) {
+    const auto idle = polishing::Newton<Scalar, joints, points>::idle(reached);
+    if (idle.least == joints) return false;
+    for (std::size_t i = 0; i < joints; ++i)
+      if (idle.is[i]) values[i] = seed[i];
+    return polish(task, patience, values, reached, budget_, idle.is);
+  }
+
+  Start start_ = Start::form;
+  Budget budget_ = near_effort;
+};
+
+/// Whether a row is so near to the seed that no other needs to be asked for: 10 mrad, or 2 mrad on a
+/// continuum, on which rounding may have moved it along.
+template <int dof>
+bool is_next_to(const Solutions<dof, 1>& found, const Preference<dof>& seed, const bool* revolute) {
+  return !found.empty() && apart(found, seed, revolute) < (found[0].continuum ? 4e-6 : 1e-4);
+}
+
+/// The same near a singular pose, `follow(start, goal, tracker, forks, found)`, from several starts, of which
+/// the one counts that comes nearest to the seed: with what is nearly free held where the seed has it, or, if
+/// the other joints cannot follow, where the equations say.
+template <int dof, class Target, class Tracker, class Follow>
+void follow_forks_carefully(Target goal, Tracker tracker, const bool* revolute, const Follow& follow,
+                            Solutions<dof, 1>& found) {
+  const Preference<dof>& seed = *goal.preference;
+  for (const Boundary& boundary : {Boundary::chosen(goal.tolerance), Boundary::ends(goal.tolerance)}) {
+    goal.boundary = boundary;
+    const Target begin = goal;
+    for (const Start start : {Start::form, Start::held, Start::seed}) {
+      if (!tracker.budget().pass()) break;
+      tracker.start_from(start);
+      const auto one = [&](Forks& forks, Solutions<dof, 1>& row) {
+        follow(begin, goal, tracker, forks, row);
+        return true;
+      };
+      Solutions<dof, 1> row;
+      follow_forks(seed, revolute, one, row);
+      if (apart(row, seed, revolute) < apart(found, seed, revolute)) found = row;
+      if (is_next_to(found, seed, revolute)) break;
+    }
+    if (!found.empty()) break;
+  }
+  found.effort = tracker.budget().spent;
+  // One solution is all that was asked for.
+  if (!found.empty()) found.effort.used_up = false;
+}
+
+/// Whole turns added until each angle is within half a turn of the seed's.
+template <int dof, std::size_t count>
+void unwind(Solutions<dof, 1>& found, const Eigen::Matrix<double, dof, 1>& seed,
+            const std::array<bool, count>& revolute) {
+  for (Solution<dof>& row : found)
+    for (int i = 0; i < dof; ++i)
+      if (revolute[static_cast<std::size_t>(i)]) row.q[i] = seed[i] + without_turns(row.q[i] - seed[i]);
+}
+
+}  // namespace qvgen::inverse

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+// Control loops through singular poses: no jump, and every pose held. 10,000 paths over all robots; the
+// environment variable QVGEN_PATHS asks for more of each set and robot.
+#include "paths.h"
+
+#include "check.h"
+
+namespace qvgen::test {
+namespace {
+
+int path_count() {
+  const char* text = std::getenv("QVGEN_PATHS");
+  return text == nullptr ? 45 : std::atoi(text);
+}
+
+class InversePaths : public Inverse {
+ protected:
+  struct Tally {
+    int paths = 0;
+    int faults = 0;
+    std::string first;
+  };
+
+  Tally follow_all(const std::string& name, int count, const Nearest& nearest) {
+    Tally tally;
+    for (int i = 0; i < count; ++i) {
+      const std::optional<Sample> sample = draw(pose_set(name), i);
+      if (!sample) continue;
+      const Followed followed = follow(test(), Path::through(test(), sample->q), nearest);
+      ++tally.paths;
+      if (followed.fault.empty()) continue;
+      if (tally.faults++ == 0) tally.first = name + ", path " + std::to_string(i) + ": " + followed.fault;
+    }
+    return tally;
+  }
+
+  void expect_at_most(int of_a_hundred, const std::string& name, int count, const Nearest& nearest) {
+    const Tally tally = follow_all(name, count, nearest);
+    EXPECT_LE(tally.faults, of_a_hundred * tally.paths / 100) << tally.first;
+    if (tally.faults > 0)
+      std::printf("%s, %s: %d of %d\n", GetParam().name.c_str(), name.c_str(), tally.faults, tally.paths);
+  }
+};
+
+template <class Solve>
+Nearest first_row(const Solve& solve) {
+  return [=](const Pose<double>& pose, double given, const Eigen::VectorXd& seed) {
+    const Found found = solve(pose, given, seed);
+    return found.rows.empty() ? std::nullopt : std::optional(found.rows.front().q);
+  };
+}
+
+/// Where one thing is singular nothing may jump. Where several are at once, what is left of the digits behind
+/// the first may move a wrist along the second, and Newton's steps alone may not get through: README.md
+/// counts how often.
+TEST_P(InversePaths, NearTheSeedNothingJumps) {
+  if (!GetParam().functions.solve_near) GTEST_SKIP() << "not for arms that cannot take every pose";
+  const Nearest nearest = first_row([&](const auto& pose, double given, const auto& seed) {
+    return GetParam().solve_near(pose, given, seed);
+  });
+  for (const char* name : {"random", "theta5 = 0", "theta5 = pi"})
+    expect_at_most(is_general() ? 10 : 1, name, path_count(), nearest);
+  for (const char* name : {"a joint at 0", "a joint at pi", "boundary"})
+    expect_at_most(is_general() ? 10 : 5, name, path_count(), nearest);
+  for (const char* name : {"centre on axis 1", "45° lattice"})
+    expect_at_most(20, name, path_count(), nearest);
+}
+
+/// Of all solutions the first one, at the wrist's singular poses.
+TEST_P(InversePaths, TheNearestRowDoesNotJumpAtTheWrist) {
+  if (is_general() || GetParam().dof < 6) GTEST_SKIP() << "no wrist";
+  const Nearest nearest = first_row([&](const auto& pose, double given, const auto& seed) {
+    return GetParam().solve_from(pose, given, seed);
+  });
+  for (const char* name : {"random", "theta5 = 0", "theta5 = pi"})
+    expect_at_most(0, name, path_count(), nearest);
+}
+
+/// Every answer is a solution or says why there is none, next to a seed of other whole turns too, and no pose
+/// takes more than is allowed.
+TEST_P(InversePaths, NearTheSeedEveryPoseIsAnswered) {
+  if (!GetParam().functions.solve_near) GTEST_SKIP() << "not for arms that cannot take every pose";
+  int solved = 0;
+  for (const PoseSet& set : pose_sets()) {
+    for (int i = 0; i < 25; ++i) {
+      const std::optional<Sample> sample = draw(set, i);
+      if (!sample) continue;
+      Eigen::VectorXd seed = sample->q;
+      for (int k = 0; k < GetParam().dof; ++k)
+        if (test().revolute(k) && k != GetParam().info.given_joint) seed[k] += 2 * pi * (k % 3 - 1);
+      const Found found = GetParam().solve_near(sample->pose, test().given(sample->q), seed);
+      EXPECT_LE(found.effort.steps, inverse::near_effort.steps);
+      EXPECT_EQ(found.rows.empty(), found.status != Status::solved && found.status != Status::singular);
+      if (sample->expect == Expect::invalid) {
+        EXPECT_EQ(found.status, Status::invalid) << set.name;
+      }
+      if (sample->expect == Expect::unreachable) {
+        EXPECT_TRUE(found.rows.empty()) << set.name;
+      }
+      if (sample->expect == Expect::joints && !is_general()) {
+        EXPECT_FALSE(found.rows.empty()) << set.name;
+      }
+      if (found.rows.empty()) continue;
+      ++solved;
+      const Eigen::VectorXd& q = found.rows.front().q;
+      EXPECT_LT(test().miss(q, sample->target).largest(), 1e-12 * (1 + sample->target.translation().norm()));
+      for (int k = 0; k < GetParam().dof; ++k)
+        if (test().revolute(k) && k != GetParam().info.given_joint) {
+          EXPECT_LE(std::abs(q[k] - seed[k]), pi + 1e-9);
+        }
+      seed[0] = std::numeric_limits<double>::quiet_NaN();
+      EXPECT_EQ(GetParam().solve_near(sample->pose, test().given(sample->q), seed).status, Status::invalid);
+    }
+  }
+  EXPECT_GT(solved, 50);
+}
+
+std::string name_of(const testing::TestParamInfo<InverseUnderTest>& info) { return info.param.name; }
+INSTANTIATE_TEST_SUITE_P(Robots, InversePaths, testing::ValuesIn(inverses()), name_of);
+
+}  // namespace
+}  // namespace qvgen::test
