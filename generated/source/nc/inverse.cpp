@@ -285,6 +285,8 @@ NearSolution inverse_kinematics_near(const Pose<double>& pose, const JointVector
 
   solve_near_seed(pose, given(g, tolerance, preference), found);
 
+  if (found.empty() && found.status != Status::invalid) inverse::take_nearest(inverse_kinematics(pose, seed, g,
+      tolerance), found);
   inverse::unwind(found, seed, is_revolute);
 
   return found;

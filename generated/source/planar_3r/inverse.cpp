@@ -393,6 +393,8 @@ NearSolution inverse_kinematics_near(const Pose<double>& pose, const JointVector
 
   solve_near_seed(pose, given(g, tolerance, preference), found);
 
+  if (found.empty() && found.status != Status::invalid) inverse::take_nearest(inverse_kinematics(pose, seed, g,
+      tolerance), found);
   inverse::unwind(found, seed, is_revolute);
 
   return found;
@@ -488,6 +490,8 @@ NearSolution inverse_kinematics_near_given_theta3(const Pose<double>& pose, doub
 
   solve_near_seed(pose, given(g, tolerance, preference, given_theta3), found);
 
+  if (found.empty() && found.status != Status::invalid) inverse::take_nearest(inverse_kinematics_given_theta3(pose,
+      given_theta3, seed, g, tolerance), found);
   inverse::unwind(found, seed, is_revolute);
   for (auto& row : found) row.q[2] = given_theta3;
   return found;

@@ -206,6 +206,17 @@ void follow_forks_carefully(Target goal, Tracker tracker, const bool* revolute, 
   if (!found.empty()) found.effort.used_up = false;
 }
 
+/// The first of all solutions, which stand by their distance from the seed, or why there is none.
+template <int dof, int capacity>
+void take_nearest(const Solutions<dof, capacity>& all, Solutions<dof, 1>& found) {
+  found.effort.passes += all.effort.passes;
+  found.effort.steps += all.effort.steps;
+  found.effort.used_up = all.empty() && all.effort.used_up;
+  if (!all.empty()) found.append() = all[0];
+  found.conclude();
+  if (all.empty()) found.status = all.status;
+}
+
 /// Whole turns added until each angle is within half a turn of the seed's.
 template <int dof, std::size_t count>
 void unwind(Solutions<dof, 1>& found, const Eigen::Matrix<double, dof, 1>& seed,

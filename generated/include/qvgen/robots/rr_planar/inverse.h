@@ -110,7 +110,8 @@ LimitedSolutions<dof, 2, 1> inverse_kinematics(const Pose<double>& pose, const J
 /// pose
 /// leaves free stays where the seed has it, as far as the other joints can follow, and Status::singular says so. At
 /// most
-/// 60 evaluations of the Jacobian, and those near singular poses only; Status::incomplete: they did not suffice.
+/// 60 evaluations of the Jacobian, and those near singular poses only; where they lead to nothing, all solutions are
+/// looked for as above, and the nearest is taken.
 NearSolution inverse_kinematics_near(const Pose<double>& pose, const JointVector<double>& seed, const Geometry& g = {},
     double tolerance = inverse::default_tolerance);
 
