@@ -3,6 +3,8 @@
 // environment variable QVGEN_PATHS asks for more of each set and robot.
 #include "paths.h"
 
+#include <map>
+
 #include "check.h"
 
 namespace qvgen::test {
@@ -21,6 +23,16 @@ class InversePaths : public Inverse {
     std::string first;
   };
 
+  /// How often a path has jumped, of all robots.
+  static void TearDownTestSuite() {
+    for (const auto& [what, tally] : all())
+      std::printf("%s: %d of %d paths jump\n", what.c_str(), tally.faults, tally.paths);
+  }
+  static std::map<std::string, Tally>& all() {
+    static std::map<std::string, Tally> tallies;
+    return tallies;
+  }
+
   Tally follow_all(const std::string& name, int count, const Nearest& nearest) {
     Tally tally;
     for (int i = 0; i < count; ++i) {
@@ -37,8 +49,11 @@ class InversePaths : public Inverse {
   void expect_at_most(int of_a_hundred, const std::string& name, int count, const Nearest& nearest) {
     const Tally tally = follow_all(name, count, nearest);
     EXPECT_LE(tally.faults, of_a_hundred * tally.paths / 100) << tally.first;
-    if (tally.faults > 0)
-      std::printf("%s, %s: %d of %d\n", GetParam().name.c_str(), name.c_str(), tally.faults, tally.paths);
+    const std::string form = testing::UnitTest::GetInstance()->current_test_info()->name();
+    Tally& together =
+        all()[form.substr(0, form.find('/')) + (is_general() ? ", by elimination, " : ", ") + name];
+    together.paths += tally.paths;
+    together.faults += tally.faults;
   }
 };
 

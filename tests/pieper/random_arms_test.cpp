@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Random arms, generated and compiled: every solution of random poses, and nothing else.
 #include "check.h"
+#include "paths.h"
 #include "reference/linear_algebra.h"
 #include "search.h"
 #include "unsolved.h"
@@ -24,6 +25,29 @@ TEST_P(RandomArm, TheSearchFindsNothingElse) {
       EXPECT_TRUE(contains(test(), found, sample_at(test(), q)))
           << GetParam().name << " lacks " << q.transpose();
   }
+}
+
+/// As for the robots in tests/inverse/paths_test.cpp.
+TEST_P(RandomArm, NextToASeedNothingJumps) {
+  int paths = 0, faults = 0;
+  std::string first;
+  const auto nearest = [&](const Pose<double>& pose, double given,
+                           const Eigen::VectorXd& seed) -> std::optional<Eigen::VectorXd> {
+    const Found found = GetParam().solve_near(pose, given, seed);
+    if (found.rows.empty()) return std::nullopt;
+    return found.rows.front().q;
+  };
+  for (const char* name : {"random", "theta5 = 0", "a joint at 0", "boundary"})
+    for (int i = 0; i < pose_count() / 50; ++i) {
+      const std::optional<Sample> sample = draw(pose_set(name), i);
+      if (!sample) continue;
+      const Followed followed = follow(test(), Path::through(test(), sample->q), nearest);
+      ++paths;
+      faults += followed.fault.empty() ? 0 : 1;
+      if (first.empty()) first = followed.fault;
+    }
+  EXPECT_LE(faults, paths / 20) << first;
+  if (faults > 0) std::printf("%s: %d of %d paths jump\n", GetParam().name.c_str(), faults, paths);
 }
 
 std::string name_of(const testing::TestParamInfo<InverseUnderTest>& info) { return info.param.name; }

@@ -39,10 +39,13 @@ using qvgen::test::copy;
 const bool registered = qvgen::test::add_inverse({"@NAME@", "@DESCRIPTION@", robot::dof, robot::inverse_info@SUFFIX@, {}, {
     [](const Pose& pose, [[maybe_unused]] double given, double tolerance, const reference::Values&) { return copy(robot::inverse_kinematics@SUFFIX@(asked<robot::inverse_info@SUFFIX@.task>(pose, robot::inverse_info@SUFFIX@)@GIVEN@, robot::Geometry{}, tolerance)); },
     [](const Pose& pose, [[maybe_unused]] double given, const Eigen::VectorXd& seed, const reference::Values&) { return copy(robot::inverse_kinematics@SUFFIX@(asked<robot::inverse_info@SUFFIX@.task>(pose, robot::inverse_info@SUFFIX@)@GIVEN@, robot::JointVector<double>(seed))); },
-    {}, {}}});
+    {}, {}, {}, @NEAR@}});
 }
 }
 )";
+
+constexpr const char* near_a_seed =
+    R"([](const Pose& pose, [[maybe_unused]] double given, const Eigen::VectorXd& seed, double tolerance, const reference::Values&) { return copy(robot::inverse_kinematics_near@SUFFIX@(pose@GIVEN@, robot::JointVector<double>(seed), robot::Geometry{}, tolerance)); })";
 
 constexpr const char* unsolved_arm =
     R"(const bool @NAME@ = qvgen::test::add_unsolved({"@NAME@", "@DESCRIPTION@", R"text(@REASONS@)text"});
@@ -72,10 +75,20 @@ std::string suffix(const fs::path& header) {
   return "";
 }
 
+/// Whether an arm takes every pose next to one that it has.
+bool has_near(const fs::path& header, const std::string& given) {
+  const std::string start = "NearSolution inverse_kinematics_near" + given + "(";
+  std::ifstream file(header);
+  for (std::string line; std::getline(file, line);)
+    if (line.rfind(start, 0) == 0) return true;
+  return false;
+}
+
 std::string registration(const Folder& folder, const std::string& name) {
   const bool solved = fs::exists(folder.source(name));
   std::string text = solved ? solved_arm : unsolved_arm;
   const std::string given = suffix(folder.header(name));
+  text = replaced(text, "@NEAR@", has_near(folder.header(name), given) ? near_a_seed : "{}");
   text = replaced(text, "@NAME@", name);
   text = replaced(text, "@SUFFIX@", given);
   text = replaced(text, "@GIVEN@", given.empty() ? "" : ", given");
