@@ -124,7 +124,7 @@ def test_what_is_there_and_what_is_not(ns, arm):
     for robot in (ns, arm):
         for name, place in robot.functions.items():
             assert hasattr(robot, name) == (place == "here")
-    assert "inverse_kinematics" in dir(ns) and "inverse_kinematics" not in dir(arm)
+    assert "inverse_dynamics" in dir(arm) and "inverse_dynamics" not in dir(ns)
     assert "no mass" in ns.functions["dynamics"]
     assert "puma560" in dir(qvgen.robots)
     with pytest.raises(AttributeError, match="there is no robot"):
