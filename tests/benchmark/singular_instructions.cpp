@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Inverse kinematics at singular poses and near them, to be counted by singular_instructions.sh, one dump a
-// pose: `qvgen_singular_instructions ROBOT SET POSES`.
+// pose: `qvgen_singular_instructions ROBOT FUNCTION SET POSES`. FUNCTION is inverse_kinematics, for all
+// solutions, or inverse_kinematics_near, for the one next to joints that are off by at most a milliradian
+// each.
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -45,13 +47,15 @@ bool draw(const std::string& set, Random& random, Joints& q) {
 template <class Joints, class Forward, class Inverse>
 int count(const std::string& set, int poses, const Forward& forward, const Inverse& inverse) {
   std::mt19937_64 random(42);
+  std::uniform_real_distribution<double> off(-1e-3, 1e-3);
   int solutions = 0;
   for (int i = 0; i < poses; ++i) {
     Joints q;
     if (!draw(set, random, q)) return 2;
     const auto pose = forward(q);
+    for (double& value : q) value += off(random);
     CALLGRIND_ZERO_STATS;
-    solutions += inverse(pose).size();
+    solutions += inverse(pose, q);
     CALLGRIND_DUMP_STATS;
   }
   std::printf("%d\n", solutions);
@@ -64,13 +68,17 @@ int count(const std::string& set, int poses, const Forward& forward, const Inver
   if (name == #robot)                                                                                \
   return count<qvgen::robots::robot::JointVector<double>>(                                           \
       set, poses, [](const auto& q) { return qvgen::robots::robot::forward_kinematics<double>(q); }, \
-      [](const auto& pose) { return qvgen::robots::robot::inverse_kinematics(pose); })
+      [near](const auto& pose, const auto& seed) {                                                   \
+        return near ? qvgen::robots::robot::inverse_kinematics_near(pose, seed).size()               \
+                    : qvgen::robots::robot::inverse_kinematics(pose).size();                         \
+      })
 
 int main(int argc, char** argv) {
-  if (argc != 4) return 2;
+  if (argc != 5) return 2;
   const std::string name = argv[1];
-  const std::string set = argv[2];
-  const int poses = std::atoi(argv[3]);
+  const bool near = std::string(argv[2]) == "inverse_kinematics_near";
+  const std::string set = argv[3];
+  const int poses = std::atoi(argv[4]);
   QVGEN_COUNT(ur5);
   QVGEN_COUNT(irb6640);
   QVGEN_COUNT(puma560);

@@ -156,8 +156,8 @@ Rows rows_of(const Pose<double>& pose, const Geometry& g, double tolerance, cons
   Work<double> other0 = w;
   solve_theta4(t, 1.0, w);
   solve_theta4(t, -1.0, other0);
-  inverse::take_nearer(other0, inverse::apart({other0.cos_theta4, other0.sin_theta4}, t.preference->turn[2]), w,
-      inverse::apart({w.cos_theta4, w.sin_theta4}, t.preference->turn[2]), forks);
+  inverse::take_nearer(other0, inverse::apart({other0.cos_theta4, other0.sin_theta4}, t.preference->turn[3]), w,
+      inverse::apart({w.cos_theta4, w.sin_theta4}, t.preference->turn[3]), forks);
   if (!w.branch.exists) return !w.branch.doubtful;
   Work<double> other1 = w;
   solve_theta1(t, 1.0, w);
@@ -194,8 +194,8 @@ Rows rows_of(const Pose<double>& pose, const Geometry& g, double tolerance, cons
   Work<double> other0 = w;
   solve_theta4(t, 1.0, w);
   solve_theta4(t, -1.0, other0);
-  inverse::take_nearer(other0, inverse::apart({other0.cos_theta4, other0.sin_theta4}, t.preference->turn[2]), w,
-      inverse::apart({w.cos_theta4, w.sin_theta4}, t.preference->turn[2]), forks);
+  inverse::take_nearer(other0, inverse::apart({other0.cos_theta4, other0.sin_theta4}, t.preference->turn[3]), w,
+      inverse::apart({w.cos_theta4, w.sin_theta4}, t.preference->turn[3]), forks);
   if (!w.branch.exists) return;
   Work<double> other1 = w;
   solve_theta1(t, 1.0, w);

@@ -7,7 +7,7 @@
 namespace qvgen::derive::inverse {
 
 /// The joints' axes and points and the tool with all joints at zero, from the geometry alone: axis1_x ...,
-/// point1_x ..., home_w ..., home_x ...; what tells whether joints reach a pose.
+/// point1_x ..., turn_w ..., place_x ...; what tells whether joints reach a pose.
 symbolic::Program arm_at_zero(const model::Robot& robot);
 
 }  // namespace qvgen::derive::inverse

@@ -143,10 +143,6 @@ std::vector<Offer> offers(const Robot& robot) {
   return result;
 }
 
-}  // namespace
-
-namespace {
-
 bool turns_in_plane(const Robot& robot) {
   const Kinds kinds = kinds_of(robot);
   return robot.joints.size() == 3 && kinds.planar && kinds.turns == 3;

@@ -66,10 +66,10 @@ class SeedBranch {
     for (const int joint : joints_of(robot_, step)) {
       const auto& value = plan_.plan.joints[static_cast<std::size_t>(joint)];
       const std::string cosine = work + "." + value.cosine;
-      const std::string term = value.revolute ? "inverse::apart({" + cosine + ", " + work + "." + value.sine +
-                                                    "}, t.preference->turn[" + std::to_string(joint) + "])"
-                                              : "inverse::apart(" + cosine + ", t.preference->slide[" +
-                                                    std::to_string(joint) + "])";
+      const std::string term =
+          value.revolute ? "inverse::apart({" + cosine + ", " + work + "." + value.sine +
+                               "}, t.preference->turn[" + place(joint) + "])"
+                         : "inverse::apart(" + cosine + ", t.preference->slide[" + place(joint) + "])";
       sum += (sum.empty() ? "" : " + ") + term;
     }
     return sum;
