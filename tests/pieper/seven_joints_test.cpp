@@ -1,41 +1,29 @@
 // SPDX-License-Identifier: MIT
 // Arms with seven joints, one of which the caller gives, generated and compiled: every solution.
-#include "check.h"
-#include "search.h"
 #include "seven_arms.h"
-#include "unsolved.h"
+#include "written_arm.h"
 
 namespace qvgen::test {
 namespace {
 
-class SevenJoints : public Inverse {
- protected:
-  Eigen::VectorXd start(double given) {
-    Eigen::VectorXd q = test().joints();
-    q[GetParam().info.given_joint] = given;
-    return q;
-  }
-};
+class SevenJoints : public WrittenArm {};
 
 TEST_P(SevenJoints, FindsTheSampledJoints) { EXPECT_GT(run("random", pose_count() / 5).poses, 0); }
 TEST_P(SevenJoints, EveryJointAtZeroInTurn) { run("a joint at 0", pose_count() / 20); }
 TEST_P(SevenJoints, OnALatticeOf45Degrees) { run("45° lattice", pose_count() / 20); }
 TEST_P(SevenJoints, BranchesThatMeet) { run("boundary", pose_count() / 20); }
 
-TEST_P(SevenJoints, TheSearchFindsNothingElse) {
-  for (int i = 0; i < 3 && !HasFailure(); ++i) {
+TEST_P(SevenJoints, RowsHaveTheGivenJointAsItIs) {
+  for (int i = 0; i < 3; ++i) {
     const Sample sample = sample_at(test(), test().joints());
     const double given = test().given(sample.q);
-    const Found found = test().robot().solve(sample.pose, given, 1e-12);
-    const auto ends = search(test(), sample, found.rows.size(), [&] { return start(given); });
-    for (const Eigen::VectorXd& q : ends)
-      EXPECT_TRUE(contains(test(), found, sample_at(test(), q)))
-          << GetParam().name << " lacks " << q.transpose();
-    for (const Row& row : found.rows) EXPECT_EQ(row.q[GetParam().info.given_joint], given) << GetParam().name;
+    for (const Row& row : test().robot().solve(sample.pose, given, 1e-12).rows)
+      EXPECT_EQ(row.q[GetParam().info.given_joint], given) << GetParam().name;
   }
 }
+TEST_P(SevenJoints, TheSearchFindsNothingElse) { expect_the_search_finds_nothing_else(); }
+TEST_P(SevenJoints, NextToASeedNothingJumps) { expect_no_jumps_next_to_a_seed(); }
 
-std::string name_of(const testing::TestParamInfo<InverseUnderTest>& info) { return info.param.name; }
 INSTANTIATE_TEST_SUITE_P(Arms, SevenJoints, testing::ValuesIn(inverses()), name_of);
 
 TEST(SevenJointsArms, TheBestJointIsGiven) {

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdio>
+#include <optional>
+#include <string>
+
+#include "check.h"
+#include "paths.h"
+#include "search.h"
+#include "unsolved.h"
+
+namespace qvgen::test {
+
+/// What every family of arms that are written, generated and compiled here is asked.
+class WrittenArm : public Inverse {
+ protected:
+  /// A search from random joints, the given one at its value, ends on nothing but rows.
+  void expect_the_search_finds_nothing_else() {
+    for (int i = 0; i < 3 && !HasFailure(); ++i) {
+      const Sample sample = sample_at(test(), test().joints());
+      const double given = test().given(sample.q);
+      const Found found = test().robot().solve(sample.pose, given, 1e-12);
+      for (const Eigen::VectorXd& q : search(test(), sample, 0, [&] { return start(given); }))
+        EXPECT_TRUE(contains(test(), found, sample_at(test(), q)))
+            << GetParam().name << " lacks " << q.transpose();
+    }
+  }
+
+  /// As for the robots in tests/inverse/paths_test.cpp.
+  void expect_no_jumps_next_to_a_seed() {
+    int paths = 0, faults = 0;
+    std::string first;
+    const auto nearest = [&](const Pose<double>& pose, double given,
+                             const Eigen::VectorXd& seed) -> std::optional<Eigen::VectorXd> {
+      const Found found = GetParam().solve_near(pose, given, seed);
+      if (found.rows.empty()) return std::nullopt;
+      return found.rows.front().q;
+    };
+    for (const char* name : {"random", "theta5 = 0", "a joint at 0", "boundary"})
+      for (int i = 0; i < pose_count() / 50; ++i) {
+        const std::optional<Sample> sample = draw(pose_set(name), i);
+        if (!sample) continue;
+        const Followed followed = follow(test(), Path::through(test(), sample->q), nearest);
+        ++paths;
+        faults += followed.fault.empty() ? 0 : 1;
+        if (first.empty()) first = followed.fault;
+      }
+    EXPECT_LE(faults, paths / 20) << first;
+    if (faults > 0) std::printf("%s: %d of %d paths jump\n", GetParam().name.c_str(), faults, paths);
+  }
+
+ private:
+  Eigen::VectorXd start(double given) {
+    Eigen::VectorXd q = test().joints();
+    if (GetParam().info.given_joint >= 0) q[GetParam().info.given_joint] = given;
+    return q;
+  }
+};
+
+inline std::string name_of(const testing::TestParamInfo<InverseUnderTest>& info) { return info.param.name; }
+
+}  // namespace qvgen::test
