@@ -164,8 +164,7 @@ int run_show_functions(const std::string& robot, const fs::path& folder) {
     return failure;
   }
   const auto& entry = counts.at(robot);
-  for (const auto& [name, function] : entry.items())
-    if (name != "missing") fmt::print("{}\n", name);
+  for (const std::string& name : pipeline::functions_in(entry)) fmt::print("{}\n", name);
   if (!entry.contains("missing")) return success;
   for (const pipeline::Missing& missing : pipeline::missing_from_json(entry.at("missing")))
     fmt::print("no {}: {}\n", missing.part, missing.reason);

@@ -62,6 +62,18 @@ std::vector<Missing> missing_from_json(const ordered_json& json) {
   return missing;
 }
 
+std::vector<std::string> functions_in(const ordered_json& entry) {
+  std::vector<std::string> names;
+  const auto is_counted = [](const std::string& name) { return name != "missing" && name != "targets"; };
+  for (const auto& [name, value] : entry.items()) {
+    if (is_counted(name)) names.push_back(name);
+    if (name != "targets") continue;
+    for (const auto& [function, targets] : value.items())
+      if (!entry.contains(function)) names.push_back(function);
+  }
+  return names;
+}
+
 std::string to_text(const RobotOutput& output) {
   ordered_json files = ordered_json::array();
   for (const OutputFile& file : output.files)

@@ -44,6 +44,10 @@ void attempt(const std::string& part, RobotOutput& output, const std::function<v
 nlohmann::ordered_json missing_to_json(const std::vector<Missing>& missing);
 std::vector<Missing> missing_from_json(const nlohmann::ordered_json& json);
 
+/// The functions of a robot by its entry in operation_counts.json: those that are counted, and those of the
+/// inverse kinematics, of which it has under "targets" what each of them takes.
+std::vector<std::string> functions_in(const nlohmann::ordered_json& entry);
+
 /// What a robot does not get, with the reasons, as lines.
 std::vector<std::string> lines_of_missing(const RobotOutput& output);
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The Python module: two robots of the library and one that is loaded from a description."""
+"""What the modules of robots share, forward kinematics, Jacobians and dynamics."""
 
 import pathlib
 
@@ -12,21 +12,6 @@ HERE = pathlib.Path(__file__).resolve().parent
 POINTS = 50
 
 
-@pytest.fixture(scope="module")
-def ns():
-    return qvgen.robots.ns
-
-
-@pytest.fixture(scope="module")
-def arm():
-    """Two joints with dynamics, generated and compiled here."""
-    return qvgen.load(HERE.parent / "c/robots/urdf_arm.urdf")
-
-
-def rows(arm, count=POINTS, seed=1):
-    return np.random.default_rng(seed).uniform(-1.5, 1.5, (count, arm.dof))
-
-
 def rotation(quaternion):
     w, x, y, z = quaternion
     return np.array([[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
@@ -34,7 +19,7 @@ def rotation(quaternion):
                      [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]])
 
 
-def test_pose_and_transform_agree(ns, arm):
+def test_pose_and_transform_agree(ns, arm, rows):
     for robot in (ns, arm):
         q = rows(robot)
         for pose, matrix in zip(robot.forward_kinematics(q), robot.homogeneous_transform(q)):
@@ -43,7 +28,7 @@ def test_pose_and_transform_agree(ns, arm):
             np.testing.assert_array_equal(matrix[3], [0, 0, 0, 1])
 
 
-def test_a_batch_is_its_rows(ns, arm):
+def test_a_batch_is_its_rows(ns, arm, rows):
     for robot in (ns, arm):
         q, qd = rows(robot), rows(robot, seed=2)
         np.testing.assert_array_equal(robot.jacobian(q), [robot.jacobian(row) for row in q])
@@ -51,7 +36,7 @@ def test_a_batch_is_its_rows(ns, arm):
         assert robot.jacobian(q[:0]).shape == (0, 6, robot.dof)
 
 
-def test_jacobian_is_the_derivative(ns):
+def test_jacobian_is_the_derivative(ns, rows):
     step = 1e-6
     q = rows(ns, 5)
     for k in range(ns.dof):
@@ -60,26 +45,7 @@ def test_jacobian_is_the_derivative(ns):
         np.testing.assert_allclose(ns.jacobian(q)[:, :3, k], slope, atol=1e-8)
 
 
-def test_inverse_kinematics(ns):
-    q = rows(ns)
-    poses = ns.forward_kinematics(q)
-    solutions, counts, status, branches = ns.inverse_kinematics(poses)
-    assert solutions.shape == (POINTS, 8, 6)
-    assert (status == qvgen.Status.solved).all() and (counts == 8).all() and (branches >= 0).all()
-    again = ns.forward_kinematics(solutions.reshape(-1, 6)).reshape(POINTS, 8, 7)
-    np.testing.assert_allclose(again[..., 4:], np.broadcast_to(poses[:, None, 4:], (POINTS, 8, 3)), atol=1e-11)
-    nearest, *_ = ns.inverse_kinematics(poses, q)
-    np.testing.assert_allclose(nearest[:, 0], q, atol=1e-9)
-
-
-def test_poses_without_solutions(ns):
-    far = ns.forward_kinematics(np.full(6, 0.4))
-    solutions, count, status, _ = ns.inverse_kinematics(np.stack([far, far * np.nan]))
-    assert count[0] > 0 and count[1] == 0
-    assert status[1] == qvgen.Status.invalid and np.isnan(solutions[1]).all()
-
-
-def test_dynamics(arm):
+def test_dynamics(arm, rows):
     q, qd, qdd = rows(arm), rows(arm, seed=2), rows(arm, seed=3)
     torque = arm.inverse_dynamics(q, qd, qdd)
     np.testing.assert_allclose(arm.forward_dynamics(q, qd, torque), qdd, atol=1e-9)
@@ -89,7 +55,7 @@ def test_dynamics(arm):
     np.testing.assert_allclose(arm.kinetic_energy(q, qd), energy, atol=1e-12)
 
 
-def test_constants_by_name(ns):
+def test_constants_by_name(ns, rows):
     assert set(ns.default_geometry) == {"h1", "d2"}
     q = rows(ns, 1)[0]
     higher = ns.default_geometry["h1"] + 1
@@ -99,7 +65,7 @@ def test_constants_by_name(ns):
         ns.forward_kinematics(q, geometry={"l9": 1})
 
 
-def test_out(ns):
+def test_out(ns, rows):
     q = rows(ns)
     out = np.empty((POINTS, 6, 6))
     assert ns.jacobian(q, out=out) is out
@@ -107,8 +73,28 @@ def test_out(ns):
     for wrong in (np.empty((POINTS, 6, 5)), np.empty((6, 6, POINTS)).T, np.empty((POINTS, 6, 6), order="F")):
         with pytest.raises(ValueError, match="out must be"):
             ns.jacobian(q, out=wrong)
-    with pytest.raises(TypeError, match="float64"):
+    with pytest.raises(TypeError, match="not an array of float64"):
         ns.jacobian(q, out=np.empty((POINTS, 6, 6), dtype=np.float32))
+    with pytest.raises(TypeError, match="not an array of float32"):
+        ns.jacobian(q.astype(np.float32), out=out)
+
+
+def test_single_precision(ns, arm, rows):
+    q, qd = rows(ns).astype(np.float32), rows(ns, seed=2).astype(np.float32)
+    for single, double in ((ns.forward_kinematics(q), ns.forward_kinematics(q.astype(float))),
+                           (ns.homogeneous_transform(q), ns.homogeneous_transform(q.astype(float))),
+                           (ns.velocity(q, qd), ns.velocity(q.astype(float), qd.astype(float)))):
+        assert single.dtype == np.float32 and double.dtype == np.float64
+        np.testing.assert_allclose(single, double, atol=1e-5)
+        assert (single != double).any()  # it was computed in float32
+    assert ns.velocity(q, qd.astype(float)).dtype == np.float64
+    out = np.empty((POINTS, 7), dtype=np.float32)
+    assert ns.forward_kinematics(q, geometry={"h1": 3}, out=out) is out
+    np.testing.assert_allclose(out, ns.forward_kinematics(q.astype(float), geometry={"h1": 3}), atol=1e-5)
+    q = rows(arm).astype(np.float32)
+    torque = arm.gravity_torque(q, gravity=1.5)
+    assert torque.dtype == np.float32 and arm.potential_energy(q).dtype == np.float32
+    np.testing.assert_allclose(torque, arm.gravity_torque(q.astype(float), gravity=1.5), atol=1e-4)
 
 
 def test_wrong_shapes_are_named(ns):
@@ -123,7 +109,7 @@ def test_wrong_shapes_are_named(ns):
 def test_what_is_there_and_what_is_not(ns, arm):
     for robot in (ns, arm):
         for name, place in robot.functions.items():
-            assert hasattr(robot, name) == (place == "here")
+            assert hasattr(robot, name) == (place == "here"), name
     assert "inverse_dynamics" in dir(arm) and "inverse_dynamics" not in dir(ns)
     assert "no mass" in ns.functions["dynamics"]
     assert "puma560" in dir(qvgen.robots)

@@ -222,6 +222,15 @@ json variant(const model::Robot& described, const derive::inverse::Derivation& d
   return values;
 }
 
+/// What the functions of a variant take, by the names of tasks.
+void add_targets(const model::Task& task, const json& variant, nlohmann::ordered_json& targets) {
+  const std::string pose = model::task_name(model::Task::pose);
+  nlohmann::ordered_json taken = nlohmann::ordered_json::array({pose});
+  if (task != model::Task::pose) taken.insert(taken.begin(), model::task_name(task));
+  targets[variant["function"].get<std::string>()] = taken;
+  if (variant["seed_branch"].is_object()) targets[variant["near_function"].get<std::string>()] = {pose};
+}
+
 }  // namespace
 
 void generate_inverse(const model::Robot& described, RobotOutput& output) {
@@ -236,8 +245,12 @@ void generate_inverse(const model::Robot& described, RobotOutput& output) {
     return;
   }
   json values{{"name", described.name}, {"variants", json::array()}};
-  for (const derive::inverse::Derivation& form : derivation.closed_forms)
+  nlohmann::ordered_json targets;
+  for (const derive::inverse::Derivation& form : derivation.closed_forms) {
     values["variants"].push_back(variant(described, form, output.counts));
+    add_targets(form.problem.task, values["variants"].back(), targets);
+  }
+  output.counts["targets"] = targets;
   values["checks"] = std::any_of(values["variants"].begin(), values["variants"].end(),
                                  [](const json& each) { return each["arm"].is_object(); });
   output.files.push_back(

@@ -42,6 +42,7 @@ void add_general_inverse(const model::Robot& described, const derive::inverse::G
       {"include/qvgen/robots/" + described.name + "/inverse.h", emit::render("inverse_general.h", values)});
   output.files.push_back(
       {"source/" + described.name + "/inverse.cpp", emit::render("inverse_general.cpp", values)});
+  output.counts["targets"] = {{"inverse_kinematics", {"pose"}}, {"inverse_kinematics_near", {"pose"}}};
 }
 
 }  // namespace qvgen::pipeline

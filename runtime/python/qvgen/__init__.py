@@ -1,16 +1,18 @@
 # SPDX-License-Identifier: MIT
 """Kinematics and dynamics of robot arms, generated: qvgen.robots.puma560, or qvgen.load("arm.urdf").
 
-Every function takes one configuration or a batch along the first axis, as arrays of float64, and loops over a batch
-without Python and without the interpreter's lock. SI units, radians; quaternions are w, x, y, z; twists linear first.
+Every function takes one configuration or a batch along the first axis and loops over a batch without Python and without
+the interpreter's lock. What gets arrays of float32 only computes and returns float32, inverse kinematics excepted; all
+else is float64. SI units, radians; quaternions are w, x, y, z; twists linear first.
 """
 
 import enum
+import typing
 
 from . import robots
 from ._build import BuildError, build_module, cache_folder, generate
 
-__all__ = ["BuildError", "Status", "cache_folder", "load", "robots"]
+__all__ = ["BuildError", "NearSolution", "Solutions", "Status", "cache_folder", "load", "robots"]
 
 
 class Status(enum.IntEnum):
@@ -20,6 +22,22 @@ class Status(enum.IntEnum):
     unreachable = 2
     invalid = 3
     incomplete = 4
+
+
+class Solutions(typing.NamedTuple):
+    """What inverse_kinematics has found; of a batch every field has its axis in front."""
+    q: typing.Any  #: (max, dof), rad or m, the rows of a pose one after the other; NaN behind the last
+    count: typing.Any  #: (), how many rows there are
+    status: typing.Any  #: (), of qvgen.Status
+    branch: typing.Any  #: (max,), which sign each step took; -1 behind the last
+    continuum: typing.Any  #: (max,), whether a free joint was chosen
+    complete: typing.Any  #: (), within limits: whether there are all the whole turns that have a place in them
+
+
+class NearSolution(typing.NamedTuple):
+    """What inverse_kinematics_near has found; of a batch both fields have its axis in front."""
+    q: typing.Any  #: (dof,), rad or m; NaN if there is none
+    status: typing.Any  #: (), of qvgen.Status
 
 
 def load(description, *options):

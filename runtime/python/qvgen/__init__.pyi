@@ -2,7 +2,10 @@
 import enum
 import os
 import pathlib
-from typing import Any
+from typing import Any, Literal, NamedTuple, Protocol
+
+from numpy import bool_, float32, float64, int32
+from numpy.typing import ArrayLike, NDArray
 
 from . import robots as robots
 
@@ -15,5 +18,92 @@ class Status(enum.IntEnum):
     invalid = 3
     incomplete = 4
 
+class Solutions(NamedTuple):
+    q: NDArray[float64]
+    count: NDArray[int32]
+    status: NDArray[int32]
+    branch: NDArray[int32]
+    continuum: NDArray[bool_]
+    complete: NDArray[bool_]
+
+class NearSolution(NamedTuple):
+    q: NDArray[float64]
+    status: NDArray[int32]
+
+_Constants = dict[str, float] | None
+_Limits = Literal["description"] | tuple[ArrayLike, ArrayLike] | None
+_Result = NDArray[float64] | NDArray[float32]
+_Out = NDArray[float64] | NDArray[float32] | None
+
+class Robot(Protocol):
+    """What the module of a robot can have: `functions` tells what it has. Shapes and units are in the docstrings."""
+
+    dof: int
+    joint_names: list[str]
+    is_revolute: list[bool]
+    lower_limits: list[float]
+    upper_limits: list[float]
+    default_geometry: dict[str, float]
+    default_inertia: dict[str, float]
+    functions: dict[str, str]
+
+    def forward_kinematics(
+        self, q: ArrayLike, *, geometry: _Constants = None, out: _Out = None,
+    ) -> _Result: ...
+    def homogeneous_transform(
+        self, q: ArrayLike, *, geometry: _Constants = None, out: _Out = None,
+    ) -> _Result: ...
+    def jacobian(
+        self, q: ArrayLike, *, geometry: _Constants = None, out: _Out = None,
+    ) -> _Result: ...
+    def tool_jacobian(
+        self, q: ArrayLike, *, geometry: _Constants = None, out: _Out = None,
+    ) -> _Result: ...
+    def jacobian_dot(
+        self, q: ArrayLike, qd: ArrayLike, *, geometry: _Constants = None, out: _Out = None,
+    ) -> _Result: ...
+    def velocity(
+        self, q: ArrayLike, qd: ArrayLike, *, geometry: _Constants = None, out: _Out = None,
+    ) -> _Result: ...
+    def jacobian_dot_times_qd(
+        self, q: ArrayLike, qd: ArrayLike, *, geometry: _Constants = None, out: _Out = None,
+    ) -> _Result: ...
+    def inverse_dynamics(
+        self, q: ArrayLike, qd: ArrayLike, qdd: ArrayLike, *, geometry: _Constants = None, inertia: _Constants = None, gravity: float = 9.80665, out: _Out = None,
+    ) -> _Result: ...
+    def forward_dynamics(
+        self, q: ArrayLike, qd: ArrayLike, torque: ArrayLike, *, geometry: _Constants = None, inertia: _Constants = None, gravity: float = 9.80665, out: _Out = None,
+    ) -> _Result: ...
+    def gravity_torque(
+        self, q: ArrayLike, *, geometry: _Constants = None, inertia: _Constants = None, gravity: float = 9.80665, out: _Out = None,
+    ) -> _Result: ...
+    def coriolis_torque(
+        self, q: ArrayLike, qd: ArrayLike, *, geometry: _Constants = None, inertia: _Constants = None, out: _Out = None,
+    ) -> _Result: ...
+    def mass_matrix(
+        self, q: ArrayLike, *, geometry: _Constants = None, inertia: _Constants = None, out: _Out = None,
+    ) -> _Result: ...
+    def coriolis_matrix(
+        self, q: ArrayLike, qd: ArrayLike, *, geometry: _Constants = None, inertia: _Constants = None, out: _Out = None,
+    ) -> _Result: ...
+    def kinetic_energy(
+        self, q: ArrayLike, qd: ArrayLike, *, geometry: _Constants = None, inertia: _Constants = None, out: _Out = None,
+    ) -> _Result: ...
+    def potential_energy(
+        self, q: ArrayLike, *, geometry: _Constants = None, inertia: _Constants = None, gravity: float = 9.80665, out: _Out = None,
+    ) -> _Result: ...
+
+    # Of an arm with a joint given also inverse_kinematics_given_NAME(target, given, seed=None, ...) and
+    # inverse_kinematics_near_given_NAME(pose, given, seed, ...). Where less than a pose is taken too `pose` is `target`.
+    def inverse_kinematics(
+        self, pose: ArrayLike, seed: ArrayLike | None = None, *, limits: _Limits = None, geometry: _Constants = None,
+        tolerance: float = 1e-13,
+    ) -> Solutions: ...
+    def inverse_kinematics_near(
+        self, pose: ArrayLike, seed: ArrayLike, *, path: bool = False, geometry: _Constants = None,
+        tolerance: float = 1e-13,
+    ) -> NearSolution: ...
+    def __getattr__(self, name: str) -> Any: ...
+
 def cache_folder() -> pathlib.Path: ...
-def load(description: str | os.PathLike[str], *options: str) -> Any: ...
+def load(description: str | os.PathLike[str], *options: str) -> Robot: ...

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Compiles a robot's module, once for each content of what it is made from."""
 
+import concurrent.futures
 import hashlib
 import importlib.util
 import json
@@ -46,7 +47,8 @@ def _hash(texts):
 
 def _options(source):
     """As CMake compiles it: inverse kinematics without contraction, vector forms for AVX2."""
-    options = ["-std=c++17", "-O2", "-fPIC", "-fvisibility=hidden", "-fno-math-errno", "-Wno-psabi"]
+    level = "-O1" if source.name == "module.cpp" else "-O2"  # the binding only hands on
+    options = ["-std=c++17", level, "-fPIC", "-fvisibility=hidden", "-fno-math-errno", "-Wno-psabi"]
     if source.name.startswith("inverse") and source.parent.parent.name == "source":
         options += ["-ffp-contract=off", "-DQVGEN_NO_CONTRACTION"]
     if source.name.endswith("_avx2.cpp"):
@@ -78,28 +80,38 @@ def _make(robot, generated, sources, target):
         work = pathlib.Path(work)
         binding = work / "module.cpp"
         binding.write_text(sources)
-        objects = []
-        for source in [binding, *to_compile]:
-            objects.append(work / f"{len(objects)}.o")
-            _run([*compiler, *_options(source), *(f"-I{each}" for each in folders), "-c", source, "-o", objects[-1]])
+
+        def compile_(numbered):
+            number, source = numbered
+            made = work / f"{number}.o"
+            _run([*compiler, *_options(source), *(f"-I{each}" for each in folders), "-c", source, "-o", made])
+            return made
+
+        with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+            objects = list(pool.map(compile_, enumerate([binding, *to_compile])))
         _run([*compiler, "-shared", "-o", work / target.name, *objects,
               *(each for each in (robot_library, runtime_library) if each)])
         os.replace(work / target.name, target)
 
 
-def build_module(robot, generated=generated_folder):
-    """The module of a robot whose generated code is in a folder; compiled if it is not in the cache.
+def _functions(entry):
+    """Of each function where it is, of each part that is not there why; and what the inverse kinematics takes."""
+    targets = entry.get("targets", {})
+    names = [name for name in entry if name not in ("missing", "targets")]
+    functions = {name: "here" if name in BOUND or name in targets else "in C++ only" for name in [*names, *targets]}
+    missing = {part["part"]: part["reason"] for part in entry.get("missing", [])}
+    return {**functions, **missing}, targets
 
-    Its `functions` say of each function that was generated where it is, and of each part that was not why.
-    """
+
+def build_module(robot, generated=generated_folder):
+    """The module of a robot whose generated code is in a folder; compiled if it is not in the cache."""
     generated = pathlib.Path(generated)
     counts = json.loads((generated / "operation_counts.json").read_text())
     if robot not in counts:
         raise AttributeError(f"there is no robot {robot}; there are {', '.join(counts)}")
-    functions = {name: "here" if name in BOUND else "in C++ only" for name in counts[robot] if name != "missing"}
-    binding = binding_source(robot, functions)
+    binding = binding_source(robot, *_functions(counts[robot]))
     made_of = [*(generated / "source" / robot).glob("*"), *(generated / "include/qvgen/robots" / robot).glob("*"),
-               *(_root / "runtime").rglob("*.h"), *(_root / "runtime/source").rglob("*.cpp")]
+               *_here.glob("*.h"), *(_root / "runtime/include").rglob("*.h"), *(_root / "runtime/source").rglob("*.cpp")]
     key = _hash([binding, sys.version, os.environ.get("CXX"), *(path.read_bytes() for path in sorted(made_of))])
     target = cache_folder() / f"{robot}-{key}" / (robot + sysconfig.get_config_var("EXT_SUFFIX"))
     if not target.exists():
@@ -107,8 +119,6 @@ def build_module(robot, generated=generated_folder):
     spec = importlib.util.spec_from_file_location(robot, target)
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
-    missing = {part["part"]: part["reason"] for part in counts[robot].get("missing", [])}
-    module.functions = {**functions, **missing}
     return module
 
 

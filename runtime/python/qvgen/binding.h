@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cstring>
-#include <limits>
+#include <initializer_list>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,7 +17,8 @@
 namespace qvgen::python {
 
 namespace py = pybind11;
-using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
+template <class Scalar>
+using Array = py::array_t<Scalar, py::array::c_style | py::array::forcecast>;
 using Shape = std::vector<py::ssize_t>;
 
 inline std::string text_of(const Shape& shape) {
@@ -32,16 +33,33 @@ inline py::ssize_t size_of(const Shape& shape) {
   return size;
 }
 
+inline Shape shape_of(const py::array& array) { return Shape(array.shape(), array.shape() + array.ndim()); }
+
+template <class Scalar>
+const char* name_of_type() {
+  return sizeof(Scalar) == sizeof(float) ? "float32" : "float64";
+}
+
+/// compute(Scalar()) in float if all arguments are arrays of float32, else in double.
+template <class Compute>
+py::object in_scalar_of(std::initializer_list<py::handle> arguments, const Compute& compute) {
+  const bool single = std::all_of(arguments.begin(), arguments.end(), [](const py::handle& argument) {
+    return py::isinstance<py::array_t<float>>(argument);
+  });
+  return single ? compute(float()) : compute(double());
+}
+
 /// An argument: one row of a shape, or a batch of them.
+template <class Scalar>
 class Rows {
  public:
   Rows(const py::object& given, const Shape& shape, const char* name)
-      : array_(Array::ensure(given)), step_(size_of(shape)) {
+      : array_(Array<Scalar>::ensure(given)), step_(size_of(shape)) {
     if (!array_) {
       PyErr_Clear();
       throw py::type_error(std::string(name) + ": not an array of numbers");
     }
-    const Shape found(array_.shape(), array_.shape() + array_.ndim());
+    const Shape found = shape_of(array_);
     const bool batch = found.size() == shape.size() + 1;
     if (Shape(found.begin() + (batch ? 1 : 0), found.end()) != shape)
       throw py::value_error(std::string(name) + " has the shape " + text_of(found) + "; it must be " +
@@ -51,21 +69,22 @@ class Rows {
   }
   /// -1 for a single row.
   [[nodiscard]] py::ssize_t count() const { return count_; }
-  [[nodiscard]] const double* operator[](py::ssize_t row) const {
+  [[nodiscard]] const Scalar* operator[](py::ssize_t row) const {
     return data_ + (count_ < 0 ? 0 : row * step_);
   }
 
  private:
-  Array array_;
-  const double* data_ = nullptr;
+  Array<Scalar> array_;
+  const Scalar* data_ = nullptr;
   py::ssize_t step_;
   py::ssize_t count_ = -1;
 };
 
 /// The number of rows of a call; -1 if every argument is a single one.
-inline py::ssize_t batch_of(const std::vector<Rows>& arguments) {
+template <class Scalar>
+py::ssize_t batch_of(const std::vector<Rows<Scalar>>& arguments) {
   py::ssize_t batch = -1;
-  for (const Rows& rows : arguments) {
+  for (const Rows<Scalar>& rows : arguments) {
     if (rows.count() < 0) continue;
     if (batch >= 0 && batch != rows.count())
       throw py::value_error("batches of " + std::to_string(batch) + " and of " +
@@ -80,43 +99,44 @@ template <class Number>
 py::array_t<Number> result_array(const py::object& out, py::ssize_t batch, Shape shape) {
   if (batch >= 0) shape.insert(shape.begin(), batch);
   if (out.is_none()) return py::array_t<Number>(shape);
-  if (!py::isinstance<py::array_t<Number>>(out)) throw py::type_error("out: not an array of float64");
+  if (!py::isinstance<py::array_t<Number>>(out))
+    throw py::type_error(std::string("out: not an array of ") + name_of_type<Number>());
   const auto array = py::reinterpret_borrow<py::array>(out);
-  const bool fits = Shape(array.shape(), array.shape() + array.ndim()) == shape;
-  if (!fits || !array.writeable() || (array.flags() & py::array::c_style) == 0)
+  if (shape_of(array) != shape || !array.writeable() || (array.flags() & py::array::c_style) == 0)
     throw py::value_error("out must be a writeable, C-contiguous array of the shape " + text_of(shape));
   return py::reinterpret_borrow<py::array_t<Number>>(out);
 }
 
 /// One row of an argument.
 template <class Vector>
-Vector vector(const double* row) {
+Vector vector(const typename Vector::Scalar* row) {
   return Eigen::Map<const Vector>(row);
 }
 
 /// A result, row by row.
 template <class Derived>
-void write(const Eigen::MatrixBase<Derived>& matrix, double* to) {
+void write(const Eigen::MatrixBase<Derived>& matrix, typename Derived::Scalar* to) {
   for (Eigen::Index i = 0; i < matrix.rows(); ++i)
     for (Eigen::Index k = 0; k < matrix.cols(); ++k) *to++ = matrix(i, k);
 }
 inline void write(double number, double* to) { *to = number; }
-inline void write(const Eigen::Isometry3d& transform, double* to) { write(transform.matrix(), to); }
-inline void write(const Pose<double>& pose, double* to) {
-  const Eigen::Quaterniond& q = pose.orientation;
-  const Eigen::Vector3d& p = pose.position;
-  const double numbers[7] = {q.w(), q.x(), q.y(), q.z(), p.x(), p.y(), p.z()};
+inline void write(float number, float* to) { *to = number; }
+template <class Scalar>
+void write(const Eigen::Transform<Scalar, 3, Eigen::Isometry>& transform, Scalar* to) {
+  write(transform.matrix(), to);
+}
+template <class Scalar>
+void write(const Pose<Scalar>& pose, Scalar* to) {
+  const auto& q = pose.orientation;
+  const auto& p = pose.position;
+  const Scalar numbers[7] = {q.w(), q.x(), q.y(), q.z(), p.x(), p.y(), p.z()};
   std::copy(numbers, numbers + 7, to);
 }
 
-inline Pose<double> pose_of(const double* row) {
-  return {Eigen::Quaterniond(row[0], row[1], row[2], row[3]), Eigen::Vector3d(row[4], row[5], row[6])};
-}
-
 /// visit(i, rows) for every row of the arguments.
-template <class Visit>
-void for_each_row(const std::vector<Rows>& arguments, py::ssize_t batch, const Visit& visit) {
-  std::vector<const double*> rows(arguments.size());
+template <class Scalar, class Visit>
+void for_each_row(const std::vector<Rows<Scalar>>& arguments, py::ssize_t batch, const Visit& visit) {
+  std::vector<const Scalar*> rows(arguments.size());
   for (py::ssize_t i = 0; i < (batch < 0 ? 1 : batch); ++i) {
     for (std::size_t k = 0; k < rows.size(); ++k) rows[k] = arguments[k][i];
     visit(i, rows.data());
@@ -124,52 +144,23 @@ void for_each_row(const std::vector<Rows>& arguments, py::ssize_t batch, const V
 }
 
 /// function(rows) for every row, without the interpreter's lock.
-template <class Function>
-py::object each_row(const std::vector<Rows>& arguments, const Shape& shape, const py::object& out,
+template <class Scalar, class Function>
+py::object each_row(const std::vector<Rows<Scalar>>& arguments, const Shape& shape, const py::object& out,
                     const Function& function) {
   const py::ssize_t batch = batch_of(arguments);
-  py::array_t<double> result = result_array<double>(out, batch, shape);
-  double* to = result.mutable_data();
+  py::array_t<Scalar> result = result_array<Scalar>(out, batch, shape);
+  Scalar* to = result.mutable_data();
   const py::ssize_t step = size_of(shape);
   {
     const py::gil_scoped_release unlocked;
     for_each_row(arguments, batch,
-                 [&](py::ssize_t i, const double* const* rows) { write(function(rows), to + i * step); });
+                 [&](py::ssize_t i, const Scalar* const* rows) { write(function(rows), to + i * step); });
   }
   return std::move(result);
 }
 
-/// The solutions of every pose: (solutions, counts, status, branches), NaN and -1 behind the last of a pose.
-template <int capacity, class Function>
-py::tuple each_solution(const std::vector<Rows>& arguments, int dof, const Function& function) {
-  const py::ssize_t batch = batch_of(arguments);
-  auto solutions = result_array<double>(py::none(), batch, {capacity, dof});
-  auto branches = result_array<int>(py::none(), batch, {capacity});
-  auto counts = result_array<int>(py::none(), batch, {});
-  auto status = result_array<int>(py::none(), batch, {});
-  double* q = solutions.mutable_data();
-  int* branch = branches.mutable_data();
-  int* count = counts.mutable_data();
-  int* outcome = status.mutable_data();
-  {
-    const py::gil_scoped_release unlocked;
-    std::fill(q, q + solutions.size(), std::numeric_limits<double>::quiet_NaN());
-    std::fill(branch, branch + branches.size(), -1);
-    for_each_row(arguments, batch, [&](py::ssize_t i, const double* const* rows) {
-      const auto found = function(rows);
-      count[i] = found.size();
-      outcome[i] = static_cast<int>(found.status);
-      for (int k = 0; k < found.size(); ++k) {
-        write(found[k].q, q + (i * capacity + k) * dof);
-        branch[i * capacity + k] = found[k].branch;
-      }
-    });
-  }
-  return py::make_tuple(solutions, counts, status, branches);
-}
-
 /// A struct of constants from a dictionary of some of them; the description's values for the others.
-template <class Constants, class Names>
+template <class Constants, class Scalar = double, class Names>
 Constants constants(const py::object& given, const Names& names, const char* what) {
   Constants values;
   if (given.is_none()) return values;
@@ -177,7 +168,7 @@ Constants constants(const py::object& given, const Names& names, const char* wha
     const auto name = key.template cast<std::string>();
     const auto place = std::find(names.begin(), names.end(), name);
     if (place == names.end()) throw py::value_error(std::string(what) + " has no " + name);
-    const auto number = value.template cast<double>();
+    const auto number = value.template cast<Scalar>();
     const auto at = static_cast<std::size_t>(place - names.begin()) * sizeof number;
     std::memcpy(reinterpret_cast<char*>(&values) + at, &number, sizeof number);
   }

@@ -1,4 +1,4 @@
 # SPDX-License-Identifier: MIT
-from typing import Any
+from .. import Robot
 
-def __getattr__(name: str) -> Any: ...
+def __getattr__(name: str) -> Robot: ...

@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: MIT
+"""The C++ source of a module's inverse kinematics, handed to the templates of binding_inverse.h."""
+
+POSE = "[w, x, y, z, px, py, pz]: unit quaternion and position, m"
+# name of a task: its type in C++, its shape, what it is
+TASKS = {
+    "pose": ("qvgen::Pose<double>", 7, POSE),
+    "position": ("qvgen::Vector3<double>", 3, "[px, py, pz]: position of the tool point, m"),
+    "position_and_direction": ("qvgen::PositionAndDirection<double>", 6,
+                               "[px, py, pz, x, y, z]: position, m, and the direction of the tool's axis, a unit vector"),
+    "position_and_yaw": ("qvgen::PositionAndYaw<double>", 4,
+                         "[px, py, pz, yaw]: position, m, and turn from where the tool is with all joints at zero, rad"),
+    "direction": ("qvgen::Direction<double>", 3, "[x, y, z]: direction of the tool's axis, a unit vector"),
+    "orientation": ("Eigen::Quaternion<double>", 4, "[w, x, y, z]: unit quaternion"),
+}
+
+GIVEN = "given: () or (n,): value of {joint}, rad or m"
+
+ALL = """  m.def("{name}",
+        [](const py::object& {target}, {given_parameter}const py::object& seed, const py::object& limits,
+           const py::object& geometry, double tolerance) {{
+          const auto g = constants<arm::Geometry>(geometry, arm::geometry_names, "geometry");
+          const auto bounds = limits_of<arm::Limits, arm::dof>(limits);
+          const auto solve = [](const auto&... arguments) {{ return arm::{name}(arguments...); }};
+          return {solutions}({{{target}, {given}, seed, limits}}, bounds, g, tolerance, {label}solve);
+        }},
+        py::arg("{target}"), {given_keyword}py::arg("seed") = py::none(), py::kw_only(), py::arg("limits") = py::none(),
+        py::arg("geometry") = py::none(), py::arg("tolerance") = qvgen::inverse::default_tolerance,
+        R"({doc})");
+"""
+
+NEAR = """  m.def("{name}",
+        [](const py::object& pose, {given_parameter}const py::object& seed, bool path, const py::object& geometry,
+           double tolerance) {{
+          const auto g = constants<arm::Geometry>(geometry, arm::geometry_names, "geometry");
+          const auto solve = [](const auto&... arguments) {{ return arm::{name}(arguments...); }};
+          return near_solutions<arm::dof, {has_given}>({{pose, {given}, seed, {{}}}}, path, g, tolerance, solve);
+        }},
+        py::arg("pose"), {given_keyword}py::arg("seed"), py::kw_only(), py::arg("path") = false,
+        py::arg("geometry") = py::none(), py::arg("tolerance") = qvgen::inverse::default_tolerance,
+        R"({doc})");
+"""
+
+COMMON_DOC = """geometry: values of constants of the description, by name
+tolerance: how far beyond the boundary of reach, as a share of the arm's size, a pose is still solved"""
+
+ALL_DOC = """All joint values that bring the tool to a pose.
+
+{targets}seed: (dof,) or (n, dof): solutions are sorted by their distance from it, free joints are taken from it
+limits: None: angles in (-pi, pi], each once; "description": the description's; (lower, upper): two rows of dof numbers.
+    Within limits angles that differ by whole turns are different solutions; with a seed the nearest of each branch
+{common}
+Returns qvgen.Solutions: q (max, dof), count (), status (), branch (max,), continuum (max,), complete (), with a batch
+axis in front of each if an argument has one. Always computed and returned in float64."""
+
+NEAR_DOC = """For control loops: the joint values on the branch of the seed, the joints that went before.
+
+pose: (7,) or (n, 7), {pose}
+{given}seed: (dof,) or (n, dof); angles are within half a turn of it
+path: the poses follow each other: `seed`, a single row, is the first one's, then the last solution before a pose is its seed
+{common}
+Returns qvgen.NearSolution: q (dof,), NaN if there is none, and status (), with a batch axis in front of each if an
+argument has one. Whoever must not jump looks how far q is from the seed. Always computed and returned in float64."""
+
+
+def _targets_doc(target, taken, given):
+    shapes = [f"({size},) or (n, {size}), {meaning}" for _, size, meaning in (TASKS[task] for task in taken)]
+    return f"{target}: " + ";\n    or ".join(shapes) + "\n" + given
+
+
+def inverse_source(name, taken):
+    """C++ that binds a function of inverse kinematics; `taken` are the names of the tasks that it takes."""
+    joint = name.partition("_given_")[2]
+    target = "pose" if taken == ["pose"] else "target"
+    given = GIVEN.format(joint=joint) + "\n" if joint else ""
+    has_given = "true" if joint else "false"
+    values = {"name": name, "target": target, "has_given": has_given, "given": "given" if joint else "{}",
+              "given_parameter": "const py::object& given, " if joint else "",
+              "given_keyword": 'py::arg("given"), ' if joint else ""}
+    if name.startswith("inverse_kinematics_near"):
+        return NEAR.format(**values, doc=NEAR_DOC.format(pose=POSE, given=given, common=COMMON_DOC))
+    kind = TASKS[taken[0]][0]
+    either = "" if len(taken) == 1 else "_either"
+    return ALL.format(**values, solutions=f"solutions_of{either}<{kind}, arm::dof, {has_given}>",
+                      label="" if either else f'"{target}", ',
+                      doc=ALL_DOC.format(targets=_targets_doc(target, taken, given), common=COMMON_DOC))

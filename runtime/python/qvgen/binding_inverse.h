@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <limits>
+#include <optional>
+
+#include <qvgen/inverse/choose.h>
+#include <qvgen/inverse/solutions.h>
+#include <qvgen/inverse/tasks.h>
+
+#include "binding.h"
+
+/// Inverse kinematics for Python: rows of targets in, solutions padded to equal size out. Always in double.
+namespace qvgen::python {
+
+/// What of a row of numbers makes a target, and how many they are.
+template <class Target>
+struct TargetOf;
+
+template <>
+struct TargetOf<Vector3<double>> {
+  static constexpr int size = 3;
+  static Vector3<double> read(const double* row) { return {row[0], row[1], row[2]}; }
+};
+template <>
+struct TargetOf<Eigen::Quaternion<double>> {
+  static constexpr int size = 4;
+  static Eigen::Quaternion<double> read(const double* row) { return {row[0], row[1], row[2], row[3]}; }
+};
+template <>
+struct TargetOf<Direction<double>> {
+  static constexpr int size = 3;
+  static Direction<double> read(const double* row) { return {{row[0], row[1], row[2]}}; }
+};
+template <>
+struct TargetOf<PositionAndDirection<double>> {
+  static constexpr int size = 6;
+  static PositionAndDirection<double> read(const double* row) {
+    return {{row[0], row[1], row[2]}, {row[3], row[4], row[5]}};
+  }
+};
+template <>
+struct TargetOf<PositionAndYaw<double>> {
+  static constexpr int size = 4;
+  static PositionAndYaw<double> read(const double* row) { return {{row[0], row[1], row[2]}, row[3]}; }
+};
+template <>
+struct TargetOf<Pose<double>> {
+  static constexpr int size = 7;
+  static Pose<double> read(const double* row) {
+    return {Eigen::Quaterniond(row[0], row[1], row[2], row[3]), Vector3<double>(row[4], row[5], row[6])};
+  }
+};
+
+/// The arguments of a call, of which seed and limits may be None, and `given` is there for arms with a joint
+/// given.
+struct InverseArguments {
+  py::object target, given, seed, limits;
+};
+
+/// None: none; "description": its own; else a pair of rows.
+template <class Limits, int dof>
+std::optional<JointLimits<dof>> limits_of(const py::object& given) {
+  if (given.is_none()) return std::nullopt;
+  if (py::isinstance<py::str>(given) && given.cast<std::string>() == "description") return Limits();
+  if (!py::isinstance<py::sequence>(given) || py::isinstance<py::str>(given) || py::len(given) != 2)
+    throw py::value_error("limits: neither None, nor \"description\", nor a pair (lower, upper)");
+  const auto row = [&](int which, const char* name) {
+    const Rows<double> rows(given[py::int_(which)], {dof}, name);
+    if (rows.count() >= 0) throw py::value_error(std::string(name) + " are the same for all poses: one row");
+    return vector<Joints<dof>>(rows[0]);
+  };
+  return JointLimits<dof>{row(0, "lower limits"), row(1, "upper limits")};
+}
+
+template <class Found>
+bool is_complete(const Found& /*found*/) {
+  return true;
+}
+template <int dof, int capacity, int turns>
+bool is_complete(const LimitedSolutions<dof, capacity, turns>& found) {
+  return found.complete;
+}
+
+/// qvgen.Solutions of every row: NaN, -1 and False behind the last solution of each.
+template <int dof, class Function>
+py::object each_solution(const std::vector<Rows<double>>& arguments, const Function& function) {
+  using Found = decltype(function(std::declval<const double* const*>()));
+  constexpr int capacity = Found::max_size;
+  const py::ssize_t batch = batch_of(arguments);
+  const py::object none = py::none();
+  auto solutions = result_array<double>(none, batch, {capacity, dof});
+  auto branches = result_array<int>(none, batch, {capacity});
+  auto continua = result_array<bool>(none, batch, {capacity});
+  auto counts = result_array<int>(none, batch, {});
+  auto status = result_array<int>(none, batch, {});
+  auto complete = result_array<bool>(none, batch, {});
+  double* q = solutions.mutable_data();
+  int* branch = branches.mutable_data();
+  bool* continuum = continua.mutable_data();
+  int* count = counts.mutable_data();
+  int* outcome = status.mutable_data();
+  bool* all = complete.mutable_data();
+  {
+    const py::gil_scoped_release unlocked;
+    std::fill(q, q + solutions.size(), std::numeric_limits<double>::quiet_NaN());
+    std::fill(branch, branch + branches.size(), -1);
+    std::fill(continuum, continuum + continua.size(), false);
+    for_each_row(arguments, batch, [&](py::ssize_t i, const double* const* rows) {
+      const Found found = function(rows);
+      count[i] = found.size();
+      outcome[i] = static_cast<int>(found.status);
+      all[i] = is_complete(found);
+      for (int k = 0; k < found.size(); ++k) {
+        const py::ssize_t at = i * capacity + k;
+        write(found[k].q, q + at * dof);
+        branch[at] = found[k].branch;
+        continuum[at] = found[k].continuum;
+      }
+    });
+  }
+  return py::module_::import("qvgen").attr("Solutions")(solutions, counts, status, branches, continua,
+                                                        complete);
+}
+
+/// solve(target, [given,] [seed,] [limits,] geometry, tolerance) for every row of one kind of target.
+template <class Target, int dof, bool has_given, class Geometry, class Solve>
+py::object solutions_of(const InverseArguments& arguments, const std::optional<JointLimits<dof>>& limits,
+                        const Geometry& g, double tolerance, const char* name, const Solve& solve) {
+  std::vector<Rows<double>> rows{Rows<double>(arguments.target, {TargetOf<Target>::size}, name)};
+  if constexpr (has_given) rows.emplace_back(arguments.given, Shape{}, "given");
+  const std::size_t last = rows.size();
+  if (!arguments.seed.is_none()) rows.emplace_back(arguments.seed, Shape{dof}, "seed");
+  const auto call = [&](const double* const* row, const auto&... more) {
+    const Target target = TargetOf<Target>::read(row[0]);
+    if constexpr (has_given)
+      return solve(target, row[1][0], more..., g, tolerance);
+    else
+      return solve(target, more..., g, tolerance);
+  };
+  const auto seed = [&](const double* const* row) { return vector<Joints<dof>>(row[last]); };
+  if (arguments.seed.is_none()) {
+    if (!limits) return each_solution<dof>(rows, [&](const double* const* row) { return call(row); });
+    return each_solution<dof>(rows, [&](const double* const* row) { return call(row, *limits); });
+  }
+  if (!limits)
+    return each_solution<dof>(rows, [&](const double* const* row) { return call(row, seed(row)); });
+  return each_solution<dof>(rows, [&](const double* const* row) { return call(row, seed(row), *limits); });
+}
+
+/// Whether the last axis of a target is as long as this kind's.
+template <class Target>
+bool is_of_kind(const py::object& target) {
+  const auto array = Array<double>::ensure(target);
+  if (!array) PyErr_Clear();
+  return array && array.ndim() > 0 && array.shape(array.ndim() - 1) == TargetOf<Target>::size;
+}
+
+/// The same for a function that takes a pose, or less (`Reduced`), told apart by the length of their last
+/// axis.
+template <class Reduced, int dof, bool has_given, class Geometry, class Solve>
+py::object solutions_of_either(const InverseArguments& arguments,
+                               const std::optional<JointLimits<dof>>& limits, const Geometry& g,
+                               double tolerance, const Solve& solve) {
+  if (is_of_kind<Pose<double>>(arguments.target))
+    return solutions_of<Pose<double>, dof, has_given>(arguments, limits, g, tolerance, "target", solve);
+  return solutions_of<Reduced, dof, has_given>(arguments, limits, g, tolerance, "target", solve);
+}
+
+/// qvgen.NearSolution of every row. On a path the seed of a row is the last solution before it.
+template <int dof, bool has_given, class Geometry, class Solve>
+py::object near_solutions(const InverseArguments& arguments, bool path, const Geometry& g, double tolerance,
+                          const Solve& solve) {
+  std::vector<Rows<double>> rows{Rows<double>(arguments.target, {7}, "pose")};
+  if constexpr (has_given) rows.emplace_back(arguments.given, Shape{}, "given");
+  const std::size_t last = rows.size();
+  rows.emplace_back(arguments.seed, Shape{dof}, "seed");
+  if (path && rows[last].count() >= 0)
+    throw py::value_error("on a path there is one seed, that of the first pose");
+  const py::ssize_t batch = batch_of(rows);
+  auto solutions = result_array<double>(py::none(), batch, {dof});
+  auto status = result_array<int>(py::none(), batch, {});
+  double* q = solutions.mutable_data();
+  int* outcome = status.mutable_data();
+  {
+    const py::gil_scoped_release unlocked;
+    std::fill(q, q + solutions.size(), std::numeric_limits<double>::quiet_NaN());
+    Joints<dof> before = Joints<dof>::Zero();
+    if (path) before = vector<Joints<dof>>(rows[last][0]);
+    for_each_row(rows, batch, [&](py::ssize_t i, const double* const* row) {
+      const Pose<double> pose = TargetOf<Pose<double>>::read(row[0]);
+      const Joints<dof> seed = path ? before : vector<Joints<dof>>(row[last]);
+      const auto found = [&] {
+        if constexpr (has_given)
+          return solve(pose, row[1][0], seed, g, tolerance);
+        else
+          return solve(pose, seed, g, tolerance);
+      }();
+      outcome[i] = static_cast<int>(found.status);
+      if (found.empty()) return;
+      before = found[0].q;
+      write(found[0].q, q + i * dof);
+    });
+  }
+  return py::module_::import("qvgen").attr("NearSolution")(solutions, status);
+}
+
+}  // namespace qvgen::python

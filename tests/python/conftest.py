@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: MIT
+"""The robots that are asked: three of the library and one that is loaded from a description."""
+
+import pathlib
+
+import numpy as np
+import pytest
+
+import qvgen
+
+URDF = pathlib.Path(__file__).resolve().parents[1] / "c/robots/urdf_arm.urdf"
+
+
+@pytest.fixture(scope="session")
+def ns():
+    """Six joints, of which the third slides."""
+    return qvgen.robots.ns
+
+
+@pytest.fixture(scope="session")
+def planar():
+    """Three parallel axes: for a pose, and for a position with the last joint given."""
+    return qvgen.robots.planar_3r
+
+
+@pytest.fixture(scope="session")
+def scara():
+    """Four joints: for a position and a turn."""
+    return qvgen.robots.scara
+
+
+@pytest.fixture(scope="session")
+def arm():
+    """Two joints with dynamics, generated and compiled here."""
+    return qvgen.load(URDF)
+
+
+@pytest.fixture(scope="session")
+def rows():
+    """rows(arm, count, seed): joint values."""
+    return lambda arm, count=50, seed=1: np.random.default_rng(seed).uniform(-1.5, 1.5, (count, arm.dof))

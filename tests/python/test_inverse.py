@@ -1,0 +1,170 @@
+# SPDX-License-Identifier: MIT
+"""Inverse kinematics: all solutions, within limits, next to a seed, of less than a pose, with a joint given."""
+
+import numpy as np
+import pytest
+
+import qvgen
+
+TURN = 2 * np.pi
+
+
+def solved(found):
+    return (found.status == qvgen.Status.solved).all()
+
+
+def rows_of(found, pose):
+    return found.q[pose, :found.count[pose]]
+
+
+def assert_poses(arm, found, poses):
+    """Every row of every pose reaches it; what is behind the last is NaN."""
+    for i, pose in enumerate(poses):
+        again = arm.forward_kinematics(rows_of(found, i))
+        same = np.sign(again[:, :4] @ pose[:4])
+        np.testing.assert_allclose(same[:, None] * again[:, :4], np.tile(pose[:4], (len(again), 1)), atol=1e-11)
+        np.testing.assert_allclose(again[:, 4:], np.tile(pose[4:], (len(again), 1)), atol=1e-11)
+        assert np.isnan(found.q[i, found.count[i]:]).all()
+
+
+def test_all_solutions(ns, rows):
+    q = rows(ns)
+    poses = ns.forward_kinematics(q)
+    found = ns.inverse_kinematics(poses)
+    assert found.q.shape == (50, 8, 6) and found.branch.shape == found.continuum.shape == (50, 8)
+    assert solved(found) and (found.count == 8).all() and found.complete.all() and not found.continuum.any()
+    assert (np.sort(found.branch, axis=1) == np.arange(8)).all()
+    assert_poses(ns, found, poses)
+    np.testing.assert_allclose(ns.inverse_kinematics(poses, q).q[:, 0], q, atol=1e-9)
+    one = ns.inverse_kinematics(poses[3])
+    np.testing.assert_array_equal(one.q, found.q[3])
+    assert one.count == 8 and one.status == qvgen.Status.solved
+
+
+def test_poses_of_single_precision_are_taken(ns, rows):
+    poses = ns.forward_kinematics(rows(ns).astype(np.float32))
+    found = ns.inverse_kinematics(poses)
+    assert poses.dtype == np.float32 and found.q.dtype == np.float64 and solved(found)
+
+
+def test_poses_without_solutions(ns):
+    pose = ns.forward_kinematics(np.full(6, 0.4))
+    found = ns.inverse_kinematics(np.stack([pose, pose * np.nan]))
+    assert found.count[0] > 0 and found.count[1] == 0
+    assert found.status[1] == qvgen.Status.invalid and np.isnan(found.q[1]).all() and (found.branch[1] == -1).all()
+
+
+def test_singular_poses_are_marked(ns):
+    q = np.array([0.3, 0.5, 0.7, 0.2, 0.0, 0.4])  # theta5 = 0: only theta4 + theta6 matters
+    found = ns.inverse_kinematics(ns.forward_kinematics(q), q)
+    assert found.status == qvgen.Status.singular and found.continuum[0]
+    np.testing.assert_allclose(found.q[0], q, atol=1e-9)
+
+
+def test_own_limits(planar, rows):
+    q = rows(planar)
+    poses = planar.forward_kinematics(q)
+    lower, upper = np.array([-7.0, -1.0, -4.0]), np.array([7.0, 2.0, 4.0])
+    free = planar.inverse_kinematics(poses)
+    found = planar.inverse_kinematics(poses, limits=(lower, upper))
+    assert found.q.shape == (50, 32, 3) and found.complete.all()
+    assert_poses(planar, found, poses)
+    for i in range(len(q)):
+        turns = TURN * np.stack(np.meshgrid(*[np.arange(-2, 3)] * 3, indexing="ij"), -1).reshape(-1, 3)
+        every = (rows_of(free, i)[:, None] + turns).reshape(-1, 3)
+        inside = every[((every >= lower) & (every <= upper)).all(axis=1)]
+        own = rows_of(found, i)
+        assert len(own) == len(inside)
+        order = [np.lexsort(np.round(each, 6).T) for each in (own, inside)]
+        np.testing.assert_allclose(own[order[0]], inside[order[1]], atol=1e-12)
+
+
+def test_limits_next_to_a_seed(planar, rows):
+    q = rows(planar) + [TURN, 0, 0]
+    found = planar.inverse_kinematics(planar.forward_kinematics(q), q, limits=([0, -9, -9], [9, 9, 9]))
+    assert found.q.shape == (50, 2, 3)
+    np.testing.assert_allclose(found.q[:, 0], q, atol=1e-9)
+
+
+def test_limits_of_the_description(arm, rows):
+    poses = arm.forward_kinematics(2 * rows(arm, 200))
+    found = arm.inverse_kinematics(poses, limits="description")
+    own = arm.inverse_kinematics(poses, limits=(arm.lower_limits, arm.upper_limits))
+    for one, other in zip(found, own):
+        np.testing.assert_array_equal(one, other)
+    inside = (found.q >= arm.lower_limits) & (found.q <= arm.upper_limits)
+    assert (inside | np.isnan(found.q)).all()
+    counts = {(int(had), int(has)) for had, has in zip(arm.inverse_kinematics(poses).count, found.count)}
+    assert any(had > has for had, has in counts) and any(had == has > 0 for had, has in counts)
+
+
+def test_limits_that_make_no_sense(planar):
+    pose = planar.forward_kinematics(np.zeros(3))
+    for wrong in ("elbow", 3, ([0, 0, 0],)):
+        with pytest.raises(ValueError, match="limits: neither None"):
+            planar.inverse_kinematics(pose, limits=wrong)
+    with pytest.raises(ValueError, match=r"upper limits has the shape \(2,\)"):
+        planar.inverse_kinematics(pose, limits=([0, 0, 0], [1, 1]))
+    with pytest.raises(ValueError, match="the same for all poses"):
+        planar.inverse_kinematics(pose, limits=(np.zeros((4, 3)), [1, 1, 1]))
+
+
+def test_the_solution_near_a_seed(ns, rows):
+    q = rows(ns)
+    near = ns.inverse_kinematics_near(ns.forward_kinematics(q), q + 0.01 + [TURN, 0, 0, 0, 0, 0])
+    assert solved(near) and near.q.shape == (50, 6)
+    np.testing.assert_allclose(near.q, q + [TURN, 0, 0, 0, 0, 0], atol=1e-9)
+    one = ns.inverse_kinematics_near(ns.forward_kinematics(q[0]), q[0])
+    assert one.q.shape == (6,) and one.status == qvgen.Status.solved
+    far = ns.inverse_kinematics_near(np.array([1, 0, 0, 0, np.inf, 0, 0]), q[0])
+    assert far.status == qvgen.Status.invalid and np.isnan(far.q).all()
+
+
+def test_a_path_is_followed(planar):
+    time = np.linspace(0, 1, 400)[:, None]
+    q = np.array([0.2, 0.8, -0.5]) + np.array([9, 0.5, -7]) * time  # more than a turn
+    poses = planar.forward_kinematics(q)
+    poses[200, 4] = np.nan  # the seed of the next is the last one found
+    found = planar.inverse_kinematics_near(poses, q[0], path=True)
+    assert np.isnan(found.q[200]).all()
+    np.testing.assert_allclose(np.delete(found.q, 200, 0), np.delete(q, 200, 0), atol=1e-9)
+    alone = planar.inverse_kinematics_near(poses, q[0])
+    assert np.abs(alone.q[-1] - q[-1]).max() > 1  # without `path` every row has the same seed
+    with pytest.raises(ValueError, match="one seed"):
+        planar.inverse_kinematics_near(poses, q, path=True)
+    assert planar.inverse_kinematics_near(poses[:0], q[:0]).q.shape == (0, 3)
+
+
+def test_less_than_a_pose(scara, rows):
+    q = rows(scara)
+    poses = scara.forward_kinematics(q)
+    at_zero = scara.homogeneous_transform(np.zeros(4))[:3, :3]
+    turned = scara.homogeneous_transform(q)[:, :3, :3] @ at_zero.T
+    yaw = np.arctan2(turned[:, 1, 0], turned[:, 0, 0])
+    found = scara.inverse_kinematics(np.column_stack([poses[:, 4:], yaw]), q)
+    np.testing.assert_allclose(found.q[:, 0], q, atol=1e-9)
+    whole = scara.inverse_kinematics(poses, q)
+    np.testing.assert_allclose(whole.q[:, 0], q, atol=1e-9)
+    tilted = scara.inverse_kinematics(np.array([np.sqrt(0.5), np.sqrt(0.5), 0, 0, *poses[0, 4:]]))
+    assert tilted.status == qvgen.Status.unreachable and tilted.count == 0
+    with pytest.raises(ValueError, match=r"target has the shape \(6,\)"):
+        scara.inverse_kinematics(np.zeros(6))
+    assert not hasattr(scara, "inverse_kinematics_near")
+
+
+def test_with_a_joint_given(planar, rows):
+    q = rows(planar)
+    poses = planar.forward_kinematics(q)
+    for target in (poses, poses[:, 4:]):  # the orientation follows
+        found = planar.inverse_kinematics_given_theta3(target, q[:, 2], q)
+        assert solved(found)
+        np.testing.assert_allclose(found.q[:, 0], q, atol=1e-9)
+    same = planar.inverse_kinematics_given_theta3(poses, q[7, 2])
+    for i in range(50):
+        np.testing.assert_array_equal(rows_of(same, i)[:, 2], np.full(same.count[i], q[7, 2]))
+    near = planar.inverse_kinematics_near_given_theta3(poses, q[:, 2], q + 0.01)
+    np.testing.assert_allclose(near.q, q, atol=1e-9)
+    limited = planar.inverse_kinematics_given_theta3(poses[0], q[0, 2], q[0], limits=(q[0] - 0.1, q[0] + 0.1))
+    assert limited.count == 1
+    with pytest.raises(ValueError, match="batches of 50 and of 3 rows"):
+        planar.inverse_kinematics_given_theta3(poses, [1, 2, 3])

@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: MIT
+"""The type stubs say of every function what its module says."""
+
+import ast
+import inspect
+import pathlib
+import re
+
+import qvgen
+
+STUBS = pathlib.Path(qvgen.__file__).with_suffix(".pyi")
+
+
+def stub_class(name):
+    body = ast.parse(STUBS.read_text()).body
+    return next(each for each in body if isinstance(each, ast.ClassDef) and each.name == name)
+
+
+def signatures_of_stubs():
+    """name: (arguments without self, those that only have a keyword, defaults)"""
+    found = {}
+    for each in stub_class("Robot").body:
+        if isinstance(each, ast.FunctionDef) and each.name != "__getattr__":
+            names = [one.arg for one in each.args.args[1:]]
+            only = [one.arg for one in each.args.kwonlyargs]
+            defaults = [ast.literal_eval(one) for one in [*each.args.defaults, *each.args.kw_defaults]]
+            found[each.name] = (names, only, defaults)
+    return found
+
+
+def signature_of(function):
+    """The same of a function of a module, from the first line of its docstring."""
+    listed = re.match(r"\w+\((.*)\) ->", function.__doc__).group(1).split(", ")
+    star = listed.index("*")
+    name = [re.match(r"\w*", each).group(0) for each in listed]
+    defaults = [ast.literal_eval(each.partition(" = ")[2]) for each in listed if " = " in each]
+    return name[:star], name[star + 1:], defaults
+
+
+def test_functions(ns, arm):
+    stubs = signatures_of_stubs()
+    seen = set()
+    for robot in (ns, arm):
+        for name, place in robot.functions.items():
+            if place != "here":
+                continue
+            positional, only, defaults = signature_of(getattr(robot, name))
+            if robot is arm and name == "inverse_kinematics":
+                positional[0] = "pose"  # the stub's comment: a module says `target` where it takes less too
+            assert stubs[name] == (positional, only, defaults), name
+            seen.add(name)
+    assert seen == set(stubs)
+
+
+def test_values(arm):
+    fields = {each.target.id for each in stub_class("Robot").body if isinstance(each, ast.AnnAssign)}
+    own = {name for name in dir(arm) if not name.startswith("_") and not callable(getattr(arm, name))}
+    assert own == fields
+
+
+def test_package():
+    tree = ast.parse(STUBS.read_text())
+    named = {each.name for each in tree.body if isinstance(each, (ast.ClassDef, ast.FunctionDef))} | {"robots"}
+    assert named - {"Robot"} == set(qvgen.__all__)
+    for name in ("Solutions", "NearSolution", "Status"):
+        lines = stub_class(name).body
+        fields = [each.target.id if isinstance(each, ast.AnnAssign) else each.targets[0].id for each in lines]
+        members = getattr(qvgen, name)
+        assert fields == list(getattr(members, "_fields", None) or members.__members__)
+    stub = next(each for each in tree.body if isinstance(each, ast.FunctionDef) and each.name == "load")
+    signature = inspect.signature(qvgen.load).parameters
+    assert [*(each.arg for each in stub.args.args), stub.args.vararg.arg] == list(signature)
