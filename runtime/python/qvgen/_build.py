@@ -7,6 +7,7 @@ import importlib.util
 import json
 import os
 import pathlib
+import platform
 import shlex
 import shutil
 import subprocess
@@ -17,8 +18,9 @@ import tempfile
 from ._source import BOUND, binding_source
 
 _here = pathlib.Path(__file__).resolve().parent
-_root = _here.parents[2]  # of the source tree
+_root = _here / "_tree" if (_here / "_tree").exists() else _here.parents[2]  # of an installed package, or of the sources
 generated_folder = _root / "generated"
+_suffix = sysconfig.get_config_var("EXT_SUFFIX")
 
 
 class BuildError(RuntimeError):
@@ -45,17 +47,20 @@ def _hash(texts):
     return digest.hexdigest()[:24]
 
 
+_has_avx2_forms = platform.machine() in ("x86_64", "AMD64")
+
+
 def _options(source):
     """As CMake compiles it: inverse kinematics without contraction, vector forms for AVX2."""
     level = "-O1" if source.name == "module.cpp" else "-O2"  # the binding only hands on
     options = ["-std=c++17", level, "-fPIC", "-fvisibility=hidden", "-fno-math-errno", "-Wno-psabi"]
     if source.name.startswith("inverse") and source.parent.parent.name == "source":
         options += ["-ffp-contract=off", "-DQVGEN_NO_CONTRACTION"]
-    if source.name.endswith("_avx2.cpp"):
+    if source.name.endswith("_avx2.cpp") and _has_avx2_forms:
         options += ["-mavx2"] if source.name.startswith("inverse") else ["-mavx2", "-mfma"]
         if source.name.startswith("sine"):
             options += ["-ffp-contract=off"]
-    if source.name == "sine_cosine.cpp":
+    if source.name == "sine_cosine.cpp" and _has_avx2_forms:
         options += ["-DQVGEN_HAS_AVX2_KERNEL"]
     return options
 
@@ -66,14 +71,29 @@ def _built(name):
     return next((path for path in (pathlib.Path(each) / name for each in folders if each) if path.exists()), None)
 
 
-def _make(robot, generated, sources, target):
+def _pybind11():
+    """Its headers where they were installed by pip; the compiler finds those of the system."""
+    try:
+        import pybind11
+    except ImportError:
+        return []
+    return [pybind11.get_include()]
+
+
+def _runtime_sources():
+    sources = sorted((_root / "runtime/source").rglob("*.cpp"))
+    return sources if _has_avx2_forms else [each for each in sources if each.name != "sine_cosine_avx2.cpp"]
+
+
+def compile_module(robot, generated, target):
     """Compiles and links in a folder of its own; the module appears whole, or not at all."""
+    sources = _binding(robot, generated)
     robot_library = _built(f"libqvgen_robot_{robot}.a") if generated == generated_folder else None
     runtime_library = _built("libqvgen_runtime.a")
     to_compile = [] if robot_library else sorted((generated / "source" / robot).glob("*.cpp"))
-    to_compile += [] if runtime_library else sorted((_root / "runtime/source").rglob("*.cpp"))
+    to_compile += [] if runtime_library else _runtime_sources()
     folders = [generated / "include", _here, _root / "runtime/include",
-               os.environ.get("QVGEN_EIGEN", "/usr/include/eigen3"), sysconfig.get_paths()["include"]]
+               os.environ.get("QVGEN_EIGEN", "/usr/include/eigen3"), sysconfig.get_paths()["include"], *_pybind11()]
     compiler = shlex.split(os.environ.get("CXX", "c++"))
     target.parent.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=target.parent) as work:
@@ -103,20 +123,31 @@ def _functions(entry):
     return {**functions, **missing}, targets
 
 
-def build_module(robot, generated=generated_folder):
-    """The module of a robot whose generated code is in a folder; compiled if it is not in the cache."""
-    generated = pathlib.Path(generated)
+def _binding(robot, generated):
     counts = json.loads((generated / "operation_counts.json").read_text())
     if robot not in counts:
         raise AttributeError(f"there is no robot {robot}; there are {', '.join(counts)}")
-    binding = binding_source(robot, *_functions(counts[robot]))
+    return binding_source(robot, *_functions(counts[robot]))
+
+
+def _in_cache(robot, generated):
+    """Where the module belongs by the content of all that it is made from; compiled if it is not there."""
     made_of = [*(generated / "source" / robot).glob("*"), *(generated / "include/qvgen/robots" / robot).glob("*"),
-               *_here.glob("*.h"), *(_root / "runtime/include").rglob("*.h"), *(_root / "runtime/source").rglob("*.cpp")]
-    key = _hash([binding, sys.version, os.environ.get("CXX"), *(path.read_bytes() for path in sorted(made_of))])
-    target = cache_folder() / f"{robot}-{key}" / (robot + sysconfig.get_config_var("EXT_SUFFIX"))
+               *_here.glob("*.h"), *(_root / "runtime/include").rglob("*.h"), *_runtime_sources()]
+    key = _hash([_binding(robot, generated), sys.version, os.environ.get("CXX"),
+                 *(path.read_bytes() for path in sorted(made_of))])
+    target = cache_folder() / f"{robot}-{key}" / (robot + _suffix)
     if not target.exists():
-        _make(robot, generated, binding, target)
-    spec = importlib.util.spec_from_file_location(robot, target)
+        compile_module(robot, generated, target)
+    return target
+
+
+def build_module(robot, generated=generated_folder):
+    """The module of a robot whose generated code is in a folder: the installed one, or from the cache."""
+    generated = pathlib.Path(generated)
+    installed = _here / "robots" / (robot + _suffix)
+    own = generated == generated_folder and installed.exists()
+    spec = importlib.util.spec_from_file_location(robot, installed if own else _in_cache(robot, generated))
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     return module
