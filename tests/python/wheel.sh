@@ -5,14 +5,14 @@
 set -euo pipefail
 source=$1 work=$2 tool=$3
 for python in python3 /usr/bin/python3; do
-  if "$python" -c 'import sys, numpy, pip, venv, ensurepip; sys.exit(sys.version_info < (3, 11))' 2>/dev/null; then
+  if "$python" -c 'import sys, numpy, venv, ensurepip; sys.exit(sys.version_info < (3, 11))' 2>/dev/null; then
     headers=$("$python" -c 'import sysconfig; print(sysconfig.get_paths()["include"])')
     [[ -e $headers/Python.h && -e /usr/include/pybind11/pybind11.h ]] && break
   fi
   python=
 done
 if [[ -z $python ]]; then
-  echo "skipped: no Python 3.11 with numpy, pip, venv, its headers and pybind11 (python3-dev python3-numpy python3-venv pybind11-dev)"
+  echo "skipped: no Python 3.11 with numpy, venv, its headers and pybind11 (python3-dev python3-numpy python3-venv pybind11-dev)"
   exit 77
 fi
 

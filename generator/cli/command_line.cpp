@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+#include "cli/command_line.h"
+
+#include <map>
+
+namespace qvgen::cli {
+
+const char* const examples = R"(
+  qvgen generate my_arm.toml --output out     one robot, into out/; without --output into ./generated
+  qvgen generate                              all robots that qvgen knows
+  qvgen generate arm.urdf --tip tool0         an arm of a URDF (or MJCF), from its root to the link tool0
+  qvgen generate ur5 --language c -o out      out/c/qvgen_ur5.h and .c: C99 that needs nothing but libm
+  qvgen import arm.urdf > arm.toml            the same as a description to read and edit
+  qvgen new RRP --wrist euler > my_arm.toml   a description to begin with
+  qvgen check my_arm.toml                     every mistake of a description, nothing written
+  qvgen show ns                               the closed form of the forward kinematics
+  qvgen show my_arm.toml --latex              the same typeset
+  qvgen show puma560 --singularities          where the arm is singular, factor by factor
+  qvgen counts --format markdown              operation counts of everything generated
+)";
+
+const char* const exit_codes = "0 success, 1 failure, 2 wrong arguments, 3 mistakes in a description";
+
+namespace {
+
+void add_output(CommandLine& line, CLI::App& command, const std::string& text) {
+  const auto is_named = [](const std::string& folder) {
+    return folder.empty() ? std::string("the folder has no name") : std::string();
+  };
+  command.add_option("-o,--output", line.output, text + "; ./generated without")
+      ->type_name("FOLDER")
+      ->check(CLI::Validator(is_named, "", "named"));
+}
+
+/// Options of every command that reads a description.
+void add_reading(CLI::App& command, description::ReadOptions& options) {
+  command.add_option("--base", options.base, "URDF, MJCF: link where the chain begins; the root without")
+      ->type_name("LINK");
+  command
+      .add_option("--tip", options.tip,
+                  "URDF, MJCF: link where it ends; the only one that can be meant without")
+      ->type_name("LINK");
+  command.add_option("--name", options.name, "the robot's name instead of the file's")->type_name("NAME");
+  command
+      .add_option_function<std::string>(
+          "--snap",
+          [&options](const std::string& text) {
+            const auto snap = description::parse_snap(text);
+            if (snap)
+              options.snap = *snap;
+            else
+              throw CLI::ValidationError(
+                  "--snap", "'" + text + "' is neither a tolerance such as 1e-4, nor off, nor auto");
+          },
+          "URDF, MJCF: read numbers that near to an exact one as that one; off: none; auto: those rounded to "
+          "it")
+      ->type_name("TOLERANCE");
+}
+
+void add_generate(CommandLine& line) {
+  GenerateArguments& generate = line.generate;
+  CLI::App& command = *line.app.add_subcommand("generate", "derive, certify and emit C++ for robots");
+  line.generate_command = &command;
+  command
+      .add_option("FILES", line.generate_files,
+                  "robot descriptions or names of known robots; all known ones without")
+      ->type_name("ROBOT");
+  add_output(line, command, "folder to write to: files of it that qvgen has not written are never touched");
+  command.add_option("--only", generate.parts, "parts to generate: kinematics,jacobian,...; all without")
+      ->type_name("PARTS")
+      ->allow_extra_args(false)
+      ->delimiter(',');
+  command
+      .add_option("--require", generate.required,
+                  "parts (inverse,dynamics,...) that every robot must get, else an error")
+      ->type_name("PARTS")
+      ->allow_extra_args(false)
+      ->delimiter(',');
+  command
+      .add_option("--language", line.language,
+                  "cxx, or c: C99 into the output's folder c, without inverse kinematics")
+      ->check(CLI::IsMember({"cxx", "c"}));
+  command.add_flag("--strict", generate.read.strict, "warnings about a description are errors");
+  add_reading(command, generate.read);
+  command.add_flag("--force", generate.force, "also robots that have not changed");
+  command.add_option("--seconds", generate.budget.seconds, "processor time that a part may take")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command.add_option("--megabytes", generate.budget.megabytes, "memory that a part may take")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command.add_option("--list-outputs", generate.build.outputs, "write the paths of all files there")
+      ->type_name("FILE");
+  command
+      .add_option("--depfile", generate.build.depfile,
+                  "write there, for make and ninja, what TARGET of TARGET.d is made from")
+      ->type_name("FILE");
+  command
+      .add_option(
+          "--sources", generate.build.sources,
+          "folder for sources of a single robot that are always the same: robot.c, or one of each part")
+      ->type_name("FOLDER");
+  command.add_flag("--quiet", generate.build.quiet, "no table of operation counts");
+}
+
+void add_remove(CommandLine& line) {
+  line.remove_command =
+      line.app.add_subcommand("remove", "remove robots from a generated folder, and no other file");
+  line.remove_command->add_option("ROBOTS", line.removed, "names of robots")->type_name("ROBOT")->required();
+  add_output(line, *line.remove_command, "folder that was generated");
+}
+
+void add_show(CommandLine& line) {
+  CLI::App& command = *line.app.add_subcommand("show", "print the derived closed form of a robot");
+  line.show_command = &command;
+  command.add_option("ROBOT", line.shown, "name of a known robot, or a description")
+      ->type_name("ROBOT")
+      ->required();
+  command.add_flag("--dynamics", line.show.dynamics, "the joint forces of up to three joints, written out");
+  command.add_flag("--latex", line.show.latex, "as LaTeX");
+  command.add_flag("--singularities", line.show.singularities,
+                   "the factored determinant of the Jacobian instead");
+  command.add_flag("--inverse", line.show.inverse, "the derivation of inverse kinematics");
+  command.add_flag("--functions", line.functions,
+                   "the functions that were generated, and why any is missing");
+  add_output(line, command, "for --functions: folder that was generated");
+  add_reading(command, line.show.read);
+}
+
+void add_counts(CommandLine& line) {
+  const std::map<std::string, ReportFormat> formats{{"table", ReportFormat::table},
+                                                    {"csv", ReportFormat::csv},
+                                                    {"json", ReportFormat::json},
+                                                    {"markdown", ReportFormat::markdown}};
+  CLI::App& command =
+      *line.app.add_subcommand("counts", "print the operation counts of the generated functions");
+  line.counts_command = &command;
+  command.add_option("--format", line.format, "table, csv, json or markdown")
+      ->transform(CLI::CheckedTransformer(formats).description("{csv,json,markdown,table}"));
+  command.add_flag("--forms", line.forms, "also the forms that competed for each function");
+  add_output(line, command, "folder that was generated");
+}
+
+void add_check(CommandLine& line) {
+  CLI::App& command = *line.app.add_subcommand("check", "report the mistakes of descriptions, write nothing");
+  line.check_command = &command;
+  command.add_option("FILES", line.checked, "robot descriptions or names of known robots")
+      ->type_name("ROBOT")
+      ->required();
+  command.add_flag("--strict", line.check.strict, "warnings are errors");
+  command.add_flag("--thorough", line.thorough, "derive and certify everything as generate does");
+  add_reading(command, line.check);
+}
+
+void add_import(CommandLine& line) {
+  line.import_command =
+      line.app.add_subcommand("import", "print the description that a URDF or MJCF is read as");
+  line.import_command->add_option("FILE", line.imported, "URDF or MJCF")->type_name("FILE")->required();
+  add_reading(*line.import_command, line.import);
+}
+
+void add_new(CommandLine& line) {
+  CLI::App& command = *line.app.add_subcommand("new", "print a commented description to edit");
+  line.new_command = &command;
+  command.add_option("CODE", line.letters, "a known robot, or its joints by their letters: RRP")
+      ->type_name("ROBOT")
+      ->required();
+  command.add_option("--wrist", line.wrist, "euler: three more revolute joints whose axes meet")
+      ->check(CLI::IsMember({"euler", "none"}))
+      ->capture_default_str();
+  command.add_option("--name", line.name, "the robot's name")->type_name("NAME")->capture_default_str();
+}
+
+/// Of the tool itself.
+void add_documents(CommandLine& line) {
+  line.list_command = line.app.add_subcommand("list", "print the names of the known robots");
+  line.manual_command = line.app.add_subcommand("man", "print this help as a man page");
+  line.completion_command =
+      line.app.add_subcommand("completion", "print a script that completes this command line in a shell");
+  line.completion_command->add_option("SHELL", line.shell, "the shell")
+      ->check(CLI::IsMember({"bash", "fish"}))
+      ->required();
+}
+
+}  // namespace
+
+CommandLine::CommandLine() {
+  app.footer(std::string("\nexamples:") + examples + "\nexit codes: " + exit_codes + "\n");
+  app.set_version_flag("--version", "qvgen " QVGEN_VERSION);
+  app.require_subcommand(1);
+  add_generate(*this);
+  add_remove(*this);
+  add_show(*this);
+  add_counts(*this);
+  add_check(*this);
+  add_import(*this);
+  add_new(*this);
+  add_documents(*this);
+}
+
+}  // namespace qvgen::cli

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/commands.h"
+
+namespace qvgen::cli {
+
+/// The commands and options: the one table that parses a call and that help, man page and completion are
+/// printed from. What an option takes is told by its type's name, FILE, FOLDER, ROBOT, PARTS, or by the
+/// values in braces.
+struct CommandLine {
+  CLI::App app{"qvgen: symbolic code generator for robot manipulators", "qvgen"};
+  std::string output;  ///< of every command that has it
+
+  CLI::App* generate_command = nullptr;
+  GenerateArguments generate;
+  std::vector<std::string> generate_files;
+  std::string language = "cxx";
+
+  CLI::App* remove_command = nullptr;
+  std::vector<std::string> removed;
+
+  CLI::App* show_command = nullptr;
+  std::string shown;
+  ShowArguments show;
+  bool functions = false;
+
+  CLI::App* counts_command = nullptr;
+  ReportFormat format = ReportFormat::table;
+  bool forms = false;
+
+  CLI::App* check_command = nullptr;
+  std::vector<std::string> checked;
+  description::ReadOptions check;
+  bool thorough = false;
+
+  CLI::App* import_command = nullptr;
+  std::string imported;
+  description::ReadOptions import;
+
+  CLI::App* new_command = nullptr;
+  std::string letters, wrist = "none", name = "my_arm";
+
+  CLI::App* list_command = nullptr;
+
+  CLI::App* manual_command = nullptr;
+  CLI::App* completion_command = nullptr;
+  std::string shell;
+
+  CommandLine();
+  CommandLine(const CommandLine&) = delete;  // the options point into it
+  CommandLine& operator=(const CommandLine&) = delete;
+};
+
+/// Calls that show what can be done, one a line, each with what it does.
+extern const char* const examples;
+extern const char* const exit_codes;
+
+}  // namespace qvgen::cli
