@@ -66,7 +66,10 @@ void add_generate(CommandLine& line) {
                   "robot descriptions or names of known robots; all known ones without")
       ->type_name("ROBOT");
   add_output(line, command, "folder to write to: files of it that qvgen has not written are never touched");
-  command.add_option("--only", generate.parts, "parts to generate: kinematics,jacobian,...; all without")
+  command
+      .add_option(
+          "--only", generate.parts,
+          "parts to generate: kinematics,jacobian,...; all without, but moveit_plugin, a ROS 2 package")
       ->type_name("PARTS")
       ->allow_extra_args(false)
       ->delimiter(',');

@@ -52,10 +52,14 @@ std::vector<fs::path> descriptions_of(const std::vector<std::string>& names, con
   return paths;
 }
 
+bool has(const std::vector<std::string>& list, const std::string& name) {
+  return std::find(list.begin(), list.end(), name) != list.end();
+}
+
 void check_parts(const std::string& option, const std::vector<std::string>& parts,
                  const std::vector<std::string>& known) {
   for (const std::string& part : parts)
-    if (std::find(known.begin(), known.end(), part) == known.end())
+    if (!has(known, part))
       throw UsageError(with_suggestion(option + ": there is no part '" + part + "'", part, known));
 }
 
@@ -101,6 +105,9 @@ int run(int argc, char** argv) {
     for (const std::string& part : generate.required)
       if (!generate.parts.empty())
         check_parts("--only without what is required", {product_of(part)}, generate.parts);
+    for (const std::string& part : extra_names())
+      if (generate.parts.empty() && has(generate.required, part))
+        throw UsageError("--require " + part + ": it is made only if --only names it too");
     if (line.language == "c") generate.language = Language::c;
     generate.known_robots = here.robots;
     generate.output = folder(line.generate_files);

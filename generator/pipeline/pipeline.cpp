@@ -63,9 +63,17 @@ OutputFile umbrella_header(const RobotOutput& output) {
                                    {"is_complete", missing.empty()}})};
 }
 
+bool is_needed(const std::string& product, const Parts& parts) {
+  const auto& extras = all_extras();
+  return std::any_of(extras.begin(), extras.end(), [&](const Extra& extra) {
+    return contains(parts, extra.part) && contains(extra.needs, product);
+  });
+}
+
 /// Every part rests on the model header.
 bool is_wanted(const Product& product, const Parts& parts) {
-  return parts.empty() || product.part == all_products().front().part || contains(parts, product.part);
+  return parts.empty() || is_needed(product.part, parts) || product.part == all_products().front().part ||
+         contains(parts, product.part);
 }
 
 std::vector<Product> wanted_products(const Parts& parts) {
@@ -83,6 +91,19 @@ RobotOutput generate_product(const model::Robot& robot, const Product& product, 
   else
     attempt(product.part, output, [&](RobotOutput& made) { make(robot, made); });
   return output;
+}
+
+void add_extras(const model::Robot& robot, const Parts& parts, Language language, RobotOutput& output) {
+  for (const Extra& extra : all_extras()) {
+    if (!contains(parts, extra.part)) continue;
+    if (language == Language::c)
+      output.missing.push_back({extra.part, Missing::Kind::not_in_language, "it is written in C++"});
+    else
+      attempt(extra.part, output, [&](RobotOutput& made) {
+        made.counts = output.counts;
+        extra.add(robot, made);
+      });
+  }
 }
 
 /// Puts a robot together from its products; without its model header nothing would compile.
@@ -110,6 +131,13 @@ bool is_in(Language language, const std::string& folder_name) {
 std::vector<std::string> product_names() {
   std::vector<std::string> names;
   for (const Product& product : all_products()) names.push_back(product.part);
+  for (const std::string& extra : extra_names()) names.push_back(extra);
+  return names;
+}
+
+std::vector<std::string> extra_names() {
+  std::vector<std::string> names;
+  for (const Extra& extra : all_extras()) names.push_back(extra.part);
   return names;
 }
 
@@ -120,6 +148,7 @@ std::vector<std::string> part_names() {
     names.insert(names.end(), product.headers.begin(), product.headers.end());
     names.insert(names.end(), product.functions.begin(), product.functions.end());
   }
+  for (const std::string& extra : extra_names()) names.push_back(extra);
   return names;
 }
 
@@ -159,6 +188,7 @@ std::vector<RobotOutput> generate(const std::vector<model::Robot>& robots, const
       else
         output.missing.push_back({products[i].part, Missing::Kind::not_finished, outcome.text});
     }
+    add_extras(robots[robot], parts, language, output);
     outputs.push_back(whole(std::move(output), language));
     outputs.back().robot = folder_name(robots[robot].name, language);
   }

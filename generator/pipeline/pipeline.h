@@ -11,7 +11,8 @@
 
 namespace qvgen::pipeline {
 
-/// The products (headers of a robot: kinematics, jacobian, ...) that a run generates; none named means all.
+/// The products (headers of a robot: kinematics, jacobian, ...) that a run generates; none named means all
+/// but the extras.
 using Parts = std::vector<std::string>;
 
 /// What the output is written in.
@@ -24,6 +25,8 @@ bool is_in(Language language, const std::string& folder_name);
 /// The parts that can be named: products, and what may be missing of one while the rest is there.
 std::vector<std::string> product_names();
 std::vector<std::string> part_names();
+/// Those that are made only if they are named.
+std::vector<std::string> extra_names();
 /// The product that a part belongs to.
 std::string product_of(const std::string& part);
 

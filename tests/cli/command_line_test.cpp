@@ -57,6 +57,20 @@ TEST_F(CommandLine, BothLanguagesShareAFolder) {
   EXPECT_EQ(run("generate " + file + " --language fortran --output " + out()).code, 2);
 }
 
+TEST_F(CommandLine, MakesAPluginOnlyForWhoAsksForIt) {
+  const std::string file = write("my_arm.toml", good_arm);
+  const std::string plugin = " --only moveit_plugin --output " + out();
+  const ToolRun small = run("generate " + file + plugin);
+  EXPECT_EQ(small.code, 0);
+  EXPECT_TRUE(has(small, "my_arm: no moveit_plugin: it is for arms of six joints")) << small.output;
+  EXPECT_EQ(run("generate " + file + plugin + " --require moveit_plugin").code, 1);
+  EXPECT_TRUE(has(run("generate " + file + plugin + " --language c"), "it is written in C++"));
+  EXPECT_FALSE(fs::exists(fs::path(out()) / "moveit"));
+  const ToolRun unnamed = run("generate " + file + " --require moveit_plugin --output " + out());
+  EXPECT_EQ(unnamed.code, 2);
+  EXPECT_TRUE(has(unnamed, "it is made only if --only names it too")) << unnamed.output;
+}
+
 TEST_F(CommandLine, GeneratesOnlyThePartsAskedFor) {
   const std::string file = write("my_arm.toml", good_arm);
   // The file may stand on either side of the parts.

@@ -6,6 +6,7 @@
 #include "pipeline/products/jacobian.h"
 #include "pipeline/products/kinematics.h"
 #include "pipeline/products/model_header.h"
+#include "pipeline/products/moveit_plugin.h"
 
 namespace qvgen::pipeline {
 
@@ -26,6 +27,11 @@ const std::vector<Product>& all_products() {
        {"forward_dynamics", "forward_dynamics_with_gravity_vector", "forward_dynamics_with_wrench"},
        generate_dynamics_c}};
   return products;
+}
+
+const std::vector<Extra>& all_extras() {
+  static const std::vector<Extra> extras{{"moveit_plugin", {"kinematics", "inverse"}, add_moveit_plugin}};
+  return extras;
 }
 
 }  // namespace qvgen::pipeline

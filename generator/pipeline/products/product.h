@@ -21,6 +21,15 @@ struct Product {
   std::string why_not_in_c = {};
 };
 
+/// A part that is made only for who asks for it by its name, from what others have made of a robot.
+struct Extra {
+  std::string part;
+  std::vector<std::string> needs;  ///< products
+  /// Adds files, or what is missing.
+  void (*add)(const model::Robot& robot, RobotOutput& output);
+};
+const std::vector<Extra>& all_extras();
+
 /// All products, in the order of the umbrella header.
 const std::vector<Product>& all_products();
 
