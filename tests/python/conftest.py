@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""The robots that are asked: three of the library and one that is loaded from a description."""
+"""The robots that are asked: of the library, and one that is loaded from a description."""
 
+import os
 import pathlib
 
 import numpy as np
@@ -23,10 +24,28 @@ def planar():
     return qvgen.robots.planar_3r
 
 
+def of_the_long_form(name):
+    if not os.environ.get("QVGEN_PYTHON_ROBOTS"):
+        pytest.skip("QVGEN_PYTHON_ROBOTS=1 compiles more robots")
+    return getattr(qvgen.robots, name)
+
+
 @pytest.fixture(scope="session")
 def scara():
     """Four joints: for a position and a turn."""
-    return qvgen.robots.scara
+    return of_the_long_form("scara")
+
+
+@pytest.fixture(scope="session")
+def iiwa14():
+    """Seven joints, of which one is given."""
+    return of_the_long_form("iiwa14")
+
+
+@pytest.fixture(scope="session")
+def crx10ia():
+    """Six joints, solved by elimination."""
+    return of_the_long_form("crx10ia")
 
 
 @pytest.fixture(scope="session")

@@ -135,21 +135,54 @@ def test_a_path_is_followed(planar):
     assert planar.inverse_kinematics_near(poses[:0], q[:0]).q.shape == (0, 3)
 
 
-def test_less_than_a_pose(scara, rows):
+def test_less_than_a_pose(arm, rows):
+    q = rows(arm)
+    poses = arm.forward_kinematics(q)
+    axis = arm.homogeneous_transform(q)[:, :3, :3] @ axis_of(arm)
+    for target in (axis, poses):
+        found = arm.inverse_kinematics(target, q)
+        assert found.q.shape == (50, found.branch.shape[1], 2) and solved(found)
+        np.testing.assert_allclose(found.q[:, 0], q, atol=1e-9)
+    away = arm.inverse_kinematics(poses[0] + [0, 0, 0, 0, 0, 0, 0.1])
+    assert away.status == qvgen.Status.unreachable and away.count == 0
+    with pytest.raises(ValueError, match=r"target has the shape \(6,\)"):
+        arm.inverse_kinematics(np.zeros(6))
+    assert not hasattr(arm, "inverse_kinematics_near")
+
+
+def axis_of(arm):
+    """The axis of the tool whose direction is asked for: the one whose solution is the robot's own joints."""
+    q = np.full(arm.dof, 0.3)
+    turned = arm.homogeneous_transform(q)[:3, :3]
+    distance = [np.abs(arm.inverse_kinematics(turned @ axis, q).q[0] - q).max() for axis in np.eye(3)]
+    return np.eye(3)[np.argmin(distance)]
+
+
+def test_position_and_turn(scara, rows):
     q = rows(scara)
     poses = scara.forward_kinematics(q)
     at_zero = scara.homogeneous_transform(np.zeros(4))[:3, :3]
     turned = scara.homogeneous_transform(q)[:, :3, :3] @ at_zero.T
     yaw = np.arctan2(turned[:, 1, 0], turned[:, 0, 0])
-    found = scara.inverse_kinematics(np.column_stack([poses[:, 4:], yaw]), q)
+    for target in (np.column_stack([poses[:, 4:], yaw]), poses):
+        np.testing.assert_allclose(scara.inverse_kinematics(target, q).q[:, 0], q, atol=1e-9)
+
+
+def test_seven_joints(iiwa14, rows):
+    q = rows(iiwa14)
+    poses = iiwa14.forward_kinematics(q)
+    found = iiwa14.inverse_kinematics_given_theta3(poses, q[:, 2], q)
+    assert found.q.shape == (50, 8, 7) and solved(found)
     np.testing.assert_allclose(found.q[:, 0], q, atol=1e-9)
-    whole = scara.inverse_kinematics(poses, q)
-    np.testing.assert_allclose(whole.q[:, 0], q, atol=1e-9)
-    tilted = scara.inverse_kinematics(np.array([np.sqrt(0.5), np.sqrt(0.5), 0, 0, *poses[0, 4:]]))
-    assert tilted.status == qvgen.Status.unreachable and tilted.count == 0
-    with pytest.raises(ValueError, match=r"target has the shape \(6,\)"):
-        scara.inverse_kinematics(np.zeros(6))
-    assert not hasattr(scara, "inverse_kinematics_near")
+    near = iiwa14.inverse_kinematics_near_given_theta3(poses, q[:, 2], q + 0.01)
+    np.testing.assert_allclose(near.q, q, atol=1e-9)
+
+
+def test_elimination(crx10ia, rows):
+    q = rows(crx10ia)
+    found = crx10ia.inverse_kinematics(crx10ia.forward_kinematics(q), q)
+    assert found.q.shape == (50, 16, 6)
+    np.testing.assert_allclose(found.q[:, 0], q, atol=1e-7)
 
 
 def test_with_a_joint_given(planar, rows):

@@ -55,6 +55,50 @@ def test_dynamics(arm, rows):
     np.testing.assert_allclose(arm.kinetic_energy(q, qd), energy, atol=1e-12)
 
 
+def test_gravity_and_loads_of_any_direction(arm, rows):
+    q, qd, qdd = rows(arm), rows(arm, seed=2), rows(arm, seed=3)
+    fall = [0, 0, -1.62]
+    np.testing.assert_allclose(arm.inverse_dynamics_with_gravity_vector(q, qd, qdd, fall),
+                               arm.inverse_dynamics(q, qd, qdd, gravity=1.62), atol=1e-12)
+    np.testing.assert_allclose(arm.gravity_torque_with_gravity_vector(q, fall), arm.gravity_torque(q, gravity=1.62),
+                               atol=1e-12)
+    np.testing.assert_allclose(arm.potential_energy_with_gravity_vector(q, fall),
+                               arm.potential_energy(q, gravity=1.62), atol=1e-12)
+    fall, wrench = [0.3, -2, 5], np.arange(6.0)
+    loaded = arm.inverse_dynamics_with_wrench(q, qd, qdd, fall, wrench)
+    carried = np.einsum("nji,j->ni", arm.jacobian(q), wrench)
+    np.testing.assert_allclose(loaded, arm.inverse_dynamics_with_gravity_vector(q, qd, qdd, fall) - carried, atol=1e-12)
+    np.testing.assert_allclose(arm.forward_dynamics_with_wrench(q, qd, loaded, fall, wrench), qdd, atol=1e-9)
+    np.testing.assert_allclose(arm.forward_dynamics_with_gravity_vector(q, qd, loaded + carried, fall), qdd, atol=1e-9)
+
+
+def test_regressor(arm, rows):
+    """Rows of Y at other places tell the same base parameters, without drives: those of the friction are taken off."""
+    q, qd, qdd = rows(arm), rows(arm, seed=2), rows(arm, seed=3)
+    y = arm.regressor(q, qd, qdd)
+    assert y.shape == (50, 2, len(arm.base_parameter_names))
+    still = arm.inverse_dynamics(q, qd * 0, qdd)  # no rates: no friction
+    b, *_ = np.linalg.lstsq(arm.regressor(q, qd * 0, qdd).reshape(100, -1), still.ravel(), rcond=None)
+    np.testing.assert_allclose(arm.regressor(q, qd * 0, qdd) @ b, still, atol=1e-9)
+    np.testing.assert_allclose(arm.regressor(q, qd, qdd * 0, gravity=0) @ b, arm.coriolis_torque(q, qd), atol=1e-9)
+
+
+def test_points_and_singular_places(ns, rows):
+    q = rows(ns)
+    np.testing.assert_allclose(ns.jacobian_at(q, [0, 0, 0]), ns.jacobian(q), atol=1e-14)
+    point = np.array([0.1, -0.2, 0.3])
+    arm_of_point = ns.homogeneous_transform(q)[:, :3, :3] @ point
+    jacobian = ns.jacobian(q)
+    moved = jacobian[:, :3] + np.cross(jacobian[:, 3:], arm_of_point[:, :, None], axisa=1, axisb=1, axisc=1)
+    np.testing.assert_allclose(ns.jacobian_at(q, point)[:, :3], moved, atol=1e-12)
+    measures = ns.singularity_measures(q)
+    assert measures.shape == (50, len(ns.singularity_names)) and "wrist" in ns.singularity_names
+    assert (np.abs(measures) > 1e-6).all() and (np.abs(np.linalg.det(jacobian)) > 1e-9).all()
+    q[:, 4] = 0
+    np.testing.assert_allclose(ns.singularity_measures(q)[:, ns.singularity_names.index("wrist")], 0, atol=1e-15)
+    np.testing.assert_allclose(np.linalg.det(ns.jacobian(q)), 0, atol=1e-14)
+
+
 def test_constants_by_name(ns, rows):
     assert set(ns.default_geometry) == {"h1", "d2"}
     q = rows(ns, 1)[0]

@@ -46,6 +46,8 @@ class Robot(Protocol):
     default_geometry: dict[str, float]
     default_inertia: dict[str, float]
     functions: dict[str, str]
+    singularity_names: list[str]
+    base_parameter_names: list[str]
 
     def forward_kinematics(
         self, q: ArrayLike, *, geometry: _Constants = None, out: _Out = None,
@@ -59,6 +61,12 @@ class Robot(Protocol):
     def tool_jacobian(
         self, q: ArrayLike, *, geometry: _Constants = None, out: _Out = None,
     ) -> _Result: ...
+    def jacobian_at(
+        self, q: ArrayLike, point: ArrayLike, *, geometry: _Constants = None, out: _Out = None,
+    ) -> _Result: ...
+    def singularity_measures(
+        self, q: ArrayLike, *, geometry: _Constants = None, out: _Out = None,
+    ) -> _Result: ...
     def jacobian_dot(
         self, q: ArrayLike, qd: ArrayLike, *, geometry: _Constants = None, out: _Out = None,
     ) -> _Result: ...
@@ -69,28 +77,63 @@ class Robot(Protocol):
         self, q: ArrayLike, qd: ArrayLike, *, geometry: _Constants = None, out: _Out = None,
     ) -> _Result: ...
     def inverse_dynamics(
-        self, q: ArrayLike, qd: ArrayLike, qdd: ArrayLike, *, geometry: _Constants = None, inertia: _Constants = None, gravity: float = 9.80665, out: _Out = None,
+        self, q: ArrayLike, qd: ArrayLike, qdd: ArrayLike, *,
+        geometry: _Constants = None, inertia: _Constants = None, gravity: float = 9.80665, out: _Out = None,
     ) -> _Result: ...
     def forward_dynamics(
-        self, q: ArrayLike, qd: ArrayLike, torque: ArrayLike, *, geometry: _Constants = None, inertia: _Constants = None, gravity: float = 9.80665, out: _Out = None,
+        self, q: ArrayLike, qd: ArrayLike, torque: ArrayLike, *,
+        geometry: _Constants = None, inertia: _Constants = None, gravity: float = 9.80665, out: _Out = None,
     ) -> _Result: ...
     def gravity_torque(
-        self, q: ArrayLike, *, geometry: _Constants = None, inertia: _Constants = None, gravity: float = 9.80665, out: _Out = None,
+        self, q: ArrayLike, *,
+        geometry: _Constants = None, inertia: _Constants = None, gravity: float = 9.80665, out: _Out = None,
     ) -> _Result: ...
     def coriolis_torque(
-        self, q: ArrayLike, qd: ArrayLike, *, geometry: _Constants = None, inertia: _Constants = None, out: _Out = None,
+        self, q: ArrayLike, qd: ArrayLike, *,
+        geometry: _Constants = None, inertia: _Constants = None, out: _Out = None,
     ) -> _Result: ...
     def mass_matrix(
         self, q: ArrayLike, *, geometry: _Constants = None, inertia: _Constants = None, out: _Out = None,
     ) -> _Result: ...
     def coriolis_matrix(
-        self, q: ArrayLike, qd: ArrayLike, *, geometry: _Constants = None, inertia: _Constants = None, out: _Out = None,
+        self, q: ArrayLike, qd: ArrayLike, *,
+        geometry: _Constants = None, inertia: _Constants = None, out: _Out = None,
     ) -> _Result: ...
     def kinetic_energy(
-        self, q: ArrayLike, qd: ArrayLike, *, geometry: _Constants = None, inertia: _Constants = None, out: _Out = None,
+        self, q: ArrayLike, qd: ArrayLike, *,
+        geometry: _Constants = None, inertia: _Constants = None, out: _Out = None,
     ) -> _Result: ...
     def potential_energy(
-        self, q: ArrayLike, *, geometry: _Constants = None, inertia: _Constants = None, gravity: float = 9.80665, out: _Out = None,
+        self, q: ArrayLike, *,
+        geometry: _Constants = None, inertia: _Constants = None, gravity: float = 9.80665, out: _Out = None,
+    ) -> _Result: ...
+    def regressor(
+        self, q: ArrayLike, qd: ArrayLike, qdd: ArrayLike, *,
+        geometry: _Constants = None, inertia: _Constants = None, gravity: float = 9.80665, out: _Out = None,
+    ) -> _Result: ...
+    def inverse_dynamics_with_gravity_vector(
+        self, q: ArrayLike, qd: ArrayLike, qdd: ArrayLike, fall: ArrayLike, *,
+        geometry: _Constants = None, inertia: _Constants = None, out: _Out = None,
+    ) -> _Result: ...
+    def inverse_dynamics_with_wrench(
+        self, q: ArrayLike, qd: ArrayLike, qdd: ArrayLike, fall: ArrayLike, wrench: ArrayLike, *,
+        geometry: _Constants = None, inertia: _Constants = None, out: _Out = None,
+    ) -> _Result: ...
+    def gravity_torque_with_gravity_vector(
+        self, q: ArrayLike, fall: ArrayLike, *,
+        geometry: _Constants = None, inertia: _Constants = None, out: _Out = None,
+    ) -> _Result: ...
+    def forward_dynamics_with_gravity_vector(
+        self, q: ArrayLike, qd: ArrayLike, torque: ArrayLike, fall: ArrayLike, *,
+        geometry: _Constants = None, inertia: _Constants = None, out: _Out = None,
+    ) -> _Result: ...
+    def forward_dynamics_with_wrench(
+        self, q: ArrayLike, qd: ArrayLike, torque: ArrayLike, fall: ArrayLike, wrench: ArrayLike, *,
+        geometry: _Constants = None, inertia: _Constants = None, out: _Out = None,
+    ) -> _Result: ...
+    def potential_energy_with_gravity_vector(
+        self, q: ArrayLike, fall: ArrayLike, *,
+        geometry: _Constants = None, inertia: _Constants = None, out: _Out = None,
     ) -> _Result: ...
 
     # Of an arm with a joint given also inverse_kinematics_given_NAME(target, given, seed=None, ...) and

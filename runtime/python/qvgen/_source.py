@@ -5,14 +5,26 @@ import json
 
 from ._inverse_source import POSE, inverse_source
 
-ARGUMENTS = {"q": "joint positions, rad or m", "qd": "joint rates, rad/s or m/s",
-             "qdd": "joint accelerations, rad/s^2 or m/s^2", "torque": "joint forces, N m or N"}
+# name: length of a row, its type in C++, what it is
+ARGUMENTS = {
+    "q": ("dof", "Joints", "joint positions, rad or m"),
+    "qd": ("dof", "Joints", "joint rates, rad/s or m/s"),
+    "qdd": ("dof", "Joints", "joint accelerations, rad/s^2 or m/s^2"),
+    "torque": ("dof", "Joints", "joint forces, N m or N"),
+    "point": ("3", "qvgen::Vector3<Scalar>", "a point that moves with the tool, in the tool frame, m"),
+    "fall": ("3", "qvgen::Vector3<Scalar>", "acceleration of free fall in the world frame, m/s^2"),
+    "wrench": ("6", "arm::Wrench<Scalar>", "force and moment on the tool from outside, in the world frame, N and N m"),
+}
+AFTER_INERTIA = ("fall", "wrench")  # where they stand in C++
 # name: arguments, shape of a row of the result, a line of text
 KINEMATICS = {
     "forward_kinematics": ("q", "7", f"Pose of the tool in the world frame, {POSE}."),
     "homogeneous_transform": ("q", "4, 4", "Pose of the tool in the world frame as a 4 x 4 matrix, m."),
     "jacobian": ("q", "6, arm::dof", "Jacobian in the world frame at the tool, linear rows first."),
     "tool_jacobian": ("q", "6, arm::dof", "Jacobian in the tool frame at the tool, linear rows first."),
+    "jacobian_at": ("q point", "6, arm::dof", "Jacobian in the world frame at a point of the tool."),
+    "singularity_measures": ("q", "arm::singularity_count",
+                             "Factors of the Jacobian's determinant: the arm is singular where one is zero."),
     "jacobian_dot": ("q qd", "6, arm::dof", "Derivative of the Jacobian by time."),
     "velocity": ("q qd", "6", "Twist of the tool in the world frame, m/s and rad/s, linear first."),
     "jacobian_dot_times_qd": ("q qd", "6", "The tool's acceleration at constant joint rates."),
@@ -26,16 +38,26 @@ DYNAMICS = {
     "coriolis_matrix": ("q qd", "arm::dof, arm::dof", "C(q, qd) of Christoffel's symbols."),
     "kinetic_energy": ("q qd", "", "Kinetic energy, J."),
     "potential_energy": ("q", "", "Potential energy, J."),
+    "regressor": ("q qd qdd", "arm::dof, arm::base_parameter_count",
+                  "Y with inverse_dynamics = Y b, b the base parameters, without drives."),
+    "inverse_dynamics_with_gravity_vector": ("q qd qdd fall", "arm::dof", "Joint forces, gravity in any direction."),
+    "inverse_dynamics_with_wrench": ("q qd qdd fall wrench", "arm::dof", "Joint forces, with a load on the tool."),
+    "gravity_torque_with_gravity_vector": ("q fall", "arm::dof", "Joint forces at rest, gravity in any direction."),
+    "forward_dynamics_with_gravity_vector": ("q qd torque fall", "arm::dof",
+                                             "Joint accelerations, gravity in any direction."),
+    "forward_dynamics_with_wrench": ("q qd torque fall wrench", "arm::dof",
+                                     "Joint accelerations, with a load on the tool."),
+    "potential_energy_with_gravity_vector": ("q fall", "", "Potential energy, J, gravity in any direction."),
 }
-WITH_GRAVITY = {"inverse_dynamics", "forward_dynamics", "gravity_torque", "potential_energy"}
+WITH_GRAVITY = {"inverse_dynamics", "forward_dynamics", "gravity_torque", "potential_energy", "regressor"}
+# header beside the umbrella's: functions that need it
+HEADERS = {"dynamics_loads": {name for name in DYNAMICS if "_with_" in name}, "regressor": {"regressor"}}
 
 BOUND = {*KINEMATICS, *DYNAMICS}
 
 HEAD = """// SPDX-License-Identifier: MIT
 #include <qvgen/robots/{robot}.h>
-
-#include "binding.h"
-{inverse}
+{headers}
 namespace arm = qvgen::robots::{robot};
 namespace py = pybind11;
 using namespace qvgen::python;
@@ -53,24 +75,28 @@ PYBIND11_MODULE({robot}, m) {{
 INERTIA = """  m.attr("default_inertia") = defaults<arm::Inertia>(arm::inertia_names);
 """
 
+NAMES = """  m.attr("{name}") = list_of(arm::{name});
+"""
+
 FUNCTION = """  m.def("{name}",
-        []({parameters}const py::object& geometry{more_parameters}, const py::object& out) {{
+        +[]({parameters}const py::object& geometry{more_parameters}, const py::object& out) {{
           return in_scalar_of({{{names}}}, [&](auto zero) {{
             using Scalar = decltype(zero);
             using Joints = arm::JointVector<Scalar>;
             const auto g = constants<arm::BasicGeometry<Scalar>, Scalar>(geometry, arm::geometry_names, "geometry");
 {prepare}            return each_row<Scalar>({{{rows}}}, {{{shape}}}, out,
-                [&](const Scalar* const* row) {{ return arm::{name}({values}, g{more_values}); }});
+                [&](const Scalar* const* row) {{ return arm::{called}({values}, g{more_values}); }});
           }});
         }},
         {keywords}py::kw_only(), py::arg("geometry") = py::none(), {more_keywords}py::arg("out") = py::none(),
-        R"({doc})");
+        text(R"({doc})"));
 """
 
 
 def _doc(text, arguments, shape, extra):
     row = shape.replace("arm::", "")
-    lines = [text, "", *(f"{name}: (dof,) or (n, dof), {ARGUMENTS[name]}" for name in arguments), *extra,
+    sizes = [(name, *ARGUMENTS[name]) for name in arguments]
+    lines = [text, "", *(f"{name}: ({size},) or (n, {size}), {meaning}" for name, size, _, meaning in sizes), *extra,
              "geometry: values of constants of the description, by name",
              f"Returns the shape ({row}{'' if ',' in row or not row else ','}), a batch axis in front if an argument has one;",
              "in `out`, which may not overlap an argument, if it is given. Computed and returned in float32 if all of",
@@ -91,21 +117,31 @@ def _function(name, arguments, shape, text, dynamics):
             extra.append("gravity: acceleration of free fall along the world's -z, m/s^2")
             parameters, values = parameters + ", double gravity", values + ", static_cast<Scalar>(gravity)"
             keywords += 'py::arg("gravity") = 9.80665, '
+    rows = [f'Rows<Scalar>({each}, {{{_length(each)}}}, "{each}")' for each in arguments]
+    taken = {each: f"vector<{ARGUMENTS[each][1]}>(row[{place}])" for place, each in enumerate(arguments)}
+    values += "".join(f", {taken.pop(each)}" for each in AFTER_INERTIA if each in taken)
     return FUNCTION.format(
-        name=name, shape=shape, doc=_doc(text, arguments, shape, extra), prepare=prepare,
-        parameters="".join(f"const py::object& {each}, " for each in arguments),
-        names=", ".join(arguments), rows=", ".join(f'Rows<Scalar>({each}, {{arm::dof}}, "{each}")' for each in arguments),
-        values=", ".join(f"vector<Joints>(row[{place}])" for place in range(len(arguments))),
+        name=name, called=name.partition("_with_")[0], shape=shape, doc=_doc(text, arguments, shape, extra),
+        prepare=prepare, parameters="".join(f"const py::object& {each}, " for each in arguments),
+        names=", ".join(arguments), rows=", ".join(rows), values=", ".join(taken.values()),
         keywords="".join(f'py::arg("{each}"), ' for each in arguments),
         more_parameters=parameters, more_values=values, more_keywords=keywords)
+
+
+def _length(argument):
+    return ARGUMENTS[argument][0].replace("dof", "arm::dof")
 
 
 def binding_source(robot, functions, targets):
     """C++ of the module of a robot: `functions` as it is to say, `targets` what its inverse kinematics takes."""
     here = [name for name, place in functions.items() if place == "here"]
+    headers = [f"<qvgen/robots/{robot}/{each}.h>" for each, users in HEADERS.items() if users.intersection(here)]
+    headers += ['"binding.h"', *(['"binding_inverse.h"'] if targets else [])]
     text = HEAD.format(robot=robot, functions=json.dumps(functions),
-                       inverse='#include "binding_inverse.h"\n' if targets else "")
+                       headers="".join(f"#include {each}\n" for each in headers))
     text += INERTIA if "mass_matrix" in here else ""
+    text += NAMES.format(name="singularity_names") if "singularity_measures" in here else ""
+    text += NAMES.format(name="base_parameter_names") if "regressor" in here else ""
     for table, dynamics in ((KINEMATICS, False), (DYNAMICS, True)):
         for name, (arguments, shape, line) in table.items():
             if name in here:

@@ -21,6 +21,10 @@ template <class Scalar>
 using Array = py::array_t<Scalar, py::array::c_style | py::array::forcecast>;
 using Shape = std::vector<py::ssize_t>;
 
+/// A docstring as pybind11 takes it for all lengths alike: with lambdas as plain pointers, a function of
+/// Python for every list of arguments is compiled, and not one for every function.
+inline const char* text(const char* docstring) { return docstring; }
+
 inline std::string text_of(const Shape& shape) {
   std::string text;
   for (const py::ssize_t size : shape) text += (text.empty() ? "" : ", ") + std::to_string(size);
@@ -143,10 +147,27 @@ void for_each_row(const std::vector<Rows<Scalar>>& arguments, py::ssize_t batch,
   }
 }
 
+/// Refers to a function of a row that gives something to write. One type for all: the loops are compiled
+/// once.
+template <class Scalar>
+class RowFunction {
+ public:
+  template <class Function>
+  RowFunction(const Function& function)  // NOLINT(google-explicit-constructor): for lambdas in calls
+      : function_(&function), call_([](const void* own, const Scalar* const* rows, Scalar* to) {
+          write((*static_cast<const Function*>(own))(rows), to);
+        }) {}
+  void operator()(const Scalar* const* rows, Scalar* to) const { call_(function_, rows, to); }
+
+ private:
+  const void* function_;
+  void (*call_)(const void*, const Scalar* const*, Scalar*);
+};
+
 /// function(rows) for every row, without the interpreter's lock.
-template <class Scalar, class Function>
+template <class Scalar>
 py::object each_row(const std::vector<Rows<Scalar>>& arguments, const Shape& shape, const py::object& out,
-                    const Function& function) {
+                    RowFunction<Scalar> function) {
   const py::ssize_t batch = batch_of(arguments);
   py::array_t<Scalar> result = result_array<Scalar>(out, batch, shape);
   Scalar* to = result.mutable_data();
@@ -154,7 +175,7 @@ py::object each_row(const std::vector<Rows<Scalar>>& arguments, const Shape& sha
   {
     const py::gil_scoped_release unlocked;
     for_each_row(arguments, batch,
-                 [&](py::ssize_t i, const Scalar* const* rows) { write(function(rows), to + i * step); });
+                 [&](py::ssize_t i, const Scalar* const* rows) { function(rows, to + i * step); });
   }
   return std::move(result);
 }
