@@ -14,7 +14,6 @@ import re
 import sys
 import sysconfig
 import tarfile
-import tempfile
 import tomllib
 import zipfile
 
@@ -88,12 +87,9 @@ def _compiled(robots):
     """(name in the wheel, content) of the robots' modules."""
     sys.path.insert(0, str(PACKAGE.parent))
     from qvgen import _build
-    suffix = sysconfig.get_config_var("EXT_SUFFIX")
-    with tempfile.TemporaryDirectory() as work:
-        for robot in robots:
-            module = pathlib.Path(work) / (robot + suffix)
-            _build.compile_module(robot, _build.generated_folder, module)
-            yield f"qvgen/robots/{module.name}", module.read_bytes()
+    for robot in robots:
+        module = _build.module_file(robot, _build.generated_folder)
+        yield f"qvgen/robots/{module.name}", module.read_bytes()
 
 
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):

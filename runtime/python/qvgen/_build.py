@@ -85,7 +85,7 @@ def _runtime_sources():
     return sources if _has_avx2_forms else [each for each in sources if each.name != "sine_cosine_avx2.cpp"]
 
 
-def compile_module(robot, generated, target):
+def _compile(robot, generated, target):
     """Compiles and links in a folder of its own; the module appears whole, or not at all."""
     sources = _binding(robot, generated)
     robot_library = _built(f"libqvgen_robot_{robot}.a") if generated == generated_folder else None
@@ -130,7 +130,7 @@ def _binding(robot, generated):
     return binding_source(robot, *_functions(counts[robot]))
 
 
-def _in_cache(robot, generated):
+def module_file(robot, generated):
     """Where the module belongs by the content of all that it is made from; compiled if it is not there."""
     made_of = [*(generated / "source" / robot).glob("*"), *(generated / "include/qvgen/robots" / robot).glob("*"),
                *_here.glob("*.h"), *(_root / "runtime/include").rglob("*.h"), *_runtime_sources()]
@@ -138,7 +138,7 @@ def _in_cache(robot, generated):
                  *(path.read_bytes() for path in sorted(made_of))])
     target = cache_folder() / f"{robot}-{key}" / (robot + _suffix)
     if not target.exists():
-        compile_module(robot, generated, target)
+        _compile(robot, generated, target)
     return target
 
 
@@ -147,7 +147,7 @@ def build_module(robot, generated=generated_folder):
     generated = pathlib.Path(generated)
     installed = _here / "robots" / (robot + _suffix)
     own = generated == generated_folder and installed.exists()
-    spec = importlib.util.spec_from_file_location(robot, installed if own else _in_cache(robot, generated))
+    spec = importlib.util.spec_from_file_location(robot, installed if own else module_file(robot, generated))
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     return module
