@@ -104,6 +104,7 @@ void show_closed_form(const model::Robot& described, const derive::inverse::Deri
                       emit::Notation notation) {
   const derive::inverse::Problem& problem = derivation.problem;
   fmt::print("{}\n\n", emit::ability(described, derivation));
+  if (const std::string text = emit::arm_angle_ability(described); !text.empty()) fmt::print("{}\n\n", text);
   for (const std::string& line : emit::legend(described, {problem.moving, problem.phases}))
     fmt::print("{}\n", line);
   std::vector<std::string> variables;

@@ -8,6 +8,7 @@ include_guard(GLOBAL)
 # The files that a robot's parts may have are known before it is derived; those that it lacks are empty.
 set(qvgen_part_sources_kinematics kinematics)
 set(qvgen_part_sources_inverse inverse inverse_avx2)
+set(qvgen_part_sources_arm_angle arm_angle)
 set(qvgen_part_sources_jacobian jacobian)
 set(qvgen_part_sources_dynamics dynamics dynamics_derivatives dynamics_loads regressor)
 

@@ -87,6 +87,19 @@ TEST_F(Ability, OfAGivenJoint) {
             0U);
 }
 
+TEST_F(Ability, OfAnArmAngle) {
+  const auto says = [&](const std::string& description, const std::string& what) {
+    const ToolRun shown = run("show --inverse " + write("my_arm.toml", description));
+    return shown.code == 0 && has(shown, what);
+  };
+  EXPECT_TRUE(says(arm(seven_joints), "By the arm angle too (arm_angle.h), the elbow's turn about the line"));
+  const std::string offset_wrist =
+      "Rz 0 0 0.34; Ry 0 0 0; Rz 0 0 0.4; Ry 0 0 0; Rz 0 0 0.4; Ry 0.1 0 0; Rz 0 0 0.1";
+  EXPECT_TRUE(says(arm(offset_wrist, "given = \"q7\"\n"),
+                   "Not by an arm angle: the axes of joints 5, 6 and 7 do not meet in one point."));
+  EXPECT_FALSE(says(arm(four_joints), "arm angle"));
+}
+
 TEST_F(Ability, WhatIsNotServedIsRefused) {
   const auto refused = [&](const std::string& description, const std::string& reason) {
     const ToolRun shown = run("show --inverse " + write("my_arm.toml", description));

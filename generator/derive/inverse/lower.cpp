@@ -16,7 +16,9 @@ dag::Function optimised(const symbolic::Program& program) {
   return passes::fold_constants(passes::simplify(dag::import(program)));
 }
 
-dag::Function optimised(const symbolic::Program& program, const std::vector<std::string>& kept) {
+}  // namespace
+
+dag::Function lowered(const symbolic::Program& program, const std::vector<std::string>& kept) {
   dag::Function function = dag::import(program);
   std::erase_if(function.outputs, [&](const dag::Output& output) {
     return std::find(kept.begin(), kept.end(), output.name) == kept.end();
@@ -24,13 +26,11 @@ dag::Function optimised(const symbolic::Program& program, const std::vector<std:
   return passes::fold_constants(passes::simplify(function));
 }
 
-}  // namespace
-
 LoweredPlan lower(const Plan& plan) {
-  LoweredPlan lowered{plan, optimised(plan.target, plan.target_kept), optimised(plan.range_test.values), {}};
+  LoweredPlan result{plan, lowered(plan.target, plan.target_kept), optimised(plan.range_test.values), {}};
   for (const auto& step : plan.steps)
-    lowered.steps.push_back({optimised(step.before), optimised(step.after, step.kept)});
-  return lowered;
+    result.steps.push_back({optimised(step.before), lowered(step.after, step.kept)});
+  return result;
 }
 
 std::string step_name(const LoweredPlan& plan, std::size_t index) {
@@ -46,7 +46,7 @@ dag::Function lowered_arm_at_zero(const model::Robot& robot) {
   std::vector<std::string> kept;
   for (const auto& output : program.outputs())
     if (output.name.rfind("chain_", 0) != 0) kept.push_back(output.name);
-  return optimised(program, kept);
+  return lowered(program, kept);
 }
 
 }  // namespace qvgen::derive::inverse

@@ -7,6 +7,7 @@
 #include "dag/graph.h"
 #include "derive/inverse/plan.h"
 #include "model/robot.h"
+#include "symbolic/program.h"
 
 namespace qvgen::derive::inverse {
 
@@ -23,6 +24,9 @@ struct LoweredPlan {
 };
 
 LoweredPlan lower(const Plan& plan);
+
+/// Outputs of a program as a graph, optimised; those that are kept.
+dag::Function lowered(const symbolic::Program& program, const std::vector<std::string>& kept);
 
 /// The values of `arm_at_zero`.
 dag::Function lowered_arm_at_zero(const model::Robot& robot);

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "emit/math/ability.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
+#include "canonical/arm.h"
+#include "derive/inverse/spherical_arm.h"
+#include "model/private_names.h"
 #include "model/tasks.h"
 
 namespace qvgen::emit {
@@ -60,6 +65,22 @@ std::string ability(const model::Robot& described, const Derivation& derivation)
   if (problem.task != Task::pose && problem.task != Task::position)
     text += " A whole pose may be asked for too; it is unreachable unless the arm can take it.";
   return text + virtual_joints(problem);
+}
+
+std::string arm_angle_ability(const model::Robot& described) {
+  const auto turns =
+      std::count_if(described.joints.begin(), described.joints.end(),
+                    [](const model::Joint& joint) { return joint.type == model::JointType::revolute; });
+  if (turns != 7 || described.joints.size() != 7) return "";
+  const auto arm =
+      derive::inverse::spherical_arm(canonical::for_dynamics(model::with_private_names(described)));
+  if (!arm.found) return "Not by an arm angle: " + arm.reason + ".";
+  return "By the arm angle too (arm_angle.h), the elbow's turn about the line from the shoulder, where the "
+         "axes "
+         "of joints 1, 2 and 3 meet, to the wrist, where those of joints 5, 6 and 7 do: at most 8 solutions "
+         "of "
+         "a pose and an arm angle, the arm angles that joint limits leave, and a solution within limits "
+         "wherever there is one.";
 }
 
 }  // namespace qvgen::emit

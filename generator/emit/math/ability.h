@@ -11,4 +11,7 @@ namespace qvgen::emit {
 /// paragraph.
 std::string ability(const model::Robot& described, const derive::inverse::Derivation& derivation);
 
+/// What arms of seven turns are solved for by their arm angle, or why they have none; empty for others.
+std::string arm_angle_ability(const model::Robot& described);
+
 }  // namespace qvgen::emit

@@ -31,9 +31,11 @@ void add_general_inverse(const model::Robot& described, const derive::inverse::G
                          RobotOutput& output) {
   constexpr int certificate_poses = 5;
   const Setup& setup = derivation.setup;
-  const auto solver = [&](const verify::PoseInDoubles& pose) { return rows_of(setup, pose); };
+  const auto solver = [&](const verify::PoseInDoubles& pose, const std::vector<double>&) {
+    return rows_of(setup, pose);
+  };
   const verify::RowCertificate certificate =
-      verify::certify_rows(described, setup.chain.size, solver, certificate_poses);
+      verify::certify_rows(described, {}, setup.chain.size, solver, certificate_poses);
   const nlohmann::json values{{"name", described.name},
                               {"mechanism", emit::lines_of(describe_general(described, derivation))},
                               {"certificate", certificate.text()},

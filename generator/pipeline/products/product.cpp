@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "pipeline/products/product.h"
 
+#include "pipeline/products/arm_angle.h"
 #include "pipeline/products/dynamics.h"
 #include "pipeline/products/inverse.h"
 #include "pipeline/products/jacobian.h"
@@ -20,6 +21,7 @@ const std::vector<Product>& all_products() {
        {},
        nullptr,
        "it is not written in C yet: its steps are calls of templates of the C++ runtime"},
+      {"arm_angle", generate_arm_angle, {}, {}, generate_arm_angle_c},
       {"jacobian", generate_jacobian, {}, {"singularity_measures"}, generate_jacobian_c},
       {"dynamics",
        generate_dynamics_product,

@@ -44,10 +44,11 @@ std::string RowCertificate::text() const {
          " solutions give the pose back to 1e-12 (by sixty digits),\n/// the sampled joints among them.";
 }
 
-RowCertificate certify_rows(const model::Robot& robot, double size, const RowSolver& solver, int poses) {
+RowCertificate certify_rows(const model::Robot& robot, const model::Bindings& geometry, double size,
+                            const RowSolver& solver, int poses) {
   RowCertificate certificate;
   Numbers numbers;
-  model::Bindings constants;
+  model::Bindings constants = geometry;
   for (const std::string& name : model::symbols(robot))
     if (const auto constant = exact::named_value(name)) constants[name] = *constant;
   const Definition definition(robot, constants);
@@ -55,8 +56,10 @@ RowCertificate certify_rows(const model::Robot& robot, double size, const RowSol
     std::vector<Real> q;
     for (std::size_t i = 0; i < robot.joints.size(); ++i) q.emplace_back(cln::cl_R(numbers.between(-3, 3)));
     const Pair pose = definition.pose(q);
+    std::vector<double> sample;
+    for (const Real& value : q) sample.push_back(value.to_double());
     bool sampled = false;
-    for (const std::vector<double>& row : solver(in_doubles(pose))) {
+    for (const std::vector<double>& row : solver(in_doubles(pose), sample)) {
       std::vector<Real> values;
       for (const double x : row) values.emplace_back(x);
       if (!(difference(definition.pose(values), pose, size) < 1e-12))

@@ -6,14 +6,17 @@
 #include <string>
 #include <vector>
 
+#include "model/evaluate.h"
 #include "model/robot.h"
 
 namespace qvgen::verify {
 
 /// A pose in doubles: quaternion w, x, y, z, then position.
 using PoseInDoubles = std::array<double, 7>;
-/// Solves a pose in doubles: joint values of every row.
-using RowSolver = std::function<std::vector<std::vector<double>>(const PoseInDoubles&)>;
+/// Solves a pose in doubles: joint values of every row. A solver that asks for more than a pose takes that
+/// from the sampled joints.
+using RowSolver =
+    std::function<std::vector<std::vector<double>>(const PoseInDoubles&, const std::vector<double>& sampled)>;
 
 struct RowCertificate {
   int poses = 0;
@@ -21,9 +24,11 @@ struct RowCertificate {
   [[nodiscard]] std::string text() const;
 };
 
-/// Runs a numerical solver, the very code that users run, at random joints of an arm in numbers: the sampled
+/// Runs a numerical solver, the very code that users run, at random joints of an arm: the sampled
 /// joints must be among the rows, to 1e-6, and every row must give the pose back to 1e-12, by a forward
 /// kinematics of sixty digits. Throws CertificateError otherwise.
-RowCertificate certify_rows(const model::Robot& robot, double size, const RowSolver& solver, int poses);
+/// `geometry`: values of the arm's symbols.
+RowCertificate certify_rows(const model::Robot& robot, const model::Bindings& geometry, double size,
+                            const RowSolver& solver, int poses);
 
 }  // namespace qvgen::verify

@@ -51,12 +51,16 @@ struct Leaves {
   }
 };
 
+}  // namespace
+
 Values outputs(const dag::Function& function, const Values& values) {
   const std::vector<Real> results = dag::evaluate<Real>(function, Leaves{values});
   Values named;
   for (std::size_t i = 0; i < results.size(); ++i) named[function.outputs[i].name] = results[i];
   return named;
 }
+
+namespace {
 
 class Execution {
  public:

@@ -23,6 +23,9 @@ struct Row {
 /// What certificates of inverse kinematics allow of the sixty digits that they compute with.
 inline constexpr double fifty_digits = 1e-50;
 
+/// Outputs of a function at values of its symbols, in sixty digits.
+Values outputs(const dag::Function& function, const Values& values);
+
 /// Runs a lowered plan step by step in sixty digits, with the building blocks of the runtime: all solutions.
 /// Throws CertificateError if the range test says something else of a circle than its step.
 std::vector<Row> execute(const derive::inverse::LoweredPlan& plan, Values values);

@@ -6,6 +6,7 @@
 #include <qvgen/robots/iiwa14/model.h>
 #include <qvgen/robots/iiwa14/kinematics.h>
 #include <qvgen/robots/iiwa14/inverse.h>
+#include <qvgen/robots/iiwa14/arm_angle.h>
 #include <qvgen/robots/iiwa14/jacobian.h>
 #include <qvgen/robots/iiwa14/dynamics.h>
 
