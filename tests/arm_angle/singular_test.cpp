@@ -126,7 +126,7 @@ TEST_P(ArmAngleSingular, WithinLimitsThereIsASolution) {
     for (const auto& row : found) EXPECT_LT(miss(arm, row.q, pose), 1e-12);
   }
   // Places that are singular twice are single arm angles, which rounding may miss.
-  EXPECT_GE(answered, count > 1 ? 295 : 300);
+  EXPECT_GE(answered, count > 1 ? 290 : 300);
 }
 
 constexpr NamedBuild right_angled[] = {builds[0], builds[1], builds[2], builds[3]};

@@ -51,10 +51,14 @@ bool append_row(const Solver& solver, const JointLimits<7>& limits, const Row& c
   if ((shoulder.within >> (branch / 2 % 2) & wrist.within >> (branch % 2) & 1U) == 0) return false;
   Found one;
   solver.append(swivel, {shoulder.joints, wrist.joints}, branch, one);
-  constexpr std::array<bool, 7> revolute{true, true, true, true, true, true, true};
-  const int before = rows.size();
-  append_within_limits(one, limits, revolute, centre, 1, rows);
-  return rows.size() > before;
+  Row q;
+  for (int i = 0; i < 7; ++i) {
+    const Representatives turns(one[0].q[i], centre[i], limits.lower[i], limits.upper[i], true);
+    if (turns.count() == 0) return false;
+    q[i] = turns[0];
+  }
+  inverse::append(rows, q, branch, one[0].continuum);
+  return true;
 }
 
 /// `choose`: the arm angle to take of each interval, and its distance from the best, by which the intervals

@@ -96,36 +96,61 @@ Circle::Circle(const Solver& solver, const Swivel& swivel, const JointLimits<7>&
     return swivel.wave(solver.goal().rotation * q, turned(axis, swivel.elbow.turn, p), value);
   };
   append_marks(solver.wrist(), ranges_of(limits, 4), wrist_wave, of_wrist);
-  for (const double mark : marks) marks_[static_cast<std::size_t>(count_++)] = mark;
-  for (const double mark : of_wrist) marks_[static_cast<std::size_t>(count_++)] = mark;
-  std::sort(marks_.begin(), marks_.begin() + count_);
+  for (const double mark : marks) marks_[static_cast<std::size_t>(count_++)] = {mark, false};
+  for (const double mark : of_wrist) marks_[static_cast<std::size_t>(count_++)] = {mark, true};
+  std::sort(marks_.begin(), marks_.begin() + count_,
+            [](const Mark& a, const Mark& b) { return a.angle < b.angle; });
 }
 
 double Circle::begin(int arc) const {
   constexpr double turn = 2 * half_turn;
   if (count_ == 0) return arc * turn - half_turn;
-  return marks_[static_cast<std::size_t>(arc % count_)] + (arc / count_) * turn;
-}
-
-unsigned within_limits(const Solver& solver, const Swivel& swivel, const JointLimits<7>& limits, double psi) {
-  const Matrix3<double> upper = swivel.rotation(psi);
-  const unsigned shoulder = fitting(solver.shoulder(), ranges_of(limits, 0), upper, 0, solver.fold()).within;
-  if (shoulder == 0) return 0;
-  const Matrix3<double> rest = wrist_rotation(solver.arm(), solver.goal(), swivel, upper);
-  const unsigned wrist = fitting(solver.wrist(), ranges_of(limits, 4), rest, 0, solver.fold()).within;
-  return ((shoulder & 1U) != 0 ? wrist : 0) | ((shoulder & 2U) != 0 ? wrist << 2U : 0);
+  return marks_[static_cast<std::size_t>(arc % count_)].angle + (arc / count_) * turn;
 }
 
 namespace {
 
-/// Which branches are within the limits, of every arc.
+/// Which branches are within the limits, of every arc: bit 2 s + w for shoulder s and wrist w.
 using Masks = std::array<unsigned, 36>;
+
+/// Which ways to turn shoulder or wrist are within the limits at an arm angle.
+class Halved {
+ public:
+  Halved(const Solver& solver, const Swivel& swivel, const JointLimits<7>& limits)
+      : solver_(solver), swivel_(swivel), shoulder_(ranges_of(limits, 0)), wrist_(ranges_of(limits, 4)) {}
+
+  [[nodiscard]] unsigned shoulder(double psi) const {
+    return fitting(solver_.shoulder(), shoulder_, swivel_.rotation(psi), 0, solver_.fold()).within;
+  }
+  [[nodiscard]] unsigned wrist(double psi) const {
+    const Matrix3<double> rest =
+        wrist_rotation(solver_.arm(), solver_.goal(), swivel_, swivel_.rotation(psi));
+    return fitting(solver_.wrist(), wrist_, rest, 0, solver_.fold()).within;
+  }
+
+ private:
+  const Solver& solver_;
+  const Swivel& swivel_;
+  Ranges shoulder_, wrist_;
+};
 
 Masks masks_of(const Circle& circle, const Solver& solver, const Swivel& swivel,
                const JointLimits<7>& limits) {
+  const Halved halved(solver, swivel, limits);
   Masks masks{};
   const auto at = [&](int arc) -> unsigned& { return masks[static_cast<std::size_t>(arc % circle.arcs())]; };
-  for (int i = 0; i < circle.arcs(); ++i) at(i) = within_limits(solver, swivel, limits, circle.middle(i));
+  // What is narrower is looked at by itself, and so is what comes behind.
+  constexpr double narrow = 1e-9;
+  unsigned shoulder = 0, wrist = 0;
+  bool known = false;
+  for (int i = 0; i < circle.arcs(); ++i) {
+    const double psi = circle.middle(i);
+    const bool alone = circle.width(i) < narrow;
+    if (!known || alone || !circle.is_of_wrist(i)) shoulder = halved.shoulder(psi);
+    if (!known || alone || circle.is_of_wrist(i)) wrist = halved.wrist(psi);
+    known = !alone;
+    at(i) = ((shoulder & 1U) != 0 ? wrist : 0) | ((shoulder & 2U) != 0 ? wrist << 2U : 0);
+  }
   // Between two arcs a single angle is within the limits, whatever rounding makes of it.
   constexpr double point = 1e-14;
   for (int i = 0; i < circle.arcs(); ++i)

@@ -18,14 +18,19 @@ class Circle {
   [[nodiscard]] double begin(int arc) const;
   [[nodiscard]] double middle(int arc) const { return (begin(arc) + begin(arc + 1)) / 2; }
   [[nodiscard]] double width(int arc) const { return begin(arc + 1) - begin(arc); }
+  /// Whether it is something of the wrist that changes where an arc begins, else of the shoulder.
+  [[nodiscard]] bool is_of_wrist(int arc) const {
+    return count_ > 0 && marks_[static_cast<std::size_t>(arc % count_)].of_wrist;
+  }
 
  private:
+  struct Mark {
+    double angle;
+    bool of_wrist;
+  };
   int count_ = 0;
-  std::array<double, 36> marks_{};
+  std::array<Mark, 36> marks_{};
 };
-
-/// Which branches of an elbow are within the limits at an arm angle: bit 2 s + w for shoulder s and wrist w.
-unsigned within_limits(const Solver& solver, const Swivel& swivel, const JointLimits<7>& limits, double psi);
 
 /// Of a pose that has solutions.
 ArmAngleIntervals intervals(const Solver& solver, const JointLimits<7>& limits);

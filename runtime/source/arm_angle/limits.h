@@ -12,6 +12,10 @@ struct Range {
   double lower, upper;
 
   [[nodiscard]] bool admits(double angle) const {
+    if (angle >= lower && angle <= upper) return true;
+    // One turn leads past the other limit: the usual case, told without a quotient.
+    constexpr double turn = 6.283185307179586;
+    if (angle < lower ? angle + turn > upper : angle > upper && angle - turn < lower) return false;
     return Representatives(angle, 0, lower, upper, true).count() > 0;
   }
   /// Some angle is outside, and some inside.

@@ -151,11 +151,10 @@ Goal goal_of(const Arm& arm, const Elbow& elbow, const Pose<double>& pose, const
   if (square > elbow.most_square() + miss || square < elbow.least_square() - miss) return goal;
   goal.low = smaller(not_negative((elbow.most_square() - square) / range), 1.0);
   goal.high = smaller(not_negative((square - elbow.least_square()) / range), 1.0);
-  // What rounding cannot tell from a straight or folded elbow is one, if the wrist stays where it is.
+  // What rounding cannot tell from a straight or folded elbow is one: the wrist is as good as where it was.
   const double distance = std::sqrt(square);
   const double end = std::sqrt(goal.low < goal.high ? elbow.most_square() : elbow.least_square());
-  const bool is_end = smaller(goal.low, goal.high) <= merge_share<double>() &&
-                      std::abs(distance - end) <= 1e-14 * elbow.longest();
+  const bool is_end = std::abs(distance - end) <= 1e-14 * reach;
   if (is_end) {
     goal.low = goal.low < goal.high ? 0 : 1;
     goal.high = 1 - goal.low;
