@@ -67,9 +67,9 @@ void add_generate(CommandLine& line) {
       ->type_name("ROBOT");
   add_output(line, command, "folder to write to: files of it that qvgen has not written are never touched");
   command
-      .add_option(
-          "--only", generate.parts,
-          "parts to generate: kinematics,jacobian,...; all without, but moveit_plugin, a ROS 2 package")
+      .add_option("--only", generate.parts,
+                  "parts to generate: kinematics,jacobian,...; all without, but c_inverse, a C header for "
+                  "the C++, and moveit_plugin, a ROS 2 package")
       ->type_name("PARTS")
       ->allow_extra_args(false)
       ->delimiter(',');

@@ -35,11 +35,14 @@ std::vector<std::string> names_in(const fs::path& robots) {
   return names;
 }
 
+/// A folder may have the name of a robot.
+bool is_file(const fs::path& path) { return fs::exists(path) && !fs::is_directory(path); }
+
 /// A robot by name or by file. What looks like a file is one, and whoever reads it says if it is not there.
 fs::path description_of(const std::string& robot, const fs::path& robots) {
   const fs::path named = robots / (robot + ".toml");
   const bool is_path = robot.find('/') != std::string::npos || fs::path(robot).has_extension();
-  if (fs::exists(robot) || is_path) return robot;
+  if (is_file(robot) || is_path) return robot;
   if (!fs::exists(named))
     throw UsageError(
         with_suggestion("there is no file and no known robot '" + robot + "'", robot, names_in(robots)));
@@ -72,8 +75,7 @@ bool is_inside(const fs::path& path, const fs::path& folder) {
 fs::path default_output(const Installation& here, const std::vector<std::string>& files) {
   const fs::path current = fs::current_path();
   if (!here.source_tree || !is_inside(current, *here.source_tree)) return "generated";
-  const bool own =
-      std::none_of(files.begin(), files.end(), [](const auto& file) { return fs::exists(file); });
+  const bool own = std::none_of(files.begin(), files.end(), [](const auto& file) { return is_file(file); });
   if (own) return *here.source_tree / "generated";
   if (fs::weakly_canonical(current / "generated") != fs::weakly_canonical(*here.source_tree / "generated"))
     return "generated";

@@ -28,6 +28,13 @@ TEST_F(CommandLine, NamesFunctionsWithoutCountsToo) {
   EXPECT_FALSE(has(run("show scara" + rest), "inverse_kinematics_near"));
 }
 
+TEST_F(CommandLine, AFolderWithARobotsNameHidesNoRobot) {
+  fs::create_directories(folder / "ns");
+  fs::create_directories(folder / "nss");
+  EXPECT_EQ(run_in(folder, "show ns").code, 0);
+  EXPECT_TRUE(has(run_in(folder, "show nss"), "there is no file and no known robot 'nss'"));
+}
+
 TEST_F(CommandLine, ShowsTheClosedForm) {
   const ToolRun text = run("show ss");
   EXPECT_EQ(text.code, 0);

@@ -2,6 +2,7 @@
 #include "pipeline/products/product.h"
 
 #include "pipeline/products/arm_angle.h"
+#include "pipeline/products/c_inverse.h"
 #include "pipeline/products/dynamics.h"
 #include "pipeline/products/inverse.h"
 #include "pipeline/products/jacobian.h"
@@ -20,7 +21,7 @@ const std::vector<Product>& all_products() {
        {},
        {},
        nullptr,
-       "it is not written in C yet: its steps are calls of templates of the C++ runtime"},
+       "it is not written in C yet: --only c_inverse, without --language, makes a C header for the C++"},
       {"arm_angle", generate_arm_angle, {}, {}, generate_arm_angle_c},
       {"jacobian", generate_jacobian, {}, {"singularity_measures"}, generate_jacobian_c},
       {"dynamics",
@@ -32,7 +33,8 @@ const std::vector<Product>& all_products() {
 }
 
 const std::vector<Extra>& all_extras() {
-  static const std::vector<Extra> extras{{"moveit_plugin", {"kinematics", "inverse"}, add_moveit_plugin}};
+  static const std::vector<Extra> extras{{"c_inverse", {"inverse"}, add_c_inverse},
+                                         {"moveit_plugin", {"kinematics", "inverse"}, add_moveit_plugin}};
   return extras;
 }
 
