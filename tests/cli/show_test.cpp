@@ -25,6 +25,7 @@ TEST_F(CommandLine, NamesFunctionsWithoutCountsToo) {
   const std::string rest = " --functions --output " QVGEN_SOURCE_DIR "/generated";
   EXPECT_TRUE(has(run("show crx10ia" + rest), "\ninverse_kinematics\ninverse_kinematics_near\n"));
   EXPECT_TRUE(has(run("show iiwa14" + rest), "\ninverse_kinematics_near_given_theta3\n"));
+  EXPECT_TRUE(has(run("show iiwa14" + rest), "\ninverse_kinematics_arm_angle\n"));
   EXPECT_FALSE(has(run("show scara" + rest), "inverse_kinematics_near"));
 }
 

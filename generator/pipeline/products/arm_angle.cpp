@@ -101,6 +101,9 @@ void generate_arm_angle(const model::Robot& described, RobotOutput& output) {
       {"include/qvgen/robots/" + described.name + "/arm_angle.h", emit::render("arm_angle.h", values)});
   output.files.push_back(
       {"source/" + described.name + "/arm_angle.cpp", emit::render("arm_angle.cpp", values)});
+  // Not counted, but listed with the functions that are.
+  for (const char* function : {"arm_angle", "inverse_kinematics_arm_angle", "arm_angle_intervals"})
+    output.counts[function] = nlohmann::ordered_json::object();
 }
 
 void generate_arm_angle_c(const model::Robot& robot, RobotOutput& output) {
