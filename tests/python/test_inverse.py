@@ -178,6 +178,35 @@ def test_seven_joints(iiwa14, rows):
     np.testing.assert_allclose(near.q, q, atol=1e-9)
 
 
+def test_arm_angle(iiwa14, rows):
+    q = rows(iiwa14)
+    poses = iiwa14.forward_kinematics(q)
+    for reference in ("conventional", "stereographic"):
+        psi = iiwa14.arm_angle(q, reference=reference)
+        assert psi.shape == (50,) and (np.abs(psi) <= np.pi).all()
+        found = iiwa14.inverse_kinematics_arm_angle(poses, psi, q, reference=reference)
+        assert solved(found) and (found.count == 8).all()
+        np.testing.assert_allclose(found.q[:, 0], q, atol=1e-9)
+        unsorted = iiwa14.inverse_kinematics_arm_angle(poses[0], psi[0], reference=reference)
+        assert_poses(iiwa14, qvgen.Solutions(*(field[None] for field in unsorted)), poses[:1])
+    with pytest.raises(ValueError, match="reference: neither"):
+        iiwa14.arm_angle(q, reference="elbow")
+
+
+def test_seven_joints_within_limits(iiwa14, rows):
+    lower, upper = np.full(7, -2.0), np.full(7, 2.0)
+    q = rows(iiwa14)
+    poses = iiwa14.forward_kinematics(q)
+    for found in (iiwa14.inverse_kinematics(poses, limits=(lower, upper)),
+                  iiwa14.inverse_kinematics(poses, q, limits=(lower, upper))):
+        assert (found.count > 0).all()
+        assert_poses(iiwa14, found, poses)
+        assert (((found.q >= lower) & (found.q <= upper)) | np.isnan(found.q)).all()
+    np.testing.assert_allclose(found.q[:, 0], q, atol=1e-7)
+    with pytest.raises(ValueError, match="limits"):
+        iiwa14.inverse_kinematics(poses, limits=None)
+
+
 def test_elimination(crx10ia, rows):
     q = rows(crx10ia)
     found = crx10ia.inverse_kinematics(crx10ia.forward_kinematics(q), q)

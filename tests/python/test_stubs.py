@@ -49,7 +49,13 @@ def test_functions(ns, arm):
                 positional[0] = "pose"  # the stub's comment: a module says `target` where it takes less too
             assert stubs[name] == (positional, only, defaults), name
             seen.add(name)
-    assert seen == set(stubs)
+    assert set(stubs) - seen == {"arm_angle", "inverse_kinematics_arm_angle"}
+
+
+def test_functions_of_the_arm_angle(iiwa14):
+    stubs = signatures_of_stubs()
+    for name in ("arm_angle", "inverse_kinematics_arm_angle"):
+        assert stubs[name] == signature_of(getattr(iiwa14, name)), name
 
 
 def test_values(arm):

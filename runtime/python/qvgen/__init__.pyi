@@ -32,6 +32,7 @@ class NearSolution(NamedTuple):
 
 _Constants = dict[str, float] | None
 _Limits = Literal["description"] | tuple[ArrayLike, ArrayLike] | None
+_Reference = Literal["conventional", "stereographic"]
 _Result = NDArray[float64] | NDArray[float32]
 _Out = NDArray[float64] | NDArray[float32] | None
 
@@ -146,6 +147,14 @@ class Robot(Protocol):
         self, pose: ArrayLike, seed: ArrayLike, *, path: bool = False, geometry: _Constants = None,
         tolerance: float = 1e-13,
     ) -> NearSolution: ...
+    # Of seven joints around a spherical shoulder and wrist; their inverse_kinematics has limits="description".
+    def arm_angle(
+        self, q: ArrayLike, *, reference: _Reference = "conventional", geometry: _Constants = None,
+    ) -> NDArray[float64]: ...
+    def inverse_kinematics_arm_angle(
+        self, pose: ArrayLike, psi: ArrayLike, seed: ArrayLike | None = None, *, reference: _Reference = "conventional",
+        geometry: _Constants = None, tolerance: float = 1e-13,
+    ) -> Solutions: ...
     def __getattr__(self, name: str) -> Any: ...
 
 def cache_folder() -> pathlib.Path: ...

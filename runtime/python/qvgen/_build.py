@@ -119,6 +119,8 @@ def _functions(entry):
     targets = entry.get("targets", {})
     names = [name for name in entry if name not in ("missing", "targets")]
     functions = {name: "here" if name in BOUND or name in targets else "in C++ only" for name in [*names, *targets]}
+    if "arm_angle" in entry:
+        functions["inverse_kinematics"] = "here"  # within limits, at any arm angle
     missing = {part["part"]: part["reason"] for part in entry.get("missing", [])}
     return {**functions, **missing}, targets
 

@@ -41,6 +41,84 @@ NEAR = """  m.def("{name}",
         R"({doc})");
 """
 
+ARM_ANGLE = """  m.def("arm_angle",
+        [](const py::object& q, const std::string& reference, const py::object& geometry) {{
+          const auto g = constants<arm::Geometry>(geometry, arm::geometry_names, "geometry");
+          const auto counted_from = reference_of(reference);
+          return each_row<double>({{Rows<double>(q, {{arm::dof}}, "q")}}, {{}}, py::none(), [&](const double* const* row) {{
+            return arm::arm_angle(vector<qvgen::Joints<arm::dof>>(row[0]), counted_from, g);
+          }});
+        }},
+        py::arg("q"), py::kw_only(), py::arg("reference") = "conventional", py::arg("geometry") = py::none(),
+        R"({angle_doc})");
+  m.def("inverse_kinematics_arm_angle",
+        [](const py::object& pose, const py::object& psi, const py::object& seed, const std::string& reference,
+           const py::object& geometry, double tolerance) {{
+          const auto g = constants<arm::Geometry>(geometry, arm::geometry_names, "geometry");
+          const auto counted_from = reference_of(reference);
+          std::vector<Rows<double>> rows{{Rows<double>(pose, {{7}}, "pose"), Rows<double>(psi, {{}}, "psi")}};
+          const auto target = [](const double* const* row) {{ return TargetOf<qvgen::Pose<double>>::read(row[0]); }};
+          if (seed.is_none())
+            return each_solution<arm::dof>(rows, [&](const double* const* row) {{
+              return arm::inverse_kinematics_arm_angle(target(row), row[1][0], counted_from, g, tolerance);
+            }});
+          rows.emplace_back(seed, Shape{{arm::dof}}, "seed");
+          return each_solution<arm::dof>(rows, [&](const double* const* row) {{
+            return arm::inverse_kinematics_arm_angle(target(row), row[1][0], vector<qvgen::Joints<arm::dof>>(row[2]),
+                                                     counted_from, g, tolerance);
+          }});
+        }},
+        py::arg("pose"), py::arg("psi"), py::arg("seed") = py::none(), py::kw_only(),
+        py::arg("reference") = "conventional", py::arg("geometry") = py::none(),
+        py::arg("tolerance") = qvgen::inverse::default_tolerance, R"({solutions_doc})");
+  m.def("inverse_kinematics",
+        [](const py::object& pose, const py::object& seed, const py::object& limits, const py::object& geometry,
+           double tolerance) {{
+          const auto g = constants<arm::Geometry>(geometry, arm::geometry_names, "geometry");
+          const auto bounds = limits_of<arm::Limits, arm::dof>(limits);
+          if (!bounds) throw py::value_error("limits: \\"description\\", or a pair (lower, upper)");
+          std::vector<Rows<double>> rows{{Rows<double>(pose, {{7}}, "pose")}};
+          const auto target = [](const double* const* row) {{ return TargetOf<qvgen::Pose<double>>::read(row[0]); }};
+          if (seed.is_none())
+            return each_solution<arm::dof>(rows, [&](const double* const* row) {{
+              return arm::inverse_kinematics(target(row), *bounds, qvgen::ArmAngleReference(), g, tolerance);
+            }});
+          rows.emplace_back(seed, Shape{{arm::dof}}, "seed");
+          return each_solution<arm::dof>(rows, [&](const double* const* row) {{
+            return arm::inverse_kinematics(target(row), vector<qvgen::Joints<arm::dof>>(row[1]), *bounds,
+                                           qvgen::ArmAngleReference(), g, tolerance);
+          }});
+        }},
+        py::arg("pose"), py::arg("seed") = py::none(), py::kw_only(), py::arg("limits") = "description",
+        py::arg("geometry") = py::none(), py::arg("tolerance") = qvgen::inverse::default_tolerance, R"({limits_doc})");
+"""
+
+REFERENCE_DOC = 'reference: "conventional": counted from a fixed direction, or "stereographic": from one that turns along'
+
+ANGLE_DOC = f"""Arm angle of joint values, rad in (-pi, pi]: the turn of the elbow about the line from shoulder to wrist.
+
+q: (dof,) or (n, dof), joint positions, rad
+{REFERENCE_DOC}
+geometry: values of constants of the description, by name
+Returns float64 of the shape (), a batch axis in front if q has one."""
+
+ANGLE_SOLUTIONS_DOC = """All joint values that bring the tool to a pose with an arm angle.
+
+pose: (7,) or (n, 7), {pose}
+psi: () or (n,), arm angle, rad
+seed: (dof,) or (n, dof): solutions are sorted by their distance from it, free joints are taken from it
+{reference}
+{common}
+Returns qvgen.Solutions, with a batch axis in front of each field if an argument has one."""
+
+ANGLE_LIMITS_DOC = """Joint values within limits that bring the tool to a pose, wherever there are any: one row for each branch.
+
+pose: (7,) or (n, 7), {pose}
+seed: (dof,) or (n, dof): the arm angle nearest to its, the nearest row first; without: the one farthest from the limits
+limits: "description": the description's; (lower, upper): two rows of dof numbers
+{common}
+Returns qvgen.Solutions, with a batch axis in front of each field if an argument has one."""
+
 COMMON_DOC = """geometry: values of constants of the description, by name
 tolerance: how far beyond the boundary of reach, as a share of the arm's size, a pose is still solved"""
 
@@ -84,3 +162,13 @@ def inverse_source(name, taken):
     return ALL.format(**values, solutions=f"solutions_of{either}<{kind}, arm::dof, {has_given}>",
                       label="" if either else f'"{target}", ',
                       doc=ALL_DOC.format(targets=_targets_doc(target, taken, given), common=COMMON_DOC))
+
+
+def arm_angle_source():
+    """C++ that binds what arms with a spherical shoulder and wrist have."""
+    return ARM_ANGLE.format(
+        angle_doc=ANGLE_DOC, limits_doc=ANGLE_LIMITS_DOC.format(pose=POSE, common=COMMON_DOC),
+        solutions_doc=ANGLE_SOLUTIONS_DOC.format(pose=POSE, reference=REFERENCE_DOC, common=COMMON_DOC))
+
+
+ARM_ANGLE_FUNCTIONS = ("arm_angle", "inverse_kinematics_arm_angle")

@@ -3,7 +3,7 @@
 
 import json
 
-from ._inverse_source import POSE, inverse_source
+from ._inverse_source import ARM_ANGLE_FUNCTIONS, POSE, arm_angle_source, inverse_source
 
 # name: length of a row, its type in C++, what it is
 ARGUMENTS = {
@@ -53,7 +53,7 @@ WITH_GRAVITY = {"inverse_dynamics", "forward_dynamics", "gravity_torque", "poten
 # header beside the umbrella's: functions that need it
 HEADERS = {"dynamics_loads": {name for name in DYNAMICS if "_with_" in name}, "regressor": {"regressor"}}
 
-BOUND = {*KINEMATICS, *DYNAMICS}
+BOUND = {*KINEMATICS, *DYNAMICS, *ARM_ANGLE_FUNCTIONS}
 
 HEAD = """// SPDX-License-Identifier: MIT
 #include <qvgen/robots/{robot}.h>
@@ -146,4 +146,5 @@ def binding_source(robot, functions, targets):
         for name, (arguments, shape, line) in table.items():
             if name in here:
                 text += _function(name, arguments, shape, line, dynamics)
+    text += arm_angle_source() if "arm_angle" in here else ""
     return text + "".join(inverse_source(name, taken) for name, taken in targets.items()) + "}\n"

@@ -4,6 +4,7 @@
 #include <limits>
 #include <optional>
 
+#include <qvgen/inverse/arm_angle.h>
 #include <qvgen/inverse/choose.h>
 #include <qvgen/inverse/solutions.h>
 #include <qvgen/inverse/tasks.h>
@@ -71,6 +72,12 @@ std::optional<JointLimits<dof>> limits_of(const py::object& given) {
     return vector<Joints<dof>>(rows[0]);
   };
   return JointLimits<dof>{row(0, "lower limits"), row(1, "upper limits")};
+}
+
+inline ArmAngleReference reference_of(const std::string& name) {
+  if (name == "conventional") return ArmAngleReference::conventional();
+  if (name == "stereographic") return ArmAngleReference::stereographic();
+  throw py::value_error("reference: neither \"conventional\" nor \"stereographic\"");
 }
 
 template <class Found>
