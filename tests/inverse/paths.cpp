@@ -44,35 +44,61 @@ Path Path::through(Case& test, const Eigen::VectorXd& singular) {
   return path;
 }
 
-Followed follow(const Case& test, const Path& path, const Nearest& nearest) {
-  Followed result;
-  std::ostringstream text;
-  text.precision(17);
-  Eigen::VectorXd seed = path.joints.front();
+namespace {
+
+/// Follows a path from seed to seed.
+class Follower {
+ public:
+  Follower(const Case& test, const Nearest& nearest, Eigen::VectorXd seed)
+      : test_(test), nearest_(nearest), seed_(std::move(seed)) {}
+
+  /// One step, to where the path's own joints are so. Whether it was short enough, and the pose held.
+  bool go_to(const Eigen::VectorXd& own, double step) {
+    const Pose<double> pose = Pose<double>::from_isometry(test_.tool(own));
+    const auto found = nearest_(pose, test_.given(own), seed_);
+    text_.str("");
+    text_.precision(17);
+    text_ << "the path's " << own.transpose() << "; seed " << seed_.transpose() << "; ";
+    if (!found) {
+      text_ << "no solution";
+      return false;
+    }
+    const double way = test_.distance(seed_, *found);
+    const double miss = test_.miss(*found, pose.isometry()).largest() / (1e-12 * (1 + pose.position.norm()));
+    text_ << "found " << found->transpose() << "; step " << step << ", way " << way << ", miss " << miss;
+    if (!(miss < 1 && way <= factor * step + slack)) return false;
+    seed_ = *found;
+    return true;
+  }
+
+  /// The same in halves, as long as a step is too long: a branch beside the path's may be faster than it.
+  bool go_in_halves(const Eigen::VectorXd& from, const Eigen::VectorXd& to, int times) {
+    if (go_to(to, test_.distance(from, to))) return true;
+    if (times == 0) return false;
+    const Eigen::VectorXd middle = (from + to) / 2;
+    return go_in_halves(from, middle, times - 1) && go_in_halves(middle, to, times - 1);
+  }
+
+  [[nodiscard]] std::string text() const { return test_.robot().name + ": " + text_.str(); }
+
+ private:
+  const Case& test_;
+  const Nearest& nearest_;
+  Eigen::VectorXd seed_;
+  std::ostringstream text_;
+};
+
+}  // namespace
+
+std::string fault_along(const Case& test, const Path& path, const Nearest& nearest) {
+  Follower follower(test, nearest, path.joints.front());
   for (std::size_t i = 0; i < path.joints.size(); ++i) {
     const Eigen::VectorXd& own = path.joints[i];
-    const Pose<double> pose = Pose<double>::from_isometry(test.tool(own));
-    const auto found = nearest(pose, test.given(own), seed);
-    if (!found) {
-      text << test.robot().name << ": no solution at place " << i << "; the path's " << own.transpose()
-           << "; seed " << seed.transpose();
-      result.fault = text.str();
-      return result;
-    }
-    const double step = i == 0 ? 0 : test.distance(path.joints[i - 1], own);
-    const double way = test.distance(seed, *found);
-    const double miss = test.miss(*found, pose.isometry()).largest() / (1e-12 * (1 + pose.position.norm()));
-    result.miss = std::max(result.miss, miss);
-    result.jump = std::max(result.jump, way - factor * step - slack);
-    if (result.fault.empty() && !(way <= factor * step + slack && miss < 1)) {
-      text << test.robot().name << ": place " << i << " of " << path.joints.size() << ", step " << step
-           << ", way " << way << ", miss " << miss << "; the path's " << own.transpose() << "; seed "
-           << seed.transpose() << "; found " << found->transpose();
-      result.fault = text.str();
-    }
-    seed = *found;
+    const Eigen::VectorXd& before = path.joints[i == 0 ? 0 : i - 1];
+    if (follower.go_in_halves(before, own, 12)) continue;
+    return "place " + std::to_string(i) + ", " + follower.text();
   }
-  return result;
+  return "";
 }
 
 }  // namespace qvgen::test

@@ -17,18 +17,12 @@ struct Path {
   static Path through(Case& test, const Eigen::VectorXd& singular);
 };
 
-/// What came of a path that was followed from its first joints on, each answer the seed of the next pose.
-struct Followed {
-  double jump = 0;    ///< the longest way of a joint from answer to answer beyond what is allowed, rad or m
-  double miss = 0;    ///< of a pose, as a share of what is allowed
-  std::string fault;  ///< the first thing wrong, in words; empty if all is right
-};
-
 /// One solution next to a seed; nothing if there is none.
 using Nearest = std::function<std::optional<Eigen::VectorXd>(const Pose<double>&, double given,
                                                              const Eigen::VectorXd& seed)>;
 
-/// Follows a path. A step may be as long as `factor` times the path's own, and by `slack` longer.
-Followed follow(const Case& test, const Path& path, const Nearest& nearest);
+/// Follows a path from its first joints on, each answer the seed of the next pose: the first thing wrong, in
+/// words; empty if all is right. A step is a jump if it is too long and stays so in halves of halves.
+std::string fault_along(const Case& test, const Path& path, const Nearest& nearest);
 
 }  // namespace qvgen::test

@@ -41,10 +41,10 @@ class WrittenArm : public Inverse {
       for (int i = 0; i < pose_count() / 50; ++i) {
         const std::optional<Sample> sample = draw(pose_set(name), i);
         if (!sample) continue;
-        const Followed followed = follow(test(), Path::through(test(), sample->q), nearest);
+        const std::string fault = fault_along(test(), Path::through(test(), sample->q), nearest);
         ++paths;
-        faults += followed.fault.empty() ? 0 : 1;
-        if (first.empty()) first = followed.fault;
+        faults += fault.empty() ? 0 : 1;
+        if (first.empty()) first = fault;
       }
     EXPECT_LE(faults, paths / 20) << first;
     if (faults > 0) std::printf("%s: %d of %d paths jump\n", GetParam().name.c_str(), faults, paths);

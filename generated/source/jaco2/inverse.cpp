@@ -313,7 +313,7 @@ LimitedSolutions<dof, 16, 1> inverse_kinematics(const Pose<double>& pose, const 
   return nearest_within_limits(inverse_kinematics(pose, seed, g, tolerance), limits, is_revolute, seed);
 }
 
-NearSolution inverse_kinematics_near(const Pose<double>& pose, const JointVector<double>& seed, const Geometry& /*g*/,
+NearSolution inverse_kinematics_near(const Pose<double>& pose, const JointVector<double>& seed, const Geometry& g,
     double tolerance) {
   NearSolution found;
   if (!seed.allFinite()) {
@@ -321,6 +321,7 @@ NearSolution inverse_kinematics_near(const Pose<double>& pose, const JointVector
     return found;
   }
   inverse::general::solve_near_seed(detail::setup, pose, tolerance, inverse::preference<dof>(seed), found);
+  if (found.status == Status::incomplete) inverse::take_nearest(inverse_kinematics(pose, seed, g, tolerance), found);
   inverse::unwind(found, seed, is_revolute);
   return found;
 }

@@ -10,6 +10,7 @@
 
 #include <qvgen/inverse/request.h>
 #include <qvgen/inverse/seed_branch.h>
+#include <qvgen/inverse/whole_arm.h>
 
 #include "inverse_steps.h"
 
@@ -215,20 +216,87 @@ Rows rows_of(const Pose<double>& pose, const Geometry& g, double tolerance, cons
   return;
 }
 
-void solve_near_seed(const Pose<double>& pose, const Target& given, NearSolution& found) {
+/// The target of a pose that may be in reach; otherwise says why it is not.
+bool is_open(const Pose<double>& pose, Target& t, NearSolution& found) {
   const inverse::PoseNumbers numbers = inverse::numbers_of(pose);
   const double excess = inverse::unit_excess(numbers);
-  if (inverse::outlook(numbers, excess, farthest, given.tolerance) != inverse::Outlook::open) {
+  if (inverse::outlook(numbers, excess, farthest, t.tolerance) != inverse::Outlook::open) {
     found.status = inverse::status_beyond(pose);
-    return;
+    return false;
   }
-  Target t = given;
   aim(numbers, excess, t);
+  return true;
+}
+
+/// Returns whether rounding has decided nothing.
+bool solve_near_seed(const Target& t, NearSolution& found) {
   const auto follow = [&](inverse::Forks& forks, NearSolution& row) { return follow_seed(t, forks, row); };
-  if (inverse::follow_forks(*t.preference, is_revolute.data(), follow, found)) return found.conclude();
-  found.clear();
-  inverse::follow_forks_carefully(t, inverse::SeedTracker<double, 3>(), is_revolute.data(), polish_near_seed, found);
-  found.conclude();
+  const bool is_sure = inverse::follow_forks(*t.preference, is_revolute.data(), follow, found);
+  if (!is_sure) found.clear();
+  return is_sure;
+}
+
+inverse::ArmAtZero<dof> arm_at_zero(const Geometry& g) {
+  using Scalar = double;
+  using std::sqrt;
+  const double t0 = g.d4 - g.h1;
+  const double axis1_x = Scalar(0);
+  const double axis1_y = Scalar(0);
+  const double axis1_z = Scalar(1);
+  const double point1_x = Scalar(0);
+  const double point1_y = Scalar(0);
+  const double point1_z = g.h1;
+  const double axis2_x = Scalar(0);
+  const double axis2_y = Scalar(1);
+  const double axis2_z = Scalar(0);
+  const double point2_x = Scalar(0);
+  const double point2_y = g.d2;
+  const double point2_z = g.h1;
+  const double axis3_x = Scalar(0);
+  const double axis3_y = Scalar(1);
+  const double axis3_z = Scalar(0);
+  const double point3_x = g.l2;
+  const double point3_y = g.d2;
+  const double point3_z = g.h1;
+  const double axis4_x = Scalar(0);
+  const double axis4_y = Scalar(0);
+  const double axis4_z = -Scalar(1);
+  const double point4_x = g.l2;
+  const double point4_y = g.d2;
+  const double point4_z = -t0;
+  const double axis5_x = Scalar(0);
+  const double axis5_y = Scalar(1);
+  const double axis5_z = Scalar(0);
+  const double point5_x = g.l2;
+  const double point5_y = g.d2;
+  const double point5_z = -t0;
+  const double axis6_x = Scalar(0);
+  const double axis6_y = Scalar(0);
+  const double axis6_z = -Scalar(1);
+  const double point6_x = g.l2;
+  const double point6_y = g.d2;
+  const double point6_z = -t0;
+  const double turn_w = Scalar(1);
+  const double turn_x = Scalar(0);
+  const double turn_y = Scalar(0);
+  const double turn_z = Scalar(0);
+  const double place_x = g.l2;
+  const double place_y = g.d2;
+  const double place_z = -t0;
+  return { { {
+      {true, {axis1_x, axis1_y, axis1_z}, {point1_x, point1_y, point1_z}},
+      {true, {axis2_x, axis2_y, axis2_z}, {point2_x, point2_y, point2_z}},
+      {true, {axis3_x, axis3_y, axis3_z}, {point3_x, point3_y, point3_z}},
+      {true, {axis4_x, axis4_y, axis4_z}, {point4_x, point4_y, point4_z}},
+      {true, {axis5_x, axis5_y, axis5_z}, {point5_x, point5_y, point5_z}},
+      {true, {axis6_x, axis6_y, axis6_z}, {point6_x, point6_y, point6_z}},
+  } }, {Eigen::Quaterniond(turn_w, turn_x, turn_y, turn_z), Vector3<double>(place_x, place_y, place_z)} };
+}
+
+/// From the seed by Newton steps of all joints.
+void follow_whole_arm(const Pose<double>& pose, const inverse::Preference<dof>& seed, const Geometry& g,
+    double tolerance, bool is_sure, NearSolution& found) {
+  inverse::follow_whole_arm<3>(arm_at_zero(g), pose, seed, tolerance, is_revolute.data(), is_sure, found);
 }
 
 }  // namespace
@@ -250,6 +318,9 @@ Solutions inverse_kinematics(const Pose<double>& pose, const JointVector<double>
   const auto preference = inverse::preference<dof>(seed);
   Solutions found = detail::all::rows_of(pose, g, tolerance, preference, inverse::Form::fastest);
   sort_by_distance(found, seed, is_revolute);
+  const auto follow = [&](bool is_sure, NearSolution& nearest) {
+      detail::all::follow_whole_arm(pose, preference, g, tolerance, is_sure, nearest); };
+  inverse::add_row_at_seed(preference, is_revolute.data(), follow, found);
   return found;
 }
 
@@ -283,8 +354,20 @@ NearSolution inverse_kinematics_near(const Pose<double>& pose, const JointVector
   }
   const inverse::Preference<dof> preference = inverse::preference<dof>(seed);
 
-  solve_near_seed(pose, given(g, tolerance, preference), found);
+  Target t = given(g, tolerance, preference);
+  if (is_open(pose, t, found)) {
+    const bool is_sure = solve_near_seed(t, found);
 
+    if (!inverse::is_next_to(found, preference, is_revolute.data()))
+      follow_whole_arm(pose, preference, g, tolerance, is_sure, found);
+    if (!is_sure && !inverse::is_next_to(found, preference, is_revolute.data())) {
+      NearSolution row;
+      inverse::follow_forks_carefully(t, inverse::SeedTracker<double, 3>(), is_revolute.data(), polish_near_seed, row);
+
+      inverse::take_nearer(row, preference, is_revolute.data(), found);
+    }
+    found.conclude();
+  }
   if (found.empty() && found.status != Status::invalid) inverse::take_nearest(inverse_kinematics(pose, seed, g,
       tolerance), found);
   inverse::unwind(found, seed, is_revolute);

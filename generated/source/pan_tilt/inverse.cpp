@@ -157,6 +157,7 @@ Solutions inverse_kinematics(const Direction<double>& task, const JointVector<do
   Solutions found = inverse::own_joints<dof>(detail::all::rows_of(pose, g, tolerance, preference,
       inverse::Form::fastest));
   sort_by_distance(found, seed, is_revolute);
+
   return found;
 }
 
@@ -190,6 +191,7 @@ Solutions inverse_kinematics(const Pose<double>& pose, const JointVector<double>
   Solutions found = inverse::reaching<3, dof, 3>(pose, arm, tolerance, preference,
       [&](const auto& chosen) { return detail::all::rows_of(pose, g, tolerance, chosen, inverse::Form::fastest); });
   sort_by_distance(found, seed, is_revolute);
+
   return found;
 }
 

@@ -177,6 +177,7 @@ Solutions inverse_kinematics(const PositionAndYaw<double>& task, const JointVect
   const auto preference = inverse::preference<dof>(seed);
   Solutions found = detail::all::rows_of(pose, g, tolerance, preference, inverse::Form::fastest);
   sort_by_distance(found, seed, is_revolute);
+
   return found;
 }
 
@@ -210,6 +211,7 @@ Solutions inverse_kinematics(const Pose<double>& pose, const JointVector<double>
   Solutions found = inverse::reaching<3, dof, 4>(pose, arm, tolerance, preference,
       [&](const auto& chosen) { return detail::all::rows_of(pose, g, tolerance, chosen, inverse::Form::fastest); });
   sort_by_distance(found, seed, is_revolute);
+
   return found;
 }
 

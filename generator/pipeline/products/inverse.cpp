@@ -171,12 +171,14 @@ json variant(const model::Robot& described, const derive::inverse::Derivation& d
   const std::size_t joints = std::max<std::size_t>(polished_joints(derived), 1);
   const int branches = polished_branches(derived);
   const qvgen::inverse::Budget most = qvgen::inverse::most_effort(static_cast<int>(joints), branches);
+  const json near = seed_branch(problem, plan);
   json values{
       {"space", locked ? "given_" + given : "all"},
       {"function", function},
       {"near_function", "inverse_kinematics_near" + (locked ? "_given_" + given : "")},
-      {"seed_branch", seed_branch(problem, plan)},
-      {"near_steps", qvgen::inverse::near_effort.steps},
+      {"seed_branch", near},
+      {"near_steps", 2 * qvgen::inverse::near_effort.steps},
+      {"near_points", problem.task == model::Task::position ? 1 : 3},
       {"solutions", locked ? "SolutionsGiven_" + given : "Solutions"},
       {"info", locked ? "inverse_info_given_" + given : "inverse_info"},
       {"task", model::task_name(problem.task)},
@@ -251,8 +253,11 @@ void generate_inverse(const model::Robot& described, RobotOutput& output) {
     add_targets(form.problem.task, values["variants"].back(), targets);
   }
   output.counts["targets"] = targets;
-  values["checks"] = std::any_of(values["variants"].begin(), values["variants"].end(),
-                                 [](const json& each) { return each["arm"].is_object(); });
+  const auto any_variant = [&](const auto& is) {
+    return std::any_of(values["variants"].begin(), values["variants"].end(), is);
+  };
+  values["checks"] = any_variant([](const json& each) { return each["checks_rows"].get<bool>(); });
+  values["near"] = any_variant([](const json& each) { return each["seed_branch"].is_object(); });
   output.files.push_back(
       {"include/qvgen/robots/" + described.name + "/inverse.h", emit::render("inverse.h", values)});
   const std::string sources = "source/" + described.name + "/";

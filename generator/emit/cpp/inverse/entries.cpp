@@ -171,7 +171,8 @@ void add_entries(const model::Robot& robot, const derive::inverse::Derivation& d
   const bool directed = task == Task::direction || task == Task::position_and_direction;
   variant["tool_axis"] = directed ? "{" + numbers_of(problem.tool_axis) + "}" : "{}";
   const bool plain = problem.filter == Filter::none && (task == Task::pose || position_only);
-  variant["arm"] = plain ? json(false) : arm_values(robot);
+  variant["checks_rows"] = !plain;
+  variant["arm"] = plain && !variant["seed_branch"].is_object() ? json(false) : arm_values(robot);
 }
 
 }  // namespace qvgen::emit

@@ -4,7 +4,7 @@
 #include <qvgen/inverse/choose.h>
 #include <qvgen/inverse/continuum.h>
 #include <qvgen/inverse/near_singular.h>
-#include <qvgen/inverse/tasks.h>
+#include <qvgen/inverse/whole_arm.h>
 
 namespace qvgen::inverse {
 
@@ -32,21 +32,8 @@ Preference<row> row_preference(const Joints<dof>& seed) {
 template <int points, int dof, int capacity>
 class Reaching {
  public:
-  Reaching(const Pose<double>& pose, const ArmAtZero<dof>& arm, double tolerance) : tolerance_(tolerance) {
-    const Pose<double> moved = pose.normalised() * arm.tool.inverse();
-    const double square = pose.position.squaredNorm() + arm.tool.position.squaredNorm();
-    // Of an arm without size: any length serves to measure turns by.
-    const double size = square > 0 ? std::sqrt(square) : 1;
-    task_.arm = arm.joints;
-    task_.size_square = size * size;
-    for (int i = 0; i < points; ++i) {
-      Vector3<double> start = arm.tool.position;
-      if (i > 0) start[i - 1] += size;
-      const Vector3<double> goal = points == 1 ? pose.position : moved * start;
-      task_.start[static_cast<std::size_t>(i)] = {start.x(), start.y(), start.z()};
-      task_.goal[static_cast<std::size_t>(i)] = {goal.x(), goal.y(), goal.z()};
-    }
-  }
+  Reaching(const Pose<double>& pose, const ArmAtZero<dof>& arm, double tolerance)
+      : task_(matching<points>(arm, pose)), tolerance_(tolerance) {}
 
   /// Looks at every row, all on continua from wherever they are; `once_more`: at other places of these.
   template <int row>
@@ -67,7 +54,7 @@ class Reaching {
 
  private:
   using Values = JointValues<double, static_cast<std::size_t>(dof)>;
-  using Task = PointMatching<double, static_cast<std::size_t>(dof), static_cast<std::size_t>(points)>;
+  using Task = ArmMatching<dof, points>;
   using At = Reached<double, static_cast<std::size_t>(dof), static_cast<std::size_t>(points)>;
 
   void add(const Effort& effort) {

@@ -126,6 +126,8 @@ class SeedTracker {
 
   [[nodiscard]] Budget& budget() { return budget_; }
   void start_from(Start start) { start_ = start; }
+  /// See `Patience`.
+  void allow_idle_steps(int count) { idle_steps_ = count; }
 
   /// False if no steps lead to the pose.
   template <std::size_t points>
@@ -138,9 +140,17 @@ class SeedTracker {
     }
     const Idling<Scalar, joints, points> idling(task, budget_);
     Reached<Scalar, joints, points> reached;
-    if (start_ == Start::seed) values = *seed;
-    if (!leads_to_goal(idling, task, {boundary.miss}, values, reached)) return false;
-    if (start_ == Start::held && !holds(task, {boundary.miss}, *seed, values, reached)) return false;
+    const Patience patience{boundary.miss, idle_steps_};
+    if (start_ == Start::seed) {
+      values = *seed;
+      if (moves_without_idle(task, patience, values, reached)) {
+        branch.continuum = branch.continuum || idling.is_continuum(values, reached);
+        return true;
+      }
+      values = *seed;
+    }
+    if (!leads_to_goal(idling, task, patience, values, reached)) return false;
+    if (start_ == Start::held && !holds(task, patience, *seed, values, reached)) return false;
     branch.continuum = branch.continuum || idling.is_continuum(values, reached);
     return true;
   }
@@ -155,6 +165,16 @@ class SeedTracker {
            idling.leave_double_root(patience, is_known, values, reached);
   }
 
+  /// Whether from the seed steps lead to the pose of which the joints that are idle there take no part.
+  template <std::size_t points>
+  bool moves_without_idle(const PointMatching<Scalar, joints, points>& task, const Patience& patience,
+                          Values& values, Reached<Scalar, joints, points>& reached) {
+    using Newton = polishing::Newton<Scalar, joints, points>;
+    if (!budget_.step()) return false;
+    const auto idle = Newton::idle(Newton(task).reached(values));
+    return idle.least != joints && polish(task, patience, values, reached, budget_, idle.is);
+  }
+
   /// Whether the joints that are idle can be where the seed has them.
   template <std::size_t points>
   bool holds(const PointMatching<Scalar, joints, points>& task, const Patience& patience, const Values& seed,
@@ -167,6 +187,7 @@ class SeedTracker {
   }
 
   Start start_ = Start::form;
+  int idle_steps_ = Patience{}.idle_steps;
   Budget budget_ = near_effort;
 };
 

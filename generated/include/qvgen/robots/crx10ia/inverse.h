@@ -79,9 +79,9 @@ LimitedSolutions<dof, 16, 1> inverse_kinematics(const Pose<double>& pose, const 
 /// within
 /// half a turn of the seed's, not confined to (-pi, pi]. A joint that a singular pose leaves free stays where the seed
 /// has it,
-/// as far as the other joints can follow, and Status::singular says so. Status::incomplete, and no row: the steps, a
-/// bounded
-/// number, do not come to the pose; there may be solutions, see inverse_kinematics.
+/// as far as the other joints can follow, and Status::singular says so. Where the steps, a bounded number, do not come
+/// to the
+/// pose, all solutions are looked for as above, and the nearest is taken.
 NearSolution inverse_kinematics_near(const Pose<double>& pose, const JointVector<double>& seed, const Geometry& g = {},
     double tolerance = inverse::default_tolerance);
 
