@@ -6,7 +6,9 @@
 
 #include "emit/builtin_templates.h"
 #include "emit/cpp/literal.h"
+#include "emit/cpp/symbol_table.h"
 #include "emit/render.h"
+#include "exact/named_constant.h"
 
 namespace {
 
@@ -31,6 +33,19 @@ class CodeTest : public testing::Test {
     return text + code.outputs[0].expression;
   }
 };
+
+/// Whatever order their names have, and constants too.
+TEST(SymbolTable, DefinitionsMayHaveOthersInThem) {
+  using model::Expression;
+  using Kind = Expression::Kind;
+  const auto symbol = [](const std::string& name) { return Expression::symbol(name); };
+  model::Robot robot;
+  robot.geometry.push_back({"l", std::nullopt});
+  const std::string half = exact::name_of_number(cln::cl_RA(1) / 2);
+  robot.definitions.emplace("a", Expression::make(Kind::sum, {symbol("b"), symbol(half)}));
+  robot.definitions.emplace("b", Expression::make(Kind::product, {symbol("l"), symbol("l")}));
+  EXPECT_EQ(emit::symbol_table(robot, {}).symbol("a"), "((g.l * g.l) + Scalar(0.5))");
+}
 
 TEST_F(CodeTest, SumsAndProducts) {
   EXPECT_EQ(text_of(g.sum({a, -b, g.product({b, c})})), "g.a - g.b + g.b * g.c");

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <tuple>
@@ -84,11 +85,20 @@ std::string radians(const cln::cl_RA& turns, const Spelling& spelling) {
   return scalar(exact::Number(turns * pi), spelling);
 }
 
-/// A definition as code, for the few that stand inside of an angle.
-std::string code_of(const model::Expression& e, const std::map<std::string, std::string>& known,
-                    const Spelling& spelling) {
+/// A named constant's value; nothing if it is none.
+std::optional<std::string> constant_code(const std::string& name, const Spelling& spelling) {
+  if (const auto constant = exact::named_value(name)) return scalar(exact::Number(*constant), spelling);
+  if (const auto constant = exact::constant_angle(name))
+    return scalar(exact::Number(exact::radians(*constant)), spelling);
+  return std::nullopt;
+}
+
+using Meaning = std::function<std::string(const std::string&)>;
+
+/// A definition as code, for the few that stand inside of an angle. `meaning`: of a symbol, as code.
+std::string code_of(const model::Expression& e, const Meaning& meaning, const Spelling& spelling) {
   using Kind = model::Expression::Kind;
-  const auto operand = [&](std::size_t i) { return code_of(e.operands()[i], known, spelling); };
+  const auto operand = [&](std::size_t i) { return code_of(e.operands()[i], meaning, spelling); };
   const auto joined = [&](const std::string& by) {
     std::string text = operand(0);
     for (std::size_t i = 1; i < e.operands().size(); ++i) text += by + operand(i);
@@ -100,7 +110,7 @@ std::string code_of(const model::Expression& e, const std::map<std::string, std:
     case Kind::pi:
       return radians(1, spelling);
     case Kind::symbol:
-      return known.at(e.name());
+      return meaning(e.name());
     case Kind::negate:
       return "(-" + operand(0) + ")";
     case Kind::sum:
@@ -178,11 +188,17 @@ SymbolTable symbol_table(const model::Robot& robot, const std::vector<Angle>& an
     known[robot.joints[i].variable] = "q[" + std::to_string(i) + "]";
   for (const model::Parameter& parameter : robot.geometry)
     known[parameter.name] = "g" + spelling.member + model::described_name(parameter.name);
-  for (const auto& [name, definition] : robot.definitions) known[name] = code_of(definition, known, spelling);
+  // A definition may have others in it, and constants.
+  const Meaning defined = [&](const std::string& name) {
+    if (const auto constant = constant_code(name, spelling)) return *constant;
+    const auto definition = robot.definitions.find(name);
+    if (known.count(name) == 0 && definition != robot.definitions.end())
+      known[name] = code_of(definition->second, defined, spelling);
+    return known.at(name);
+  };
+  for (const auto& [name, definition] : robot.definitions) defined(name);
   const auto symbol = [known, others, spelling](const std::string& name) {
-    if (const auto constant = exact::named_value(name)) return scalar(exact::Number(*constant), spelling);
-    if (const auto constant = exact::constant_angle(name))
-      return scalar(exact::Number(exact::radians(*constant)), spelling);
+    if (const auto constant = constant_code(name, spelling)) return *constant;
     const auto place = known.find(name);
     if (place != known.end()) return place->second;
     if (!others) throw std::logic_error("symbol " + name + " has no place in the generated code");
