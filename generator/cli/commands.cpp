@@ -101,10 +101,10 @@ int show_dynamics(const model::Robot& robot) {
 }
 
 void show_closed_form(const model::Robot& described, const derive::inverse::Derivation& derivation,
-                      emit::Notation notation) {
+                      const std::string& more, emit::Notation notation) {
   const derive::inverse::Problem& problem = derivation.problem;
   fmt::print("{}\n\n", emit::ability(described, derivation));
-  if (const std::string text = emit::arm_angle_ability(described); !text.empty()) fmt::print("{}\n\n", text);
+  if (!more.empty()) fmt::print("{}\n\n", more);
   for (const std::string& line : emit::legend(described, {problem.moving, problem.phases}))
     fmt::print("{}\n", line);
   std::vector<std::string> variables;
@@ -117,7 +117,10 @@ int show_inverse(const model::Robot& described, emit::Notation notation) {
   const pipeline::InverseDerivation derivation = pipeline::derive_inverse(described);
   if (derivation.general.found)
     for (const std::string& line : describe_general(described, derivation.general)) fmt::print("{}\n", line);
-  for (const auto& form : derivation.closed_forms) show_closed_form(described, form, notation);
+  const std::string by_arm_angle = emit::arm_angle_ability(described);
+  for (const auto& form : derivation.closed_forms)
+    show_closed_form(described, form, &form == &derivation.closed_forms.front() ? by_arm_angle : "",
+                     notation);
   if (derivation.found()) return success;
   for (const std::string& reason : derivation.reasons)
     fmt::print(stderr, "{}: no inverse kinematics: {}\n", described.name, reason);

@@ -2,6 +2,7 @@
 #include "description/request.h"
 
 #include <algorithm>
+#include <sstream>
 
 #include "description/frames.h"
 #include "description/names.h"
@@ -21,6 +22,17 @@ std::string advice(const std::string& name, const std::vector<std::string>& name
   return near.empty() ? "write one of " + quoted_list(names) : "did you mean '" + near + "'?";
 }
 
+/// Between commas, without the blanks around.
+std::vector<std::string> words(const std::string& list) {
+  std::vector<std::string> result;
+  std::istringstream stream(list);
+  for (std::string word; std::getline(stream, word, ',');) {
+    const std::size_t first = word.find_first_not_of(' '), last = word.find_last_not_of(' ');
+    result.push_back(first == std::string::npos ? "" : word.substr(first, last - first + 1));
+  }
+  return result.empty() ? std::vector<std::string>{""} : result;
+}
+
 void read_task(const Table& root, model::InverseRequest& request) {
   const auto name = root.text("task");
   if (!name) return;
@@ -34,14 +46,27 @@ void read_task(const Table& root, model::InverseRequest& request) {
 }
 
 void read_given(const Table& root, model::Robot& robot) {
-  const auto name = root.text("given");
-  if (!name) return;
+  const auto text = root.text("given");
+  if (!text) return;
   std::vector<std::string> names;
   for (const model::Joint& joint : robot.joints) names.push_back(joint.variable);
-  if (std::find(names.begin(), names.end(), *name) == names.end())
-    root.context().error(root.place_of("given"), "'given' names no joint: '" + *name + "'",
-                         advice(*name, names));
-  robot.inverse.given = *name;
+  const auto is_known = [&](const std::vector<std::string>& list, const std::string& name) {
+    return std::find(list.begin(), list.end(), name) != list.end();
+  };
+  model::InverseRequest& request = robot.inverse;
+  request.every_given = *text == "all" && !is_known(names, *text);
+  if (request.every_given) {
+    request.given = names;
+    return;
+  }
+  for (const std::string& name : words(*text)) {
+    if (!is_known(names, name))
+      root.context().error(root.place_of("given"), "'given' names no joint: '" + name + "'",
+                           advice(name, names));
+    if (is_known(request.given, name))
+      root.context().error(root.place_of("given"), "'given' names '" + name + "' twice", "leave one out");
+    request.given.push_back(name);
+  }
 }
 
 }  // namespace

@@ -49,7 +49,8 @@ Robot with_private_names(const Robot& robot) {
     joint.after = marked(joint.after);
     if (keep) continue;
     joint.variable = "joint" + std::to_string(i + 1);
-    if (robot.inverse.given == robot.joints[i].variable) result.inverse.given = joint.variable;
+    std::replace(result.inverse.given.begin(), result.inverse.given.end(), robot.joints[i].variable,
+                 joint.variable);
   }
   return result;
 }

@@ -80,7 +80,9 @@ enum class Task {
 struct InverseRequest {
   std::optional<Task> task;
   std::optional<Vector3> tool_axis;  ///< unit vector in the tool's frame, for tasks with a direction
-  std::optional<std::string> given;  ///< variable of the joint whose value the caller gives
+  /// Variables of the joints whose values the caller may give, each in functions of its own; none: the best.
+  std::vector<std::string> given;
+  bool every_given = false;  ///< those of them that work, else all have to
 };
 
 /// A validated kinematic chain, base to tool. Immutable once a reader has built it.

@@ -87,6 +87,24 @@ TEST_F(Ability, OfAGivenJoint) {
             0U);
 }
 
+TEST_F(Ability, OfSeveralGivenJoints) {
+  const auto shown = [&](const std::string& given) {
+    return run("show --inverse " + write("my_arm.toml", arm(seven_joints, "given = \"" + given + "\"\n")))
+        .output;
+  };
+  const auto count = [](const std::string& text) {
+    std::size_t number = 0;
+    for (std::size_t at = text.find(" given by the caller"); at != std::string::npos;
+         at = text.find(" given by the caller", at + 1))
+      ++number;
+    return number;
+  };
+  EXPECT_EQ(count(shown("q3, q5")), 2U);
+  // The elbow's own angle follows from the distance of the wrist: it cannot be given.
+  EXPECT_EQ(count(shown("all")), 6U);
+  EXPECT_NE(shown("q3, q4").find("with q4 given: "), std::string::npos);
+}
+
 TEST_F(Ability, OfAnArmAngle) {
   const auto says = [&](const std::string& description, const std::string& what) {
     const ToolRun shown = run("show --inverse " + write("my_arm.toml", description));

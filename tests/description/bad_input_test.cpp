@@ -209,6 +209,10 @@ TEST(BadInput, Tasks) {
             lines({"3:8: error: unknown task 'positon'; did you mean 'position'?"}));
   EXPECT_EQ(report(head + "given = \"t2\"\n" + joint),
             lines({"3:9: error: 'given' names no joint: 't2'; did you mean 't1'?"}));
+  EXPECT_EQ(report(head + "given = \"t1, t1\"\n" + joint),
+            lines({"3:9: error: 'given' names 't1' twice; leave one out"}));
+  EXPECT_EQ(report(head + "given = \"\"\n" + joint),
+            lines({"3:9: error: 'given' names no joint: ''; write one of \"t1\""}));
   EXPECT_EQ(report(head + "tool_axis = \"+w\"\n" + joint),
             lines({"3:13: error: '+w' is no axis; write \"+x\", \"-x\", \"+y\", \"-y\", \"+z\" or \"-z\", or "
                    "three entries [x, y, z]"}));

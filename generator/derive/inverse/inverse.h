@@ -30,9 +30,9 @@ struct Derivation {
 /// or the most that it can follow; or the reasons why there is none.
 Derivation derive(const model::Robot& robot);
 
-/// Arms with one joint too many: that joint is held at a value that the caller gives, the one which the
-/// description names or the one that leaves the shortest way.
-Derivation derive_given(const model::Robot& robot);
+/// Arms with one joint too many: that joint is held at a value that the caller gives. One derivation for each
+/// that the description names, or the one that leaves the shortest way; all are found, or none is.
+std::vector<Derivation> derive_given(const model::Robot& robot);
 
 // Of a problem without a task: what its arm's joints determine.
 

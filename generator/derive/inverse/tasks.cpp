@@ -158,7 +158,7 @@ bool has_one_too_many(const Robot& robot) {
 
 Derivation derive(const Robot& robot) {
   const std::vector<Offer> all = offers(robot);
-  if (robot.inverse.given && !has_one_too_many(robot))
+  if (!robot.inverse.given.empty() && !has_one_too_many(robot))
     return {false,
             {},
             {},
@@ -192,10 +192,13 @@ namespace {
 /// elbow turns about the line between the shoulder and the wrist.
 std::vector<std::size_t> given_joints(const Robot& robot) {
   const std::size_t count = robot.joints.size();
+  const std::vector<std::string>& named = robot.inverse.given;
+  const auto is_admitted = [&](const std::string& variable) {
+    return named.empty() || std::find(named.begin(), named.end(), variable) != named.end();
+  };
   std::vector<std::size_t> result;
   for (const std::size_t joint : {2U, 6U, 0U, 1U, 3U, 5U, 4U})
-    if (joint < count && (!robot.inverse.given || *robot.inverse.given == robot.joints[joint].variable))
-      result.push_back(joint);
+    if (joint < count && is_admitted(robot.joints[joint].variable)) result.push_back(joint);
   std::stable_partition(result.begin(), result.end(), [&](std::size_t joint) {
     return robot.joints[joint].type == model::JointType::prismatic;
   });
@@ -207,9 +210,8 @@ Derivation with_given(const Robot& robot, Task task, std::size_t joint, Derivati
                              [&](const Problem& moving) { return derived(with_held(moving, joint)); });
 }
 
-}  // namespace
-
-Derivation derive_given(const Robot& robot) {
+/// The best of the joints that may be given.
+Derivation derive_best_given(const Robot& robot) {
   const std::size_t count = robot.joints.size();
   if (turns_in_plane(robot) || (count == 4 && robot.inverse.task == Task::position))
     return first_found(given_joints(robot), [&](std::size_t joint) {
@@ -227,6 +229,22 @@ Derivation derive_given(const Robot& robot) {
   }
   if (best.found) best.reasons.clear();
   return best;
+}
+
+}  // namespace
+
+std::vector<Derivation> derive_given(const Robot& robot) {
+  const model::InverseRequest& request = robot.inverse;
+  if (request.given.size() < 2 || !has_one_too_many(robot)) return {derive_best_given(robot)};
+  std::vector<Derivation> found, refused;
+  for (const std::size_t joint : given_joints(robot)) {
+    Robot one = robot;
+    one.inverse.given = {robot.joints[joint].variable};
+    Derivation derivation = derive_best_given(one);
+    (derivation.found ? found : refused).push_back(std::move(derivation));
+  }
+  const bool is_enough = request.every_given ? !found.empty() : refused.empty();
+  return is_enough ? found : refused;
 }
 
 }  // namespace qvgen::derive::inverse

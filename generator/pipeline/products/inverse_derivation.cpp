@@ -8,7 +8,9 @@ namespace {
 
 void add_closed_forms(const model::Robot& described, InverseDerivation& result) {
   const model::Robot robot = model::with_private_names(described);
-  for (auto& derivation : {derive::inverse::derive(robot), derive::inverse::derive_given(robot)}) {
+  std::vector<derive::inverse::Derivation> all{derive::inverse::derive(robot)};
+  for (auto& derivation : derive::inverse::derive_given(robot)) all.push_back(std::move(derivation));
+  for (const auto& derivation : all) {
     if (derivation.found) result.closed_forms.push_back(derivation);
     result.reasons.insert(result.reasons.end(), derivation.reasons.begin(), derivation.reasons.end());
   }
@@ -23,8 +25,8 @@ void add_elimination(const model::Robot& described, InverseDerivation& result) {
 
 InverseDerivation derive_inverse(const model::Robot& described) {
   InverseDerivation result;
-  const bool may_eliminate =
-      described.inverse.task.value_or(model::Task::pose) == model::Task::pose && !described.inverse.given;
+  const bool may_eliminate = described.inverse.task.value_or(model::Task::pose) == model::Task::pose &&
+                             described.inverse.given.empty();
   const bool is_general = may_eliminate && derive::inverse::lacks_structure(described);
   if (is_general) add_elimination(described, result);
   if (!result.found()) add_closed_forms(described, result);
