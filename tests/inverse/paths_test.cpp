@@ -47,7 +47,7 @@ class InversePaths : public Inverse {
   }
 
   /// README.md counts how many.
-  static int allowed_faults(int paths) { return is_general() ? paths / 10 : 0; }
+  static int allowed_faults(int paths) { return paths / (is_general() ? 10 : 100); }
 
   void expect_no_jumps(const Nearest& nearest) {
     for (const char* name : {"random", "theta5 = 0", "theta5 = pi", "a joint at 0", "a joint at pi",

@@ -257,6 +257,14 @@ inverse::ArmAtZero<dof> arm_at_zero(const Geometry& g) {
   } }, {Eigen::Quaterniond(turn_w, turn_x, turn_y, turn_z), Vector3<double>(place_x, place_y, place_z)} };
 }
 
+/// Where the equations lead near a singular pose, if that is nearer to the seed than what has been found.
+void polish_next_to_seed(const Target& t, const inverse::Preference<dof>& seed, NearSolution& found) {
+  NearSolution row;
+  inverse::follow_forks_carefully(t, inverse::SeedTracker<double, 3>(), is_revolute.data(), polish_near_seed, row);
+
+  inverse::take_nearer(row, seed, is_revolute.data(), found);
+}
+
 /// From the seed by Newton steps of all joints.
 void follow_whole_arm(const Pose<double>& pose, const inverse::Preference<dof>& seed, const Geometry& g,
     double tolerance, bool is_sure, NearSolution& found) {
@@ -324,12 +332,8 @@ NearSolution inverse_kinematics_near(const Pose<double>& pose, const JointVector
 
     if (!inverse::is_next_to(found, preference, is_revolute.data()))
       follow_whole_arm(pose, preference, g, tolerance, is_sure, found);
-    if (!is_sure && !inverse::is_next_to(found, preference, is_revolute.data())) {
-      NearSolution row;
-      inverse::follow_forks_carefully(t, inverse::SeedTracker<double, 3>(), is_revolute.data(), polish_near_seed, row);
-
-      inverse::take_nearer(row, preference, is_revolute.data(), found);
-    }
+    if (!is_sure && !inverse::is_next_to(found, preference, is_revolute.data()))
+      polish_next_to_seed(t, preference, found);
     found.conclude();
   }
   if (found.empty() && found.status != Status::invalid) inverse::take_nearest(inverse_kinematics(pose, seed, g,

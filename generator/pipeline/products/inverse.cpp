@@ -178,6 +178,7 @@ json variant(const model::Robot& described, const derive::inverse::Derivation& d
       {"near_function", "inverse_kinematics_near" + (locked ? "_given_" + given : "")},
       {"seed_branch", near},
       {"near_steps", 2 * qvgen::inverse::near_effort.steps},
+      {"polishes_whole_arm", polished_joints(derived) == robot.joints.size()},
       {"near_points", problem.task == model::Task::position ? 1 : 3},
       {"solutions", locked ? "SolutionsGiven_" + given : "Solutions"},
       {"info", locked ? "inverse_info_given_" + given : "inverse_info"},

@@ -126,8 +126,6 @@ class SeedTracker {
 
   [[nodiscard]] Budget& budget() { return budget_; }
   void start_from(Start start) { start_ = start; }
-  /// See `Patience`.
-  void allow_idle_steps(int count) { idle_steps_ = count; }
 
   /// False if no steps lead to the pose.
   template <std::size_t points>
@@ -140,7 +138,7 @@ class SeedTracker {
     }
     const Idling<Scalar, joints, points> idling(task, budget_);
     Reached<Scalar, joints, points> reached;
-    const Patience patience{boundary.miss, idle_steps_};
+    const Patience patience{boundary.miss};
     if (start_ == Start::seed) {
       values = *seed;
       if (moves_without_idle(task, patience, values, reached)) {
@@ -187,7 +185,6 @@ class SeedTracker {
   }
 
   Start start_ = Start::form;
-  int idle_steps_ = Patience{}.idle_steps;
   Budget budget_ = near_effort;
 };
 

@@ -70,8 +70,6 @@ void follow_whole_arm(const ArmAtZero<dof>& arm, const Pose<double>& pose, const
   Branch<double> branch;
   branch.unsure = true;
   tracker.start_from(Start::seed);
-  // Along what is nearly free the way to the pose is curved: the first steps leave it.
-  tracker.allow_idle_steps(8);
   Solutions<dof, 1> row;
   if (tracker.settle(0, task, Boundary::ends(tolerance), &start, values, branch)) {
     Joints<dof> q;
