@@ -14,6 +14,23 @@ TEST_P(Inverse, FindsThemForOtherLengths) {
     run("boundary", pose_count() / 50);
   }
 }
+/// Such an arm may be another structure than the one that has been derived; what it reaches is not to be
+/// called unreachable.
+TEST_P(Inverse, WithoutALengthNothingIsCalledUnreachable) {
+  const InverseUnderTest robot = GetParam();
+  for (const std::string& name : robot.constants) {
+    InverseUnderTest without = robot;
+    without.geometry[name] = 0;
+    Case arm(without);
+    for (int i = 0; i < 20; ++i) {
+      const Sample sample = sample_at(arm, arm.joints());
+      const Found found = arm.robot().solve(sample.pose, arm.given(sample.q), inverse::default_tolerance);
+      EXPECT_NE(found.status, Status::unreachable)
+          << robot.name << " without " << name << ": " << sample.q.transpose();
+      EXPECT_NE(found.status, Status::invalid) << robot.name << " without " << name;
+    }
+  }
+}
 TEST_P(Inverse, OnALatticeOf45Degrees) { run("45° lattice"); }
 TEST_P(Inverse, EveryJointAtZeroInTurn) { run("a joint at 0"); }
 TEST_P(Inverse, EveryJointNearZeroInTurn) { run("a joint at 10^-u"); }

@@ -145,7 +145,9 @@ using Tracker = inverse::BranchTracker<double, 3, 4>;
 Rows rows_of(const Pose<double>& pose, const Geometry& g, double tolerance, const inverse::Preference<7>& preference,
     inverse::Form form, double given_theta3) {
   Rows found;
-  solve(pose, given(g, tolerance, preference, given_theta3), form, found);
+  const Target t = given(g, tolerance, preference, given_theta3);
+  solve(pose, t, form, found);
+
   return found;
 }
 

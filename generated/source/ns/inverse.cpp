@@ -139,7 +139,9 @@ using Tracker = inverse::BranchTracker<double, 3, 4>;
 Rows rows_of(const Pose<double>& pose, const Geometry& g, double tolerance, const inverse::Preference<6>& preference,
     inverse::Form form) {
   Rows found;
-  solve(pose, given(g, tolerance, preference), form, found);
+  const Target t = given(g, tolerance, preference);
+  solve(pose, t, form, found);
+
   return found;
 }
 

@@ -98,7 +98,9 @@ Rows rows_of(const Pose<double>& pose, const Geometry& g, double tolerance, cons
     inverse::Form form) {
   Rows found;
   const inverse::Preference<3> moved = inverse::with_phases(preference, phases);
-  solve(pose, given(g, tolerance, moved), form, found);
+  const Target t = given(g, tolerance, moved);
+  solve(pose, t, form, found);
+
   inverse::subtract_phases(found, phases);
   return found;
 }

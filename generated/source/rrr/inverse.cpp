@@ -118,10 +118,19 @@ using Tracker = inverse::BranchTracker<double, 3, 4>;
   solve_near_singular(pose, given, found);
 }
 
+/// Whether equations divide by a length that is zero: what such an arm reaches they do not say.
+bool lacks_a_length(const Target& t) {
+  if (t.geometry.l2 == 0) return true;
+  if (t.geometry.l3 == 0) return true;
+  return false;
+}
+
 Rows rows_of(const Pose<double>& pose, const Geometry& g, double tolerance, const inverse::Preference<3>& preference,
     inverse::Form form) {
   Rows found;
-  solve(pose, given(g, tolerance, preference), form, found);
+  const Target t = given(g, tolerance, preference);
+  solve(pose, t, form, found);
+  if (found.status == Status::unreachable && lacks_a_length(t)) found.status = Status::incomplete;
   return found;
 }
 

@@ -171,6 +171,7 @@ json variant(const model::Robot& described, const derive::inverse::Derivation& d
   const std::size_t joints = std::max<std::size_t>(polished_joints(derived), 1);
   const int branches = polished_branches(derived);
   const qvgen::inverse::Budget most = qvgen::inverse::most_effort(static_cast<int>(joints), branches);
+  const json divisors = emit::divisor_values(robot, plan);
   const json near = seed_branch(problem, plan);
   json values{
       {"space", locked ? "given_" + given : "all"},
@@ -205,6 +206,8 @@ json variant(const model::Robot& described, const derive::inverse::Derivation& d
       {"target", emit::target_values(robot, plan)},
       {"range_test", emit::range_test_values(robot, plan)},
       {"steps", emit::step_values(robot, plan)},
+      {"divisors", divisors},
+      {"divides", !divisors.empty()},
       {"row_size", problem.row_size},
       {"has_geometry", !geometry.empty()},
       {"geometry", geometry},

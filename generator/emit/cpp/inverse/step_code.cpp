@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "derive/inverse/divisors.h"
 #include "derive/inverse/schedule.h"
 #include "emit/cpp/code.h"
 #include "emit/cpp/literal.h"
@@ -343,6 +344,14 @@ json range_test_values(const model::Robot& robot, const LoweredPlan& plan) {
   return {{"unknown", test.unknown},
           {"equation", test.equation},
           {"values", to_json(straight_code(plan.range_test, names_of(robot, plan, {})))}};
+}
+
+json divisor_values(const model::Robot& robot, const LoweredPlan& plan) {
+  json divisors = json::array();
+  for (const auto& [name, field] : geometry_fields(robot))
+    if (derive::inverse::divides_by(plan.plan, name)) divisors.push_back({{"field", field}, {"last", false}});
+  if (!divisors.empty()) divisors.back()["last"] = true;
+  return divisors;
 }
 
 json step_values(const model::Robot& robot, const LoweredPlan& plan) {

@@ -21,6 +21,9 @@ nlohmann::json target_values(const model::Robot& robot, const derive::inverse::L
 /// Template values of the function that tells poses out of reach before any branch, false if there is none.
 nlohmann::json range_test_values(const model::Robot& robot, const derive::inverse::LoweredPlan& plan);
 
+/// Template values of the fields of the target's geometry that equations divide by.
+nlohmann::json divisor_values(const model::Robot& robot, const derive::inverse::LoweredPlan& plan);
+
 /// Template values of every step's function, in order.
 nlohmann::json step_values(const model::Robot& robot, const derive::inverse::LoweredPlan& plan);
 

@@ -39,6 +39,7 @@ class Reaching {
   template <int row>
   void take(const Solutions<row, capacity>& rows, bool once_more) {
     add(rows.effort);
+    is_incomplete_ = is_incomplete_ || rows.status == Status::incomplete;
     for (const Solution<row>& each : rows) {
       if (once_more && !each.continuum) continue;
       take(Joints<dof>(each.q.template head<dof>()), each.branch, each.continuum, once_more);
@@ -49,6 +50,7 @@ class Reaching {
     add(budget_.spent);
     sort_by_branch(found_);
     found_.conclude();
+    if (is_incomplete_) found_.status = Status::incomplete;
     return found_;
   }
 
@@ -110,6 +112,7 @@ class Reaching {
 
   Task task_;
   double tolerance_;
+  bool is_incomplete_ = false;
   Budget budget_ = effort_of_reaching(dof, capacity);
   Solutions<dof, capacity> found_;
   std::array<Values, static_cast<std::size_t>(capacity)> known_;

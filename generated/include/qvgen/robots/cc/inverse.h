@@ -46,7 +46,8 @@ inline constexpr InverseInfo inverse_info{ 4, Task::pose, -1, false, true, {} };
 /// cannot follow. No heap, no exceptions.
 /// Near a singular pose, where rounding would decide which solutions exist, at most
 /// 8 passes over the branches and 56 evaluations of the Jacobian are added (`effort` of the set);
-/// Status::incomplete says that they did not suffice.
+/// Status::incomplete says that they did not suffice. It also says that nothing can be said, of an arm without a
+/// length that equations divide by: d4, l1.
 Solutions inverse_kinematics(const Pose<double>& pose, const Geometry& g = {},
     double tolerance = inverse::default_tolerance, inverse::Form form = inverse::Form::fastest);
 /// The same, nearest to the seed first (see `sort_by_distance`); free joints are taken from the seed.

@@ -46,7 +46,8 @@ inline constexpr InverseInfo inverse_info{ 8, Task::pose, -1, true, true, {} };
 /// cannot follow. No heap, no exceptions.
 /// Near a singular pose, where rounding would decide which solutions exist, at most
 /// 8 passes over the branches and 72 evaluations of the Jacobian are added (`effort` of the set);
-/// Status::incomplete says that they did not suffice.
+/// Status::incomplete says that they did not suffice. It also says that nothing can be said, of an arm without a
+/// length that equations divide by: d4, l1.
 /// Four branches at a time in the lanes of AVX2 registers, if the machine has them; `form` is for comparisons.
 Solutions inverse_kinematics(const Pose<double>& pose, const Geometry& g = {},
     double tolerance = inverse::default_tolerance, inverse::Form form = inverse::Form::fastest);

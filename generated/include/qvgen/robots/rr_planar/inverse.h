@@ -43,7 +43,8 @@ inline constexpr InverseInfo inverse_info{ 2, Task::position, -1, false, true, {
 /// heap, no exceptions.
 /// Near a singular pose, where rounding would decide which solutions exist, at most
 /// 8 passes over the branches and 56 evaluations of the Jacobian are added (`effort` of the set);
-/// Status::incomplete says that they did not suffice.
+/// Status::incomplete says that they did not suffice. It also says that nothing can be said, of an arm without a
+/// length that equations divide by: l1, l2.
 Solutions inverse_kinematics(const Vector3<double>& position, const Geometry& g = {},
     double tolerance = inverse::default_tolerance, inverse::Form form = inverse::Form::fastest);
 /// The same, nearest to the seed first (see `sort_by_distance`); free joints are taken from the seed.
@@ -80,7 +81,8 @@ LimitedSolutions<dof, 2, 1> inverse_kinematics(const Vector3<double>& position, 
 /// cannot follow. No heap, no exceptions.
 /// Near a singular pose, where rounding would decide which solutions exist, at most
 /// 8 passes over the branches and 56 evaluations of the Jacobian are added (`effort` of the set);
-/// Status::incomplete says that they did not suffice.
+/// Status::incomplete says that they did not suffice. It also says that nothing can be said, of an arm without a
+/// length that equations divide by: l1, l2.
 Solutions inverse_kinematics(const Pose<double>& pose, const Geometry& g = {},
     double tolerance = inverse::default_tolerance, inverse::Form form = inverse::Form::fastest);
 /// The same, nearest to the seed first (see `sort_by_distance`); free joints are taken from the seed.

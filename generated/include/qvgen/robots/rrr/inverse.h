@@ -44,7 +44,8 @@ inline constexpr InverseInfo inverse_info{ 4, Task::position, -1, true, true, {}
 /// heap, no exceptions.
 /// Near a singular pose, where rounding would decide which solutions exist, at most
 /// 8 passes over the branches and 72 evaluations of the Jacobian are added (`effort` of the set);
-/// Status::incomplete says that they did not suffice.
+/// Status::incomplete says that they did not suffice. It also says that nothing can be said, of an arm without a
+/// length that equations divide by: l2, l3.
 /// Four branches at a time in the lanes of AVX2 registers, if the machine has them; `form` is for comparisons.
 Solutions inverse_kinematics(const Vector3<double>& position, const Geometry& g = {},
     double tolerance = inverse::default_tolerance, inverse::Form form = inverse::Form::fastest);
@@ -83,7 +84,8 @@ LimitedSolutions<dof, 4, 1> inverse_kinematics(const Vector3<double>& position, 
 /// cannot follow. No heap, no exceptions.
 /// Near a singular pose, where rounding would decide which solutions exist, at most
 /// 8 passes over the branches and 72 evaluations of the Jacobian are added (`effort` of the set);
-/// Status::incomplete says that they did not suffice.
+/// Status::incomplete says that they did not suffice. It also says that nothing can be said, of an arm without a
+/// length that equations divide by: l2, l3.
 /// Four branches at a time in the lanes of AVX2 registers, if the machine has them; `form` is for comparisons.
 Solutions inverse_kinematics(const Pose<double>& pose, const Geometry& g = {},
     double tolerance = inverse::default_tolerance, inverse::Form form = inverse::Form::fastest);

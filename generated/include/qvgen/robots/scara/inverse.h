@@ -47,7 +47,8 @@ inline constexpr InverseInfo inverse_info{ 2, Task::position_and_yaw, -1, false,
 /// heap, no exceptions.
 /// Near a singular pose, where rounding would decide which solutions exist, at most
 /// 8 passes over the branches and 56 evaluations of the Jacobian are added (`effort` of the set);
-/// Status::incomplete says that they did not suffice.
+/// Status::incomplete says that they did not suffice. It also says that nothing can be said, of an arm without a
+/// length that equations divide by: l1.
 Solutions inverse_kinematics(const PositionAndYaw<double>& task, const Geometry& g = {},
     double tolerance = inverse::default_tolerance, inverse::Form form = inverse::Form::fastest);
 /// The same, nearest to the seed first (see `sort_by_distance`); free joints are taken from the seed.
@@ -72,7 +73,8 @@ LimitedSolutions<dof, 2, 1> inverse_kinematics(const PositionAndYaw<double>& tas
 /// share of the arm's size.
 /// Near a singular pose, where rounding would decide which solutions exist, at most
 /// 128 passes over the branches and 1376 evaluations of the Jacobian are added (`effort` of the set);
-/// Status::incomplete says that they did not suffice.
+/// Status::incomplete says that they did not suffice. It also says that nothing can be said, of an arm without a
+/// length that equations divide by: l1.
 Solutions inverse_kinematics(const Pose<double>& pose, const Geometry& g = {},
     double tolerance = inverse::default_tolerance, inverse::Form form = inverse::Form::fastest);
 /// The same, nearest to the seed first (see `sort_by_distance`); free joints are taken from the seed.
