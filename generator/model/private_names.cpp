@@ -61,4 +61,10 @@ std::string described_name(const std::string& name) {
   return is_marked(name) ? name.substr(mark.size()) : name;
 }
 
+std::string without_marks(std::string text) {
+  for (auto at = text.find(mark); at != std::string::npos; at = text.find(mark, at))
+    text.erase(at, mark.size());
+  return text;
+}
+
 }  // namespace qvgen::model

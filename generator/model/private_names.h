@@ -16,5 +16,7 @@ Robot with_private_names(const Robot& robot);
 bool is_marked(const std::string& name);
 /// The name as the description has it.
 std::string described_name(const std::string& name);
+/// An expression's text with its names so.
+std::string without_marks(std::string text);
 
 }  // namespace qvgen::model

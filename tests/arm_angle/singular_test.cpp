@@ -108,7 +108,7 @@ TEST_P(ArmAngleSingular, NearIt) {
 
 TEST_P(ArmAngleSingular, WithinLimitsThereIsASolution) {
   // With the wrist on the shoulder the arm angle is one of three turns that are free.
-  if (std::get<0>(GetParam()).build.equal_lengths && place().folded) return;
+  if (std::get<0>(GetParam()).build.equal_lengths && place().folded) GTEST_SKIP() << "see README.md";
   const int count = place().straight + place().folded + place().shoulder + place().wrist;
   int answered = 0;
   for (int i = 0; i < 300; ++i) {

@@ -18,6 +18,7 @@ TEST_P(Inverse, FindsThemForOtherLengths) {
 /// called unreachable.
 TEST_P(Inverse, WithoutALengthNothingIsCalledUnreachable) {
   const InverseUnderTest robot = GetParam();
+  if (robot.constants.empty()) GTEST_SKIP() << "an arm in numbers";
   for (const std::string& name : robot.constants) {
     InverseUnderTest without = robot;
     without.geometry[name] = 0;

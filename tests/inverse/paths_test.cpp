@@ -4,6 +4,7 @@
 #include "paths.h"
 
 #include <map>
+#include <set>
 
 #include "check.h"
 
@@ -113,6 +114,9 @@ TEST_P(InversePaths, NearTheSeedEveryPoseIsAnswered) {
       if (!is_general()) {
         EXPECT_EQ(found.rows.empty(), all.rows.empty()) << set.name;
       }
+      std::set<int> branches;
+      for (const Row& row : all.rows) branches.insert(row.branch);
+      EXPECT_EQ(branches.size(), all.rows.size()) << set.name << ": a number belongs to one row";
       if (found.rows.empty()) continue;
       ++solved;
       const Eigen::VectorXd& q = found.rows.front().q;

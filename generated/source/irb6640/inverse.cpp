@@ -15,6 +15,70 @@
 #include "inverse_steps.h"
 
 namespace qvgen::robots::irb6640 {
+namespace detail {
+namespace {
+
+/// Its joints and its tool with all joints at zero.
+inverse::ArmAtZero<dof> arm_at_zero([[maybe_unused]] const Geometry& g) {
+  using Scalar = double;
+  using std::sqrt;
+
+  const double axis1_x = Scalar(0);
+  const double axis1_y = Scalar(0);
+  const double axis1_z = Scalar(1);
+  const double point1_x = Scalar(0);
+  const double point1_y = Scalar(0);
+  const double point1_z = Scalar(0);
+  const double axis2_x = Scalar(0);
+  const double axis2_y = Scalar(1);
+  const double axis2_z = Scalar(0);
+  const double point2_x = Scalar(0.32);
+  const double point2_y = Scalar(0);
+  const double point2_z = Scalar(0.78);
+  const double axis3_x = Scalar(0);
+  const double axis3_y = Scalar(1);
+  const double axis3_z = Scalar(0);
+  const double point3_x = Scalar(0.32);
+  const double point3_y = Scalar(0);
+  const double point3_z = Scalar(1.855);
+  const double axis4_x = Scalar(1);
+  const double axis4_y = Scalar(0);
+  const double axis4_z = Scalar(0);
+  const double point4_x = Scalar(1.4625);
+  const double point4_y = Scalar(0);
+  const double point4_z = Scalar(2.055);
+  const double axis5_x = Scalar(0);
+  const double axis5_y = Scalar(1);
+  const double axis5_z = Scalar(0);
+  const double point5_x = Scalar(1.4625);
+  const double point5_y = Scalar(0);
+  const double point5_z = Scalar(2.055);
+  const double axis6_x = Scalar(1);
+  const double axis6_y = Scalar(0);
+  const double axis6_z = Scalar(0);
+  const double point6_x = Scalar(1.4625);
+  const double point6_y = Scalar(0);
+  const double point6_z = Scalar(2.055);
+  const double turn_w = Scalar(1);
+  const double turn_x = Scalar(0);
+  const double turn_y = Scalar(0);
+  const double turn_z = Scalar(0);
+  const double place_x = Scalar(1.6625);
+  const double place_y = Scalar(0);
+  const double place_z = Scalar(2.055);
+  return { { {
+      {true, {axis1_x, axis1_y, axis1_z}, {point1_x, point1_y, point1_z}},
+      {true, {axis2_x, axis2_y, axis2_z}, {point2_x, point2_y, point2_z}},
+      {true, {axis3_x, axis3_y, axis3_z}, {point3_x, point3_y, point3_z}},
+      {true, {axis4_x, axis4_y, axis4_z}, {point4_x, point4_y, point4_z}},
+      {true, {axis5_x, axis5_y, axis5_z}, {point5_x, point5_y, point5_z}},
+      {true, {axis6_x, axis6_y, axis6_z}, {point6_x, point6_y, point6_z}},
+  } }, {Eigen::Quaterniond(turn_w, turn_x, turn_y, turn_z), Vector3<double>(place_x, place_y, place_z)} };
+}
+
+}  // namespace
+}  // namespace detail
+
 namespace detail::all {
 namespace {
 
@@ -235,63 +299,6 @@ bool solve_near_seed(const Target& t, NearSolution& found) {
   return is_sure;
 }
 
-inverse::ArmAtZero<dof> arm_at_zero([[maybe_unused]] const Geometry& g) {
-  using Scalar = double;
-  using std::sqrt;
-
-  const double axis1_x = Scalar(0);
-  const double axis1_y = Scalar(0);
-  const double axis1_z = Scalar(1);
-  const double point1_x = Scalar(0);
-  const double point1_y = Scalar(0);
-  const double point1_z = Scalar(0);
-  const double axis2_x = Scalar(0);
-  const double axis2_y = Scalar(1);
-  const double axis2_z = Scalar(0);
-  const double point2_x = Scalar(0.32);
-  const double point2_y = Scalar(0);
-  const double point2_z = Scalar(0.78);
-  const double axis3_x = Scalar(0);
-  const double axis3_y = Scalar(1);
-  const double axis3_z = Scalar(0);
-  const double point3_x = Scalar(0.32);
-  const double point3_y = Scalar(0);
-  const double point3_z = Scalar(1.855);
-  const double axis4_x = Scalar(1);
-  const double axis4_y = Scalar(0);
-  const double axis4_z = Scalar(0);
-  const double point4_x = Scalar(1.4625);
-  const double point4_y = Scalar(0);
-  const double point4_z = Scalar(2.055);
-  const double axis5_x = Scalar(0);
-  const double axis5_y = Scalar(1);
-  const double axis5_z = Scalar(0);
-  const double point5_x = Scalar(1.4625);
-  const double point5_y = Scalar(0);
-  const double point5_z = Scalar(2.055);
-  const double axis6_x = Scalar(1);
-  const double axis6_y = Scalar(0);
-  const double axis6_z = Scalar(0);
-  const double point6_x = Scalar(1.4625);
-  const double point6_y = Scalar(0);
-  const double point6_z = Scalar(2.055);
-  const double turn_w = Scalar(1);
-  const double turn_x = Scalar(0);
-  const double turn_y = Scalar(0);
-  const double turn_z = Scalar(0);
-  const double place_x = Scalar(1.6625);
-  const double place_y = Scalar(0);
-  const double place_z = Scalar(2.055);
-  return { { {
-      {true, {axis1_x, axis1_y, axis1_z}, {point1_x, point1_y, point1_z}},
-      {true, {axis2_x, axis2_y, axis2_z}, {point2_x, point2_y, point2_z}},
-      {true, {axis3_x, axis3_y, axis3_z}, {point3_x, point3_y, point3_z}},
-      {true, {axis4_x, axis4_y, axis4_z}, {point4_x, point4_y, point4_z}},
-      {true, {axis5_x, axis5_y, axis5_z}, {point5_x, point5_y, point5_z}},
-      {true, {axis6_x, axis6_y, axis6_z}, {point6_x, point6_y, point6_z}},
-  } }, {Eigen::Quaterniond(turn_w, turn_x, turn_y, turn_z), Vector3<double>(place_x, place_y, place_z)} };
-}
-
 /// Where the equations lead near a singular pose, if that is nearer to the seed than what has been found.
 void polish_next_to_seed(const Target& t, const inverse::Preference<dof>& seed, NearSolution& found) {
   NearSolution row;
@@ -371,8 +378,11 @@ NearSolution inverse_kinematics_near(const Pose<double>& pose, const JointVector
       polish_next_to_seed(t, preference, found);
     found.conclude();
   }
-  if (found.empty() && found.status != Status::invalid) inverse::take_nearest(inverse_kinematics(pose, seed, g,
-      tolerance), found);
+  if (found.empty() && found.status != Status::invalid) {
+    auto all = rows_of(pose, g, tolerance, preference, inverse::Form::fastest);
+    sort_by_distance(all, seed, is_revolute);
+    inverse::take_nearest(all, found);
+  }
   inverse::unwind(found, seed, is_revolute);
 
   return found;

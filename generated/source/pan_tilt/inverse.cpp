@@ -16,6 +16,42 @@
 #include "inverse_steps.h"
 
 namespace qvgen::robots::pan_tilt {
+namespace detail {
+namespace {
+
+/// Its joints and its tool with all joints at zero.
+inverse::ArmAtZero<dof> arm_at_zero([[maybe_unused]] const Geometry& g) {
+  using Scalar = double;
+  using std::sqrt;
+
+  const double axis1_x = Scalar(0);
+  const double axis1_y = Scalar(0);
+  const double axis1_z = Scalar(1);
+  const double point1_x = Scalar(0);
+  const double point1_y = Scalar(0);
+  const double point1_z = Scalar(0.2);
+  const double axis2_x = Scalar(0);
+  const double axis2_y = -Scalar(1);
+  const double axis2_z = Scalar(0);
+  const double point2_x = Scalar(0);
+  const double point2_y = Scalar(0);
+  const double point2_z = Scalar(0.2);
+  const double turn_w = Scalar(0.7071067811865476);
+  const double turn_x = Scalar(0);
+  const double turn_y = Scalar(0.7071067811865476);
+  const double turn_z = Scalar(0);
+  const double place_x = Scalar(0.1);
+  const double place_y = Scalar(0);
+  const double place_z = Scalar(0.2);
+  return { { {
+      {true, {axis1_x, axis1_y, axis1_z}, {point1_x, point1_y, point1_z}},
+      {true, {axis2_x, axis2_y, axis2_z}, {point2_x, point2_y, point2_z}},
+  } }, {Eigen::Quaterniond(turn_w, turn_x, turn_y, turn_z), Vector3<double>(place_x, place_y, place_z)} };
+}
+
+}  // namespace
+}  // namespace detail
+
 namespace detail::all {
 namespace {
 
@@ -105,35 +141,6 @@ Rows rows_of(const Pose<double>& pose, const Geometry& g, double tolerance, cons
   return found;
 }
 
-inverse::ArmAtZero<dof> arm_at_zero([[maybe_unused]] const Geometry& g) {
-  using Scalar = double;
-  using std::sqrt;
-
-  const double axis1_x = Scalar(0);
-  const double axis1_y = Scalar(0);
-  const double axis1_z = Scalar(1);
-  const double point1_x = Scalar(0);
-  const double point1_y = Scalar(0);
-  const double point1_z = Scalar(0.2);
-  const double axis2_x = Scalar(0);
-  const double axis2_y = -Scalar(1);
-  const double axis2_z = Scalar(0);
-  const double point2_x = Scalar(0);
-  const double point2_y = Scalar(0);
-  const double point2_z = Scalar(0.2);
-  const double turn_w = Scalar(0.7071067811865476);
-  const double turn_x = Scalar(0);
-  const double turn_y = Scalar(0.7071067811865476);
-  const double turn_z = Scalar(0);
-  const double place_x = Scalar(0.1);
-  const double place_y = Scalar(0);
-  const double place_z = Scalar(0.2);
-  return { { {
-      {true, {axis1_x, axis1_y, axis1_z}, {point1_x, point1_y, point1_z}},
-      {true, {axis2_x, axis2_y, axis2_z}, {point2_x, point2_y, point2_z}},
-  } }, {Eigen::Quaterniond(turn_w, turn_x, turn_y, turn_z), Vector3<double>(place_x, place_y, place_z)} };
-}
-
 }  // namespace
 }  // namespace detail::all
 
@@ -152,7 +159,7 @@ Solutions inverse_kinematics(const Direction<double>& task, const JointVector<do
     none.status = Status::invalid;
     return none;
   }
-  const inverse::ArmAtZero<dof> arm = detail::all::arm_at_zero(g);
+  const inverse::ArmAtZero<dof> arm = detail::arm_at_zero(g);
   const Pose<double> pose = inverse::pose_of(task, Vector3<double>(0, 0, 1),
       inverse::tool_of<dof>(arm, seed).orientation);
   const auto preference = inverse::row_preference<3, dof>(seed);
@@ -175,7 +182,7 @@ LimitedSolutions<dof, 2, 1> inverse_kinematics(const Direction<double>& task, co
 
 Solutions inverse_kinematics(const Pose<double>& pose, const Geometry& g, double tolerance,
     inverse::Form form) {
-  const inverse::ArmAtZero<dof> arm = detail::all::arm_at_zero(g);
+  const inverse::ArmAtZero<dof> arm = detail::arm_at_zero(g);
   Solutions found = inverse::reaching<3, dof, 3>(pose, arm, tolerance, inverse::zero_preference<3>,
       [&](const auto& chosen) { return detail::all::rows_of(pose, g, tolerance, chosen, form); });
   return found;
@@ -188,7 +195,7 @@ Solutions inverse_kinematics(const Pose<double>& pose, const JointVector<double>
     none.status = Status::invalid;
     return none;
   }
-  const inverse::ArmAtZero<dof> arm = detail::all::arm_at_zero(g);
+  const inverse::ArmAtZero<dof> arm = detail::arm_at_zero(g);
   const auto preference = inverse::row_preference<3, dof>(seed);
   Solutions found = inverse::reaching<3, dof, 3>(pose, arm, tolerance, preference,
       [&](const auto& chosen) { return detail::all::rows_of(pose, g, tolerance, chosen, inverse::Form::fastest); });

@@ -15,6 +15,49 @@
 #include "inverse_steps.h"
 
 namespace qvgen::robots::planar_3r {
+namespace detail {
+namespace {
+
+/// Its joints and its tool with all joints at zero.
+inverse::ArmAtZero<dof> arm_at_zero(const Geometry& g) {
+  using Scalar = double;
+  using std::sqrt;
+
+  const double axis1_x = Scalar(0);
+  const double axis1_y = Scalar(0);
+  const double axis1_z = Scalar(1);
+  const double point1_x = Scalar(0);
+  const double point1_y = Scalar(0);
+  const double point1_z = Scalar(0);
+  const double axis2_x = Scalar(0);
+  const double axis2_y = Scalar(0);
+  const double axis2_z = Scalar(1);
+  const double point2_x = g.l1;
+  const double point2_y = Scalar(0);
+  const double point2_z = Scalar(0);
+  const double axis3_x = Scalar(0);
+  const double axis3_y = Scalar(0);
+  const double axis3_z = Scalar(1);
+  const double point3_x = g.l1 + g.l2;
+  const double point3_y = Scalar(0);
+  const double point3_z = Scalar(0);
+  const double turn_w = Scalar(1);
+  const double turn_x = Scalar(0);
+  const double turn_y = Scalar(0);
+  const double turn_z = Scalar(0);
+  const double place_x = g.l1 + g.l2 + g.l3;
+  const double place_y = Scalar(0);
+  const double place_z = Scalar(0);
+  return { { {
+      {true, {axis1_x, axis1_y, axis1_z}, {point1_x, point1_y, point1_z}},
+      {true, {axis2_x, axis2_y, axis2_z}, {point2_x, point2_y, point2_z}},
+      {true, {axis3_x, axis3_y, axis3_z}, {point3_x, point3_y, point3_z}},
+  } }, {Eigen::Quaterniond(turn_w, turn_x, turn_y, turn_z), Vector3<double>(place_x, place_y, place_z)} };
+}
+
+}  // namespace
+}  // namespace detail
+
 namespace detail::all {
 namespace {
 
@@ -199,42 +242,6 @@ bool solve_near_seed(const Target& t, NearSolution& found) {
   return is_sure;
 }
 
-inverse::ArmAtZero<dof> arm_at_zero(const Geometry& g) {
-  using Scalar = double;
-  using std::sqrt;
-
-  const double axis1_x = Scalar(0);
-  const double axis1_y = Scalar(0);
-  const double axis1_z = Scalar(1);
-  const double point1_x = Scalar(0);
-  const double point1_y = Scalar(0);
-  const double point1_z = Scalar(0);
-  const double axis2_x = Scalar(0);
-  const double axis2_y = Scalar(0);
-  const double axis2_z = Scalar(1);
-  const double point2_x = g.l1;
-  const double point2_y = Scalar(0);
-  const double point2_z = Scalar(0);
-  const double axis3_x = Scalar(0);
-  const double axis3_y = Scalar(0);
-  const double axis3_z = Scalar(1);
-  const double point3_x = g.l1 + g.l2;
-  const double point3_y = Scalar(0);
-  const double point3_z = Scalar(0);
-  const double turn_w = Scalar(1);
-  const double turn_x = Scalar(0);
-  const double turn_y = Scalar(0);
-  const double turn_z = Scalar(0);
-  const double place_x = g.l1 + g.l2 + g.l3;
-  const double place_y = Scalar(0);
-  const double place_z = Scalar(0);
-  return { { {
-      {true, {axis1_x, axis1_y, axis1_z}, {point1_x, point1_y, point1_z}},
-      {true, {axis2_x, axis2_y, axis2_z}, {point2_x, point2_y, point2_z}},
-      {true, {axis3_x, axis3_y, axis3_z}, {point3_x, point3_y, point3_z}},
-  } }, {Eigen::Quaterniond(turn_w, turn_x, turn_y, turn_z), Vector3<double>(place_x, place_y, place_z)} };
-}
-
 /// Where the equations lead near a singular pose, if that is nearer to the seed than what has been found.
 void polish_next_to_seed(const Target& t, const inverse::Preference<dof>& seed, NearSolution& found) {
   NearSolution row;
@@ -415,42 +422,6 @@ bool solve_near_seed(const Target& t, NearSolution& found) {
   return is_sure;
 }
 
-inverse::ArmAtZero<dof> arm_at_zero(const Geometry& g) {
-  using Scalar = double;
-  using std::sqrt;
-
-  const double axis1_x = Scalar(0);
-  const double axis1_y = Scalar(0);
-  const double axis1_z = Scalar(1);
-  const double point1_x = Scalar(0);
-  const double point1_y = Scalar(0);
-  const double point1_z = Scalar(0);
-  const double axis2_x = Scalar(0);
-  const double axis2_y = Scalar(0);
-  const double axis2_z = Scalar(1);
-  const double point2_x = g.l1;
-  const double point2_y = Scalar(0);
-  const double point2_z = Scalar(0);
-  const double axis3_x = Scalar(0);
-  const double axis3_y = Scalar(0);
-  const double axis3_z = Scalar(1);
-  const double point3_x = g.l1 + g.l2;
-  const double point3_y = Scalar(0);
-  const double point3_z = Scalar(0);
-  const double turn_w = Scalar(1);
-  const double turn_x = Scalar(0);
-  const double turn_y = Scalar(0);
-  const double turn_z = Scalar(0);
-  const double place_x = g.l1 + g.l2 + g.l3;
-  const double place_y = Scalar(0);
-  const double place_z = Scalar(0);
-  return { { {
-      {true, {axis1_x, axis1_y, axis1_z}, {point1_x, point1_y, point1_z}},
-      {true, {axis2_x, axis2_y, axis2_z}, {point2_x, point2_y, point2_z}},
-      {true, {axis3_x, axis3_y, axis3_z}, {point3_x, point3_y, point3_z}},
-  } }, {Eigen::Quaterniond(turn_w, turn_x, turn_y, turn_z), Vector3<double>(place_x, place_y, place_z)} };
-}
-
 /// Where the equations lead near a singular pose, if that is nearer to the seed than what has been found.
 void polish_next_to_seed(const Target& t, const inverse::Preference<dof>& seed, NearSolution& found) {
   NearSolution row;
@@ -531,8 +502,11 @@ NearSolution inverse_kinematics_near(const Pose<double>& pose, const JointVector
       polish_next_to_seed(t, preference, found);
     found.conclude();
   }
-  if (found.empty() && found.status != Status::invalid) inverse::take_nearest(inverse_kinematics(pose, seed, g,
-      tolerance), found);
+  if (found.empty() && found.status != Status::invalid) {
+    auto all = rows_of(pose, g, tolerance, preference, inverse::Form::fastest);
+    sort_by_distance(all, seed, is_revolute);
+    inverse::take_nearest(all, found);
+  }
   inverse::unwind(found, seed, is_revolute);
 
   return found;
@@ -555,7 +529,7 @@ SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Vector3<double>& pos
     return none;
   }
   const Pose<double> pose = Pose<double>{Eigen::Quaternion<double>::Identity(), position};
-  const auto preference = inverse::preference<dof>(seed);
+  const auto preference = inverse::preference<dof>(inverse::with_value(seed, 2, given_theta3));
   SolutionsGiven_theta3 found = detail::given_theta3::rows_of(pose, g, tolerance, preference, inverse::Form::fastest,
       given_theta3);
   sort_by_distance(found, seed, is_revolute);
@@ -591,7 +565,7 @@ SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Pose<double>& pose, 
     none.status = Status::invalid;
     return none;
   }
-  const auto preference = inverse::preference<dof>(seed);
+  const auto preference = inverse::preference<dof>(inverse::with_value(seed, 2, given_theta3));
   SolutionsGiven_theta3 found = detail::given_theta3::rows_of(pose, g, tolerance, preference, inverse::Form::fastest,
       given_theta3);
   sort_by_distance(found, seed, is_revolute);
@@ -630,7 +604,7 @@ NearSolution inverse_kinematics_near_given_theta3(const Pose<double>& pose, doub
     found.status = Status::invalid;
     return found;
   }
-  const inverse::Preference<dof> preference = inverse::preference<dof>(seed);
+  const inverse::Preference<dof> preference = inverse::preference<dof>(inverse::with_value(seed, 2, given_theta3));
 
   Target t = given(g, tolerance, preference, given_theta3);
   if (is_open(pose, t, found)) {
@@ -642,8 +616,11 @@ NearSolution inverse_kinematics_near_given_theta3(const Pose<double>& pose, doub
 
     found.conclude();
   }
-  if (found.empty() && found.status != Status::invalid) inverse::take_nearest(inverse_kinematics_given_theta3(pose,
-      given_theta3, seed, g, tolerance), found);
+  if (found.empty() && found.status != Status::invalid) {
+    auto all = rows_of(pose, g, tolerance, preference, inverse::Form::fastest, given_theta3);
+    sort_by_distance(all, seed, is_revolute);
+    inverse::take_nearest(all, found);
+  }
   inverse::unwind(found, seed, is_revolute);
   for (auto& row : found) row.q[2] = given_theta3;
   return found;

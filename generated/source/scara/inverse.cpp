@@ -15,6 +15,56 @@
 #include "inverse_steps.h"
 
 namespace qvgen::robots::scara {
+namespace detail {
+namespace {
+
+/// Its joints and its tool with all joints at zero.
+inverse::ArmAtZero<dof> arm_at_zero(const Geometry& g) {
+  using Scalar = double;
+  using std::sqrt;
+  const double t0 = g.l1 + g.l2;
+  const double axis1_x = Scalar(0);
+  const double axis1_y = Scalar(0);
+  const double axis1_z = Scalar(1);
+  const double point1_x = Scalar(0);
+  const double point1_y = Scalar(0);
+  const double point1_z = g.l3;
+  const double axis2_x = Scalar(0);
+  const double axis2_y = Scalar(0);
+  const double axis2_z = Scalar(1);
+  const double point2_x = g.l1;
+  const double point2_y = Scalar(0);
+  const double point2_z = g.l3;
+  const double axis3_x = Scalar(0);
+  const double axis3_y = Scalar(0);
+  const double axis3_z = -Scalar(1);
+  const double point3_x = Scalar(0);
+  const double point3_y = Scalar(0);
+  const double point3_z = Scalar(0);
+  const double axis4_x = Scalar(0);
+  const double axis4_y = Scalar(0);
+  const double axis4_z = -Scalar(1);
+  const double point4_x = t0;
+  const double point4_y = Scalar(0);
+  const double point4_z = g.l3;
+  const double turn_w = Scalar(1);
+  const double turn_x = Scalar(0);
+  const double turn_y = Scalar(0);
+  const double turn_z = Scalar(0);
+  const double place_x = t0;
+  const double place_y = Scalar(0);
+  const double place_z = g.l3;
+  return { { {
+      {true, {axis1_x, axis1_y, axis1_z}, {point1_x, point1_y, point1_z}},
+      {true, {axis2_x, axis2_y, axis2_z}, {point2_x, point2_y, point2_z}},
+      {false, {axis3_x, axis3_y, axis3_z}, {point3_x, point3_y, point3_z}},
+      {true, {axis4_x, axis4_y, axis4_z}, {point4_x, point4_y, point4_z}},
+  } }, {Eigen::Quaterniond(turn_w, turn_x, turn_y, turn_z), Vector3<double>(place_x, place_y, place_z)} };
+}
+
+}  // namespace
+}  // namespace detail
+
 namespace detail::all {
 namespace {
 
@@ -119,55 +169,12 @@ Rows rows_of(const Pose<double>& pose, const Geometry& g, double tolerance, cons
   return found;
 }
 
-inverse::ArmAtZero<dof> arm_at_zero(const Geometry& g) {
-  using Scalar = double;
-  using std::sqrt;
-  const double t0 = g.l1 + g.l2;
-  const double axis1_x = Scalar(0);
-  const double axis1_y = Scalar(0);
-  const double axis1_z = Scalar(1);
-  const double point1_x = Scalar(0);
-  const double point1_y = Scalar(0);
-  const double point1_z = g.l3;
-  const double axis2_x = Scalar(0);
-  const double axis2_y = Scalar(0);
-  const double axis2_z = Scalar(1);
-  const double point2_x = g.l1;
-  const double point2_y = Scalar(0);
-  const double point2_z = g.l3;
-  const double axis3_x = Scalar(0);
-  const double axis3_y = Scalar(0);
-  const double axis3_z = -Scalar(1);
-  const double point3_x = Scalar(0);
-  const double point3_y = Scalar(0);
-  const double point3_z = Scalar(0);
-  const double axis4_x = Scalar(0);
-  const double axis4_y = Scalar(0);
-  const double axis4_z = -Scalar(1);
-  const double point4_x = t0;
-  const double point4_y = Scalar(0);
-  const double point4_z = g.l3;
-  const double turn_w = Scalar(1);
-  const double turn_x = Scalar(0);
-  const double turn_y = Scalar(0);
-  const double turn_z = Scalar(0);
-  const double place_x = t0;
-  const double place_y = Scalar(0);
-  const double place_z = g.l3;
-  return { { {
-      {true, {axis1_x, axis1_y, axis1_z}, {point1_x, point1_y, point1_z}},
-      {true, {axis2_x, axis2_y, axis2_z}, {point2_x, point2_y, point2_z}},
-      {false, {axis3_x, axis3_y, axis3_z}, {point3_x, point3_y, point3_z}},
-      {true, {axis4_x, axis4_y, axis4_z}, {point4_x, point4_y, point4_z}},
-  } }, {Eigen::Quaterniond(turn_w, turn_x, turn_y, turn_z), Vector3<double>(place_x, place_y, place_z)} };
-}
-
 }  // namespace
 }  // namespace detail::all
 
 Solutions inverse_kinematics(const PositionAndYaw<double>& task, const Geometry& g, double tolerance,
     inverse::Form form) {
-  const inverse::ArmAtZero<dof> arm = detail::all::arm_at_zero(g);
+  const inverse::ArmAtZero<dof> arm = detail::arm_at_zero(g);
   const Pose<double> pose = inverse::pose_of(task, arm.joints[0].axis, arm.tool.orientation);
   Solutions found = detail::all::rows_of(pose, g, tolerance, inverse::zero_preference<4>, form);
   return found;
@@ -180,7 +187,7 @@ Solutions inverse_kinematics(const PositionAndYaw<double>& task, const JointVect
     none.status = Status::invalid;
     return none;
   }
-  const inverse::ArmAtZero<dof> arm = detail::all::arm_at_zero(g);
+  const inverse::ArmAtZero<dof> arm = detail::arm_at_zero(g);
   const Pose<double> pose = inverse::pose_of(task, arm.joints[0].axis, arm.tool.orientation);
   const auto preference = inverse::preference<dof>(seed);
   Solutions found = detail::all::rows_of(pose, g, tolerance, preference, inverse::Form::fastest);
@@ -201,7 +208,7 @@ LimitedSolutions<dof, 2, 1> inverse_kinematics(const PositionAndYaw<double>& tas
 
 Solutions inverse_kinematics(const Pose<double>& pose, const Geometry& g, double tolerance,
     inverse::Form form) {
-  const inverse::ArmAtZero<dof> arm = detail::all::arm_at_zero(g);
+  const inverse::ArmAtZero<dof> arm = detail::arm_at_zero(g);
   Solutions found = inverse::reaching<3, dof, 4>(pose, arm, tolerance, inverse::zero_preference<4>,
       [&](const auto& chosen) { return detail::all::rows_of(pose, g, tolerance, chosen, form); });
   return found;
@@ -214,7 +221,7 @@ Solutions inverse_kinematics(const Pose<double>& pose, const JointVector<double>
     none.status = Status::invalid;
     return none;
   }
-  const inverse::ArmAtZero<dof> arm = detail::all::arm_at_zero(g);
+  const inverse::ArmAtZero<dof> arm = detail::arm_at_zero(g);
   const auto preference = inverse::preference<dof>(seed);
   Solutions found = inverse::reaching<3, dof, 4>(pose, arm, tolerance, preference,
       [&](const auto& chosen) { return detail::all::rows_of(pose, g, tolerance, chosen, inverse::Form::fastest); });

@@ -46,11 +46,14 @@ SphericalArm none(const std::string& reason) {
 
 }  // namespace
 
+bool has_seven_turns(const model::Robot& robot) {
+  return robot.joints.size() == 7 &&
+         std::all_of(robot.joints.begin(), robot.joints.end(),
+                     [](const model::Joint& joint) { return joint.type == model::JointType::revolute; });
+}
+
 SphericalArm spherical_arm(const model::Robot& robot) {
-  const bool turns = std::all_of(robot.joints.begin(), robot.joints.end(), [](const model::Joint& joint) {
-    return joint.type == model::JointType::revolute;
-  });
-  if (robot.joints.size() != 7 || !turns) return none("only arms with seven turns have one");
+  if (!has_seven_turns(robot)) return none("only arms with seven turns have one");
   Scope scope(robot);
   symbolic::Program program;
   const Chain chain = chain_of(robot, scope, program);

@@ -14,11 +14,13 @@ struct SphericalArm {
   bool found = false;
   std::string reason;   ///< why it is none
   bool planar = false;  ///< the elbow carries the wrist in a plane that has the shoulder in it
-  /// With all joints at zero, in the base frame: axis1_x ..., base_x ..., shoulder_x ..., elbow_x ...,
-  /// wrist_x
-  /// ...; of the tool turn_w ..., place_x ....
+  /// With all joints at zero, in the base frame: axis1_x ..., base_x ..., shoulder_x ..., elbow_x ... and
+  /// wrist_x ...; of the tool turn_w ..., place_x ....
   dag::Function values;
 };
+
+/// Whether an arm has seven joints that all turn.
+bool has_seven_turns(const model::Robot& robot);
 
 /// `robot` in frames of its own, its constants named.
 SphericalArm spherical_arm(const model::Robot& robot);

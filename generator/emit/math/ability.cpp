@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "emit/math/ability.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
 #include "canonical/arm.h"
@@ -68,19 +66,14 @@ std::string ability(const model::Robot& described, const Derivation& derivation)
 }
 
 std::string arm_angle_ability(const model::Robot& described) {
-  const auto turns =
-      std::count_if(described.joints.begin(), described.joints.end(),
-                    [](const model::Joint& joint) { return joint.type == model::JointType::revolute; });
-  if (turns != 7 || described.joints.size() != 7) return "";
+  if (!derive::inverse::has_seven_turns(described)) return "";
   const auto arm =
       derive::inverse::spherical_arm(canonical::for_dynamics(model::with_private_names(described)));
   if (!arm.found) return "Not by an arm angle: " + arm.reason + ".";
-  return "By the arm angle too (arm_angle.h), the elbow's turn about the line from the shoulder, where the "
-         "axes "
-         "of joints 1, 2 and 3 meet, to the wrist, where those of joints 5, 6 and 7 do: at most 8 solutions "
-         "of "
-         "a pose and an arm angle, the arm angles that joint limits leave, and a solution within limits "
-         "wherever there is one.";
+  return "By the arm angle too (arm_angle.h), the elbow's turn about the line from the shoulder, where "
+         "the axes of joints 1, 2 and 3 meet, to the wrist, where those of joints 5, 6 and 7 do: at most 8 "
+         "solutions of a pose and an arm angle, the arm angles that joint limits leave, and a solution "
+         "within limits wherever there is one.";
 }
 
 }  // namespace qvgen::emit

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "pipeline/products/arm_angle.h"
 
-#include <algorithm>
-
 #include <qvgen/inverse/arm_angle.h>
 
 #include "canonical/arm.h"
@@ -19,12 +17,6 @@ namespace qvgen::pipeline {
 namespace {
 
 using derive::inverse::SphericalArm;
-
-bool is_asked_for(const model::Robot& robot) {
-  return robot.joints.size() == 7 &&
-         std::all_of(robot.joints.begin(), robot.joints.end(),
-                     [](const model::Joint& joint) { return joint.type == model::JointType::revolute; });
-}
 
 /// The arm that generated code hands to the runtime, in numbers.
 inverse::arm_angle::Arm in_numbers(const SphericalArm& derived, const model::Bindings& geometry) {
@@ -87,7 +79,7 @@ verify::RowCertificate certify(const model::Robot& robot, const SphericalArm& de
 }  // namespace
 
 void generate_arm_angle(const model::Robot& described, RobotOutput& output) {
-  if (!is_asked_for(described)) return;
+  if (!derive::inverse::has_seven_turns(described)) return;
   const model::Robot robot = canonical::for_dynamics(model::with_private_names(described));
   const SphericalArm arm = derive::inverse::spherical_arm(robot);
   if (!arm.found) {
@@ -107,7 +99,7 @@ void generate_arm_angle(const model::Robot& described, RobotOutput& output) {
 }
 
 void generate_arm_angle_c(const model::Robot& robot, RobotOutput& output) {
-  if (!is_asked_for(robot)) return;
+  if (!derive::inverse::has_seven_turns(robot)) return;
   output.missing.push_back({"arm_angle", Missing::Kind::not_in_language,
                             "it is not written in C: its solver is a part of the C++ runtime"});
 }

@@ -179,6 +179,10 @@ json variant(const model::Robot& described, const derive::inverse::Derivation& d
       {"near_function", "inverse_kinematics_near" + (locked ? "_given_" + given : "")},
       {"seed_branch", near},
       {"near_steps", 2 * qvgen::inverse::near_effort.steps},
+      {"seed_steps", qvgen::inverse::near_effort.steps},
+      {"seed", locked
+                   ? "inverse::with_value(seed, " + std::to_string(problem.given) + ", given_" + given + ")"
+                   : "seed"},
       {"polishes_whole_arm", polished_joints(derived) == robot.joints.size()},
       {"near_points", problem.task == model::Task::position ? 1 : 3},
       {"solutions", locked ? "SolutionsGiven_" + given : "Solutions"},
@@ -262,6 +266,7 @@ void generate_inverse(const model::Robot& described, RobotOutput& output) {
   };
   values["checks"] = any_variant([](const json& each) { return each["checks_rows"].get<bool>(); });
   values["near"] = any_variant([](const json& each) { return each["seed_branch"].is_object(); });
+  values["arm"] = values["checks"] || values["near"] ? emit::arm_values(described) : json(false);
   output.files.push_back(
       {"include/qvgen/robots/" + described.name + "/inverse.h", emit::render("inverse.h", values)});
   const std::string sources = "source/" + described.name + "/";

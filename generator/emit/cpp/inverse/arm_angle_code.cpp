@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "emit/cpp/inverse/arm_angle_code.h"
 
-#include "emit/cpp/code.h"
-#include "emit/cpp/symbol_table.h"
+#include "emit/cpp/geometry_code.h"
 #include "emit/cpp/template_values.h"
 
 namespace qvgen::emit {
@@ -10,11 +9,7 @@ namespace qvgen::emit {
 using nlohmann::json;
 
 json arm_angle_values(const model::Robot& robot, const derive::inverse::SphericalArm& arm) {
-  const SymbolTable plain = symbol_table(robot, {});
-  const auto angle = [plain](const std::string& name) {
-    return [name, plain](const dag::Angle& value) { return name + "(" + angle_code(value, plain) + ")"; };
-  };
-  const Code code = straight_code(arm.values, {plain.symbol, angle("std::sin"), angle("std::cos")});
+  const Code code = geometry_code(robot, arm.values);
   json axes = json::array();
   for (std::size_t i = 1; i <= robot.joints.size(); ++i)
     axes.push_back({{"number", i}, {"last", i == robot.joints.size()}});

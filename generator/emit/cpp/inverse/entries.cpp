@@ -5,7 +5,7 @@
 
 #include "canonical/arm.h"
 #include "derive/inverse/lower.h"
-#include "emit/cpp/code.h"
+#include "emit/cpp/geometry_code.h"
 #include "emit/cpp/symbol_table.h"
 #include "emit/cpp/template_values.h"
 #include "model/evaluate.h"
@@ -103,13 +103,13 @@ std::vector<std::string> body(const Problem& problem, const Argument& argument, 
   const std::string& pose = seeded ? argument.seeded : argument.pose;
   std::vector<std::string> lines;
   if (filter != Filter::none || pose.find("arm") != std::string::npos)
-    lines.push_back("const inverse::ArmAtZero<dof> arm = " + space + "arm_at_zero(g);");
+    lines.push_back("const inverse::ArmAtZero<dof> arm = detail::arm_at_zero(g);");
   if (pose != argument.name || !argument.is_pose) lines.push_back("const Pose<double> pose = " + pose + ";");
   std::string preference = "inverse::zero_preference<" + rows + ">";
   if (seeded) {
     lines.push_back("const auto preference = inverse::" +
                     (virtual_joints ? "row_preference<" + rows + ", dof>" : std::string("preference<dof>")) +
-                    "(seed);");
+                    "(" + variant["seed"].get<std::string>() + ");");
     preference = "preference";
   }
   const auto solved = [&](const std::string& chosen) {
@@ -137,15 +137,12 @@ json entry(const Problem& problem, const Argument& argument, Filter filter, cons
           {"whole_pose", filter == Filter::pose && argument.is_pose && problem.task != Task::pose}};
 }
 
-/// The arm's screws at zero as C++, for functions that look at rows or turn a tool.
+}  // namespace
+
 json arm_values(const model::Robot& described) {
   const model::Robot robot = canonical::for_dynamics(model::with_private_names(described));
   const dag::Function function = derive::inverse::lowered_arm_at_zero(robot);
-  const SymbolTable plain = symbol_table(robot, {});
-  const auto angle = [plain](const std::string& name) {
-    return [name, plain](const dag::Angle& value) { return name + "(" + angle_code(value, plain) + ")"; };
-  };
-  const Code code = straight_code(function, {plain.symbol, angle("std::sin"), angle("std::cos")});
+  const Code code = geometry_code(robot, function);
   json joints = json::array();
   for (std::size_t i = 0; i < robot.joints.size(); ++i)
     joints.push_back({{"open", "{"},
@@ -154,8 +151,6 @@ json arm_values(const model::Robot& described) {
   return {{"values", {{"temporaries", values_of(code.temporaries)}, {"outputs", values_of(code.outputs)}}},
           {"joints", joints}};
 }
-
-}  // namespace
 
 void add_entries(const model::Robot& robot, const derive::inverse::Derivation& derivation, json& variant) {
   const Problem& problem = derivation.problem;
@@ -172,7 +167,6 @@ void add_entries(const model::Robot& robot, const derive::inverse::Derivation& d
   variant["tool_axis"] = directed ? "{" + numbers_of(problem.tool_axis) + "}" : "{}";
   const bool plain = problem.filter == Filter::none && (task == Task::pose || position_only);
   variant["checks_rows"] = !plain;
-  variant["arm"] = plain && !variant["seed_branch"].is_object() ? json(false) : arm_values(robot);
 }
 
 }  // namespace qvgen::emit

@@ -12,4 +12,7 @@ namespace qvgen::emit {
 void add_entries(const model::Robot& robot, const derive::inverse::Derivation& derivation,
                  nlohmann::json& variant);
 
+/// The arm's screws at zero as C++, for functions that look at rows, turn a tool, or move the whole arm.
+nlohmann::json arm_values(const model::Robot& described);
+
 }  // namespace qvgen::emit

@@ -348,8 +348,14 @@ json range_test_values(const model::Robot& robot, const LoweredPlan& plan) {
 
 json divisor_values(const model::Robot& robot, const LoweredPlan& plan) {
   json divisors = json::array();
-  for (const auto& [name, field] : geometry_fields(robot))
-    if (derive::inverse::divides_by(plan.plan, name)) divisors.push_back({{"field", field}, {"last", false}});
+  for (const auto& [name, field] : geometry_fields(robot)) {
+    if (!derive::inverse::divides_by(plan.plan, name)) continue;
+    const auto definition = robot.definitions.find(name);
+    const std::string text = definition == robot.definitions.end()
+                                 ? field
+                                 : model::without_marks(model::to_string(definition->second));
+    divisors.push_back({{"field", field}, {"text", text}, {"last", false}});
+  }
   if (!divisors.empty()) divisors.back()["last"] = true;
   return divisors;
 }

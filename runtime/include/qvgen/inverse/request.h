@@ -24,6 +24,13 @@ Preference<dof> preference(const Eigen::Matrix<double, dof, 1>& seed) {
   return result;
 }
 
+/// Joints of which one has another value.
+template <int dof>
+Eigen::Matrix<double, dof, 1> with_value(Eigen::Matrix<double, dof, 1> q, int joint, double value) {
+  q[joint] = value;
+  return q;
+}
+
 inline PoseNumbers numbers_of(const Pose<double>& pose) {
   return {pose.orientation.coeffs().data(), pose.position.data()};
 }

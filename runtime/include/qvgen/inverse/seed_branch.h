@@ -205,7 +205,7 @@ void follow_forks_carefully(Target goal, Tracker tracker, const bool* revolute, 
   for (const Boundary& boundary : {Boundary::chosen(goal.tolerance), Boundary::ends(goal.tolerance)}) {
     goal.boundary = boundary;
     const Target begin = goal;
-    for (const Start start : {Start::form, Start::held, Start::seed}) {
+    for (const Start start : {Start::form, Start::held}) {
       if (!tracker.budget().pass()) break;
       tracker.start_from(start);
       const auto one = [&](Forks& forks, Solutions<dof, 1>& row) {

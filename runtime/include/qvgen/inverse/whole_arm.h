@@ -9,6 +9,9 @@
 /// rounding leaves of the arm's joints, where both are singular; all joints together need not.
 namespace qvgen::inverse {
 
+/// Of a row that Newton's steps have found, not the equations.
+inline constexpr int unknown_branch = -1;
+
 template <int dof, int points>
 using ArmMatching = PointMatching<double, static_cast<std::size_t>(dof), static_cast<std::size_t>(points)>;
 
@@ -52,35 +55,44 @@ void take_nearer(const Solutions<dof, 1>& row, const Preference<dof>& seed, cons
   found.effort = effort;
 }
 
-/// Where Newton's steps of the whole arm lead from the seed, if they lead to the pose and nearer to the seed
-/// than what has been found: where that `is_sure`, only next to what turns out to be singular. What is nearly
-/// free stays where the seed has it.
+/// The row to which Newton's steps of the whole arm lead from the seed, if they lead to the pose. What is
+/// nearly free stays where the seed has it. `row_apart`: how far what has been found is from the seed,
+/// squared; where that `is_sure` steps are taken only next to what turns out to be singular.
 template <int points, int dof>
-void follow_whole_arm(const ArmAtZero<dof>& arm, const Pose<double>& pose, const Preference<dof>& seed,
-                      double tolerance, const bool* revolute, bool is_sure, Solutions<dof, 1>& found) {
+Solutions<dof, 1> row_from_seed(const ArmAtZero<dof>& arm, const Pose<double>& pose,
+                                const Preference<dof>& seed, double tolerance, bool is_sure,
+                                double row_apart) {
   const auto task = matching<points>(arm, pose);
   JointValues<double, static_cast<std::size_t>(dof)> start;
   for (std::size_t i = 0; i < start.size(); ++i)
-    start[i] = revolute[i] ? seed.turn[i] : Rotor<double>{seed.slide[i], 0};
+    start[i] = arm.joints[i].revolute ? seed.turn[i] : Rotor<double>{seed.slide[i], 0};
   SeedTracker<double, static_cast<std::size_t>(dof)> tracker;
-  if (is_sure &&
-      (found.empty() || !is_nearly_free(task, start, apart(found, seed, revolute), tracker.budget())))
-    return;
+  tracker.start_from(Start::seed);
+  Solutions<dof, 1> row;
+  const bool is_wanted =
+      !is_sure || (std::isfinite(row_apart) && is_nearly_free(task, start, row_apart, tracker.budget()));
   auto values = start;
   Branch<double> branch;
   branch.unsure = true;
-  tracker.start_from(Start::seed);
-  Solutions<dof, 1> row;
-  if (tracker.settle(0, task, Boundary::ends(tolerance), &start, values, branch)) {
+  if (is_wanted && tracker.settle(0, task, Boundary::ends(tolerance), &start, values, branch)) {
     Joints<dof> q;
     for (int i = 0; i < dof; ++i) {
-      const auto& value = values[static_cast<std::size_t>(i)];
-      q[i] = revolute[i] ? output_angle(value.cosine, value.sine) : value.cosine;
+      const auto joint = static_cast<std::size_t>(i);
+      q[i] = arm.joints[joint].revolute ? output_angle(values[joint].cosine, values[joint].sine)
+                                        : values[joint].cosine;
     }
-    append(row, q, found.empty() ? 0 : found[0].branch, branch.continuum);
+    append(row, q, unknown_branch, branch.continuum);
   }
   row.effort = tracker.budget().spent;
-  take_nearer(row, seed, revolute, found);
+  return row;
+}
+
+/// Takes that row if it is nearer to the seed than what has been found.
+template <int points, int dof>
+void follow_whole_arm(const ArmAtZero<dof>& arm, const Pose<double>& pose, const Preference<dof>& seed,
+                      double tolerance, const bool* revolute, bool is_sure, Solutions<dof, 1>& found) {
+  const double row_apart = apart(found, seed, revolute);
+  take_nearer(row_from_seed<points>(arm, pose, seed, tolerance, is_sure, row_apart), seed, revolute, found);
 }
 
 /// An arm one of whose joints stands still: the others of it.
@@ -104,44 +116,56 @@ ArmAtZero<dof - 1> without_joint(const ArmAtZero<dof>& arm, int still, double va
   return rest;
 }
 
-/// The same with one joint where it is given.
+template <int dof>
+Preference<dof - 1> without_joint(const Preference<dof>& seed, int still) {
+  Preference<dof - 1> rest;
+  for (int i = 0; i < dof - 1; ++i) {
+    const int joint = i < still ? i : i + 1;
+    rest.angle[i] = seed.angle[joint];
+    rest.slide[i] = seed.slide[joint];
+    rest.choose(i, seed.turn[joint]);
+  }
+  return rest;
+}
+
+/// Rows with the value of one more joint.
+template <int dof>
+Solutions<dof + 1, 1> with_joint(const Solutions<dof, 1>& rows, int joint, double value) {
+  Solutions<dof + 1, 1> result;
+  for (const Solution<dof>& row : rows) {
+    Joints<dof + 1> q;
+    for (int i = 0; i < dof; ++i) q[i < joint ? i : i + 1] = row.q[i];
+    q[joint] = value;
+    append(result, q, row.branch, row.continuum);
+  }
+  result.effort = rows.effort;
+  return result;
+}
+
+/// The same with one joint where it is given, as the seed has it too.
 template <int points, int dof>
 void follow_whole_arm(const ArmAtZero<dof>& arm, const Pose<double>& pose, const Preference<dof>& seed,
                       int given, double value, double tolerance, const bool* revolute, bool is_sure,
                       Solutions<dof, 1>& found) {
-  Preference<dof - 1> rest_seed;
-  bool rest_revolute[dof - 1];
-  const auto place = [&](int i) { return i < given ? i : i + 1; };
-  for (int i = 0; i < dof - 1; ++i) {
-    rest_seed.angle[i] = seed.angle[place(i)];
-    rest_seed.slide[i] = seed.slide[place(i)];
-    rest_seed.choose(i, seed.turn[place(i)]);
-    rest_revolute[i] = revolute[place(i)];
-  }
-  Solutions<dof - 1, 1> rest;
-  rest.effort = found.effort;
-  if (!found.empty()) {
-    Joints<dof - 1> q;
-    for (int i = 0; i < dof - 1; ++i) q[i] = found[0].q[place(i)];
-    append(rest, q, found[0].branch, found[0].continuum);
-    rest.status = found.status;
-  }
-  follow_whole_arm<points>(without_joint(arm, given, value), pose, rest_seed, tolerance, rest_revolute,
-                           is_sure, rest);
-  found.clear();
-  for (const Solution<dof - 1>& row : rest) {
-    Joints<dof> q;
-    q[given] = value;
-    for (int i = 0; i < dof - 1; ++i) q[place(i)] = row.q[i];
-    append(found, q, row.branch, row.continuum);
-  }
-  found.status = rest.status;
-  found.effort = rest.effort;
+  const double row_apart = apart(found, seed, revolute);
+  const auto rest = row_from_seed<points>(without_joint(arm, given, value), pose, without_joint(seed, given),
+                                          tolerance, is_sure, row_apart);
+  take_nearer(with_joint(rest, given, value), seed, revolute, found);
+}
+
+/// The first number that no row has.
+template <int dof, int capacity>
+int free_branch(const Solutions<dof, capacity>& rows) {
+  int branch = 0;
+  const auto has_it = [&](const Solution<dof>& row) { return row.branch == branch; };
+  while (std::any_of(rows.begin(), rows.end(), has_it)) ++branch;
+  return branch;
 }
 
 /// Puts a row next to the seed in front of all solutions, which stand by their distance from it, if there is
 /// one that these do not have: in place of the nearest one where a joint is free or nearly free, and else as
-/// one that has been missing, as others may be. `follow(is_sure, nearest)`: see `follow_whole_arm`.
+/// one that has been missing, as others may be, with a number that no other has. `follow(is_sure, nearest)`:
+/// see `follow_whole_arm`.
 template <int dof, int capacity, class Follow>
 void add_row_at_seed(const Preference<dof>& seed, const bool* revolute, const Follow& follow,
                      Solutions<dof, capacity>& found) {
@@ -157,11 +181,13 @@ void add_row_at_seed(const Preference<dof>& seed, const bool* revolute, const Fo
   if (!(apart(nearest, seed, revolute) < row_apart)) return;
   const bool is_joined = !found.empty() && (is_sure || found[0].continuum || nearest[0].continuum);
   const bool replaces = is_joined || found.size() == capacity;
+  const int branch = replaces ? found[0].branch : free_branch(found);
   if (!replaces) {
     found.append();
     std::move_backward(found.begin(), found.end() - 1, found.end());
   }
   found[0] = nearest[0];
+  found[0].branch = branch;
   found.conclude();
   if (!replaces) found.status = Status::incomplete;
 }

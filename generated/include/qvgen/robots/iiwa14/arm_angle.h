@@ -8,39 +8,29 @@
 
 namespace qvgen::robots::iiwa14 {
 
-/// The arm angle, rad in (-pi, pi], of joint values: the turn of the elbow about the line from the shoulder, where the
-/// first
-/// three axes meet, to the wrist, where the last three do. Counted from the plane of that line and a reference
-/// direction:
-/// ArmAngleReference::conventional(), a fixed one; ArmAngleReference::stereographic(), one that turns along and is
-/// undefined
-/// on one half line only. Where the elbow is straight or folded, or the reference undefined, it is the angle of the
-/// plane in
-/// which the elbow bends.
+/// The arm angle, rad in (-pi, pi], of joint values: the turn of the elbow about the line from the shoulder, where
+/// the first three axes meet, to the wrist, where the last three do. Counted from the plane of that line and a
+/// reference direction: ArmAngleReference::conventional(), a fixed one; ArmAngleReference::stereographic(), one that
+/// turns along and is undefined on one half line only. Where the elbow is straight or folded, or the reference
+/// undefined, it is the angle of the plane in which the elbow bends.
 double arm_angle(const JointVector<double>& q, const ArmAngleReference& reference = {}, const Geometry& g = {});
 
 /// All joint values that bring the tool to a pose (position and orientation) with an arm angle psi, rad; angles in
-/// (-pi, pi],
-/// each once: at most eight, in closed form.
+/// (-pi, pi], each once: at most eight, in closed form.
 ///
-/// Derived from the description: the axes of joints 1, 2 and 3 meet in one point, the axes of joints 5, 6 and 7 do. The
-/// distance of these points bends the elbow, one way or the other; the arm angle places it; then shoulder and wrist
-/// turn by
-/// three angles each, the middle one either way. A branch is 4 (elbow) + 2 (shoulder) + 1 (wrist) and keeps its number
-/// along
-/// a path without a singularity.
+/// Derived from the description: the axes of joints 1, 2 and 3 meet in one point, the axes of joints 5, 6 and 7 do.
+/// The distance of these points bends the elbow, one way or the other; the arm angle places it; then shoulder and
+/// wrist turn by three angles each, the middle one either way. A branch is 4 (elbow) + 2 (shoulder) + 1 (wrist) and
+/// keeps its number along a path without a singularity.
 ///
 /// Checked at 6 random poses: the 48 solutions give the pose back to 1e-12 (by sixty digits),
 /// the sampled joints among them.
 ///
 /// The pose's quaternion may be off its length by rounding (float's too) and is normalised; NaN, infinity or no
-/// rotation
-/// gives Status::invalid. `tolerance` is how far beyond the boundary of reach, as a share of the arm's size, a pose is
-/// still
-/// solved by the nearest joints. Where the first and the last axis of shoulder or wrist are in line the first joint is
-/// taken as 0; such rows are marked, and those of a straight or folded elbow, whose arm angle is undefined, or of a
-/// wrist where
-/// the reference is. The work does not depend on the pose. No heap, no exceptions.
+/// rotation gives Status::invalid. `tolerance` is how far beyond the boundary of reach, as a share of the arm's size,
+/// a pose is still solved by the nearest joints. Where the first and the last axis of shoulder or wrist are in line
+/// the first joint is taken as 0; such rows are marked, and those of a straight or folded elbow, whose arm angle is
+/// undefined, or of a wrist where the reference is. The work does not depend on the pose. No heap, no exceptions.
 qvgen::Solutions<dof, 8> inverse_kinematics_arm_angle(const Pose<double>& pose, double psi,
     const ArmAngleReference& reference = {}, const Geometry& g = {}, double tolerance = inverse::default_tolerance);
 /// The same, nearest to the seed first (see `sort_by_distance`); free joints are taken from the seed.
@@ -53,18 +43,15 @@ qvgen::Solutions<dof, 8> inverse_kinematics_arm_angle(const Matrix3<double>& rot
     double tolerance = inverse::default_tolerance);
 
 /// The arm angles of a pose with which each branch is within joint limits, whole turns counted. Exact up to rounding,
-/// not
-/// sampled: a joint meets a limit where a cos(psi) + b sin(psi) + c = 0 (Shimizu et al. 2008). `nearest_arm_angle` and
-/// `widest_arm_angle` choose among them. `Limits()` of inverse.h has the description's.
+/// not sampled: a joint meets a limit where a cos(psi) + b sin(psi) + c = 0 (Shimizu et al. 2008).
+/// `nearest_arm_angle` and `widest_arm_angle` choose among them. `Limits()` of inverse.h has the description's.
 ArmAngleIntervals arm_angle_intervals(const Pose<double>& pose, const JointLimits<dof>& limits,
     const ArmAngleReference& reference = {}, const Geometry& g = {}, double tolerance = inverse::default_tolerance);
 
 /// Joint values within limits that bring the tool to a pose, wherever there are any: one row for each branch that has
-/// an arm
-/// angle with which it is within the limits, in the middle of the widest interval of these, farthest from the limits.
-/// Of the
-/// representatives of an angle that differ by whole turns and lie inside, the one nearest to zero. Where two things are
-/// singular at once and the limits leave next to nothing, a solution may be missed.
+/// an arm angle with which it is within the limits, in the middle of the widest interval of these, farthest from the
+/// limits. Of the representatives of an angle that differ by whole turns and lie inside, the one nearest to zero.
+/// Where two things are singular at once and the limits leave next to nothing, a solution may be missed.
 LimitedSolutions<dof, 8, 1> inverse_kinematics(const Pose<double>& pose, const JointLimits<dof>& limits,
     const ArmAngleReference& reference = {}, const Geometry& g = {}, double tolerance = inverse::default_tolerance);
 /// The same with the arm angle nearest to the seed's, and the representatives nearest to the seed; the nearest row

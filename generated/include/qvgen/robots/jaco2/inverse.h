@@ -45,15 +45,12 @@ inline constexpr InverseInfo inverse_info{ 16, Task::pose, -1, false, false, {},
 /// the sampled joints among them.
 ///
 /// The pose's quaternion may be off its length by rounding (float's too) and is normalised; NaN, infinity or no
-/// rotation gives Status::invalid. `tolerance` is how far beyond the boundary of reach, as a share of the arm's size, a
-/// pose
-/// is still solved by the nearest joints. What a singular pose leaves free is taken as it is found, or near the seed.
-/// Rows
-/// stand in the order of their joints, a row's branch is its place. Status::incomplete says that a solution may be
-/// missing:
-/// there is a reason to doubt that all have been found; near singular poses one may be missing without a word. No heap,
-/// no exceptions, bounded work. Four angles at a time in the
-/// lanes of AVX2 registers, if the machine has them; `form` is for comparisons.
+/// rotation gives Status::invalid. `tolerance` is how far beyond the boundary of reach, as a share of the arm's size,
+/// a pose is still solved by the nearest joints. What a singular pose leaves free is taken as it is found, or near
+/// the seed. Rows stand in the order of their joints, a row's branch is its place. Status::incomplete says that a
+/// solution may be missing: there is a reason to doubt that all have been found; near singular poses one may be
+/// missing without a word. No heap, no exceptions, bounded work. Four angles at a time in the lanes of AVX2
+/// registers, if the machine has them; `form` is for comparisons.
 Solutions inverse_kinematics(const Pose<double>& pose, const Geometry& g = {},
     double tolerance = inverse::default_tolerance, inverse::Form form = inverse::Form::fastest);
 /// The same, nearest to the seed first (see `sort_by_distance`); free joints are taken from the seed.
@@ -63,25 +60,20 @@ Solutions inverse_kinematics(const Pose<double>& pose, const JointVector<double>
 Solutions inverse_kinematics(const Matrix3<double>& rotation, const Vector3<double>& position, const Geometry& g = {},
     double tolerance = inverse::default_tolerance);
 /// The solutions within joint limits, as in inverse_kinematics(pose, Limits()): every representative of an angle that
-/// differs
-/// by whole turns and lies inside, of each row those nearest to zero first (see `within_limits`).
+/// differs by whole turns and lies inside, of each row those nearest to zero first (see `within_limits`).
 LimitedSolutions<dof, 16> inverse_kinematics(const Pose<double>& pose, const JointLimits<dof>& limits,
     const Geometry& g = {},
     double tolerance = inverse::default_tolerance);
 /// The same with a seed: one row for each solution that has one inside, the representative nearest to the seed; the
-/// nearest
-/// row first. `continued` goes on a path by them.
+/// nearest row first. `continued` goes on a path by them.
 LimitedSolutions<dof, 16, 1> inverse_kinematics(const Pose<double>& pose, const JointVector<double>& seed,
     const JointLimits<dof>& limits,
     const Geometry& g = {}, double tolerance = inverse::default_tolerance);
 
-/// For control loops: the solution that Newton's steps from the seed, the joints that went before, lead to. Angles are
-/// within
-/// half a turn of the seed's, not confined to (-pi, pi]. A joint that a singular pose leaves free stays where the seed
-/// has it,
-/// as far as the other joints can follow, and Status::singular says so. Where the steps, a bounded number, do not come
-/// to the
-/// pose, all solutions are looked for as above, and the nearest is taken.
+/// For control loops: the solution that Newton's steps from the seed, the joints that went before, lead to. Angles
+/// are within half a turn of the seed's, not confined to (-pi, pi]. A joint that a singular pose leaves free stays
+/// where the seed has it, as far as the other joints can follow, and Status::singular says so. Where the steps, a
+/// bounded number, do not come to the pose, all solutions are looked for as above, and the nearest is taken.
 NearSolution inverse_kinematics_near(const Pose<double>& pose, const JointVector<double>& seed, const Geometry& g = {},
     double tolerance = inverse::default_tolerance);
 

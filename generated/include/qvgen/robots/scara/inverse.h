@@ -43,8 +43,8 @@ inline constexpr InverseInfo inverse_info{ 2, Task::position_and_yaw, -1, false,
 /// Directions and quaternions may be off their length by rounding; NaN, infinity or another length gives
 /// Status::invalid.
 /// `tolerance` is how far beyond the boundary of reach, as a share of the arm's size, the task is still solved by the
-/// nearest joints. What a singular place leaves free is taken as 0, or near it where the other joints cannot follow. No
-/// heap, no exceptions.
+/// nearest joints. What a singular place leaves free is taken as 0, or near it where the other joints cannot follow.
+/// No heap, no exceptions.
 /// Near a singular pose, where rounding would decide which solutions exist, at most
 /// 8 passes over the branches and 56 evaluations of the Jacobian are added (`effort` of the set);
 /// Status::incomplete says that they did not suffice. It also says that nothing can be said, of an arm without a

@@ -39,11 +39,9 @@ inline constexpr InverseInfo inverse_info{ 8, Task::pose, -1, true, true, {} };
 /// the sampled joints among them.
 ///
 /// The pose's quaternion may be off its length by rounding (float's too) and is normalised; NaN, infinity or no
-/// rotation gives Status::invalid. `tolerance` is how far beyond the boundary of reach, as a share of the arm's size, a
-/// pose
-/// is still solved by the nearest joints. What a singular pose leaves free is taken as 0, or near it where the other
-/// joints
-/// cannot follow. No heap, no exceptions.
+/// rotation gives Status::invalid. `tolerance` is how far beyond the boundary of reach, as a share of the arm's size,
+/// a pose is still solved by the nearest joints. What a singular pose leaves free is taken as 0, or near it where the
+/// other joints cannot follow. No heap, no exceptions.
 /// Near a singular pose, where rounding would decide which solutions exist, at most
 /// 8 passes over the branches and 72 evaluations of the Jacobian are added (`effort` of the set);
 /// Status::incomplete says that they did not suffice. It also says that nothing can be said, of an arm without a
@@ -51,7 +49,9 @@ inline constexpr InverseInfo inverse_info{ 8, Task::pose, -1, true, true, {} };
 /// Four branches at a time in the lanes of AVX2 registers, if the machine has them; `form` is for comparisons.
 Solutions inverse_kinematics(const Pose<double>& pose, const Geometry& g = {},
     double tolerance = inverse::default_tolerance, inverse::Form form = inverse::Form::fastest);
-/// The same, nearest to the seed first (see `sort_by_distance`); free joints are taken from the seed.
+/// The same, nearest to the seed first (see `sort_by_distance`); free joints are taken from the seed. Where
+/// a joint is nearly free Newton steps from the seed bring the nearest row to it, by at most 60 more
+/// evaluations of the Jacobian.
 Solutions inverse_kinematics(const Pose<double>& pose, const JointVector<double>& seed, const Geometry& g = {},
     double tolerance = inverse::default_tolerance);
 /// The same for a rotation matrix and a position (m).
@@ -70,17 +70,14 @@ LimitedSolutions<dof, 8, 1> inverse_kinematics(const Pose<double>& pose, const J
     const JointLimits<dof>& limits,
     const Geometry& g = {}, double tolerance = inverse::default_tolerance);
 
-/// For control loops: the solution on the branch of the seed, the joints that went before; of every equation above the
-/// value
-/// that is nearer to the seed's. Near singular poses Newton steps of all joints lead from the seed to the pose. If the
-/// branch does not come to it others are followed: whoever must not jump looks how far the row is. Angles are within
-/// half a
-/// turn of the seed's, not confined to (-pi, pi]. A joint that a singular pose leaves free stays where the seed has it,
-/// as
-/// far as the other joints can follow, and Status::singular says so. At most 120 evaluations of the Jacobian, and
-/// those near singular poses only; where they lead to nothing, all solutions are looked for as above, and the nearest
-/// is
-/// taken.
+/// For control loops: the solution on the branch of the seed, the joints that went before; of every equation above
+/// the value that is nearer to the seed's. Near singular poses Newton steps of all joints lead from the seed to the
+/// pose. If the branch does not come to it others are followed: whoever must not jump looks how far the row is.
+/// Angles are within half a turn of the seed's, not confined to (-pi, pi]. A joint that a singular pose leaves free
+/// stays where the seed has it, as far as the other joints can follow, and Status::singular says so. Of a row that
+/// steps from the seed have found the branch is not known: -1. At most 120 evaluations of the Jacobian,
+/// and those near singular poses only; where they lead to nothing, all solutions are looked for as above, and the
+/// nearest is taken.
 NearSolution inverse_kinematics_near(const Pose<double>& pose, const JointVector<double>& seed, const Geometry& g = {},
     double tolerance = inverse::default_tolerance);
 

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "dag/graph.h"
+#include "emit/cpp/code.h"
+#include "model/robot.h"
+
+namespace qvgen::emit {
+
+/// A function of the geometry alone as C++; sines of its angles are computed where they stand.
+Code geometry_code(const model::Robot& robot, const dag::Function& function);
+
+}  // namespace qvgen::emit
