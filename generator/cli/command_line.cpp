@@ -17,6 +17,14 @@ const char* const examples = R"(
   qvgen show my_arm.toml --latex              the same typeset
   qvgen show puma560 --singularities          where the arm is singular, factor by factor
   qvgen counts --format markdown              operation counts of everything generated
+  qvgen compare puma560 ns                    formulations by their operations: pairs, Denavit-Hartenberg, ...
+)";
+
+const char* const compare_examples = R"(
+  qvgen compare                               all known robots, and a summary by their workspaces
+  qvgen compare my_arm.toml --level textbook  as a library multiplies that does not know the robot
+  qvgen compare ns --formulations pairs,dh    two of them
+  qvgen compare --format csv > compared.csv   for other programs
 )";
 
 const char* const exit_codes = "0 success, 1 failure, 2 wrong arguments, 3 mistakes in a description";
@@ -130,18 +138,47 @@ void add_show(CommandLine& line) {
   add_reading(command, line.show.read);
 }
 
-void add_counts(CommandLine& line) {
+void add_format(CLI::App& command, ReportFormat& format) {
   const std::map<std::string, ReportFormat> formats{{"table", ReportFormat::table},
                                                     {"csv", ReportFormat::csv},
                                                     {"json", ReportFormat::json},
                                                     {"markdown", ReportFormat::markdown}};
+  command.add_option("--format", format, "table, csv, json or markdown")
+      ->transform(CLI::CheckedTransformer(formats).description("{csv,json,markdown,table}"));
+}
+
+void add_counts(CommandLine& line) {
   CLI::App& command =
       *line.app.add_subcommand("counts", "print the operation counts of the generated functions");
   line.counts_command = &command;
-  command.add_option("--format", line.format, "table, csv, json or markdown")
-      ->transform(CLI::CheckedTransformer(formats).description("{csv,json,markdown,table}"));
+  add_format(command, line.format);
   command.add_flag("--forms", line.forms, "also the forms that competed for each function");
   add_output(line, command, "folder that was generated");
+}
+
+void add_compare(CommandLine& line) {
+  CLI::App& command = *line.app.add_subcommand("compare",
+                                               "compare formulations of a quantity by their operations, each "
+                                               "certified: as a textbook has them, with the "
+                                               "robot's zeros and ones gone, and after all passes");
+  line.compare_command = &command;
+  command
+      .add_option("ROBOTS", line.compared,
+                  "robot descriptions or names of known robots; all known ones without")
+      ->type_name("ROBOT");
+  command
+      .add_option("--formulations", line.compare.request.formulations,
+                  "some of them by name: pairs,dh,...; all without")
+      ->type_name("NAMES")
+      ->allow_extra_args(false)
+      ->delimiter(',');
+  command.add_option("--level", line.levels, "textbook, specialised or optimised; all without")
+      ->check(CLI::IsMember(compare::level_names()))
+      ->allow_extra_args(false)
+      ->delimiter(',');
+  add_format(command, line.compare.format);
+  add_reading(command, line.compare.read);
+  command.footer(std::string("\nexamples:") + compare_examples);
 }
 
 void add_check(CommandLine& line) {
@@ -195,6 +232,7 @@ CommandLine::CommandLine() {
   add_remove(*this);
   add_show(*this);
   add_counts(*this);
+  add_compare(*this);
   add_check(*this);
   add_import(*this);
   add_new(*this);

@@ -34,6 +34,11 @@ struct CommandLine {
   ReportFormat format = ReportFormat::table;
   bool forms = false;
 
+  CLI::App* compare_command = nullptr;
+  std::vector<std::string> compared, levels;
+  std::string what = "forward";
+  CompareArguments compare;
+
   CLI::App* check_command = nullptr;
   std::vector<std::string> checked;
   description::ReadOptions check;
@@ -59,6 +64,7 @@ struct CommandLine {
 
 /// Calls that show what can be done, one a line, each with what it does.
 extern const char* const examples;
+extern const char* const compare_examples;
 extern const char* const exit_codes;
 
 }  // namespace qvgen::cli

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/report.h"
+#include "compare/comparison.h"
 #include "description/reader.h"
 #include "model/robot.h"
 #include "pipeline/parallel.h"
@@ -51,6 +52,13 @@ struct ShowArguments {
   bool inverse = false;   ///< the derivation of inverse kinematics instead of the closed form of the pose
 };
 
+struct CompareArguments {
+  std::vector<std::filesystem::path> descriptions;
+  description::ReadOptions read;
+  compare::Request request;
+  ReportFormat format = ReportFormat::table;
+};
+
 /// Each command prints its results to stdout and messages to stderr, and returns an ExitCode.
 int run_generate(const GenerateArguments& arguments);
 /// Removes robots from a folder, their files and nothing else.
@@ -59,6 +67,8 @@ int run_show(const ShowArguments& arguments);
 /// The functions that a folder has of a robot, and why any is missing.
 int run_show_functions(const std::string& robot, const std::filesystem::path& folder);
 int run_counts(const std::filesystem::path& folder, ReportFormat format, bool forms);
+/// Operation counts of competing formulations, each robot in a process of its own.
+int run_compare(const CompareArguments& arguments);
 /// `thorough`: derives and certifies everything as run_generate does.
 int run_check(const std::vector<std::filesystem::path>& descriptions, const description::ReadOptions& options,
               bool thorough);

@@ -6,10 +6,10 @@
 #include <cln/rational_io.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unistd.h>
 
 #include "cli/build_files.h"
 #include "cli/commands.h"
+#include "cli/progress_line.h"
 #include "pipeline/files.h"
 #include "pipeline/folder_state.h"
 #include "pipeline/output_folder.h"
@@ -21,28 +21,6 @@ namespace {
 namespace fs = std::filesystem;
 using namespace pipeline;
 using nlohmann::ordered_json;
-
-/// One line that is rewritten as robots finish; silent where nobody looks.
-class ProgressLine {
- public:
-  explicit ProgressLine(std::size_t total) : total_(total), visible_(::isatty(STDERR_FILENO) != 0) {}
-  ProgressLine(const ProgressLine&) = delete;
-  ProgressLine& operator=(const ProgressLine&) = delete;
-  ~ProgressLine() {
-    if (visible_) fmt::print(stderr, "\r\033[K");
-  }
-  void finished(const std::string& robot) {
-    ++done_;
-    if (!visible_) return;
-    fmt::print(stderr, "\r\033[K[{}/{}] {}", done_, total_, robot);
-    std::fflush(stderr);
-  }
-
- private:
-  std::size_t total_;
-  std::size_t done_ = 0;
-  bool visible_;
-};
 
 /// A robot of the run: where it comes from, and what its files are made of.
 struct Task {

@@ -14,6 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace qvgen::cli;
 using namespace qvgen::pipeline;
+namespace compare = qvgen::compare;
 
 /// Wrong arguments that CLI11 cannot see.
 class UsageError : public std::runtime_error {
@@ -64,6 +65,25 @@ void check_parts(const std::string& option, const std::vector<std::string>& part
   for (const std::string& part : parts)
     if (!has(known, part))
       throw UsageError(with_suggestion(option + ": there is no part '" + part + "'", part, known));
+}
+
+void check_formulations(const compare::Request& request) {
+  const auto known = compare::formulation_names(request.what);
+  for (const std::string& name : request.formulations)
+    if (!has(known, name))
+      throw UsageError(with_suggestion("--formulations: there is no '" + name + "'", name, known));
+}
+
+CompareArguments compare_arguments(CommandLine& line, const Installation& here) {
+  CompareArguments arguments = line.compare;
+  const auto& levels = compare::level_names();
+  for (const std::string& name : line.levels)
+    arguments.request.levels.push_back(
+        static_cast<compare::Level>(std::find(levels.begin(), levels.end(), name) - levels.begin()));
+  check_formulations(arguments.request);
+  arguments.descriptions =
+      line.compared.empty() ? descriptions_in(here.robots) : descriptions_of(line.compared, here.robots);
+  return arguments;
 }
 
 bool is_inside(const fs::path& path, const fs::path& folder) {
@@ -127,6 +147,7 @@ int run(int argc, char** argv) {
     return run_show(line.show);
   }
   if (*line.counts_command) return run_counts(folder({}), line.format, line.forms);
+  if (*line.compare_command) return run_compare(compare_arguments(line, here));
   if (*line.import_command) return run_import(line.imported, line.import);
   if (*line.new_command) return run_new(line.letters, line.name, line.wrist == "euler", here.robots);
   if (*line.list_command) return print(names_in(here.robots));

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cli/report.h"
 
-#include <algorithm>
 #include <vector>
 
 #include <fmt/format.h>
@@ -12,7 +11,7 @@ namespace qvgen::cli {
 namespace {
 
 using nlohmann::ordered_json;
-using Row = std::vector<std::string>;
+using Row = TableRow;
 
 const Row header{"robot", "function",       "mul",      "add",      "div", "sqrt", "sincos",
                  "atan2", "fewest mul+add", "(sincos)", "error/ulp"};
@@ -53,54 +52,13 @@ std::vector<Row> rows_of(const ordered_json& counts, bool forms) {
   return rows;
 }
 
-std::string separated(const std::vector<Row>& rows, const char* separator) {
-  std::string text;
-  for (const Row& row : rows) text += fmt::format("{}\n", fmt::join(row, separator));
-  return text;
-}
-
-std::vector<std::size_t> widths(const std::vector<Row>& rows) {
-  std::vector<std::size_t> result(header.size(), 0);
-  for (const Row& row : rows)
-    for (std::size_t i = 0; i < row.size(); ++i) result[i] = std::max(result[i], row[i].size());
-  return result;
-}
-
-/// Columns aligned: names to the left, numbers to the right.
-std::string aligned(const std::vector<Row>& rows, const std::string& edge, const std::string& separator,
-                    bool rule) {
-  const auto width = widths(rows);
-  std::string text;
-  for (std::size_t r = 0; r < rows.size(); ++r) {
-    Row cells;
-    for (std::size_t i = 0; i < rows[r].size(); ++i)
-      cells.push_back(i < 2 ? fmt::format("{:<{}}", rows[r][i], width[i])
-                            : fmt::format("{:>{}}", rows[r][i], width[i]));
-    text += edge + fmt::format("{}", fmt::join(cells, separator)) + edge + "\n";
-    if (r == 0 && rule) {
-      Row dashes;
-      for (std::size_t i = 0; i < width.size(); ++i)
-        dashes.push_back(std::string(width[i] - (i < 2 ? 0 : 1), '-') + (i < 2 ? "" : ":"));
-      text += edge + fmt::format("{}", fmt::join(dashes, separator)) + edge + "\n";
-    }
-  }
-  return text;
-}
-
 }  // namespace
 
 std::string report(const ordered_json& counts, ReportFormat format, bool forms) {
   if (format == ReportFormat::json) return counts.dump(1) + "\n";
-  std::vector<Row> rows = rows_of(counts, forms);
-  rows.insert(rows.begin(), header);
-  switch (format) {
-    case ReportFormat::csv:
-      return separated(rows, ",");
-    case ReportFormat::markdown:
-      return aligned(rows, "|", "|", true);
-    default:
-      return aligned(rows, "", "  ", false);
-  }
+  Table table{{header}, 2};
+  for (Row& row : rows_of(counts, forms)) table.rows.push_back(std::move(row));
+  return text_of(table, format);
 }
 
 }  // namespace qvgen::cli

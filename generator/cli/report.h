@@ -5,9 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
-namespace qvgen::cli {
+#include "cli/table.h"
 
-enum class ReportFormat { table, csv, json, markdown };
+namespace qvgen::cli {
 
 /// The operation counts (the content of operation_counts.json) for people or programs, one line a function;
 /// with `forms` also a line for each form that competed, by itself after the passes.

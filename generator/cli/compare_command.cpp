@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include "cli/commands.h"
+#include "cli/compare_report.h"
+#include "cli/progress_line.h"
+#include "compare/thesis_times.h"
+#include "pipeline/parallel.h"
+
+namespace qvgen::cli {
+namespace {
+
+using nlohmann::ordered_json;
+
+/// What a robot may take; the largest takes a tenth of it.
+constexpr pipeline::Budget budget{60, 4096};
+
+std::string compared(const model::Robot& robot, const compare::Request& request) {
+  ordered_json rows = ordered_json::array();
+  for (const compare::Row& row : compare::compare(robot, request)) rows.push_back(to_json(row));
+  return rows.dump();
+}
+
+}  // namespace
+
+int run_compare(const CompareArguments& arguments) {
+  const auto robots = read_robots(arguments.descriptions, arguments.read);
+  if (!robots) return bad_description;
+  std::vector<pipeline::Outcome> outcomes;
+  {
+    ProgressLine progress(robots->size());
+    outcomes = pipeline::in_processes(
+        robots->size(), [&](std::size_t i) { return compared((*robots)[i], arguments.request); }, budget,
+        [&](std::size_t i) { progress.finished((*robots)[i].name); });
+  }
+  std::vector<compare::Row> rows;
+  std::map<std::string, std::string> classes;
+  for (const compare::ThesisTimes& times : compare::thesis_times()) classes[times.robot] = times.workspace;
+  bool good = true;
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    if (!outcomes[i].done) {
+      fmt::print(stderr, "qvgen: {}: {}\n", (*robots)[i].name, outcomes[i].text);
+      good = false;
+      continue;
+    }
+    for (const auto& json : ordered_json::parse(outcomes[i].text)) rows.push_back(row_from_json(json));
+  }
+  if (!rows.empty()) fmt::print("{}", comparison_report(rows, classes, arguments.format));
+  return good ? success : failure;
+}
+
+}  // namespace qvgen::cli

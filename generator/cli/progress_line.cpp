@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#include "cli/progress_line.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace qvgen::cli {
+
+ProgressLine::ProgressLine(std::size_t total) : total_(total), visible_(::isatty(STDERR_FILENO) != 0) {}
+
+ProgressLine::~ProgressLine() {
+  if (visible_) fmt::print(stderr, "\r\033[K");
+}
+
+void ProgressLine::finished(const std::string& robot) {
+  ++done_;
+  if (!visible_) return;
+  fmt::print(stderr, "\r\033[K[{}/{}] {}", done_, total_, robot);
+  std::fflush(stderr);
+}
+
+}  // namespace qvgen::cli
