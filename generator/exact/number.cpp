@@ -93,26 +93,29 @@ cln::cl_RA Number::rational() const {
   return place == terms_.end() ? cln::cl_RA(0) : place->second;
 }
 
-namespace {
-/// Value in enough digits that only a true zero looks like one.
-cln::cl_F approximate(const Terms& terms) {
-  const cln::float_format_t digits = cln::float_format(80);
+cln::cl_F to_float(const Number& number, cln::float_format_t digits) {
   cln::cl_F sum = cln::cl_float(0, digits);
-  for (const auto& [radicand, coefficient] : terms)
-    sum = sum + cln::cl_float(coefficient, digits) * cln::sqrt(cln::cl_float(cln::cl_I(radicand), digits));
+  for (const auto& [radicand, coefficient] : number.terms()) {
+    const cln::cl_F term = cln::cl_float(coefficient, digits);
+    sum = sum + (radicand == 1 ? term : term * cln::sqrt(cln::cl_float(cln::cl_I(radicand), digits)));
+  }
   return sum;
 }
+
+namespace {
+/// Enough digits that only a true zero looks like one.
+cln::cl_F approximate(const Number& number) { return to_float(number, cln::float_format(80)); }
 }  // namespace
 
 int Number::sign() const {
   if (is_zero()) return 0;
   if (terms_.size() == 1) return cln::minusp(terms_.begin()->second) ? -1 : 1;
-  return cln::minusp(approximate(terms_)) ? -1 : 1;
+  return cln::minusp(approximate(*this)) ? -1 : 1;
 }
 
 double Number::to_double() const {
   if (is_rational()) return cln::double_approx(rational());
-  return cln::double_approx(approximate(terms_));
+  return cln::double_approx(approximate(*this));
 }
 
 Number operator+(const Number& a, const Number& b) {

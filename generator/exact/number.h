@@ -4,6 +4,7 @@
 #include <map>
 #include <string>
 
+#include <cln/float.h>
 #include <cln/rational.h>
 
 namespace qvgen::exact {
@@ -43,6 +44,9 @@ class Number {
  private:
   std::map<unsigned long, cln::cl_RA> terms_;
 };
+
+/// The value rounded to that many digits.
+cln::cl_F to_float(const Number& number, cln::float_format_t digits);
 
 /// Canonical text, e.g. "1/2*sqrt(3)"; equal numbers give equal text.
 std::string to_string(const Number& number);

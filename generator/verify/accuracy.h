@@ -12,8 +12,8 @@ namespace qvgen::verify {
 using OutputGroup = std::vector<std::string>;
 
 /// Largest error over `points` random configurations of the function computed in IEEE double as it is emitted
-/// (sines and cosines correctly rounded, no contraction), against the exact value in CLN rationals; in units
-/// in the last place of the largest component of the output's group.
+/// (sines and cosines correctly rounded, no contraction), against the same in sixty digits; in units in the
+/// last place of the largest component of the output's group.
 double largest_error_in_ulps(const dag::Function& function, const std::vector<OutputGroup>& groups,
                              int points);
 

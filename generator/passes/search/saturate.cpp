@@ -138,16 +138,47 @@ void share_reciprocals(Classes& classes) {
   }
 }
 
+namespace {
+
+/// Whether a value may be one of the classes' or its negative: a bit for each of many remainders, small
+/// enough for the processor's cache. Most of the values that the closure asks for are none.
+class ValueFilter {
+ public:
+  explicit ValueFilter(const Classes& classes) {
+    std::size_t bits = 1024;
+    while (bits < 64 * static_cast<std::size_t>(classes.size())) bits *= 2;
+    words_.assign(bits / 64, 0);
+    for (std::uint32_t id = 0; id < classes.size(); ++id)
+      for (const Field value : {classes[id].value, -classes[id].value})
+        words_[word(value)] |= std::uint64_t{1} << (value.bits() % 64);
+  }
+  [[nodiscard]] bool may_hold(Field value) const {
+    return ((words_[word(value)] >> (value.bits() % 64)) & 1U) != 0;
+  }
+
+ private:
+  /// Values are those of a random point, so any of their bits will do.
+  [[nodiscard]] std::size_t word(Field value) const { return (value.bits() / 64) & (words_.size() - 1); }
+
+  std::vector<std::uint64_t> words_;
+};
+
+}  // namespace
+
 void close(Classes& classes) {
   const std::uint32_t size = classes.size();
+  const ValueFilter filter(classes);
   const auto wanted = [&](Field value) {
+    if (!filter.may_hold(value)) return false;
     const auto target = classes.find(value);
     return target && target->id != Classes::zero && !classes[target->id].free;
   };
+  std::vector<Field> values;
+  for (std::uint32_t id = 0; id < size; ++id) values.push_back(classes[id].value);
   for (std::uint32_t i = 2; i < size; ++i) {
-    const Field a = classes[i].value;
+    const Field a = values[i];
     for (std::uint32_t j = i; j < size; ++j) {
-      const Field b = classes[j].value;
+      const Field b = values[j];
       if (wanted(a + b)) classes.sum({i, false}, {j, false});
       if (i != j && wanted(a - b)) classes.sum({i, false}, {j, true});
       if (wanted(a * b)) classes.product({i, false}, {j, false});

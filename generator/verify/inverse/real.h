@@ -6,6 +6,8 @@
 #include <cln/real.h>
 #include <qvgen/inverse/scalar.h>
 
+#include "exact/number.h"
+
 namespace qvgen::verify {
 
 /// A real number of sixty decimal digits that the runtime's building blocks accept as their scalar, so that a
@@ -16,6 +18,7 @@ class Real {
   Real(int value)
       : value_(cln::cl_float(cln::cl_I(value), format())) {}  // NOLINT(google-explicit-constructor)
   explicit Real(double value) : value_(cln::cl_float(value, format())) {}
+  explicit Real(const exact::Number& value) : Real(exact::to_float(value, format())) {}
   explicit Real(const cln::cl_R& value) : value_(cln::cl_float(value, format())) {}
 
   [[nodiscard]] const cln::cl_F& value() const { return value_; }
