@@ -37,7 +37,13 @@ CosineSine ExactPoint::quarter_of(const std::string& name) const {
   return {Number((1 - t * t) / n), Number(2 * t / n)};
 }
 
-CosineSine ExactPoint::turn(const Angle& angle) const {
+const CosineSine& ExactPoint::turn(const Angle& angle) const {
+  const std::string key = to_string(angle);
+  const auto known = turns_.find(key);
+  return known != turns_.end() ? known->second : turns_.emplace(key, compute(angle)).first->second;
+}
+
+CosineSine ExactPoint::compute(const Angle& angle) const {
   CosineSine result;
   for (const auto& [name, coefficient] : angle.terms) {
     if (const auto known = constant_angle(name); known && cln::denominator(coefficient) == 1) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 
 #include "exact/angle.h"
@@ -32,9 +33,12 @@ class ExactPoint {
 
  private:
   CosineSine quarter_of(const std::string& name) const;
-  CosineSine turn(const Angle& angle) const;
+  const CosineSine& turn(const Angle& angle) const;
+  CosineSine compute(const Angle& angle) const;
 
   std::uint64_t seed_;
+  /// By the angle's text: functions ask for the same few angles again and again.
+  mutable std::map<std::string, CosineSine> turns_;
 };
 
 /// Whether two values at a point are equal: exactly, or to 40 digits where a constant angle was taken to 100.

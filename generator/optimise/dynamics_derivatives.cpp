@@ -42,22 +42,19 @@ class Differences {
   Values by_position(std::size_t joint) const {
     const Number half = Number(1) / Number(2);
     if (robot_.joints[joint].type == model::JointType::prismatic)
-      return combined(half, moved(joint, 1), -half, moved(joint, -1));
-    // f'(x) = sum over r = 1..4 of (-1)^(r+1) f(x + t_r)/(8 sin^2(t_r/2)), t_r = (2 r - 1) pi/4, 2 sin^2(t/2)
-    // = 1 - cos t.
-    const Number cosine = Number::root(2) * half;
-    const Number near = ((Number(1) - cosine) * Number(4)).inverse(),
-                 far = ((Number(1) + cosine) * Number(4)).inverse();
-    const Values first =
-        combined(near, moved(joint, cln::cl_RA(1) / 4), -near, moved(joint, cln::cl_RA(7) / 4));
-    const Values second =
-        combined(-far, moved(joint, cln::cl_RA(3) / 4), far, moved(joint, cln::cl_RA(5) / 4));
-    return combined(1, first, 1, second);
+      return combined(half, moved({joint, {}, 1}), -half, moved({joint, {}, -1}));
+    // A trigonometric polynomial of degree two: f'(x) = 25/12 o(t) - 2/3 o(pi/2), where
+    // o(s) = (f(x + s) - f(x - s))/2 and sin t = 4/5.
+    const Number sine = Number(4) / Number(5), cosine = Number(3) / Number(5);
+    const Values small =
+        combined(half, moved({joint, {cosine, sine}, 0}), -half, moved({joint, {cosine, -sine}, 0}));
+    const Values right = combined(half, moved({joint, {0, 1}, 0}), -half, moved({joint, {0, -1}, 0}));
+    return combined(Number(25) / Number(12), small, Number(-2) / Number(3), right);
   }
 
  private:
-  Values moved(std::size_t joint, const cln::cl_RA& by) const {
-    return PlainRecursion(robot_, point_, joint, by)
+  Values moved(const PlainRecursion::Move& move) const {
+    return PlainRecursion(robot_, point_, move)
         .inverse_dynamics(plain_.rates(), plain_.accelerations(), gravity_);
   }
 

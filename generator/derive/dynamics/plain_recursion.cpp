@@ -36,10 +36,20 @@ Matrix operator*(const Matrix& a, const Matrix& b) {
 }
 Matrix identity() { return {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}; }
 
+/// Rodrigues' formula, the matrix of the thesis's unit quaternion [cos(angle/2), sin(angle/2) axis] (1.3).
+Matrix rotation(const Vector& axis, const exact::CosineSine& angle) {
+  Matrix result;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vector e = identity()[k];
+    result[k] =
+        angle.cosine * e + angle.sine * cross(axis, e) + ((Number(1) - angle.cosine) * dot(axis, e)) * axis;
+  }
+  return transpose(result);
+}
+
 }  // namespace
 
-PlainRecursion::PlainRecursion(const model::Robot& robot, const exact::ExactPoint& point, std::size_t moved,
-                               const cln::cl_RA& by)
+PlainRecursion::PlainRecursion(const model::Robot& robot, const exact::ExactPoint& point, const Move& move)
     : point_(point) {
   base_ = frame_of(robot.base);
   tool_ = vector_of(robot.tool.translation);
@@ -50,12 +60,15 @@ PlainRecursion::PlainRecursion(const model::Robot& robot, const exact::ExactPoin
     link.before = frame_of(joint.before);
     link.after = frame_of(joint.after);
     link.axis = vector_of(joint.axis);
-    const cln::cl_RA shift = links_.size() == moved ? by : cln::cl_RA(0);
+    const bool moved = links_.size() == move.joint;
     link.motion = {identity(), {}};
-    if (link.revolute)
-      link.motion.rotation = rotation(link.axis, {{{joint.variable, 1}}, shift});
-    else
-      link.motion.position = (point.symbol(joint.variable) + Number(shift)) * link.axis;
+    if (link.revolute) {
+      const exact::CosineSine angle = turn({{{joint.variable, 1}}, 0});
+      link.motion.rotation = rotation(link.axis, moved ? exact::then(angle, move.turn) : angle);
+    } else {
+      const Number length = point.symbol(joint.variable);
+      link.motion.position = (moved ? length + move.length : length) * link.axis;
+    }
     link.mass = number_of(joint.inertia.mass);
     link.rotor = number_of(joint.drive.rotor_inertia);
     link.viscous = number_of(joint.drive.viscous_friction);
@@ -106,21 +119,14 @@ Vector PlainRecursion::vector_of(const model::Vector3& v) const {
   return {number_of(v[0]), number_of(v[1]), number_of(v[2])};
 }
 
-/// Rodrigues' formula, the matrix of the thesis's unit quaternion [cos(angle/2), sin(angle/2) axis] (1.3).
-Matrix PlainRecursion::rotation(const Vector& axis, const exact::Angle& angle) const {
-  const Number c = point_.cosine(angle), s = point_.sine(angle);
-  Matrix result;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Vector e = identity()[k];
-    result[k] = c * e + s * cross(axis, e) + ((Number(1) - c) * dot(axis, e)) * axis;
-  }
-  return transpose(result);
+exact::CosineSine PlainRecursion::turn(const exact::Angle& angle) const {
+  return {point_.cosine(angle), point_.sine(angle)};
 }
 
 PlainRecursion::Frame PlainRecursion::frame_of(const model::Displacement& displacement) const {
   Frame frame{identity(), vector_of(displacement.translation)};
-  for (const model::Turn& turn : displacement.turns)
-    frame.rotation = frame.rotation * rotation(vector_of(turn.axis), to_angle(turn.angle));
+  for (const model::Turn& each : displacement.turns)
+    frame.rotation = frame.rotation * rotation(vector_of(each.axis), turn(to_angle(each.angle)));
   return frame;
 }
 

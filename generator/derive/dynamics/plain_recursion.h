@@ -20,10 +20,14 @@ class PlainRecursion {
   using Values = std::vector<Number>;
 
   PlainRecursion(const model::Robot& robot, const exact::ExactPoint& point)
-      : PlainRecursion(robot, point, robot.joints.size(), 0) {}
-  /// The same with one joint moved: by that many times pi (revolute) or by that length (prismatic).
-  PlainRecursion(const model::Robot& robot, const exact::ExactPoint& point, std::size_t moved,
-                 const cln::cl_RA& by);
+      : PlainRecursion(robot, point, {robot.joints.size(), {}, 0}) {}
+  /// One joint further than at the point: by an angle (revolute) or by a length (prismatic).
+  struct Move {
+    std::size_t joint;
+    exact::CosineSine turn;
+    Number length;
+  };
+  PlainRecursion(const model::Robot& robot, const exact::ExactPoint& point, const Move& move);
 
   /// All inertias from the standard parameters' values at the point, no drives.
   void take_standard_parameters();
@@ -81,7 +85,7 @@ class PlainRecursion {
   [[nodiscard]] Frame frame_of(const model::Displacement& displacement) const;
   [[nodiscard]] Vector vector_of(const model::Vector3& v) const;
   [[nodiscard]] Number number_of(const model::Expression& expression) const;
-  [[nodiscard]] Matrix rotation(const Vector& axis, const exact::Angle& angle) const;
+  [[nodiscard]] exact::CosineSine turn(const exact::Angle& angle) const;
 
   const exact::ExactPoint& point_;
   Frame base_;

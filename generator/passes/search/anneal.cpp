@@ -107,6 +107,12 @@ std::int64_t cost_of(const Network& network, const Selection& selection) {
   return SelectionState(network, selection).cost();
 }
 
+std::int64_t sufficient_steps(const Network& network, const Selection& selection) {
+  constexpr std::int64_t for_any = 50'000, for_each = 300;
+  return for_any +
+         for_each * static_cast<std::int64_t>(SelectionState(network, selection).candidates().size());
+}
+
 Selection anneal(const Network& network, const Selection& start, const Schedule& schedule) {
   SelectionState state(network, start);
   Random random(schedule.seed);

@@ -13,6 +13,9 @@ using Selection = std::vector<std::uint32_t>;
 
 std::int64_t cost_of(const Network& network, const Selection& selection);
 
+/// Steps after which more find nothing better in practice, for the classes in use that have a choice.
+std::int64_t sufficient_steps(const Network& network, const Selection& selection);
+
 struct Schedule {
   std::uint64_t seed = 1;
   std::int64_t iterations = 0;

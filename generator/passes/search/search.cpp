@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "passes/search/search.h"
 
+#include <algorithm>
 #include <map>
 #include <stdexcept>
 #include <utility>
@@ -110,9 +111,11 @@ class Search {
     };
     for (const dag::Function& form : forms_) consider(selection_of(form, network));
     const Selection start = best;
+    const std::int64_t steps =
+        std::min<std::int64_t>(options_.iterations / options_.restarts, sufficient_steps(network, start));
     for (int i = 0; i < options_.restarts; ++i) {
       const std::uint64_t seed = mix(options_.seed + static_cast<std::uint64_t>(i));
-      consider(anneal(network, start, {seed, options_.iterations / options_.restarts}));
+      consider(anneal(network, start, {seed, steps}));
     }
     return best;
   }

@@ -13,7 +13,7 @@ namespace qvgen::passes {
 
 struct SearchOptions {
   std::uint64_t seed = 1;
-  /// Annealing steps in all; a thousand suffice for a few dozen operations, a million for a few hundred.
+  /// At most that many annealing steps in all; small functions take fewer, in proportion to their choices.
   long iterations = 200'000;
   /// Independent anneals among which the steps are divided; the cheapest result counts.
   int restarts = 2;

@@ -97,7 +97,7 @@ DynamicsAngles<Scalar> dynamics_angles(const JointVector<Scalar>& q);
 
 /// Joint forces for a motion: Newton-Euler recursion in base parameters (thesis 5.1-5.15).
 ///
-/// 363 multiplications, 306 additions, 5 sine/cosine pairs. Set-up: 161 multiplications, 178 additions, 10 divisions, 5
+/// 362 multiplications, 306 additions, 5 sine/cosine pairs. Set-up: 159 multiplications, 178 additions, 10 divisions, 5
 /// sine/cosine pairs.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is a3, which must not be zero.
@@ -106,7 +106,7 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
     const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
-using InverseDynamicsConstants = std::array<Scalar, 62>;
+using InverseDynamicsConstants = std::array<Scalar, 60>;
 template <class Scalar>
 InverseDynamicsConstants<Scalar> inverse_dynamics_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
@@ -117,7 +117,7 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint forces that hold the robot against gravity at rest.
 ///
-/// 73 multiplications, 43 additions, 5 sine/cosine pairs. Set-up: 40 multiplications, 24 additions, 5 sine/cosine
+/// 73 multiplications, 43 additions, 5 sine/cosine pairs. Set-up: 39 multiplications, 24 additions, 5 sine/cosine
 /// pairs.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
@@ -134,7 +134,7 @@ JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const DynamicsA
 
 /// Joint forces that come from the joint rates alone, C(q, qd) qd, without friction.
 ///
-/// 349 multiplications, 279 additions, 5 sine/cosine pairs. Set-up: 150 multiplications, 160 additions, 9 divisions, 5
+/// 350 multiplications, 278 additions, 5 sine/cosine pairs. Set-up: 150 multiplications, 160 additions, 9 divisions, 5
 /// sine/cosine pairs.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is d2, which must not be zero.
@@ -154,7 +154,7 @@ JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const JointVec
 
 /// Symmetric, positive definite M(q), by composite bodies in base parameters; rotors included.
 ///
-/// 308 multiplications, 257 additions, 5 sine/cosine pairs. Set-up: 168 multiplications, 166 additions, 8 divisions, 5
+/// 310 multiplications, 255 additions, 5 sine/cosine pairs. Set-up: 166 multiplications, 166 additions, 8 divisions, 5
 /// sine/cosine pairs.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is d2, which must not be zero.
@@ -162,7 +162,7 @@ template <class Scalar>
 Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
 template <class Scalar>
-using MassMatrixConstants = std::array<Scalar, 87>;
+using MassMatrixConstants = std::array<Scalar, 85>;
 template <class Scalar>
 MassMatrixConstants<Scalar> mass_matrix_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
@@ -192,7 +192,7 @@ Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, co
 
 /// Joint accelerations for given joint forces: M qdd = torque - C qd - gravity, by M = U D U^T.
 ///
-/// 735 multiplications, 604 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 171 multiplications, 167 additions, 10
+/// 737 multiplications, 601 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 171 multiplications, 167 additions, 10
 /// divisions, 5 sine/cosine pairs.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is d2, which must not be zero.
@@ -212,7 +212,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// qd^T M qd / 2, J.
 ///
-/// 343 multiplications, 276 additions, 5 sine/cosine pairs. Set-up: 168 multiplications, 166 additions, 8 divisions, 5
+/// 343 multiplications, 275 additions, 5 sine/cosine pairs. Set-up: 170 multiplications, 166 additions, 8 divisions, 5
 /// sine/cosine pairs.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is d2, which must not be zero.
@@ -220,7 +220,7 @@ template <class Scalar>
 Scalar kinetic_energy(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
 template <class Scalar>
-using KineticEnergyConstants = std::array<Scalar, 87>;
+using KineticEnergyConstants = std::array<Scalar, 90>;
 template <class Scalar>
 KineticEnergyConstants<Scalar> kinetic_energy_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});

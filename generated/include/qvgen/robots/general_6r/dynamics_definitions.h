@@ -27,187 +27,184 @@ InverseDynamicsConstants<Scalar> inverse_dynamics_constants(const BasicGeometry<
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = g.d2 / g.a3;
-  const Scalar t1 = g.a2 / g.a3;
-  const Scalar t2 = gravity / g.a3;
-  const Scalar t3 = inertia.m5 + inertia.m6;
-  const Scalar t4 = inertia.m4 + t3;
-  const Scalar t5 = inertia.c4z * inertia.m4;
-  const Scalar t6 = g.d4 * inertia.m4;
-  const Scalar t7 = t5 + t6;
-  const Scalar t8 = t7 - t6;
-  const Scalar t9 = g.d5 * inertia.m5;
-  const Scalar t10 = inertia.c5z * inertia.m5;
-  const Scalar t11 = t10 + t9;
-  const Scalar t12 = t9 - t11;
-  const Scalar t13 = inertia.c6z * inertia.m6;
-  const Scalar t14 = g.d6 * inertia.m6 + t13;
-  const Scalar t15 = cos(g.alpha6) * t14;
-  const Scalar t16 = t12 - t15;
-  const Scalar t17 = t16 - g.d5 * t3;
-  const Scalar t18 = cos(g.alpha5) * t17;
-  const Scalar t19 = t8 - t18;
-  const Scalar t20 = g.d4 * t4 + t19;
-  const Scalar t21 = cos(g.alpha4) * t20;
-  const Scalar t22 = g.d3 * inertia.m3;
-  const Scalar t23 = inertia.c3z * inertia.m3;
-  const Scalar t24 = t23 + t22;
-  const Scalar t25 = t22 - t24;
-  const Scalar t26 = t21 - t25;
-  const Scalar t27 = inertia.m3 + t4;
-  const Scalar t28 = t26 + g.d3 * t27;
-  const Scalar t29 = sin(g.alpha3) * t28;
-  const Scalar t30 = inertia.c2y * inertia.m2;
-  const Scalar t31 = (t29 - t30) / (g.d3 * sin(g.alpha3));
-  const Scalar t32 = g.a3 * t31;
-  const Scalar t33 = g.a3 * t32;
-  const Scalar t34 = sin(g.alpha4) * t20;
-  const Scalar t35 = inertia.c3y * inertia.m3;
-  const Scalar t36 = g.a4 * t4;
-  const Scalar t37 = inertia.c3x * inertia.m3;
-  const Scalar t38 = g.a5 * t3;
-  const Scalar t39 = inertia.c4x * inertia.m4;
-  const Scalar t40 = sin(g.alpha5) * t17;
-  const Scalar t41 = inertia.c4y * inertia.m4;
-  const Scalar t42 = inertia.c6x * inertia.m6;
-  const Scalar t43 = inertia.c6y * inertia.m6;
-  const Scalar t44 = inertia.c5y * inertia.m5;
-  const Scalar t45 = sin(g.alpha6) * t14;
-  const Scalar t46 = g.a6 * inertia.m6;
-  const Scalar t47 = inertia.c5x * inertia.m5;
-  const Scalar t48 = g.a3 * t27;
-  const Scalar t49 = inertia.c2x * inertia.m2;
-  const Scalar t50 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t51 = g.a5 * t38 - ((inertia.I4xx - t50) - inertia.c4x * t39);
-  const Scalar t52 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t53 = (inertia.c5z * t10 - (inertia.I5zz - t52)) + g.d5 * (t10 + t11);
-  const Scalar t54 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t55 = (inertia.c6z * t13 - (inertia.I6zz - t54)) + g.d6 * (t14 + t13);
-  const Scalar t56 = sin(g.alpha6) * t55;
-  const Scalar t57 = sin(g.alpha6) * t56;
-  const Scalar t58 = (g.d5 * (t12 - t11) + t53) + (t55 - t57);
-  const Scalar t59 = g.d5 * (t16 + t17) - t58;
-  const Scalar t60 = sin(g.alpha5) * t59;
-  const Scalar t61 = sin(g.alpha5) * t60;
-  const Scalar t62 = g.d4 * t41;
-  const Scalar t63 = cos(g.alpha5) * t60 - (t62 - (t62 - (inertia.I4yz - inertia.c4z * t41)));
-  const Scalar t64 = g.d4 * t39;
-  const Scalar t65 = g.a5 * t18 + (((inertia.I4xz - inertia.c4z * t39) - t64) + t64);
-  const Scalar t66 = g.d5 * t44;
-  const Scalar t67 = (t66 + ((inertia.I5yz - inertia.c5z * t44) - t66)) + cos(g.alpha6) * t56;
-  const Scalar t68 = g.d5 * t47;
-  const Scalar t69 = (t68 - (t68 - (inertia.I5xz - inertia.c5z * t47))) - g.a6 * t15;
-  const Scalar t70 = inertia.I6xy - inertia.c6y * t42;
-  const Scalar t71 = (inertia.I6xx - t54) - inertia.c6x * t42;
-  const Scalar t72 = (inertia.I6yy - t54) - inertia.c6y * t43;
-  const Scalar t73 = (inertia.c5x * t47 - (inertia.I5xx - t52)) + g.a6 * t46;
-  const Scalar t74 = g.d3 * t37;
-  const Scalar t75 = g.a4 * t21 - (t74 - (t74 - (inertia.I3xz - inertia.c3z * t37)));
-  const Scalar t76 = ((inertia.I4zz - t50) - inertia.c4z * t5) - g.d4 * (t7 + t5);
-  const Scalar t77 = (g.d4 * (t8 + t7) + t76) - (t61 - t59);
-  const Scalar t78 = t77 - g.d4 * (t19 + t20);
-  const Scalar t79 = sin(g.alpha4) * t78;
-  const Scalar t80 = g.d3 * t35;
-  const Scalar t81 = cos(g.alpha4) * t79 - (t80 - (t80 - (inertia.I3yz - inertia.c3z * t35)));
-  const Scalar t82 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t83 = g.a4 * t36 + (inertia.c3x * t37 - (inertia.I3xx - t82));
-  const Scalar t84 = sin(g.alpha4) * t79;
-  const Scalar t85 = cos(g.alpha3) * t28;
-  const Scalar t86 = g.d2 * t49;
-  const Scalar t87 = g.a3 * t85 - (((inertia.I2xz - inertia.c2z * t49) - t86) + t86);
-  const Scalar t88 = g.d3 * t31;
-  const Scalar t89 = cos(g.alpha3) * t88;
-  const Scalar t90 = g.d2 * t30;
-  const Scalar t91 = g.d3 * (t23 + t24) - ((inertia.I3zz - t82) - inertia.c3z * t23);
-  const Scalar t92 = (t84 - t78) + (t91 - g.d3 * (t24 - t25));
-  const Scalar t93 = t92 + g.d3 * (t26 + t28);
-  const Scalar t94 = sin(g.alpha3) * t93;
-  const Scalar t95 = ((t90 - (inertia.I2yz - inertia.c2z * t30)) - t90) - cos(g.alpha3) * t94;
-  const Scalar t96 = g.d3 * t88;
-  const Scalar t97 = sin(g.alpha3) * t96;
-  const Scalar t98 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t99 = sin(g.alpha3) * t94;
-  const Scalar t100 = sin(g.alpha3) * t97;
-  const Scalar t101 = (((inertia.I2yy - t98) - inertia.c2y * t30) - t99) + t100;
-  const Scalar t102 = (g.a3 * t29 + (inertia.I2xy - inertia.c2y * t49)) - g.a3 * sin(g.alpha3) * t88;
-  const Scalar t103 = g.a3 * t48 + (inertia.c2x * t49 - (inertia.I2xx - t98));
-  const Scalar t104 = g.d2 * inertia.m2;
-  const Scalar t105 = inertia.c2z * inertia.m2;
-  const Scalar t106 = t104 + t105;
-  const Scalar t107 = t104 - t106;
-  const Scalar t108 = g.d2 * (t106 + t105) - ((inertia.I2zz - t98) - inertia.c2z * t105);
-  const Scalar t109 = (g.d2 * (t106 - t107) - t108) + (t99 - t93);
-  const Scalar t110 = t85 - t107;
-  const Scalar t111 = inertia.m2 + t27;
-  const Scalar t112 = t109 - g.d2 * (t110 + (g.d2 * t111 + t110));
-  const Scalar t113 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t114 = sin(g.alpha2) * sin(g.alpha2) * t112
-      - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t113));
-  const Scalar t115 = (t100 - t96) - g.d2 * (t89 + (t89 + g.d2 * t31));
-  const Scalar t116 = g.a2 * g.a2 * t111 + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t113));
-  const Scalar t117 = (t114 - sin(g.alpha2) * sin(g.alpha2) * t115) + (g.a2 * g.a2 * t31 - t116);
-  return { cos(g.alpha2),
-           cos(g.alpha3),
+  const Scalar t0 = g.d2 * inertia.m2;
+  const Scalar t1 = inertia.c2z * inertia.m2;
+  const Scalar t2 = t0 + t1;
+  const Scalar t3 = t0 - t2;
+  const Scalar t4 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t5 = g.d2 * (t2 + t1) - ((inertia.I2zz - t4) - inertia.c2z * t1);
+  const Scalar t6 = inertia.c4z * inertia.m4;
+  const Scalar t7 = g.d4 * inertia.m4;
+  const Scalar t8 = t6 + t7;
+  const Scalar t9 = t8 - t7;
+  const Scalar t10 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t11 = ((inertia.I4zz - t10) - inertia.c4z * t6) - g.d4 * (t8 + t6);
+  const Scalar t12 = g.d5 * inertia.m5;
+  const Scalar t13 = inertia.c5z * inertia.m5;
+  const Scalar t14 = t13 + t12;
+  const Scalar t15 = t12 - t14;
+  const Scalar t16 = inertia.c6z * inertia.m6;
+  const Scalar t17 = g.d6 * inertia.m6 + t16;
+  const Scalar t18 = cos(g.alpha6) * t17;
+  const Scalar t19 = t15 - t18;
+  const Scalar t20 = inertia.m5 + inertia.m6;
+  const Scalar t21 = t19 - g.d5 * t20;
+  const Scalar t22 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t23 = (inertia.c5z * t13 - (inertia.I5zz - t22)) + g.d5 * (t13 + t14);
+  const Scalar t24 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t25 = (inertia.c6z * t16 - (inertia.I6zz - t24)) + g.d6 * (t17 + t16);
+  const Scalar t26 = sin(g.alpha6) * t25;
+  const Scalar t27 = sin(g.alpha6) * t26;
+  const Scalar t28 = (g.d5 * (t15 - t14) + t23) + (t25 - t27);
+  const Scalar t29 = g.d5 * (t19 + t21) - t28;
+  const Scalar t30 = sin(g.alpha5) * t29;
+  const Scalar t31 = sin(g.alpha5) * t30;
+  const Scalar t32 = (g.d4 * (t9 + t8) + t11) - (t31 - t29);
+  const Scalar t33 = cos(g.alpha5) * t21;
+  const Scalar t34 = t9 - t33;
+  const Scalar t35 = inertia.m4 + t20;
+  const Scalar t36 = g.d4 * t35 + t34;
+  const Scalar t37 = t32 - g.d4 * (t34 + t36);
+  const Scalar t38 = sin(g.alpha4) * t37;
+  const Scalar t39 = sin(g.alpha4) * t38;
+  const Scalar t40 = inertia.c3z * inertia.m3;
+  const Scalar t41 = g.d3 * inertia.m3;
+  const Scalar t42 = t40 + t41;
+  const Scalar t43 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t44 = g.d3 * (t40 + t42) - ((inertia.I3zz - t43) - inertia.c3z * t40);
+  const Scalar t45 = t41 - t42;
+  const Scalar t46 = (t39 - t37) + (t44 - g.d3 * (t42 - t45));
+  const Scalar t47 = cos(g.alpha4) * t36;
+  const Scalar t48 = t47 - t45;
+  const Scalar t49 = inertia.m3 + t35;
+  const Scalar t50 = t48 + g.d3 * t49;
+  const Scalar t51 = t46 + g.d3 * (t48 + t50);
+  const Scalar t52 = sin(g.alpha3) * t51;
+  const Scalar t53 = sin(g.alpha3) * t52;
+  const Scalar t54 = (g.d2 * (t2 - t3) - t5) + (t53 - t51);
+  const Scalar t55 = cos(g.alpha3) * t50;
+  const Scalar t56 = t55 - t3;
+  const Scalar t57 = inertia.m2 + t49;
+  const Scalar t58 = t54 - g.d2 * (t56 + (g.d2 * t57 + t56));
+  const Scalar t59 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t60 = sin(g.alpha2) * sin(g.alpha2) * t58
+      - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t59));
+  const Scalar t61 = sin(g.alpha3) * t50;
+  const Scalar t62 = inertia.c2y * inertia.m2;
+  const Scalar t63 = (t61 - t62) / (g.d3 * sin(g.alpha3));
+  const Scalar t64 = g.d3 * t63;
+  const Scalar t65 = g.d3 * t64;
+  const Scalar t66 = sin(g.alpha3) * t65;
+  const Scalar t67 = sin(g.alpha3) * t66;
+  const Scalar t68 = cos(g.alpha3) * t64;
+  const Scalar t69 = (t67 - t65) - g.d2 * (t68 + (t68 + g.d2 * t63));
+  const Scalar t70 = g.a2 * g.a2 * t57 + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t59));
+  const Scalar t71 = (t60 - sin(g.alpha2) * sin(g.alpha2) * t69) + (g.a2 * g.a2 * t63 - t70);
+  const Scalar t72 = g.a4 * t35;
+  const Scalar t73 = inertia.c3x * inertia.m3;
+  const Scalar t74 = g.a4 * t72 + (inertia.c3x * t73 - (inertia.I3xx - t43));
+  const Scalar t75 = inertia.c3y * inertia.m3;
+  const Scalar t76 = sin(g.alpha4) * t36;
+  const Scalar t77 = g.d3 * t75;
+  const Scalar t78 = cos(g.alpha4) * t38 - (t77 - (t77 - (inertia.I3yz - inertia.c3z * t75)));
+  const Scalar t79 = g.d3 * t73;
+  const Scalar t80 = g.a4 * t47 - (t79 - (t79 - (inertia.I3xz - inertia.c3z * t73)));
+  const Scalar t81 = g.a2 / g.a3;
+  const Scalar t82 = gravity / g.a3;
+  const Scalar t83 = sin(g.alpha5) * t21;
+  const Scalar t84 = inertia.c4y * inertia.m4;
+  const Scalar t85 = inertia.c4x * inertia.m4;
+  const Scalar t86 = g.d4 * t84;
+  const Scalar t87 = cos(g.alpha5) * t30 - (t86 - (t86 - (inertia.I4yz - inertia.c4z * t84)));
+  const Scalar t88 = g.d4 * t85;
+  const Scalar t89 = g.a5 * t33 + (((inertia.I4xz - inertia.c4z * t85) - t88) + t88);
+  const Scalar t90 = inertia.c5y * inertia.m5;
+  const Scalar t91 = sin(g.alpha6) * t17;
+  const Scalar t92 = g.a6 * inertia.m6;
+  const Scalar t93 = inertia.c5x * inertia.m5;
+  const Scalar t94 = inertia.c6x * inertia.m6;
+  const Scalar t95 = inertia.c6y * inertia.m6;
+  const Scalar t96 = g.d5 * t90;
+  const Scalar t97 = (t96 + ((inertia.I5yz - inertia.c5z * t90) - t96)) + cos(g.alpha6) * t26;
+  const Scalar t98 = g.d5 * t93;
+  const Scalar t99 = (t98 - (t98 - (inertia.I5xz - inertia.c5z * t93))) - g.a6 * t18;
+  const Scalar t100 = inertia.I6xy - inertia.c6y * t94;
+  const Scalar t101 = (inertia.I6xx - t24) - inertia.c6x * t94;
+  const Scalar t102 = (inertia.I6yy - t24) - inertia.c6y * t95;
+  const Scalar t103 = (inertia.c5x * t93 - (inertia.I5xx - t22)) + g.a6 * t92;
+  const Scalar t104 = g.a5 * t20;
+  const Scalar t105 = g.a5 * t104 - ((inertia.I4xx - t10) - inertia.c4x * t85);
+  const Scalar t106 = g.a3 * t63;
+  const Scalar t107 = g.a3 * t106;
+  const Scalar t108 = g.a3 * t49;
+  const Scalar t109 = inertia.c2x * inertia.m2;
+  const Scalar t110 = g.a3 * t108 + (inertia.c2x * t109 - (inertia.I2xx - t4));
+  const Scalar t111 = (((inertia.I2yy - t4) - inertia.c2y * t62) - t53) + t67;
+  const Scalar t112 = (g.a3 * t61 + (inertia.I2xy - inertia.c2y * t109)) - g.a3 * sin(g.alpha3) * t64;
+  const Scalar t113 = g.d2 * t109;
+  const Scalar t114 = g.a3 * t55 - (((inertia.I2xz - inertia.c2z * t109) - t113) + t113);
+  const Scalar t115 = g.d2 * t62;
+  const Scalar t116 = ((t115 - (inertia.I2yz - inertia.c2z * t62)) - t115) - cos(g.alpha3) * t52;
+  return { t71,
            sin(g.alpha2),
+           cos(g.alpha2),
            sin(g.alpha3),
+           cos(g.alpha3),
+           t74,
+           ((inertia.I3yy - t43) - inertia.c3y * t75) + t39,
+           (inertia.I3xy - inertia.c3y * t73) + g.a4 * t76,
+           t78,
+           t80,
            g.d3 / g.a3,
-           sin(g.alpha2) * t0,
-           sin(g.alpha2) * t1,
-           cos(g.alpha2) * t2,
-           t1,
-           t0,
-           sin(g.alpha2) * t2,
-           cos(g.alpha2) * t0,
-           t33,
-           g.a3 * (t34 - t35),
-           g.a3 * (t36 + t37),
-           sin(g.alpha4),
+           t81,
+           sin(g.alpha2) * t82,
+           g.d2 / g.a3,
+           sin(g.alpha2) * t81,
+           cos(g.alpha2) * t82,
+           g.a3 * (t76 - t75),
+           g.a3 * (t72 + t73),
+           g.a4 / g.a3,
            cos(g.alpha4),
-           g.a3 * (t38 + t39),
-           g.a3 * (t40 + t41),
-           g.a3 * t42,
-           g.a3 * t43,
-           sin(g.alpha5),
+           sin(g.alpha4),
+           g.d4 / g.a3,
+           g.a3 * (t83 + t84),
+           t31 + ((inertia.I4yy - t10) - inertia.c4y * t84),
+           g.a5 * t83 - (inertia.I4xy - inertia.c4y * t85),
+           t87,
+           t89,
            cos(g.alpha5),
+           sin(g.alpha5),
+           g.a3 * (t90 - t91),
+           g.a3 * (t92 + t93),
+           g.a3 * t94,
+           g.a3 * t95,
            sin(g.alpha6),
            cos(g.alpha6),
-           g.a3 * (t44 - t45),
-           g.a3 * (t46 + t47),
-           g.a3 * ((t48 + t49) - t32),
-           g.a4 / g.a3,
-           g.d4 / g.a3,
-           g.a5 * t40 - (inertia.I4xy - inertia.c4y * t39),
-           t51,
-           t61 + ((inertia.I4yy - t50) - inertia.c4y * t41),
-           t63,
-           t65,
            g.d5 / g.a3,
-           t67,
-           (inertia.c5y * t44 - (inertia.I5yy - t52)) + t57,
-           (inertia.I5xy - inertia.c5y * t47) + g.a6 * t45,
-           t69,
+           t97,
+           (inertia.c5y * t90 - (inertia.I5yy - t22)) + t27,
+           (inertia.I5xy - inertia.c5y * t93) + g.a6 * t91,
+           t99,
            g.a5 / g.a3,
            g.a6 / g.a3,
-           g.d6 * t43 - (inertia.I6yz - inertia.c6z * t43),
-           (inertia.I6xz - inertia.c6z * t42) - g.d6 * t42,
-           Scalar(2) * t70,
-           t71 - t72,
-           t72,
-           t70,
-           t71,
-           t73,
-           t75,
-           t81,
-           (inertia.I3xy - inertia.c3y * t37) + g.a4 * t34,
-           t83,
-           ((inertia.I3yy - t82) - inertia.c3y * t35) + t84,
-           t87 - g.a3 * t89,
-           t95 + cos(g.alpha3) * t97,
-           t101,
+           g.d6 * t95 - (inertia.I6yz - inertia.c6z * t95),
+           (inertia.I6xz - inertia.c6z * t94) - g.d6 * t94,
+           Scalar(2) * t100,
+           t101 - t102,
            t102,
-           t103 - t33,
-           cos(g.alpha2) * t1,
-           t117 };
+           t100,
+           t103,
+           t101,
+           g.a3 * (t104 + t85),
+           t105,
+           t107,
+           t110 - t107,
+           t111,
+           t112,
+           t114 - g.a3 * t68,
+           t116 + cos(g.alpha3) * t66,
+           g.a3 * ((t108 + t109) - t106),
+           cos(g.alpha2) * t81 };
 }
 
 namespace detail {
@@ -226,244 +223,248 @@ inline JointVector<Scalar> inverse_dynamics([[maybe_unused]] const JointVector<S
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[0] * qd[0];
+  const Scalar t0 = k[1] * qdd[0];
   const Scalar t1 = k[2] * qd[0];
-  const Scalar t2 = s2 * t1;
-  const Scalar t3 = k[2] * qdd[0];
-  const Scalar t4 = t0 * t2 + c2 * t3;
-  const Scalar t5 = k[0] * qdd[0];
-  const Scalar t6 = qdd[1] + t5;
-  const Scalar t7 = c2 * t1;
-  const Scalar t8 = t7 * t2;
+  const Scalar t2 = k[1] * qd[0];
+  const Scalar t3 = s2 * t2;
+  const Scalar t4 = c2 * t0 + t1 * t3;
+  const Scalar t5 = c2 * t2;
+  const Scalar t6 = t3 * t5;
+  const Scalar t7 = k[2] * qdd[0];
+  const Scalar t8 = qdd[1] + t7;
   const Scalar t9 = t6 - t8;
-  const Scalar t10 = k[1] * t4 + k[3] * t9;
-  const Scalar t11 = qd[1] + t0;
-  const Scalar t12 = t7 * t11;
-  const Scalar t13 = t0 * t7 - s2 * t3;
-  const Scalar t14 = t12 - t13;
-  const Scalar t15 = k[3] * t11 + k[1] * t7;
-  const Scalar t16 = k[1] * t11 - k[3] * t7;
-  const Scalar t17 = t14 - t15 * t16;
-  const Scalar t18 = s3 * t10 + c3 * t17;
-  const Scalar t19 = c3 * t15 - s3 * t2;
-  const Scalar t20 = qd[2] + t16;
-  const Scalar t21 = t19 * t20;
-  const Scalar t22 = t18 + t21;
-  const Scalar t23 = k[15] * t20 + k[16] * t19;
-  const Scalar t24 = k[15] * t19 - k[16] * t20;
-  const Scalar t25 = t22 + t23 * t24;
-  const Scalar t26 = t11 * t2;
-  const Scalar t27 = t26 - t4;
-  const Scalar t28 = qdd[2] + (k[1] * t6 + k[3] * t27);
-  const Scalar t29 = s3 * t15 + c3 * t2;
-  const Scalar t30 = t19 * t29;
-  const Scalar t31 = t28 - t30;
-  const Scalar t32 = s3 * t17 - c3 * t10;
-  const Scalar t33 = k[15] * t31 - k[16] * t32;
-  const Scalar t34 = s4 * t25 - c4 * t33;
-  const Scalar t35 = qd[3] - t24;
-  const Scalar t36 = s4 * t23 + c4 * t29;
-  const Scalar t37 = t35 * t36;
-  const Scalar t38 = t34 + t37;
-  const Scalar t39 = t38 + t37;
-  const Scalar t40 = c4 * t25 + s4 * t33;
-  const Scalar t41 = c4 * t23 - s4 * t29;
-  const Scalar t42 = t35 * t41;
-  const Scalar t43 = t40 + t42;
-  const Scalar t44 = t43 + t42;
-  const Scalar t45 = k[19] * c6 - k[20] * s6;
-  const Scalar t46 = t29 * t20;
-  const Scalar t47 = t32 + t46;
-  const Scalar t48 = qdd[3] + (k[15] * t47 + k[16] * t28);
-  const Scalar t49 = qdd[4] + (k[21] * t38 + k[22] * t48);
-  const Scalar t50 = k[21] * t35 + k[22] * t41;
-  const Scalar t51 = c5 * t36 + s5 * t50;
-  const Scalar t52 = s5 * t36 - c5 * t50;
-  const Scalar t53 = t51 * t52;
-  const Scalar t54 = t49 + t53;
-  const Scalar t55 = t41 * t36;
-  const Scalar t56 = t48 - t55;
-  const Scalar t57 = k[22] * t34 - k[21] * t56;
-  const Scalar t58 = k[22] * t35 - k[21] * t41;
-  const Scalar t59 = t43 - t50 * t58;
-  const Scalar t60 = c5 * t57 + s5 * t59;
-  const Scalar t61 = k[23] * t54 - k[24] * t60;
-  const Scalar t62 = qd[4] + t58;
-  const Scalar t63 = k[24] * t62 + k[23] * t52;
-  const Scalar t64 = qd[5] + t63;
-  const Scalar t65 = t61 - Scalar(2) * t64 * t51;
-  const Scalar t66 = k[19] * s6 + k[20] * c6;
-  const Scalar t67 = k[24] * t52 - k[23] * t62;
-  const Scalar t68 = s5 * t57 - c5 * t59;
-  const Scalar t69 = t52 * t62;
-  const Scalar t70 = t68 + t69;
-  const Scalar t71 = t70 - t63 * t67;
-  const Scalar t72 = Scalar(2) * t64 * t67 + t71;
-  const Scalar t73 = t45 * t65 + t66 * t72;
-  const Scalar t74 = t64 * t64;
-  const Scalar t75 = t51 * t51;
-  const Scalar t76 = t51 * t67;
-  const Scalar t77 = t51 * t62;
-  const Scalar t78 = t77 + t60;
-  const Scalar t79 = qdd[5] + (k[23] * t78 + k[24] * t49);
-  const Scalar t80 = t76 - t79;
-  const Scalar t81 = t66 * (t74 + t75) + t45 * t80;
-  const Scalar t82 = k[24] * t73 + k[23] * t81;
-  const Scalar t83 = t70 + t69;
-  const Scalar t84 = t77 + t78;
-  const Scalar t85 = t82 + (k[25] * t83 - k[26] * t84);
-  const Scalar t86 = t62 * t62;
-  const Scalar t87 = t86 + t75;
-  const Scalar t88 = t49 - t53;
-  const Scalar t89 = k[24] * t81 - k[23] * t73;
-  const Scalar t90 = (k[25] * t87 - k[26] * t88) + t89;
-  const Scalar t91 = t67 * t67;
-  const Scalar t92 = t76 + t79;
-  const Scalar t93 = t86 + t52 * t52;
-  const Scalar t94 = ((t91 + t74) * t45 + t66 * t92) + (k[26] * t93 + k[25] * t54);
-  const Scalar t95 = c5 * t90 + s5 * t94;
-  const Scalar t96 = k[22] * t85 + k[21] * t95;
-  const Scalar t97 = (k[17] * t39 + k[18] * t44) - t96;
-  const Scalar t98 = t48 + t55;
-  const Scalar t99 = t36 * t36;
-  const Scalar t100 = t35 * t35;
-  const Scalar t101 = t99 + t100;
-  const Scalar t102 = k[21] * t85 - k[22] * t95;
-  const Scalar t103 = (k[17] * t98 - k[18] * t101) + t102;
-  const Scalar t104 = s5 * t90 - c5 * t94;
-  const Scalar t105 = t41 * t41;
-  const Scalar t106 = t105 - t99;
-  const Scalar t107 = t101 + t106;
-  const Scalar t108 = t104 - (k[17] * t107 + k[18] * t56);
-  const Scalar t109 = c4 * t103 + s4 * t108;
-  const Scalar t110 = k[16] * t97 + k[15] * t109;
-  const Scalar t111 = k[9] * t3 - k[8] * qd[0] * qd[0];
-  const Scalar t112 = qd[0] * t1;
-  const Scalar t113 = k[11] * t112 + (k[10] + k[8] * t5);
-  const Scalar t114 = s2 * t111 - c2 * t113;
-  const Scalar t115 = t6 + t8;
-  const Scalar t116 = t114 - t115;
-  const Scalar t117 = t26 + t27;
-  const Scalar t118 = (k[7] - k[6] * qdd[0]) - k[5] * t112;
+  const Scalar t10 = k[4] * t4 - k[3] * t9;
+  const Scalar t11 = qd[1] + t1;
+  const Scalar t12 = t11 * t11;
+  const Scalar t13 = t5 * t5;
+  const Scalar t14 = t12 + t13;
+  const Scalar t15 = k[12] + k[11] * t7;
+  const Scalar t16 = k[11] * qd[0] * qd[0];
+  const Scalar t17 = k[13] * t4 + (s2 * t15 - c2 * t16);
+  const Scalar t18 = k[10] * t10 - (t14 - t17);
+  const Scalar t19 = t11 * t3;
+  const Scalar t20 = t4 - t19;
+  const Scalar t21 = t19 - t20;
+  const Scalar t22 = t2 * t2;
+  const Scalar t23 = (k[15] - k[14] * qdd[0]) - k[13] * t22;
+  const Scalar t24 = t21 + t23;
+  const Scalar t25 = s2 * t0 - t1 * t5;
+  const Scalar t26 = k[13] * t25 - (c2 * t15 + s2 * t16);
+  const Scalar t27 = t6 + t8;
+  const Scalar t28 = t26 - t27;
+  const Scalar t29 = t11 * t5;
+  const Scalar t30 = t29 + t25;
+  const Scalar t31 = k[4] * t5 + k[3] * t11;
+  const Scalar t32 = k[3] * t5 - k[4] * t11;
+  const Scalar t33 = t30 + t31 * t32;
+  const Scalar t34 = (k[3] * t24 - k[4] * t28) - k[10] * t33;
+  const Scalar t35 = c3 * t18 + s3 * t34;
+  const Scalar t36 = qd[2] - t32;
+  const Scalar t37 = t36 * t36;
+  const Scalar t38 = c3 * t3 + s3 * t31;
+  const Scalar t39 = t38 * t38;
+  const Scalar t40 = t37 + t39;
+  const Scalar t41 = s3 * t3 - c3 * t31;
+  const Scalar t42 = t41 * t41;
+  const Scalar t43 = t42 - t39;
+  const Scalar t44 = t40 + t43;
+  const Scalar t45 = qdd[2] + (k[4] * t8 - k[3] * t20);
+  const Scalar t46 = t41 * t38;
+  const Scalar t47 = t45 + t46;
+  const Scalar t48 = k[52] * t35 - (k[17] * t44 - k[16] * t47);
+  const Scalar t49 = k[19] * t41 - k[20] * t36;
+  const Scalar t50 = s4 * t49 - c4 * t38;
+  const Scalar t51 = s4 * t38 + c4 * t49;
+  const Scalar t52 = k[20] * t41 + k[19] * t36;
+  const Scalar t53 = qd[3] + t52;
+  const Scalar t54 = k[27] * t51 - k[28] * t53;
+  const Scalar t55 = c5 * t50 + s5 * t54;
+  const Scalar t56 = t55 * t55;
+  const Scalar t57 = k[27] * t53 + k[28] * t51;
+  const Scalar t58 = qd[4] + t57;
+  const Scalar t59 = t58 * t58;
+  const Scalar t60 = t56 + t59;
+  const Scalar t61 = c3 * t10 - s3 * t33;
+  const Scalar t62 = t38 * t36;
+  const Scalar t63 = t61 - t62;
+  const Scalar t64 = qdd[3] - (k[20] * t63 - k[19] * t45);
+  const Scalar t65 = k[19] * t61 + k[20] * t47;
+  const Scalar t66 = t41 * t36;
+  const Scalar t67 = s3 * t10 + c3 * t33;
+  const Scalar t68 = t66 - t67;
+  const Scalar t69 = t68 - t52 * t49;
+  const Scalar t70 = c4 * t65 + s4 * t69;
+  const Scalar t71 = t50 * t53;
+  const Scalar t72 = t70 + t71;
+  const Scalar t73 = qdd[4] + (k[27] * t64 - k[28] * t72);
+  const Scalar t74 = c5 * t54 - s5 * t50;
+  const Scalar t75 = t55 * t74;
+  const Scalar t76 = t73 + t75;
+  const Scalar t77 = k[32] * s6 - k[31] * c6;
+  const Scalar t78 = t73 - t75;
+  const Scalar t79 = t50 * t51;
+  const Scalar t80 = t79 - t64;
+  const Scalar t81 = k[28] * t80 - k[27] * t70;
+  const Scalar t82 = c4 * t69 - s4 * t65;
+  const Scalar t83 = t53 * t51;
+  const Scalar t84 = t82 + t83;
+  const Scalar t85 = t57 * t54 - t84;
+  const Scalar t86 = c5 * t81 + s5 * t85;
+  const Scalar t87 = k[33] * t78 - k[34] * t86;
+  const Scalar t88 = k[34] * t58 + k[33] * t74;
+  const Scalar t89 = qd[5] + t88;
+  const Scalar t90 = t87 + Scalar(2) * t55 * t89;
+  const Scalar t91 = k[31] * s6 + k[32] * c6;
+  const Scalar t92 = k[33] * t58 - k[34] * t74;
+  const Scalar t93 = c5 * t85 - s5 * t81;
+  const Scalar t94 = t74 * t58;
+  const Scalar t95 = t93 - t94;
+  const Scalar t96 = t88 * t92 - t95;
+  const Scalar t97 = t96 - Scalar(2) * t89 * t92;
+  const Scalar t98 = t77 * t90 - t91 * t97;
+  const Scalar t99 = t92 * t92;
+  const Scalar t100 = t89 * t89;
+  const Scalar t101 = t99 - t100;
+  const Scalar t102 = t56 - t100;
+  const Scalar t103 = t101 - t102;
+  const Scalar t104 = t99 + t100;
+  const Scalar t105 = t55 * t92;
+  const Scalar t106 = t55 * t58;
+  const Scalar t107 = t86 - t106;
+  const Scalar t108 = qdd[5] + (k[34] * t73 + k[33] * t107);
+  const Scalar t109 = t105 - t108;
+  const Scalar t110 = (t103 - t104) * t91 + t77 * t109;
+  const Scalar t111 = k[33] * t98 - k[34] * t110;
+  const Scalar t112 = (k[29] * t60 - k[30] * t76) + t111;
+  const Scalar t113 = t74 * t74;
+  const Scalar t114 = t59 + t113;
+  const Scalar t115 = t105 + t108;
+  const Scalar t116 = (k[30] * t114 + k[29] * t78) + (t91 * t115 - t77 * t104);
+  const Scalar t117 = t53 * t53;
+  const Scalar t118 = t51 * t51;
   const Scalar t119 = t117 + t118;
-  const Scalar t120 = t29 * t29;
-  const Scalar t121 = t20 * t20;
-  const Scalar t122 = t120 - t121;
-  const Scalar t123 = t19 * t19;
-  const Scalar t124 = t123 + t121;
-  const Scalar t125 = t122 + t124;
-  const Scalar t126 = (k[3] * t116 + k[1] * t119) - k[4] * t125;
-  const Scalar t127 = t47 + t46;
-  const Scalar t128 = t21 + t22;
-  const Scalar t129 = k[12] * t126 + (k[14] * t127 - k[13] * t128);
-  const Scalar t130 = t110 + t129;
-  const Scalar t131 = t123 - t120;
-  const Scalar t132 = t122 + t131;
-  const Scalar t133 = t28 + t30;
-  const Scalar t134 = t11 * t11;
-  const Scalar t135 = t7 * t7;
-  const Scalar t136 = t134 + t135;
-  const Scalar t137 = t136 - (c2 * t111 + s2 * t113);
-  const Scalar t138 = k[1] * t116 - k[3] * t119;
-  const Scalar t139 = (s3 * t137 - c3 * t138) - k[4] * t18;
-  const Scalar t140 = (k[13] * (t125 - t132) + k[14] * t133) + k[12] * t139;
-  const Scalar t141 = k[16] * t109 - k[15] * t97;
-  const Scalar t142 = t140 + t141;
-  const Scalar t143 = k[4] * t32 + (s3 * t138 + c3 * t137);
-  const Scalar t144 = (k[13] * t31 - k[14] * t124) - k[12] * t143;
-  const Scalar t145 = t144 + (c4 * t108 - s4 * t103);
-  const Scalar t146 = c3 * t142 + s3 * t145;
-  const Scalar t147 = k[1] * t130 + k[3] * t146;
-  const Scalar t148 = (k[54] * t31 - k[53] * t133) + k[52] * t131;
-  const Scalar t149 = (k[13] * t143 - k[14] * t139) - ((k[51] * t32 - k[50] * t18) - t148);
-  const Scalar t150 = k[28] * t127 + t126;
-  const Scalar t151 = k[28] * t133 + t139;
-  const Scalar t152 = k[29] * t25 - (k[15] * t150 + k[16] * t151);
-  const Scalar t153 = k[29] * t33 - (t143 + k[28] * t124);
-  const Scalar t154 = c4 * t152 + s4 * t153;
-  const Scalar t155 = t154 - k[40] * t98;
-  const Scalar t156 = t105 - t100;
-  const Scalar t157 = (k[16] * t150 - k[15] * t151) - k[29] * (t101 + t156);
-  const Scalar t158 = k[40] * t39 + t157;
-  const Scalar t159 = t86 - t75;
-  const Scalar t160 = t87 - t93;
-  const Scalar t161 = t159 + t160;
-  const Scalar t162 = (k[21] * t155 + k[22] * t158) + k[35] * (t161 - t87);
-  const Scalar t163 = (k[39] * t159 + k[36] * t54) - (k[38] * t83 + k[49] * t84);
-  const Scalar t164 = k[21] * t158 - k[22] * t155;
-  const Scalar t165 = s4 * t152 - c4 * t153;
-  const Scalar t166 = t165 + k[40] * t107;
-  const Scalar t167 = k[35] * t68 + (c5 * t164 + s5 * t166);
-  const Scalar t168 = k[41] * t88 + t167;
-  const Scalar t169 = t162 + k[41] * t84;
-  const Scalar t170 = k[23] * t168 - k[24] * t169;
-  const Scalar t171 = k[42] * s6 + k[43] * c6;
-  const Scalar t172 = k[43] * s6 - k[42] * c6;
-  const Scalar t173 = k[44] * c6 + k[45] * s6;
-  const Scalar t174 = k[47] - c6 * t173;
-  const Scalar t175 = s6 * t173;
-  const Scalar t176 = k[48] - t175;
-  const Scalar t177 = ((t74 - t75) * t171 + t172 * t92) + (t174 * t72 - t176 * t65);
-  const Scalar t178 = t45 * t170 + t177;
-  const Scalar t179 = k[35] * t60 - (s5 * t164 - c5 * t166);
-  const Scalar t180 = t45 * (k[23] * t169 + k[24] * t168) + t66 * (t179 + k[41] * t93);
-  const Scalar t181 = k[46] + t175;
-  const Scalar t182 = (t92 * t181 - t176 * t80) - t174 * (t91 - t75);
-  const Scalar t183 = t180 - ((t71 * t171 - t61 * t172) + t182);
-  const Scalar t184 = (k[24] * t178 - k[23] * t183) + k[41] * t82;
-  const Scalar t185 = (k[26] * t162 - t163) - t184;
-  const Scalar t186 = (k[37] * t83 + k[38] * t84) + k[36] * t161;
-  const Scalar t187 = t172 * (t91 - t74) - (t174 * t65 - t181 * t72);
-  const Scalar t188 = ((k[39] * t88 - t186) + k[25] * t162) + ((t187 - t171 * t80) - t66 * t170);
-  const Scalar t189 = (c5 * t185 - s5 * t188) - k[35] * t104;
-  const Scalar t190 = k[38] * t160 + (k[49] * t88 + k[37] * t54);
-  const Scalar t191 = (t190 - (k[36] * t60 + k[39] * t68)) + (k[25] * t179 + k[26] * t167);
-  const Scalar t192 = k[41] * t89 - (k[23] * t178 + k[24] * t183);
-  const Scalar t193 = t191 - t192;
-  const Scalar t194 = (k[21] * t189 - k[22] * t193) - k[40] * t102;
-  const Scalar t195 = k[30] * t106 + (k[31] * t98 - k[32] * t56);
-  const Scalar t196 = (t195 + (k[34] * t40 + k[33] * t34)) - (k[17] * t154 - k[18] * t165);
-  const Scalar t197 = t194 - t196;
-  const Scalar t198 = (k[31] * t39 + k[30] * t44) + (k[33] * t56 + k[34] * (t99 - t100));
-  const Scalar t199 = (k[21] * t193 + k[22] * t189) - k[40] * t96;
-  const Scalar t200 = k[29] * t108 - ((t198 + k[17] * t157) + t199);
-  const Scalar t201 = k[33] * t156 + (k[32] * t44 - k[30] * t39);
-  const Scalar t202 = k[35] * t95 + (c5 * t188 + s5 * t185);
-  const Scalar t203 = (k[18] * t157 - (t201 - k[34] * t98)) + t202;
-  const Scalar t204 = k[29] * t103 - t203;
-  const Scalar t205 = c4 * t200 - s4 * t204;
-  const Scalar t206 = k[28] * t141 - (k[16] * t197 - k[15] * t205);
-  const Scalar t207 = t149 - t206;
-  const Scalar t208 = (k[54] * t128 + k[52] * t127) + k[51] * t132;
-  const Scalar t209 = ((t208 + k[50] * t133) + k[13] * t126) + (s4 * t200 + c4 * t204);
-  const Scalar t210 = t209 + k[4] * t142;
-  const Scalar t211 = (k[15] * t197 + k[16] * t205) - k[28] * t110;
-  const Scalar t212 = (k[52] * t128 - k[53] * t127) - (k[51] * t31 - k[50] * t122);
-  const Scalar t213 = (t211 + (t212 - k[14] * t126)) + k[4] * t145;
-  const Scalar t214 = s3 * t210 - c3 * t213;
-  const Scalar t215 = t134 - t135;
-  const Scalar t216 = t2 * t2 - t135;
-  const Scalar t217 = t12 + t14;
-  const Scalar t218 = (k[55] * (t215 - t216) + k[56] * t9) - (k[58] * t217 - k[59] * t117);
-  const Scalar t219 = (t147 - (k[3] * t207 - k[1] * t214)) + (k[27] * t118 + t218);
-  const Scalar t220 = (c3 * t145 - s3 * t142) - k[27] * t136;
-  const Scalar t221 = k[1] * t146 - k[3] * t130;
-  const Scalar t222 = t221 + k[27] * t115;
-  const Scalar t223 = k[56] * t215 - (k[58] * t117 + k[57] * t217);
-  const Scalar t224 = (s3 * t213 + c3 * t210) - (t223 - k[55] * t115);
-  const Scalar t225 = c2 * (t219 - k[9] * t220) + s2 * (k[9] * t222 + t224);
-  const Scalar t226 = (k[57] * t9 - k[59] * t115) - k[58] * t216;
-  const Scalar t227 = k[27] * t114 + (t226 + (k[56] * t4 - k[55] * t13));
-  const Scalar t228 = t227 - (t221 - (k[3] * t214 + k[1] * t207));
-  const Scalar t229 = k[60] * (s2 * t220 + c2 * t222) - k[6] * (t147 + k[27] * t117);
-  const Scalar t230 = ((k[2] * t225 + k[0] * t228) - t229) + k[61] * qdd[0];
+  const Scalar t120 = (s5 * t112 - c5 * t116) + (k[22] * t80 - k[50] * t119);
+  const Scalar t121 = s5 * t116 + c5 * t112;
+  const Scalar t122 = t107 - t106;
+  const Scalar t123 = t95 - t94;
+  const Scalar t124 = k[34] * t98 + k[33] * t110;
+  const Scalar t125 = (k[30] * t122 + k[29] * t123) + t124;
+  const Scalar t126 = k[27] * t121 + k[28] * t125;
+  const Scalar t127 = t79 + t64;
+  const Scalar t128 = t50 * t50;
+  const Scalar t129 = t126 - (k[50] * t127 - k[22] * (t117 + t128));
+  const Scalar t130 = t48 + (c4 * t120 + s4 * t129);
+  const Scalar t131 = s4 * t120 - c4 * t129;
+  const Scalar t132 = k[27] * t125 - k[28] * t121;
+  const Scalar t133 = t71 + t72;
+  const Scalar t134 = t83 + t84;
+  const Scalar t135 = t132 - (k[50] * t133 + k[22] * t134);
+  const Scalar t136 = k[19] * t131 - k[20] * t135;
+  const Scalar t137 = t45 - t46;
+  const Scalar t138 = c3 * t34 - s3 * t18;
+  const Scalar t139 = (k[17] * t137 + k[16] * t40) + k[52] * t138;
+  const Scalar t140 = t136 + t139;
+  const Scalar t141 = c3 * t130 - s3 * t140;
+  const Scalar t142 = t141 - k[58] * t14;
+  const Scalar t143 = (k[5] * t137 - k[6] * t47) - k[7] * t43;
+  const Scalar t144 = ((k[9] * t67 + k[8] * t61) - t143) - (k[16] * t35 + k[17] * t138);
+  const Scalar t145 = t56 - t113;
+  const Scalar t146 = t56 + t113;
+  const Scalar t147 = t60 - t146;
+  const Scalar t148 = (k[39] * (t145 - t147) - k[36] * t78) - (k[38] * t123 - k[48] * t122);
+  const Scalar t149 = t138 + k[18] * t137;
+  const Scalar t150 = t42 - t37;
+  const Scalar t151 = k[10] * (t150 + t40) - (k[3] * t28 + k[4] * t24);
+  const Scalar t152 = t63 - t62;
+  const Scalar t153 = t151 + k[18] * t152;
+  const Scalar t154 = t117 - t128;
+  const Scalar t155 = (k[20] * t149 + k[19] * t153) - k[21] * (t154 - t119);
+  const Scalar t156 = t155 + k[40] * t133;
+  const Scalar t157 = k[21] * t65 + (t35 - k[18] * t44);
+  const Scalar t158 = (k[19] * t149 - k[20] * t153) + k[21] * t69;
+  const Scalar t159 = s4 * t157 - c4 * t158;
+  const Scalar t160 = k[40] * t127 - t159;
+  const Scalar t161 = (k[27] * t156 + k[28] * t160) + k[35] * t146;
+  const Scalar t162 = k[42] * s6 + k[43] * c6;
+  const Scalar t163 = k[43] * s6 - k[42] * c6;
+  const Scalar t164 = k[44] * c6 + k[45] * s6;
+  const Scalar t165 = s6 * t164;
+  const Scalar t166 = k[46] + t165;
+  const Scalar t167 = k[49] - t165;
+  const Scalar t168 = k[47] - c6 * t164;
+  const Scalar t169 = (t166 * t115 - t109 * t167) - t103 * t168;
+  const Scalar t170 = k[41] * t122 - t161;
+  const Scalar t171 = s4 * t158 + c4 * t157;
+  const Scalar t172 = k[40] * t119 - t171;
+  const Scalar t173 = k[28] * t156 - k[27] * t160;
+  const Scalar t174 = k[35] * t93 - (s5 * t172 - c5 * t173);
+  const Scalar t175 = t174 - k[41] * t76;
+  const Scalar t176 = k[35] * t86 + (s5 * t173 + c5 * t172);
+  const Scalar t177 = (k[33] * t170 - k[34] * t175) * t77 - t91 * (t176 + k[41] * t114);
+  const Scalar t178 = ((t96 * t162 - t87 * t163) + t169) + t177;
+  const Scalar t179 = (t163 * t115 - t162 * t102) - (t90 * t167 - t168 * t97);
+  const Scalar t180 = k[34] * t170 + k[33] * t175;
+  const Scalar t181 = t179 + t77 * t180;
+  const Scalar t182 = k[41] * t124 - (k[33] * t178 + k[34] * t181);
+  const Scalar t183 = k[35] * t116 + ((t148 - k[30] * t161) + t182);
+  const Scalar t184 = t101 * t163 - (t168 * t90 - t97 * t166);
+  const Scalar t185 = k[36] * t147 + (k[38] * t122 - k[37] * t123);
+  const Scalar t186 = ((t109 * t162 - t184) - t91 * t180) - ((k[39] * t76 - t185) - k[29] * t161);
+  const Scalar t187 = t186 - k[35] * t112;
+  const Scalar t188 = t118 - t128;
+  const Scalar t189 = k[25] * (t188 - t154) + (k[24] * t133 - k[23] * t134);
+  const Scalar t190 = (s5 * t183 - c5 * t187) + ((k[26] * t127 - t189) - k[22] * t155);
+  const Scalar t191 = t190 + k[21] * t129;
+  const Scalar t192 = s5 * t187 + c5 * t183;
+  const Scalar t193 = k[38] * t145 + (k[37] * t78 + k[48] * t76);
+  const Scalar t194 = ((k[36] * t86 - k[39] * t93) - t193) - (k[29] * t176 - k[30] * t174);
+  const Scalar t195 = (k[33] * t181 - k[34] * t178) - k[41] * t111;
+  const Scalar t196 = t194 - t195;
+  const Scalar t197 = (k[27] * t192 - k[28] * t196) + k[40] * t132;
+  const Scalar t198 = (k[51] * t133 + k[24] * t134) + (k[26] * t154 + k[25] * t80);
+  const Scalar t199 = k[21] * t120 - (t197 - (t198 + k[50] * t155));
+  const Scalar t200 = s4 * t191 + c4 * t199;
+  const Scalar t201 = k[40] * t126 + (k[27] * t196 + k[28] * t192);
+  const Scalar t202 = k[24] * t188 + (k[23] * t80 + k[51] * t127);
+  const Scalar t203 = (t202 - (k[25] * t70 + k[26] * t82)) - (k[50] * t159 + k[22] * t171);
+  const Scalar t204 = t201 - t203;
+  const Scalar t205 = (k[20] * t200 - k[19] * t204) + k[18] * t136;
+  const Scalar t206 = t144 - t205;
+  const Scalar t207 = t68 + t66;
+  const Scalar t208 = (k[8] * t47 - k[9] * (t150 - t43)) - (k[5] * t152 - k[7] * t207);
+  const Scalar t209 = k[20] * t131 + k[19] * t135;
+  const Scalar t210 = k[18] * t209 - (k[20] * t204 + k[19] * t200);
+  const Scalar t211 = (t208 - k[17] * t151) + t210;
+  const Scalar t212 = (k[6] * t207 + k[7] * t152) - k[8] * t150;
+  const Scalar t213 = (s4 * t199 - c4 * t191) - ((t212 - k[9] * t137) + k[16] * t151);
+  const Scalar t214 = (c3 * t211 + s3 * t213) - k[10] * t141;
+  const Scalar t215 = (k[17] * t152 - k[16] * t207) + k[52] * t151;
+  const Scalar t216 = t209 - t215;
+  const Scalar t217 = s3 * t130 + c3 * t140;
+  const Scalar t218 = k[4] * t216 + k[3] * t217;
+  const Scalar t219 = t22 - t14;
+  const Scalar t220 = t29 + t30;
+  const Scalar t221 = (k[56] * t219 + k[57] * t9) + (k[55] * t220 - k[53] * t21);
+  const Scalar t222 = ((k[3] * t206 - k[4] * t214) - t218) + (t221 - k[58] * t23);
+  const Scalar t223 = t12 - t13;
+  const Scalar t224 = k[57] * t223 - (k[55] * t21 + k[54] * t220);
+  const Scalar t225 = (s3 * t211 - c3 * t213) - k[10] * t217;
+  const Scalar t226 = k[3] * t216 - k[4] * t217;
+  const Scalar t227 = k[58] * t27 - t226;
+  const Scalar t228 = ((t224 - k[56] * t27) + t225) - k[13] * t227;
+  const Scalar t229 = c2 * (k[13] * t142 + t222) + s2 * t228;
+  const Scalar t230 = (k[53] * t27 + k[54] * t9) + k[55] * (t219 + t223);
+  const Scalar t231 = ((k[57] * t4 + k[56] * t25) - t230) + k[58] * t26;
+  const Scalar t232 = (t226 + (k[4] * t206 + k[3] * t214)) + t231;
+  const Scalar t233 = k[14] * (k[58] * t21 + t218) - k[59] * (c2 * t227 + s2 * t142);
+  const Scalar t234 = k[0] * qdd[0] - ((k[1] * t229 - k[2] * t232) - t233);
   JointVector<Scalar> result;
-  result[0] = -t230;
-  result[1] = -t228;
-  result[2] = -t207;
-  result[3] = -t197;
-  result[4] = t193;
-  result[5] = t183;
+  result[0] = -t234;
+  result[1] = -t232;
+  result[2] = -t206;
+  result[3] = -t204;
+  result[4] = -t196;
+  result[5] = -t178;
   return result;
 }
 
@@ -491,29 +492,31 @@ GravityTorqueConstants<Scalar> gravity_torque_constants(const BasicGeometry<Scal
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = gravity * sin(g.alpha2);
-  const Scalar t1 = gravity * cos(g.alpha2);
-  const Scalar t2 = inertia.m5 + inertia.m6;
-  const Scalar t3 = inertia.m4 + t2;
+  const Scalar t0 = inertia.m5 + inertia.m6;
+  const Scalar t1 = inertia.m4 + t0;
+  const Scalar t2 = inertia.m3 + t1;
+  const Scalar t3 = gravity * sin(g.alpha2);
   const Scalar t4 = g.d4 * inertia.m4;
   const Scalar t5 = g.d5 * inertia.m5;
   const Scalar t6 = g.d6 * inertia.m6 + inertia.c6z * inertia.m6;
   const Scalar t7 = (t5 - (inertia.c5z * inertia.m5 + t5)) - cos(g.alpha6) * t6;
-  const Scalar t8 = t7 - g.d5 * t2;
+  const Scalar t8 = t7 - g.d5 * t0;
   const Scalar t9 = ((inertia.c4z * inertia.m4 + t4) - t4) - cos(g.alpha5) * t8;
-  const Scalar t10 = g.d4 * t3 + t9;
-  const Scalar t11 = inertia.m3 + t3;
-  const Scalar t12 = g.d3 * inertia.m3;
-  const Scalar t13 = cos(g.alpha4) * t10 - (t12 - (inertia.c3z * inertia.m3 + t12));
-  const Scalar t14 = sin(g.alpha3) * (t13 + g.d3 * t11) - inertia.c2y * inertia.m2;
-  return { t0,
-           cos(g.alpha3) * t0,
-           sin(g.alpha3) * t1,
-           g.a4 * t3 + inertia.c3x * inertia.m3,
+  const Scalar t10 = g.d4 * t1 + t9;
+  const Scalar t11 = g.d3 * inertia.m3;
+  const Scalar t12 = cos(g.alpha4) * t10 - (t11 - (inertia.c3z * inertia.m3 + t11));
+  const Scalar t13 = sin(g.alpha3) * (t12 + g.d3 * t2) - inertia.c2y * inertia.m2;
+  const Scalar t14 = gravity * cos(g.alpha2);
+  return { (g.a3 * t2 + inertia.c2x * inertia.m2) * t3,
+           t3,
+           t13,
+           cos(g.alpha3) * t3,
+           sin(g.alpha3) * t14,
+           g.a4 * t1 + inertia.c3x * inertia.m3,
            sin(g.alpha4) * t10 - inertia.c3y * inertia.m3,
            sin(g.alpha4),
-           sin(g.alpha3) * t0,
-           cos(g.alpha3) * t1,
+           sin(g.alpha3) * t3,
+           cos(g.alpha3) * t14,
            cos(g.alpha4),
            sin(g.alpha5) * t8 + inertia.c4y * inertia.m4,
            inertia.c6y * inertia.m6,
@@ -524,11 +527,9 @@ GravityTorqueConstants<Scalar> gravity_torque_constants(const BasicGeometry<Scal
            cos(g.alpha6),
            g.a6 * inertia.m6 + inertia.c5x * inertia.m5,
            inertia.c5y * inertia.m5 - sin(g.alpha6) * t6,
-           g.a5 * t2 + inertia.c4x * inertia.m4,
+           g.a5 * t0 + inertia.c4x * inertia.m4,
            cos(g.alpha3),
-           sin(g.alpha3),
-           (g.a3 * t11 + inertia.c2x * inertia.m2) * t0,
-           t0 * t14 };
+           sin(g.alpha3) };
 }
 
 namespace detail {
@@ -546,42 +547,42 @@ inline JointVector<Scalar> gravity_torque([[maybe_unused]] const JointVector<Sca
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[2] + k[1] * c2;
-  const Scalar t1 = k[0] * s2;
-  const Scalar t2 = c3 * t0 - s3 * t1;
-  const Scalar t3 = s3 * t0 + c3 * t1;
-  const Scalar t4 = k[7] - k[6] * c2;
-  const Scalar t5 = k[5] * t4 + k[8] * t2;
-  const Scalar t6 = s4 * t3 - c4 * t5;
-  const Scalar t7 = s4 * t5 + c4 * t3;
-  const Scalar t8 = k[10] * s6 - k[11] * c6;
-  const Scalar t9 = k[5] * t2 - k[8] * t4;
-  const Scalar t10 = k[13] * t6 + k[12] * t9;
-  const Scalar t11 = s5 * t7 + c5 * t10;
-  const Scalar t12 = k[12] * t6 - k[13] * t9;
-  const Scalar t13 = k[14] * t11 + k[15] * t12;
-  const Scalar t14 = t8 * t13;
-  const Scalar t15 = k[10] * c6 + k[11] * s6;
-  const Scalar t16 = c5 * t7 - s5 * t10;
-  const Scalar t17 = t15 * t16 + t8 * (k[14] * t12 - k[15] * t11);
-  const Scalar t18 = (k[15] * t14 + k[14] * t17) - k[16] * t12;
-  const Scalar t19 = k[17] * t12 + t15 * t13;
-  const Scalar t20 = c5 * t18 + s5 * t19;
-  const Scalar t21 = (k[17] * t16 + k[16] * t11) + (k[15] * t17 - k[14] * t14);
-  const Scalar t22 = (k[18] * t6 + k[9] * t7) - (k[12] * t20 - k[13] * t21);
-  const Scalar t23 = k[9] * t9 - (c5 * t19 - s5 * t18);
-  const Scalar t24 = k[18] * t9 + (k[12] * t21 + k[13] * t20);
-  const Scalar t25 = s4 * t23 - c4 * t24;
-  const Scalar t26 = (k[3] * t2 + k[4] * t3) - (k[8] * t22 + k[5] * t25);
-  const Scalar t27 = (k[8] * t25 - k[5] * t22) + k[3] * t4;
-  const Scalar t28 = (c4 * t23 + s4 * t24) + k[4] * t4;
-  const Scalar t29 = k[19] * t26 - k[20] * (c3 * t27 + s3 * t28);
+  const Scalar t0 = k[1] * s2;
+  const Scalar t1 = k[4] + k[3] * c2;
+  const Scalar t2 = s3 * t1 + c3 * t0;
+  const Scalar t3 = k[9] - k[8] * c2;
+  const Scalar t4 = s3 * t0 - c3 * t1;
+  const Scalar t5 = k[7] * t3 - k[10] * t4;
+  const Scalar t6 = c4 * t2 + s4 * t5;
+  const Scalar t7 = k[7] * t4 + k[10] * t3;
+  const Scalar t8 = c4 * t5 - s4 * t2;
+  const Scalar t9 = k[14] * t7 + k[15] * t8;
+  const Scalar t10 = s5 * t6 - c5 * t9;
+  const Scalar t11 = k[15] * t7 - k[14] * t8;
+  const Scalar t12 = k[16] * t10 + k[17] * t11;
+  const Scalar t13 = k[12] * s6 - k[13] * c6;
+  const Scalar t14 = t12 * t13;
+  const Scalar t15 = k[13] * s6 + k[12] * c6;
+  const Scalar t16 = c5 * t6 + s5 * t9;
+  const Scalar t17 = (k[16] * t11 - k[17] * t10) * t13 + t15 * t16;
+  const Scalar t18 = (k[16] * t14 - k[17] * t17) - (k[19] * t16 + k[18] * t10);
+  const Scalar t19 = (k[17] * t14 + k[16] * t17) - k[18] * t11;
+  const Scalar t20 = k[19] * t11 + t12 * t15;
+  const Scalar t21 = c5 * t19 + s5 * t20;
+  const Scalar t22 = (k[15] * t18 + k[14] * t21) - (k[11] * t6 - k[20] * t8);
+  const Scalar t23 = k[11] * t7 + (c5 * t20 - s5 * t19);
+  const Scalar t24 = (k[15] * t21 - k[14] * t18) - k[20] * t7;
+  const Scalar t25 = s4 * t23 + c4 * t24;
+  const Scalar t26 = (k[7] * t22 - k[10] * t25) + k[5] * t3;
+  const Scalar t27 = (s4 * t24 - c4 * t23) + k[6] * t3;
+  const Scalar t28 = (k[6] * t2 - k[5] * t4) + (k[10] * t22 + k[7] * t25);
+  const Scalar t29 = k[22] * (c3 * t26 + s3 * t27) - k[21] * t28;
   JointVector<Scalar> result;
   result[0] = Scalar(0);
-  result[1] = t29 + (k[22] * s2 + k[21] * c2);
-  result[2] = t26;
-  result[3] = -t22;
-  result[4] = -t21;
+  result[1] = (k[2] * t0 + k[0] * c2) - t29;
+  result[2] = t28;
+  result[3] = t22;
+  result[4] = t18;
   result[5] = -t17;
   return result;
 }
@@ -607,169 +608,169 @@ CoriolisTorqueConstants<Scalar> coriolis_torque_constants(const BasicGeometry<Sc
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.m5 + inertia.m6;
-  const Scalar t1 = inertia.m4 + t0;
-  const Scalar t2 = g.a4 * t1;
-  const Scalar t3 = inertia.c3x * inertia.m3;
-  const Scalar t4 = inertia.c4z * inertia.m4;
-  const Scalar t5 = g.d4 * inertia.m4;
-  const Scalar t6 = t4 + t5;
-  const Scalar t7 = t6 - t5;
-  const Scalar t8 = g.d5 * inertia.m5;
-  const Scalar t9 = inertia.c5z * inertia.m5;
-  const Scalar t10 = t9 + t8;
-  const Scalar t11 = t8 - t10;
-  const Scalar t12 = inertia.c6z * inertia.m6;
-  const Scalar t13 = g.d6 * inertia.m6 + t12;
-  const Scalar t14 = cos(g.alpha6) * t13;
-  const Scalar t15 = t11 - t14;
-  const Scalar t16 = t15 - g.d5 * t0;
-  const Scalar t17 = cos(g.alpha5) * t16;
-  const Scalar t18 = t7 - t17;
-  const Scalar t19 = g.d4 * t1 + t18;
-  const Scalar t20 = sin(g.alpha4) * t19;
-  const Scalar t21 = inertia.c3y * inertia.m3;
-  const Scalar t22 = (t20 - t21) / (g.d4 * sin(g.alpha4));
-  const Scalar t23 = g.a4 * t22;
-  const Scalar t24 = g.a2 / g.d2;
-  const Scalar t25 = sin(g.alpha5) * t16;
-  const Scalar t26 = inertia.c4y * inertia.m4;
-  const Scalar t27 = g.a5 * t0;
-  const Scalar t28 = inertia.c4x * inertia.m4;
-  const Scalar t29 = inertia.c6x * inertia.m6;
-  const Scalar t30 = inertia.c6y * inertia.m6;
-  const Scalar t31 = g.a6 * inertia.m6;
-  const Scalar t32 = inertia.c5x * inertia.m5;
-  const Scalar t33 = inertia.c5y * inertia.m5;
-  const Scalar t34 = sin(g.alpha6) * t13;
-  const Scalar t35 = g.d4 * t22;
-  const Scalar t36 = ((inertia.I3xy - inertia.c3y * t3) + g.a4 * t20) - g.a4 * sin(g.alpha4) * t35;
-  const Scalar t37 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t38 = g.a4 * t2 + (inertia.c3x * t3 - (inertia.I3xx - t37));
-  const Scalar t39 = g.d4 * t35;
-  const Scalar t40 = sin(g.alpha4) * t39;
-  const Scalar t41 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t42 = ((inertia.I4zz - t41) - inertia.c4z * t4) - g.d4 * (t6 + t4);
-  const Scalar t43 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t44 = (inertia.c5z * t9 - (inertia.I5zz - t43)) + g.d5 * (t9 + t10);
-  const Scalar t45 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t46 = (inertia.c6z * t12 - (inertia.I6zz - t45)) + g.d6 * (t13 + t12);
-  const Scalar t47 = sin(g.alpha6) * t46;
-  const Scalar t48 = sin(g.alpha6) * t47;
-  const Scalar t49 = (g.d5 * (t11 - t10) + t44) + (t46 - t48);
-  const Scalar t50 = g.d5 * (t15 + t16) - t49;
-  const Scalar t51 = sin(g.alpha5) * t50;
-  const Scalar t52 = sin(g.alpha5) * t51;
-  const Scalar t53 = (g.d4 * (t7 + t6) + t42) - (t52 - t50);
-  const Scalar t54 = t53 - g.d4 * (t18 + t19);
-  const Scalar t55 = sin(g.alpha4) * t54;
-  const Scalar t56 = g.d3 * t21;
-  const Scalar t57 = cos(g.alpha4) * t55 - (t56 - (t56 - (inertia.I3yz - inertia.c3z * t21)));
-  const Scalar t58 = cos(g.alpha4) * t19;
-  const Scalar t59 = g.d3 * t3;
-  const Scalar t60 = g.a4 * t58 - (t59 - (t59 - (inertia.I3xz - inertia.c3z * t3)));
-  const Scalar t61 = cos(g.alpha4) * t35;
-  const Scalar t62 = g.d4 * t28;
-  const Scalar t63 = g.a5 * t17 + (((inertia.I4xz - inertia.c4z * t28) - t62) + t62);
-  const Scalar t64 = g.d4 * t26;
-  const Scalar t65 = cos(g.alpha5) * t51 - (t64 - (t64 - (inertia.I4yz - inertia.c4z * t26)));
-  const Scalar t66 = g.a5 * t27 - ((inertia.I4xx - t41) - inertia.c4x * t28);
-  const Scalar t67 = inertia.I6xy - inertia.c6y * t29;
-  const Scalar t68 = (inertia.I6xx - t45) - inertia.c6x * t29;
-  const Scalar t69 = (inertia.I6yy - t45) - inertia.c6y * t30;
-  const Scalar t70 = g.d5 * t32;
-  const Scalar t71 = (t70 - (t70 - (inertia.I5xz - inertia.c5z * t32))) - g.a6 * t14;
-  const Scalar t72 = g.d5 * t33;
-  const Scalar t73 = (t72 + ((inertia.I5yz - inertia.c5z * t33) - t72)) + cos(g.alpha6) * t47;
-  const Scalar t74 = (inertia.c5x * t32 - (inertia.I5xx - t43)) + g.a6 * t31;
-  const Scalar t75 = sin(g.alpha4) * t40;
-  const Scalar t76 = sin(g.alpha4) * t55;
-  const Scalar t77 = t75 + (((inertia.I3yy - t37) - inertia.c3y * t21) + t76);
-  const Scalar t78 = g.d3 * t22 + t61;
-  const Scalar t79 = sin(g.alpha3) * t78;
-  const Scalar t80 = g.d3 * inertia.m3;
-  const Scalar t81 = inertia.c3z * inertia.m3;
-  const Scalar t82 = t81 + t80;
-  const Scalar t83 = t80 - t82;
-  const Scalar t84 = t58 - t83;
-  const Scalar t85 = inertia.m3 + t1;
-  const Scalar t86 = t84 + g.d3 * t85;
-  const Scalar t87 = sin(g.alpha3) * t86;
-  const Scalar t88 = inertia.c2y * inertia.m2;
-  const Scalar t89 = g.a3 * t85;
-  const Scalar t90 = inertia.c2x * inertia.m2;
-  const Scalar t91 = g.a3 * t22;
-  const Scalar t92 = g.d2 * t90;
-  const Scalar t93 = g.a3 * cos(g.alpha3) * t86 - (((inertia.I2xz - inertia.c2z * t90) - t92) + t92);
-  const Scalar t94 = g.d2 * t88;
-  const Scalar t95 = g.d3 * (t81 + t82) - ((inertia.I3zz - t37) - inertia.c3z * t81);
-  const Scalar t96 = (t76 - t54) + (t95 - g.d3 * (t82 - t83));
-  const Scalar t97 = sin(g.alpha3) * (t96 + g.d3 * (t84 + t86));
-  const Scalar t98 = ((t94 - (inertia.I2yz - inertia.c2z * t88)) - t94) - cos(g.alpha3) * t97;
-  const Scalar t99 = sin(g.alpha3) * (g.d3 * (t78 + t61) + (t39 - t75));
-  const Scalar t100 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t101 = ((inertia.I2yy - t100) - inertia.c2y * t88) - sin(g.alpha3) * t97;
-  const Scalar t102 = g.a3 * t89 + (inertia.c2x * t90 - (inertia.I2xx - t100));
-  const Scalar t103 = (t101 + sin(g.alpha3) * t99) + (t102 - g.a3 * t91);
-  const Scalar t104 = g.a3 * t79 - (g.a3 * t87 + (inertia.I2xy - inertia.c2y * t90));
-  return { sin(g.alpha2),
-           sin(g.alpha3),
-           cos(g.alpha2),
-           cos(g.alpha3),
-           g.d2 * ((t2 + t3) - t23),
-           sin(g.alpha4),
-           cos(g.alpha4),
-           g.d4 / g.d2,
-           g.d3 / g.d2,
+  const Scalar t0 = g.a2 / g.d2;
+  const Scalar t1 = inertia.m5 + inertia.m6;
+  const Scalar t2 = inertia.m4 + t1;
+  const Scalar t3 = inertia.c4z * inertia.m4;
+  const Scalar t4 = g.d4 * inertia.m4;
+  const Scalar t5 = t3 + t4;
+  const Scalar t6 = t5 - t4;
+  const Scalar t7 = g.d5 * inertia.m5;
+  const Scalar t8 = inertia.c5z * inertia.m5;
+  const Scalar t9 = t8 + t7;
+  const Scalar t10 = t7 - t9;
+  const Scalar t11 = inertia.c6z * inertia.m6;
+  const Scalar t12 = g.d6 * inertia.m6 + t11;
+  const Scalar t13 = cos(g.alpha6) * t12;
+  const Scalar t14 = t10 - t13;
+  const Scalar t15 = t14 - g.d5 * t1;
+  const Scalar t16 = cos(g.alpha5) * t15;
+  const Scalar t17 = t6 - t16;
+  const Scalar t18 = g.d4 * t2 + t17;
+  const Scalar t19 = sin(g.alpha4) * t18;
+  const Scalar t20 = inertia.c3y * inertia.m3;
+  const Scalar t21 = (t19 - t20) / (g.d4 * sin(g.alpha4));
+  const Scalar t22 = sin(g.alpha5) * t15;
+  const Scalar t23 = inertia.c4y * inertia.m4;
+  const Scalar t24 = g.a5 * t1;
+  const Scalar t25 = inertia.c4x * inertia.m4;
+  const Scalar t26 = inertia.c6x * inertia.m6;
+  const Scalar t27 = inertia.c6y * inertia.m6;
+  const Scalar t28 = inertia.c5y * inertia.m5;
+  const Scalar t29 = sin(g.alpha6) * t12;
+  const Scalar t30 = g.a6 * inertia.m6;
+  const Scalar t31 = inertia.c5x * inertia.m5;
+  const Scalar t32 = g.a4 * t2;
+  const Scalar t33 = inertia.c3x * inertia.m3;
+  const Scalar t34 = g.a4 * t21;
+  const Scalar t35 = g.d4 * t21;
+  const Scalar t36 = cos(g.alpha4) * t35;
+  const Scalar t37 = g.d3 * t21 + t36;
+  const Scalar t38 = sin(g.alpha3) * t37;
+  const Scalar t39 = cos(g.alpha4) * t18;
+  const Scalar t40 = g.d3 * inertia.m3;
+  const Scalar t41 = inertia.c3z * inertia.m3;
+  const Scalar t42 = t41 + t40;
+  const Scalar t43 = t40 - t42;
+  const Scalar t44 = t39 - t43;
+  const Scalar t45 = inertia.m3 + t2;
+  const Scalar t46 = t44 + g.d3 * t45;
+  const Scalar t47 = sin(g.alpha3) * t46;
+  const Scalar t48 = inertia.c2y * inertia.m2;
+  const Scalar t49 = g.a3 * t45;
+  const Scalar t50 = inertia.c2x * inertia.m2;
+  const Scalar t51 = g.a3 * t21;
+  const Scalar t52 = g.d2 * t50;
+  const Scalar t53 = g.a3 * cos(g.alpha3) * t46 - (((inertia.I2xz - inertia.c2z * t50) - t52) + t52);
+  const Scalar t54 = g.d2 * t48;
+  const Scalar t55 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t56 = ((inertia.I4zz - t55) - inertia.c4z * t3) - g.d4 * (t5 + t3);
+  const Scalar t57 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t58 = (inertia.c5z * t8 - (inertia.I5zz - t57)) + g.d5 * (t8 + t9);
+  const Scalar t59 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t60 = (inertia.c6z * t11 - (inertia.I6zz - t59)) + g.d6 * (t12 + t11);
+  const Scalar t61 = sin(g.alpha6) * t60;
+  const Scalar t62 = sin(g.alpha6) * t61;
+  const Scalar t63 = (g.d5 * (t10 - t9) + t58) + (t60 - t62);
+  const Scalar t64 = g.d5 * (t14 + t15) - t63;
+  const Scalar t65 = sin(g.alpha5) * t64;
+  const Scalar t66 = sin(g.alpha5) * t65;
+  const Scalar t67 = (g.d4 * (t6 + t5) + t56) - (t66 - t64);
+  const Scalar t68 = t67 - g.d4 * (t17 + t18);
+  const Scalar t69 = sin(g.alpha4) * t68;
+  const Scalar t70 = sin(g.alpha4) * t69;
+  const Scalar t71 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t72 = g.d3 * (t41 + t42) - ((inertia.I3zz - t71) - inertia.c3z * t41);
+  const Scalar t73 = (t70 - t68) + (t72 - g.d3 * (t42 - t43));
+  const Scalar t74 = sin(g.alpha3) * (t73 + g.d3 * (t44 + t46));
+  const Scalar t75 = ((t54 - (inertia.I2yz - inertia.c2z * t48)) - t54) - cos(g.alpha3) * t74;
+  const Scalar t76 = g.d4 * t35;
+  const Scalar t77 = sin(g.alpha4) * t76;
+  const Scalar t78 = sin(g.alpha4) * t77;
+  const Scalar t79 = sin(g.alpha3) * (g.d3 * (t37 + t36) + (t76 - t78));
+  const Scalar t80 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t81 = ((inertia.I2yy - t80) - inertia.c2y * t48) - sin(g.alpha3) * t74;
+  const Scalar t82 = g.a3 * t49 + (inertia.c2x * t50 - (inertia.I2xx - t80));
+  const Scalar t83 = (t81 + sin(g.alpha3) * t79) + (t82 - g.a3 * t51);
+  const Scalar t84 = g.a3 * t38 - (g.a3 * t47 + (inertia.I2xy - inertia.c2y * t50));
+  const Scalar t85 = g.d4 * t23;
+  const Scalar t86 = cos(g.alpha5) * t65 - (t85 - (t85 - (inertia.I4yz - inertia.c4z * t23)));
+  const Scalar t87 = g.d4 * t25;
+  const Scalar t88 = g.a5 * t16 + (((inertia.I4xz - inertia.c4z * t25) - t87) + t87);
+  const Scalar t89 = inertia.I6xy - inertia.c6y * t26;
+  const Scalar t90 = (inertia.I6xx - t59) - inertia.c6x * t26;
+  const Scalar t91 = (inertia.I6yy - t59) - inertia.c6y * t27;
+  const Scalar t92 = g.d5 * t31;
+  const Scalar t93 = (t92 - (t92 - (inertia.I5xz - inertia.c5z * t31))) - g.a6 * t13;
+  const Scalar t94 = g.d5 * t28;
+  const Scalar t95 = (t94 + ((inertia.I5yz - inertia.c5z * t28) - t94)) + cos(g.alpha6) * t61;
+  const Scalar t96 = (inertia.c5x * t31 - (inertia.I5xx - t57)) + g.a6 * t30;
+  const Scalar t97 = g.a5 * t24 - ((inertia.I4xx - t55) - inertia.c4x * t25);
+  const Scalar t98 = t78 + (((inertia.I3yy - t71) - inertia.c3y * t20) + t70);
+  const Scalar t99 = ((inertia.I3xy - inertia.c3y * t33) + g.a4 * t19) - g.a4 * sin(g.alpha4) * t35;
+  const Scalar t100 = g.d3 * t20;
+  const Scalar t101 = cos(g.alpha4) * t69 - (t100 - (t100 - (inertia.I3yz - inertia.c3z * t20)));
+  const Scalar t102 = g.d3 * t33;
+  const Scalar t103 = g.a4 * t39 - (t102 - (t102 - (inertia.I3xz - inertia.c3z * t33)));
+  const Scalar t104 = g.a4 * t32 + (inertia.c3x * t33 - (inertia.I3xx - t71));
+  return { cos(g.alpha2),
+           sin(g.alpha2),
            g.a3 / g.d2,
-           t24,
-           sin(g.alpha2) * sin(g.alpha2),
+           cos(g.alpha3),
+           t0,
+           sin(g.alpha3),
+           g.d3 / g.d2,
            g.a4 / g.d2,
-           g.d2 * g.d2 * t22,
-           g.d2 * (t25 + t26),
-           g.d2 * (t27 + t28),
+           cos(g.alpha4),
+           sin(g.alpha4),
+           g.d4 / g.d2,
+           g.d2 * g.d2 * t21,
+           g.d2 * (t22 + t23),
+           g.d2 * (t24 + t25),
+           g.d2 * t26,
+           g.d2 * t27,
            sin(g.alpha5),
            cos(g.alpha5),
            sin(g.alpha6),
            cos(g.alpha6),
-           g.d2 * t29,
-           g.d2 * t30,
-           g.d2 * (t31 + t32),
-           g.d2 * (t33 - t34),
-           t36,
-           g.a4 * t23 - t38,
-           cos(g.alpha4) * t40 + t57,
-           t60 - g.a4 * t61,
-           t63,
-           t65,
-           g.a5 * t25 - (inertia.I4xy - inertia.c4y * t28),
-           t52 + ((inertia.I4yy - t41) - inertia.c4y * t26),
-           t66,
-           g.d5 / g.d2,
+           cos(g.alpha4) * sin(g.alpha3),
+           g.d2 * (t28 - t29),
+           g.d2 * (t30 + t31),
+           g.d2 * ((t32 + t33) - t34),
+           g.d2 * (t38 - (t47 - t48)),
+           g.d2 * ((t49 + t50) - t51),
+           cos(g.alpha2) * t0,
+           sin(g.alpha2) * t0,
+           g.a3 * cos(g.alpha3) * t37 - t53,
+           t75 + cos(g.alpha3) * t79,
+           t83,
+           Scalar(2) * t84,
+           t84,
+           g.a5 * t22 - (inertia.I4xy - inertia.c4y * t25),
+           t66 + ((inertia.I4yy - t55) - inertia.c4y * t23),
+           t86,
+           t88,
            g.a6 / g.d2,
-           g.d6 * t30 - (inertia.I6yz - inertia.c6z * t30),
-           (inertia.I6xz - inertia.c6z * t29) - g.d6 * t29,
-           Scalar(2) * t67,
-           t68 - t69,
-           t68,
-           t69,
-           t67,
            g.a5 / g.d2,
-           t71,
-           t73,
-           t74,
-           (inertia.I5xy - inertia.c5y * t32) + g.a6 * t34,
-           (inertia.c5y * t33 - (inertia.I5yy - t43)) + t48,
-           t77,
-           g.d2 * (t79 - (t87 - t88)),
-           g.d2 * ((t89 + t90) - t91),
-           g.a3 * cos(g.alpha3) * t78 - t93,
-           t98 + cos(g.alpha3) * t99,
-           t103,
-           Scalar(2) * t104,
-           t104,
-           sin(g.alpha2) * t24,
-           cos(g.alpha2) * t24 };
+           g.d5 / g.d2,
+           g.d6 * t27 - (inertia.I6yz - inertia.c6z * t27),
+           (inertia.I6xz - inertia.c6z * t26) - g.d6 * t26,
+           Scalar(2) * t89,
+           t90 - t91,
+           t91,
+           t89,
+           t93,
+           t95,
+           (inertia.c5y * t28 - (inertia.I5yy - t57)) + t62,
+           (inertia.I5xy - inertia.c5y * t31) + g.a6 * t29,
+           t96,
+           t90,
+           t97,
+           t98,
+           t99,
+           cos(g.alpha4) * t77 + t101,
+           t103 - g.a4 * t36,
+           g.a4 * t34 - t104 };
 }
 
 namespace detail {
@@ -788,234 +789,235 @@ inline JointVector<Scalar> coriolis_torque([[maybe_unused]] const JointVector<Sc
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[50] * s2 + k[49] * c2;
-  const Scalar t1 = k[2] * qd[0];
-  const Scalar t2 = k[0] * qd[0];
-  const Scalar t3 = t1 * t2;
-  const Scalar t4 = qd[1] + t1;
-  const Scalar t5 = t4 * t2;
-  const Scalar t6 = t3 - (t5 + t5);
-  const Scalar t7 = c2 * t2;
-  const Scalar t8 = k[1] * t4 + k[3] * t7;
-  const Scalar t9 = s2 * t2;
-  const Scalar t10 = s3 * t8 + c3 * t9;
-  const Scalar t11 = k[1] * t7 - k[3] * t4;
-  const Scalar t12 = qd[2] - t11;
-  const Scalar t13 = t10 * t12;
-  const Scalar t14 = qd[1] * t7 + t8 * t11;
-  const Scalar t15 = s2 * t3;
-  const Scalar t16 = t9 * t7;
-  const Scalar t17 = k[3] * t15 - k[1] * t16;
-  const Scalar t18 = s3 * t14 - c3 * t17;
-  const Scalar t19 = t18 + t13;
-  const Scalar t20 = t13 + t19;
-  const Scalar t21 = s3 * t9 - c3 * t8;
-  const Scalar t22 = k[5] * t21 + k[6] * t12;
-  const Scalar t23 = k[5] * t12 - k[6] * t21;
-  const Scalar t24 = s3 * t17 + c3 * t14;
-  const Scalar t25 = t21 * t12;
-  const Scalar t26 = t24 - t25;
-  const Scalar t27 = t22 * t23 - t26;
-  const Scalar t28 = t21 * t10;
-  const Scalar t29 = t9 * k[1] * qd[1];
-  const Scalar t30 = t28 + t29;
-  const Scalar t31 = k[6] * t18 - k[5] * t30;
-  const Scalar t32 = s4 * t27 - c4 * t31;
-  const Scalar t33 = qd[0] * qd[0];
-  const Scalar t34 = k[10] * t33;
-  const Scalar t35 = c2 * t34 - t15;
-  const Scalar t36 = t4 * t4;
-  const Scalar t37 = t35 + k[9] * (t7 * t7 + t36);
-  const Scalar t38 = k[11] * t33;
-  const Scalar t39 = t38 + k[9] * s2 * t6;
-  const Scalar t40 = t1 * t7 + s2 * t34;
-  const Scalar t41 = t40 + k[9] * t16;
-  const Scalar t42 = k[1] * t39 - k[3] * t41;
-  const Scalar t43 = k[8] * t18 + (c3 * t37 + s3 * t42);
-  const Scalar t44 = t12 * t12;
-  const Scalar t45 = t21 * t21;
-  const Scalar t46 = t44 + t45;
-  const Scalar t47 = t43 + k[12] * t46;
-  const Scalar t48 = k[8] * t24 + (c3 * t42 - s3 * t37);
-  const Scalar t49 = t28 - t29;
-  const Scalar t50 = t48 + k[12] * t49;
-  const Scalar t51 = t44 - t10 * t10;
-  const Scalar t52 = k[8] * (t51 - t46) - (k[1] * t41 + k[3] * t39);
-  const Scalar t53 = k[12] * t20 + t52;
-  const Scalar t54 = k[6] * t50 - k[5] * t53;
-  const Scalar t55 = k[7] * t32 - (c4 * t47 + s4 * t54);
-  const Scalar t56 = qd[3] + t22;
-  const Scalar t57 = t56 * t56;
-  const Scalar t58 = c4 * t23 - s4 * t10;
-  const Scalar t59 = t58 * t58;
-  const Scalar t60 = t57 + t59;
-  const Scalar t61 = c4 * t10 + s4 * t23;
-  const Scalar t62 = t61 * t58;
-  const Scalar t63 = k[6] * t29 + k[5] * t19;
-  const Scalar t64 = t62 - t63;
-  const Scalar t65 = k[13] * t55 - (k[15] * t60 - k[14] * t64);
-  const Scalar t66 = k[20] * c6 - k[21] * s6;
-  const Scalar t67 = k[17] * t58 + k[16] * t56;
-  const Scalar t68 = s5 * t61 - c5 * t67;
-  const Scalar t69 = k[16] * t58 - k[17] * t56;
-  const Scalar t70 = qd[4] - t69;
-  const Scalar t71 = k[19] * t68 - k[18] * t70;
-  const Scalar t72 = t71 * t71;
-  const Scalar t73 = k[19] * t70 + k[18] * t68;
-  const Scalar t74 = qd[5] + t73;
-  const Scalar t75 = t74 * t74;
-  const Scalar t76 = t72 + t75;
-  const Scalar t77 = k[21] * c6 + k[20] * s6;
-  const Scalar t78 = s5 * t67 + c5 * t61;
-  const Scalar t79 = t71 * t78;
-  const Scalar t80 = t56 * t61;
-  const Scalar t81 = t80 - t32;
-  const Scalar t82 = k[16] * t81 + k[17] * t63;
-  const Scalar t83 = k[17] * t32 - k[16] * t64;
-  const Scalar t84 = c4 * t27 + s4 * t31;
-  const Scalar t85 = t56 * t58;
-  const Scalar t86 = t84 - t85;
-  const Scalar t87 = t86 - t67 * t69;
-  const Scalar t88 = c5 * t83 + s5 * t87;
-  const Scalar t89 = t70 * t78;
-  const Scalar t90 = t88 - t89;
-  const Scalar t91 = k[19] * t82 - k[18] * t90;
-  const Scalar t92 = t79 + t91;
-  const Scalar t93 = t68 * t68;
-  const Scalar t94 = t70 * t70;
-  const Scalar t95 = t93 + t94;
-  const Scalar t96 = t68 * t78;
-  const Scalar t97 = t96 + t82;
-  const Scalar t98 = (t66 * t76 + t77 * t92) + (k[22] * t95 + k[23] * t97);
-  const Scalar t99 = t78 * t78;
-  const Scalar t100 = t99 - t75;
-  const Scalar t101 = t72 - t75;
-  const Scalar t102 = t100 - t101;
-  const Scalar t103 = t79 - t91;
-  const Scalar t104 = t77 * (t102 + t76) + t103 * t66;
-  const Scalar t105 = t71 * t74;
-  const Scalar t106 = s5 * t83 - c5 * t87;
-  const Scalar t107 = t68 * t70;
-  const Scalar t108 = t106 - t107;
-  const Scalar t109 = t73 * t71 + t108;
-  const Scalar t110 = t105 + (t105 - t109);
-  const Scalar t111 = t74 * t78;
-  const Scalar t112 = k[18] * t97 + k[19] * t88;
-  const Scalar t113 = t111 + (t111 - t112);
-  const Scalar t114 = t110 * t77 - t66 * t113;
-  const Scalar t115 = k[19] * t104 - k[18] * t114;
-  const Scalar t116 = t99 + t93;
-  const Scalar t117 = t93 - t94;
-  const Scalar t118 = t96 - t82;
-  const Scalar t119 = t115 + (k[23] * (t116 - t117) + k[22] * t118);
-  const Scalar t120 = c5 * t98 - s5 * t119;
-  const Scalar t121 = t65 - t120;
-  const Scalar t122 = c5 * t119 + s5 * t98;
-  const Scalar t123 = k[19] * t114 + k[18] * t104;
-  const Scalar t124 = t90 - t89;
-  const Scalar t125 = t108 - t107;
-  const Scalar t126 = t123 + (k[22] * t124 - k[23] * t125);
-  const Scalar t127 = k[17] * t122 - k[16] * t126;
-  const Scalar t128 = (s4 * t47 - c4 * t54) + k[7] * t84;
-  const Scalar t129 = t62 + t63;
-  const Scalar t130 = t61 * t61;
-  const Scalar t131 = t130 + t57;
-  const Scalar t132 = k[13] * t128 + (k[15] * t129 - k[14] * t131);
-  const Scalar t133 = t127 - t132;
-  const Scalar t134 = s4 * t121 - c4 * t133;
-  const Scalar t135 = t80 + t81;
-  const Scalar t136 = t86 - t85;
-  const Scalar t137 = t130 + t59;
-  const Scalar t138 = k[7] * t137 - (k[5] * t50 + k[6] * t53);
-  const Scalar t139 = (k[15] * t135 - k[14] * t136) - k[13] * t138;
-  const Scalar t140 = k[17] * t126 + k[16] * t122;
-  const Scalar t141 = t139 - t140;
-  const Scalar t142 = k[5] * t134 + k[6] * t141;
-  const Scalar t143 = k[4] * t20 + t142;
-  const Scalar t144 = k[6] * t134 - k[5] * t141;
-  const Scalar t145 = t144 - k[4] * t49;
-  const Scalar t146 = k[4] * t46 - (c4 * t121 + s4 * t133);
-  const Scalar t147 = c3 * t145 - s3 * t146;
-  const Scalar t148 = k[3] * t143 + k[1] * t147;
-  const Scalar t149 = s3 * t145 + c3 * t146;
-  const Scalar t150 = k[1] * t143 - k[3] * t147;
-  const Scalar t151 = t0 * t36 + (s2 * t149 + c2 * t150);
-  const Scalar t152 = k[56] * (t0 * t6 - t148) - k[57] * t151;
-  const Scalar t153 = k[50] * c2 - k[49] * s2;
-  const Scalar t154 = t25 - t26;
-  const Scalar t155 = (k[25] * t20 - k[24] * t154) - (k[27] * t51 + k[26] * t30);
-  const Scalar t156 = t55 - k[42] * t60;
-  const Scalar t157 = k[42] * t135 - t138;
-  const Scalar t158 = t128 + k[42] * t129;
-  const Scalar t159 = k[16] * t157 + k[17] * t158;
-  const Scalar t160 = (c5 * t156 + s5 * t159) + k[33] * t88;
-  const Scalar t161 = (k[17] * t157 - k[16] * t158) - k[33] * t116;
-  const Scalar t162 = k[34] * t124 - t161;
-  const Scalar t163 = (s5 * t156 - c5 * t159) + k[33] * t106;
-  const Scalar t164 = t163 + k[34] * t118;
-  const Scalar t165 = t77 * (k[34] * t95 - t160) - (k[18] * t162 + k[19] * t164) * t66;
-  const Scalar t166 = k[35] * c6 - k[36] * s6;
-  const Scalar t167 = k[36] * c6 + k[35] * s6;
-  const Scalar t168 = k[37] * c6 + k[38] * s6;
-  const Scalar t169 = s6 * t168;
-  const Scalar t170 = k[40] + t169;
-  const Scalar t171 = k[39] - t169;
-  const Scalar t172 = k[41] - c6 * t168;
-  const Scalar t173 = (t92 * t170 - t103 * t171) + t172 * t102;
-  const Scalar t174 = t165 - ((t112 * t166 - t109 * t167) + t173);
-  const Scalar t175 = (t110 * t172 + t113 * t171) - (t92 * t166 + t100 * t167);
-  const Scalar t176 = k[19] * t162 - k[18] * t164;
-  const Scalar t177 = t175 + t66 * t176;
-  const Scalar t178 = k[34] * t115 - (k[19] * t174 + k[18] * t177);
-  const Scalar t179 = k[46] * (t99 - t93) + (k[47] * t97 - k[45] * t118);
-  const Scalar t180 = (t179 + (k[44] * t88 + k[43] * t106)) - (k[23] * t160 + k[22] * t163);
-  const Scalar t181 = t178 - t180;
-  const Scalar t182 = t101 * t166 - (t110 * t170 + t172 * t113);
-  const Scalar t183 = (k[47] * t125 + k[46] * t124) + k[44] * t117;
-  const Scalar t184 = ((t103 * t167 + t182) + t77 * t176) - ((t183 - k[43] * t118) + k[23] * t161);
-  const Scalar t185 = k[34] * t123 + (k[19] * t177 - k[18] * t174);
-  const Scalar t186 = (k[46] * t125 + k[45] * t124) - (k[43] * (t99 - t94) - k[44] * t97);
-  const Scalar t187 = t185 - (k[22] * t161 - t186);
-  const Scalar t188 = k[33] * t120 + (s5 * t184 - c5 * t187);
-  const Scalar t189 = (k[17] * t181 + k[16] * t188) + k[42] * t127;
-  const Scalar t190 = k[30] * (t60 - t131) + (k[32] * t129 + k[31] * t64);
-  const Scalar t191 = (k[14] * t55 - k[15] * t128) - (t190 - (k[29] * t32 + k[28] * t84));
-  const Scalar t192 = t189 + t191;
-  const Scalar t193 = k[33] * t122 - (s5 * t187 + c5 * t184);
-  const Scalar t194 = k[29] * (t57 - t59) + (k[30] * t135 + k[31] * t136);
-  const Scalar t195 = t193 + ((k[28] * t129 + t194) - k[14] * t138);
-  const Scalar t196 = k[7] * t133 + t195;
-  const Scalar t197 = (k[17] * t188 - k[16] * t181) - k[42] * t140;
-  const Scalar t198 = (k[28] * (t60 - t137) + k[29] * t64) + (k[30] * t136 - k[32] * t135);
-  const Scalar t199 = k[7] * t121 - (t197 - (t198 + k[15] * t138));
-  const Scalar t200 = s4 * t196 + c4 * t199;
-  const Scalar t201 = k[12] * t142 - (k[5] * t192 + k[6] * t200);
-  const Scalar t202 = ((k[4] * t52 - t155) + t201) + k[8] * t146;
-  const Scalar t203 = t44 - t45;
-  const Scalar t204 = (k[24] * t20 - k[48] * t154) - k[26] * t203;
-  const Scalar t205 = (k[27] * t49 - t204) - (s4 * t199 - c4 * t196);
-  const Scalar t206 = t205 - k[8] * t145;
-  const Scalar t207 = s2 * (t150 + (s3 * t202 + c3 * t206));
-  const Scalar t208 = (k[25] * t49 - k[48] * t30) + k[24] * (t203 - t51);
-  const Scalar t209 = ((k[27] * t24 - k[26] * t18) - t208) + k[4] * t48;
-  const Scalar t210 = (k[5] * t200 - k[6] * t192) + k[12] * t144;
-  const Scalar t211 = t209 - t210;
-  const Scalar t212 = s3 * t206 - c3 * t202;
-  const Scalar t213 = (k[1] * t211 + k[3] * t212) - k[9] * t148;
-  const Scalar t214 = k[55] - c2 * (k[53] * s2 + k[54] * c2);
-  const Scalar t215 = k[52] * s2 + k[51] * c2;
-  const Scalar t216 = (t6 * t214 - t215 * t36) - t38 * t153;
-  const Scalar t217 = (t38 + t36) * t153 - ((t207 + c2 * (t213 - t149)) - t216);
-  const Scalar t218 = (k[50] * t40 + k[49] * t35) - (t3 * t215 + t38 * t214);
-  const Scalar t219 = (k[3] * t211 - k[1] * t212) + k[9] * t150;
-  const Scalar t220 = t218 - t219;
+  const Scalar t0 = k[32] - c2 * (k[31] * c2 + k[30] * s2);
+  const Scalar t1 = k[1] * qd[0];
+  const Scalar t2 = t1 * t1;
+  const Scalar t3 = k[0] * qd[0];
+  const Scalar t4 = t3 * t1;
+  const Scalar t5 = k[28] * c2 + k[29] * s2;
+  const Scalar t6 = k[4] * qd[0] * qd[0];
+  const Scalar t7 = c2 * t4 + s2 * t6;
+  const Scalar t8 = s2 * t4;
+  const Scalar t9 = c2 * t6 - t8;
+  const Scalar t10 = (t0 * t2 + t4 * t5) - (k[25] * t7 + k[24] * t9);
+  const Scalar t11 = c2 * t1;
+  const Scalar t12 = qd[1] + t3;
+  const Scalar t13 = k[3] * t11 + k[5] * t12;
+  const Scalar t14 = k[5] * t11;
+  const Scalar t15 = t14 - k[3] * t12;
+  const Scalar t16 = t1 * t12;
+  const Scalar t17 = t4 - t16;
+  const Scalar t18 = t13 * t15 - c2 * t17;
+  const Scalar t19 = s2 * t1;
+  const Scalar t20 = k[3] * t8 - t14 * t19;
+  const Scalar t21 = c3 * t18 + s3 * t20;
+  const Scalar t22 = s3 * t18 - c3 * t20;
+  const Scalar t23 = s2 * t17;
+  const Scalar t24 = k[5] * t23;
+  const Scalar t25 = s3 * t19 - c3 * t13;
+  const Scalar t26 = c3 * t19 + s3 * t13;
+  const Scalar t27 = t25 * t26;
+  const Scalar t28 = t24 + t27;
+  const Scalar t29 = t24 - t27;
+  const Scalar t30 = t26 * t26;
+  const Scalar t31 = qd[2] - t15;
+  const Scalar t32 = t31 * t31;
+  const Scalar t33 = t30 - t32;
+  const Scalar t34 = t25 * t25;
+  const Scalar t35 = t34 - t32;
+  const Scalar t36 = (k[57] * t28 + k[53] * t29) + k[54] * (t33 - t35);
+  const Scalar t37 = t12 * t12;
+  const Scalar t38 = t2 + t37;
+  const Scalar t39 = k[6] * t20 - (t9 - k[2] * (t19 * t19 - t38));
+  const Scalar t40 = t16 - t17;
+  const Scalar t41 = t2 - k[2] * s2 * t40;
+  const Scalar t42 = t7 + k[2] * t19 * t11;
+  const Scalar t43 = k[6] * t18 + (k[5] * t41 - k[3] * t42);
+  const Scalar t44 = s3 * t39 + c3 * t43;
+  const Scalar t45 = ((k[56] * t21 - k[55] * t22) - t36) + k[23] * t44;
+  const Scalar t46 = k[8] * t25 - k[9] * t31;
+  const Scalar t47 = s4 * t26 + c4 * t46;
+  const Scalar t48 = c4 * t26 - s4 * t46;
+  const Scalar t49 = t47 * t48;
+  const Scalar t50 = t31 * t26;
+  const Scalar t51 = t50 + t22;
+  const Scalar t52 = k[20] * t23 - k[9] * t51;
+  const Scalar t53 = t49 + t52;
+  const Scalar t54 = t25 * t31;
+  const Scalar t55 = t21 - t54;
+  const Scalar t56 = k[9] * t25 + k[8] * t31;
+  const Scalar t57 = t55 + t46 * t56;
+  const Scalar t58 = k[8] * t22 + k[9] * t29;
+  const Scalar t59 = s4 * t57 + c4 * t58;
+  const Scalar t60 = qd[3] + t56;
+  const Scalar t61 = t60 * t48;
+  const Scalar t62 = t59 + t61;
+  const Scalar t63 = t62 + t61;
+  const Scalar t64 = t60 * t47;
+  const Scalar t65 = c4 * t57 - s4 * t58;
+  const Scalar t66 = t64 - t65;
+  const Scalar t67 = t64 + t66;
+  const Scalar t68 = t60 * t60;
+  const Scalar t69 = t47 * t47;
+  const Scalar t70 = t68 - t69;
+  const Scalar t71 = (k[33] * t63 + k[34] * t67) + k[35] * t70;
+  const Scalar t72 = t68 + t69;
+  const Scalar t73 = t48 * t48 - t68;
+  const Scalar t74 = t50 + t51;
+  const Scalar t75 = (k[5] * t42 + k[3] * t41) + k[6] * (t34 + t30);
+  const Scalar t76 = k[7] * t74 - t75;
+  const Scalar t77 = t44 + k[7] * t28;
+  const Scalar t78 = k[10] * (t72 + t73) - (k[8] * t76 + k[9] * t77);
+  const Scalar t79 = t78 - k[38] * t63;
+  const Scalar t80 = t34 + t32;
+  const Scalar t81 = k[7] * t80 - (c3 * t39 - s3 * t43);
+  const Scalar t82 = k[9] * t76 - k[8] * t77;
+  const Scalar t83 = (s4 * t81 + c4 * t82) - k[10] * t65;
+  const Scalar t84 = k[38] * t53 - t83;
+  const Scalar t85 = k[17] * t47 - k[16] * t60;
+  const Scalar t86 = s5 * t48 + c5 * t85;
+  const Scalar t87 = t86 * t86;
+  const Scalar t88 = c5 * t48 - s5 * t85;
+  const Scalar t89 = t88 * t88;
+  const Scalar t90 = t87 + t89;
+  const Scalar t91 = (k[17] * t79 - k[16] * t84) + k[39] * t90;
+  const Scalar t92 = k[17] * t60 + k[16] * t47;
+  const Scalar t93 = qd[4] + t92;
+  const Scalar t94 = t93 * t93;
+  const Scalar t95 = t94 + t89;
+  const Scalar t96 = t49 - t52;
+  const Scalar t97 = k[17] * t59 - k[16] * t96;
+  const Scalar t98 = t85 * t92 - t66;
+  const Scalar t99 = s5 * t97 - c5 * t98;
+  const Scalar t100 = t86 * t93;
+  const Scalar t101 = t99 + t100;
+  const Scalar t102 = t101 + t100;
+  const Scalar t103 = t88 * t93;
+  const Scalar t104 = s5 * t98 + c5 * t97;
+  const Scalar t105 = t103 + t104;
+  const Scalar t106 = t103 + t105;
+  const Scalar t107 = k[47] * (t90 - t95) - (k[48] * t102 + k[49] * t106);
+  const Scalar t108 = t88 * t86;
+  const Scalar t109 = k[17] * t52 - k[16] * t62;
+  const Scalar t110 = t108 + t109;
+  const Scalar t111 = k[41] * c6 + k[40] * s6;
+  const Scalar t112 = k[19] * t109 - k[18] * t105;
+  const Scalar t113 = k[19] * t86 - k[18] * t93;
+  const Scalar t114 = t88 * t113;
+  const Scalar t115 = t112 + t114;
+  const Scalar t116 = k[19] * t93 + k[18] * t86;
+  const Scalar t117 = qd[5] + t116;
+  const Scalar t118 = t88 * t117;
+  const Scalar t119 = t108 - t109;
+  const Scalar t120 = k[18] * t119 - k[19] * t104;
+  const Scalar t121 = (t118 + t118) - t120;
+  const Scalar t122 = k[43] * s6 + k[42] * c6;
+  const Scalar t123 = k[45] - c6 * t122;
+  const Scalar t124 = t101 - t116 * t113;
+  const Scalar t125 = Scalar(2) * t113 * t117 + t124;
+  const Scalar t126 = s6 * t122;
+  const Scalar t127 = k[44] + t126;
+  const Scalar t128 = k[41] * s6 - k[40] * c6;
+  const Scalar t129 = t113 * t113;
+  const Scalar t130 = t129 - t89;
+  const Scalar t131 = t117 * t117;
+  const Scalar t132 = t89 - t131;
+  const Scalar t133 = (t121 * t123 + t125 * t127) + t128 * (t130 + t132);
+  const Scalar t134 = k[14] * s6 + k[15] * c6;
+  const Scalar t135 = k[37] * t106 - t91;
+  const Scalar t136 = (k[17] * t84 + k[16] * t79) + k[39] * t98;
+  const Scalar t137 = (c4 * t81 - s4 * t82) + k[10] * t59;
+  const Scalar t138 = (t137 + k[38] * t72) + k[39] * t97;
+  const Scalar t139 = c5 * t136 - s5 * t138;
+  const Scalar t140 = t139 + k[37] * t110;
+  const Scalar t141 = k[19] * t135 + k[18] * t140;
+  const Scalar t142 = (k[21] * t91 - (t107 - k[46] * t110)) + ((t111 * t115 - t133) - t134 * t141);
+  const Scalar t143 = t129 + t131;
+  const Scalar t144 = k[14] * c6 - k[15] * s6;
+  const Scalar t145 = t134 * (t130 - t143) - t115 * t144;
+  const Scalar t146 = t125 * t134 - t121 * t144;
+  const Scalar t147 = k[18] * t145 - k[19] * t146;
+  const Scalar t148 = t112 - t114;
+  const Scalar t149 = k[51] - t126;
+  const Scalar t150 = (t128 * t148 + t111 * t132) - (t125 * t123 + t121 * t149);
+  const Scalar t151 = t150 + t144 * t141;
+  const Scalar t152 = (t127 * t148 + t115 * t149) + t130 * t123;
+  const Scalar t153 = c5 * t138 + s5 * t136;
+  const Scalar t154 = t87 - t89;
+  const Scalar t155 = t95 + t154;
+  const Scalar t156 = (k[18] * t135 - k[19] * t140) * t144 + t134 * (t153 + k[37] * t155);
+  const Scalar t157 = (t152 - (t111 * t124 - t128 * t120)) + t156;
+  const Scalar t158 = k[37] * t147 + (k[19] * t151 + k[18] * t157);
+  const Scalar t159 = (k[47] * t119 + k[46] * (t94 - t89)) - (k[50] * t106 + k[49] * t102);
+  const Scalar t160 = t158 - (t159 + k[22] * t91);
+  const Scalar t161 = k[19] * t145 + k[18] * t146;
+  const Scalar t162 = (k[22] * t110 + k[21] * t95) - t161;
+  const Scalar t163 = (t143 * t144 - t134 * t148) + (k[22] * t155 + k[21] * t119);
+  const Scalar t164 = c5 * t162 + s5 * t163;
+  const Scalar t165 = (c5 * t142 - s5 * t160) - k[39] * t164;
+  const Scalar t166 = ((k[36] * t53 - t71) + k[12] * t78) + t165;
+  const Scalar t167 = t73 + t70;
+  const Scalar t168 = k[11] * t83 - (k[12] * (t72 + t167) + k[13] * t53);
+  const Scalar t169 = (k[22] * t106 - k[21] * t102) + t147;
+  const Scalar t170 = k[17] * t164 + k[16] * t169;
+  const Scalar t171 = t168 - t170;
+  const Scalar t172 = t166 + k[10] * t171;
+  const Scalar t173 = k[11] * t137 + (k[13] * t72 + k[12] * t96);
+  const Scalar t174 = c5 * t163 - s5 * t162;
+  const Scalar t175 = t173 + t174;
+  const Scalar t176 = (k[36] * t73 + k[35] * t96) - (k[33] * t67 - k[52] * t63);
+  const Scalar t177 = k[17] * t169 - k[16] * t164;
+  const Scalar t178 = (k[18] * t151 - k[19] * t157) - k[37] * t161;
+  const Scalar t179 = k[49] * t154 - (k[48] * t119 - k[50] * t110);
+  const Scalar t180 = (k[22] * t139 - k[21] * t153) + ((k[46] * t99 + k[47] * t104) + t179);
+  const Scalar t181 = t178 + t180;
+  const Scalar t182 = k[39] * t174 + (s5 * t142 + c5 * t160);
+  const Scalar t183 = k[38] * t177 - (k[16] * t181 - k[17] * t182);
+  const Scalar t184 = k[10] * t175 - ((k[13] * t78 - t176) - t183);
+  const Scalar t185 = s4 * t172 + c4 * t184;
+  const Scalar t186 = k[33] * t167 + (k[34] * t96 + k[52] * t53);
+  const Scalar t187 = (k[12] * t137 + k[13] * t83) + ((k[36] * t65 + k[35] * t59) - t186);
+  const Scalar t188 = k[38] * t170 + (k[16] * t182 + k[17] * t181);
+  const Scalar t189 = t187 - t188;
+  const Scalar t190 = c4 * t171 - s4 * t175;
+  const Scalar t191 = (k[13] * t63 - k[12] * t67) - k[11] * t78;
+  const Scalar t192 = t191 + t177;
+  const Scalar t193 = k[8] * t190 - k[9] * t192;
+  const Scalar t194 = (k[9] * t185 - k[8] * t189) - k[7] * t193;
+  const Scalar t195 = t45 + t194;
+  const Scalar t196 = t55 - t54;
+  const Scalar t197 = (k[54] * t74 + k[53] * t196) + k[55] * t35;
+  const Scalar t198 = (s4 * t184 - c4 * t172) - (t197 - k[56] * t28);
+  const Scalar t199 = k[9] * t190 + k[8] * t192;
+  const Scalar t200 = k[7] * t199 + (k[9] * t189 + k[8] * t185);
+  const Scalar t201 = (k[56] * t33 + k[55] * t29) + (k[54] * t196 + k[57] * t74);
+  const Scalar t202 = t200 - (t201 + k[23] * t75);
+  const Scalar t203 = k[23] * t28 - t193;
+  const Scalar t204 = k[23] * t80 + (c4 * t175 + s4 * t171);
+  const Scalar t205 = s3 * t203 - c3 * t204;
+  const Scalar t206 = (s3 * t198 - c3 * t202) + k[6] * t205;
+  const Scalar t207 = c3 * t203 + s3 * t204;
+  const Scalar t208 = k[23] * t74 + t199;
+  const Scalar t209 = k[3] * t207 + k[5] * t208;
+  const Scalar t210 = (k[3] * t195 - k[5] * t206) + k[2] * t209;
+  const Scalar t211 = t10 + t210;
+  const Scalar t212 = k[25] * c2 - k[24] * s2;
+  const Scalar t213 = (t37 * t5 + t0 * t40) + t2 * t212;
+  const Scalar t214 = k[5] * t207 - k[3] * t208;
+  const Scalar t215 = k[2] * t214 + (k[3] * t206 + k[5] * t195);
+  const Scalar t216 = k[6] * t207 + (c3 * t198 + s3 * t202);
+  const Scalar t217 = c2 * (t205 + t215) + s2 * (t209 + t216);
+  const Scalar t218 = k[0] * t211 + k[1] * (t212 * t38 - (t213 + t217));
+  const Scalar t219 = k[25] * s2 + k[24] * c2;
+  const Scalar t220 = (s2 * t205 - c2 * t209) - t37 * t219;
+  const Scalar t221 = k[27] * (t219 * t40 - t214) - k[26] * t220;
   JointVector<Scalar> result;
-  result[0] = t152 - (k[0] * t217 - k[2] * t220);
-  result[1] = t220;
-  result[2] = -t211;
-  result[3] = -t192;
+  result[0] = -t218 - t221;
+  result[1] = -t211;
+  result[2] = -t195;
+  result[3] = t189;
   result[4] = -t181;
-  result[5] = t174;
+  result[5] = t157;
   return result;
 }
 
@@ -1043,108 +1045,108 @@ MassMatrixConstants<Scalar> mass_matrix_constants(const BasicGeometry<Scalar>& g
   using std::sin;
   const Scalar t0 = inertia.c6x * inertia.m6;
   const Scalar t1 = inertia.c6y * inertia.m6;
-  const Scalar t2 = g.a6 * inertia.m6;
-  const Scalar t3 = inertia.c5x * inertia.m5;
-  const Scalar t4 = inertia.c5y * inertia.m5;
-  const Scalar t5 = inertia.c6z * inertia.m6;
-  const Scalar t6 = g.d6 * inertia.m6 + t5;
-  const Scalar t7 = sin(g.alpha6) * t6;
-  const Scalar t8 = g.d5 * inertia.m5;
-  const Scalar t9 = inertia.c5z * inertia.m5;
-  const Scalar t10 = t9 + t8;
-  const Scalar t11 = t8 - t10;
-  const Scalar t12 = cos(g.alpha6) * t6;
-  const Scalar t13 = t11 - t12;
-  const Scalar t14 = inertia.m5 + inertia.m6;
-  const Scalar t15 = t13 - g.d5 * t14;
-  const Scalar t16 = sin(g.alpha5) * t15;
-  const Scalar t17 = inertia.c4y * inertia.m4;
-  const Scalar t18 = g.a5 * t14;
-  const Scalar t19 = inertia.c4x * inertia.m4;
-  const Scalar t20 = inertia.m4 + t14;
-  const Scalar t21 = g.a4 * t20;
-  const Scalar t22 = inertia.c3x * inertia.m3;
-  const Scalar t23 = inertia.c4z * inertia.m4;
-  const Scalar t24 = g.d4 * inertia.m4;
-  const Scalar t25 = t23 + t24;
-  const Scalar t26 = t25 - t24;
-  const Scalar t27 = cos(g.alpha5) * t15;
-  const Scalar t28 = t26 - t27;
-  const Scalar t29 = g.d4 * t20 + t28;
-  const Scalar t30 = sin(g.alpha4) * t29;
-  const Scalar t31 = inertia.c3y * inertia.m3;
-  const Scalar t32 = g.a5 / g.d2;
-  const Scalar t33 = g.a6 / g.d2;
-  const Scalar t34 = inertia.I6xy - inertia.c6y * t0;
-  const Scalar t35 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t36 = (inertia.I6xx - t35) - inertia.c6x * t0;
-  const Scalar t37 = (inertia.I6yy - t35) - inertia.c6y * t1;
-  const Scalar t38 = g.d5 * t3;
-  const Scalar t39 = (t38 - (t38 - (inertia.I5xz - inertia.c5z * t3))) - g.a6 * t12;
-  const Scalar t40 = g.d5 * t4;
-  const Scalar t41 = (inertia.c6z * t5 - (inertia.I6zz - t35)) + g.d6 * (t6 + t5);
-  const Scalar t42 = sin(g.alpha6) * t41;
-  const Scalar t43 = (t40 + ((inertia.I5yz - inertia.c5z * t4) - t40)) + cos(g.alpha6) * t42;
-  const Scalar t44 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t45 = (inertia.c5x * t3 - (inertia.I5xx - t44)) + g.a6 * t2;
-  const Scalar t46 = sin(g.alpha6) * t42;
-  const Scalar t47 = g.d4 * t19;
-  const Scalar t48 = g.a5 * t27 + (((inertia.I4xz - inertia.c4z * t19) - t47) + t47);
-  const Scalar t49 = (inertia.c5z * t9 - (inertia.I5zz - t44)) + g.d5 * (t9 + t10);
-  const Scalar t50 = (g.d5 * (t11 - t10) + t49) + (t41 - t46);
-  const Scalar t51 = g.d5 * (t13 + t15) - t50;
-  const Scalar t52 = sin(g.alpha5) * t51;
-  const Scalar t53 = g.d4 * t17;
-  const Scalar t54 = cos(g.alpha5) * t52 - (t53 - (t53 - (inertia.I4yz - inertia.c4z * t17)));
-  const Scalar t55 = g.d4 / g.d2;
-  const Scalar t56 = sin(g.alpha5) * t52;
-  const Scalar t57 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t58 = g.a5 * t18 - ((inertia.I4xx - t57) - inertia.c4x * t19);
-  const Scalar t59 = g.d3 / g.d2;
-  const Scalar t60 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t61 = ((inertia.I4zz - t57) - inertia.c4z * t23) - g.d4 * (t25 + t23);
-  const Scalar t62 = (g.d4 * (t26 + t25) + t61) - (t56 - t51);
-  const Scalar t63 = t62 - g.d4 * (t28 + t29);
-  const Scalar t64 = sin(g.alpha4) * t63;
-  const Scalar t65 = sin(g.alpha4) * t64;
-  const Scalar t66 = g.a4 / g.d2;
-  const Scalar t67 = g.a4 * t21 + (inertia.c3x * t22 - (inertia.I3xx - t60));
-  const Scalar t68 = g.d3 * t31;
-  const Scalar t69 = cos(g.alpha4) * t64 - (t68 - (t68 - (inertia.I3yz - inertia.c3z * t31)));
-  const Scalar t70 = cos(g.alpha4) * t29;
-  const Scalar t71 = g.d3 * t22;
-  const Scalar t72 = g.a4 * t70 - (t71 - (t71 - (inertia.I3xz - inertia.c3z * t22)));
+  const Scalar t2 = inertia.I6xy - inertia.c6y * t0;
+  const Scalar t3 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t4 = (inertia.I6xx - t3) - inertia.c6x * t0;
+  const Scalar t5 = (inertia.I6yy - t3) - inertia.c6y * t1;
+  const Scalar t6 = g.a6 / g.d2;
+  const Scalar t7 = inertia.c5x * inertia.m5;
+  const Scalar t8 = g.d5 * t7;
+  const Scalar t9 = inertia.c6z * inertia.m6;
+  const Scalar t10 = g.d6 * inertia.m6 + t9;
+  const Scalar t11 = cos(g.alpha6) * t10;
+  const Scalar t12 = (t8 - (t8 - (inertia.I5xz - inertia.c5z * t7))) - g.a6 * t11;
+  const Scalar t13 = inertia.c5y * inertia.m5;
+  const Scalar t14 = g.d5 * t13;
+  const Scalar t15 = (inertia.c6z * t9 - (inertia.I6zz - t3)) + g.d6 * (t10 + t9);
+  const Scalar t16 = sin(g.alpha6) * t15;
+  const Scalar t17 = (t14 + ((inertia.I5yz - inertia.c5z * t13) - t14)) + cos(g.alpha6) * t16;
+  const Scalar t18 = g.a6 * inertia.m6;
+  const Scalar t19 = sin(g.alpha6) * t10;
+  const Scalar t20 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t21 = (inertia.c5x * t7 - (inertia.I5xx - t20)) + g.a6 * t18;
+  const Scalar t22 = sin(g.alpha6) * t16;
+  const Scalar t23 = g.d4 / g.d2;
+  const Scalar t24 = g.a5 / g.d2;
+  const Scalar t25 = g.d5 * inertia.m5;
+  const Scalar t26 = inertia.c5z * inertia.m5;
+  const Scalar t27 = t26 + t25;
+  const Scalar t28 = t25 - t27;
+  const Scalar t29 = t28 - t11;
+  const Scalar t30 = inertia.m5 + inertia.m6;
+  const Scalar t31 = t29 - g.d5 * t30;
+  const Scalar t32 = sin(g.alpha5) * t31;
+  const Scalar t33 = inertia.c4x * inertia.m4;
+  const Scalar t34 = (inertia.c5z * t26 - (inertia.I5zz - t20)) + g.d5 * (t26 + t27);
+  const Scalar t35 = (g.d5 * (t28 - t27) + t34) + (t15 - t22);
+  const Scalar t36 = g.d5 * (t29 + t31) - t35;
+  const Scalar t37 = sin(g.alpha5) * t36;
+  const Scalar t38 = sin(g.alpha5) * t37;
+  const Scalar t39 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t40 = inertia.c4y * inertia.m4;
+  const Scalar t41 = g.a5 * t30;
+  const Scalar t42 = g.a5 * t41 - ((inertia.I4xx - t39) - inertia.c4x * t33);
+  const Scalar t43 = cos(g.alpha5) * t31;
+  const Scalar t44 = g.d4 * t33;
+  const Scalar t45 = g.a5 * t43 + (((inertia.I4xz - inertia.c4z * t33) - t44) + t44);
+  const Scalar t46 = g.d4 * t40;
+  const Scalar t47 = cos(g.alpha5) * t37 - (t46 - (t46 - (inertia.I4yz - inertia.c4z * t40)));
+  const Scalar t48 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t49 = inertia.c3y * inertia.m3;
+  const Scalar t50 = inertia.c4z * inertia.m4;
+  const Scalar t51 = g.d4 * inertia.m4;
+  const Scalar t52 = t50 + t51;
+  const Scalar t53 = t52 - t51;
+  const Scalar t54 = ((inertia.I4zz - t39) - inertia.c4z * t50) - g.d4 * (t52 + t50);
+  const Scalar t55 = (g.d4 * (t53 + t52) + t54) - (t38 - t36);
+  const Scalar t56 = t53 - t43;
+  const Scalar t57 = inertia.m4 + t30;
+  const Scalar t58 = g.d4 * t57 + t56;
+  const Scalar t59 = t55 - g.d4 * (t56 + t58);
+  const Scalar t60 = sin(g.alpha4) * t59;
+  const Scalar t61 = sin(g.alpha4) * t60;
+  const Scalar t62 = g.a4 / g.d2;
+  const Scalar t63 = inertia.c3x * inertia.m3;
+  const Scalar t64 = sin(g.alpha4) * t58;
+  const Scalar t65 = g.a4 * t57;
+  const Scalar t66 = g.a4 * t65 + (inertia.c3x * t63 - (inertia.I3xx - t48));
+  const Scalar t67 = g.d3 / g.d2;
+  const Scalar t68 = cos(g.alpha4) * t58;
+  const Scalar t69 = g.d3 * t63;
+  const Scalar t70 = g.a4 * t68 - (t69 - (t69 - (inertia.I3xz - inertia.c3z * t63)));
+  const Scalar t71 = g.d3 * t49;
+  const Scalar t72 = cos(g.alpha4) * t60 - (t71 - (t71 - (inertia.I3yz - inertia.c3z * t49)));
   const Scalar t73 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
   const Scalar t74 = inertia.c2y * inertia.m2;
   const Scalar t75 = inertia.c3z * inertia.m3;
   const Scalar t76 = g.d3 * inertia.m3;
   const Scalar t77 = t75 + t76;
-  const Scalar t78 = g.d3 * (t75 + t77) - ((inertia.I3zz - t60) - inertia.c3z * t75);
+  const Scalar t78 = g.d3 * (t75 + t77) - ((inertia.I3zz - t48) - inertia.c3z * t75);
   const Scalar t79 = t76 - t77;
-  const Scalar t80 = (t65 - t63) + (t78 - g.d3 * (t77 - t79));
-  const Scalar t81 = t70 - t79;
-  const Scalar t82 = inertia.m3 + t20;
+  const Scalar t80 = (t61 - t59) + (t78 - g.d3 * (t77 - t79));
+  const Scalar t81 = t68 - t79;
+  const Scalar t82 = inertia.m3 + t57;
   const Scalar t83 = t81 + g.d3 * t82;
   const Scalar t84 = t80 + g.d3 * (t81 + t83);
   const Scalar t85 = sin(g.alpha3) * t84;
   const Scalar t86 = sin(g.alpha3) * t85;
   const Scalar t87 = g.a3 / g.d2;
-  const Scalar t88 = sin(g.alpha3) * t83;
+  const Scalar t88 = g.a3 * t82;
   const Scalar t89 = inertia.c2x * inertia.m2;
-  const Scalar t90 = g.a3 * t82;
-  const Scalar t91 = g.a3 * t90 + (inertia.c2x * t89 - (inertia.I2xx - t73));
-  const Scalar t92 = cos(g.alpha3) * t83;
-  const Scalar t93 = g.d2 * t89;
-  const Scalar t94 = g.a3 * t92 - (((inertia.I2xz - inertia.c2z * t89) - t93) + t93);
-  const Scalar t95 = g.d2 * t74;
-  const Scalar t96 = ((t95 - (inertia.I2yz - inertia.c2z * t74)) - t95) - cos(g.alpha3) * t85;
+  const Scalar t90 = g.a3 * t88 + (inertia.c2x * t89 - (inertia.I2xx - t73));
+  const Scalar t91 = sin(g.alpha3) * t83;
+  const Scalar t92 = g.d2 * t74;
+  const Scalar t93 = ((t92 - (inertia.I2yz - inertia.c2z * t74)) - t92) - cos(g.alpha3) * t85;
+  const Scalar t94 = cos(g.alpha3) * t83;
+  const Scalar t95 = g.d2 * t89;
+  const Scalar t96 = g.a3 * t94 - (((inertia.I2xz - inertia.c2z * t89) - t95) + t95);
   const Scalar t97 = g.d2 * inertia.m2;
   const Scalar t98 = inertia.c2z * inertia.m2;
   const Scalar t99 = t97 + t98;
   const Scalar t100 = t97 - t99;
   const Scalar t101 = g.d2 * (t99 + t98) - ((inertia.I2zz - t73) - inertia.c2z * t98);
   const Scalar t102 = (g.d2 * (t99 - t100) - t101) + (t86 - t84);
-  const Scalar t103 = t92 - t100;
+  const Scalar t103 = t94 - t100;
   const Scalar t104 = inertia.m2 + t82;
   const Scalar t105 = t102 - g.d2 * (t103 + (g.d2 * t104 + t103));
   const Scalar t106 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
@@ -1152,93 +1154,91 @@ MassMatrixConstants<Scalar> mass_matrix_constants(const BasicGeometry<Scalar>& g
       - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t106));
   const Scalar t108 = g.a2 / g.d2;
   const Scalar t109 = g.a2 * g.a2 * t104 + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t106));
-  const Scalar t110 = t36 + t37;
+  const Scalar t110 = t4 + t5;
   return { g.d2 * t0,
            g.d2 * t1,
-           sin(g.alpha5) * sin(g.alpha6),
-           g.d2 * (t2 + t3),
-           cos(g.alpha6),
-           g.d2 * (t4 - t7),
-           cos(g.alpha5),
-           g.d2 * (t16 + t17),
-           g.d2 * (t18 + t19),
-           sin(g.alpha4),
-           cos(g.alpha5) * sin(g.alpha6),
-           sin(g.alpha5),
-           cos(g.alpha4),
-           cos(g.alpha3),
-           g.d2 * (t21 + t22),
-           g.d2 * (t30 - t31),
-           sin(g.alpha3),
-           t32,
-           sin(g.alpha6) * t33,
+           g.d5 / g.d2,
+           Scalar(2) * sin(g.alpha6),
            g.d6 * t1 - (inertia.I6yz - inertia.c6z * t1),
            (inertia.I6xz - inertia.c6z * t0) - g.d6 * t0,
-           Scalar(2) * t34,
-           t36 - t37,
-           t34,
+           cos(g.alpha6),
+           Scalar(2) * t2,
+           t4 - t5,
+           t5,
            sin(g.alpha6),
-           t39,
-           g.d5 / g.d2,
-           t37,
-           t43,
-           t33,
-           (inertia.I5xy - inertia.c5y * t3) + g.a6 * t7,
-           t36,
-           Scalar(2) * t33,
+           sin(g.alpha6) * t6,
+           t2,
+           t12,
+           t17,
+           g.d2 * (t18 + t7),
+           g.d2 * (t13 - t19),
+           cos(g.alpha5),
+           t6,
+           (inertia.I5xy - inertia.c5y * t7) + g.a6 * t19,
+           t4,
+           Scalar(2) * t6,
+           t21,
+           (inertia.c5y * t13 - (inertia.I5yy - t20)) + t22,
+           sin(g.alpha5),
+           cos(g.alpha5) * sin(g.alpha6),
+           Scalar(2) * t23,
+           sin(g.alpha5) * sin(g.alpha6),
+           t24,
+           g.a5 * t32 - (inertia.I4xy - inertia.c4y * t33),
+           t38 + ((inertia.I4yy - t39) - inertia.c4y * t40),
+           Scalar(2) * t24,
+           t42,
+           sin(g.alpha4),
            t45,
-           (inertia.c5y * t4 - (inertia.I5yy - t44)) + t46,
-           t48,
-           Scalar(2) * sin(g.alpha6),
-           Scalar(2) * cos(g.alpha5),
-           t54,
-           t55,
-           Scalar(2) * cos(g.alpha4),
-           t56 + ((inertia.I4yy - t57) - inertia.c4y * t17),
-           g.a5 * t16 - (inertia.I4xy - inertia.c4y * t19),
-           Scalar(2) * t32,
-           t58,
-           Scalar(2) * t55,
-           Scalar(2) * t59,
-           ((inertia.I3yy - t60) - inertia.c3y * t31) + t65,
-           Scalar(2) * t66,
-           t67,
+           t47,
+           g.d2 * (t32 + t40),
+           g.d2 * (t41 + t33),
+           t23,
+           cos(g.alpha4),
+           ((inertia.I3yy - t48) - inertia.c3y * t49) + t61,
+           t62,
+           (inertia.I3xy - inertia.c3y * t63) + g.a4 * t64,
+           Scalar(2) * t62,
            t66,
-           (inertia.I3xy - inertia.c3y * t22) + g.a4 * t30,
-           t69,
-           t59,
+           Scalar(2) * t67,
+           sin(g.alpha3),
+           t70,
            t72,
+           g.d2 * (t65 + t63),
+           g.d2 * (t64 - t49),
+           t67,
            Scalar(2) * cos(g.alpha3),
            ((inertia.I2yy - t73) - inertia.c2y * t74) - t86,
-           t87,
-           g.a3 * t88 + (inertia.I2xy - inertia.c2y * t89),
            Scalar(2) * t87,
-           t91,
+           t90,
+           cos(g.alpha3),
+           t87,
+           g.a3 * t91 + (inertia.I2xy - inertia.c2y * t89),
            sin(g.alpha2) * sin(g.alpha2),
-           t94,
-           g.d2 * (t90 + t89),
+           t93,
+           g.d2 * (t91 - t74),
+           g.d2 * (t88 + t89),
            t96,
-           g.d2 * (t88 - t74),
            sin(g.alpha2),
            Scalar(2) * cos(g.alpha2),
            t107,
            Scalar(2) * t108,
            t109,
-           cos(g.alpha2),
            cos(g.alpha2) * t108,
+           cos(g.alpha2),
            sin(g.alpha3) * t87,
-           cos(g.alpha3) * t87,
            sin(g.alpha2) * t108,
            sin(g.alpha3) * sin(g.alpha4),
-           sin(g.alpha4) * t66,
-           cos(g.alpha4) * t59,
            cos(g.alpha3) * sin(g.alpha4),
+           sin(g.alpha4) * t62,
+           cos(g.alpha4) * t67,
            sin(g.alpha4) * sin(g.alpha5),
            cos(g.alpha4) * sin(g.alpha5),
-           sin(g.alpha5) * t32,
-           cos(g.alpha5) * t55,
-           sin(g.alpha6) * t110,
+           sin(g.alpha5) * t24,
+           cos(g.alpha5) * t23,
+           cos(g.alpha5) * t24,
            cos(g.alpha6) * t110,
+           sin(g.alpha6) * t110,
            t110 };
 }
 
@@ -1258,203 +1258,197 @@ inline Eigen::Matrix<Scalar, dof, dof> mass_matrix([[maybe_unused]] const JointV
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
   const Scalar t0 = k[0] * c6 - k[1] * s6;
-  const Scalar t1 = k[21] * c6 + k[22] * s6;
-  const Scalar t2 = s6 * t1;
-  const Scalar t3 = k[33] + (k[32] * t0 - (k[31] - t2));
-  const Scalar t4 = k[27] + t2;
-  const Scalar t5 = k[19] * c6 - k[20] * s6;
-  const Scalar t6 = k[4] * t5;
-  const Scalar t7 = Scalar(2) * t6 - k[24] * t4;
-  const Scalar t8 = k[24] * t7;
-  const Scalar t9 = k[34] - (t4 + t8);
-  const Scalar t10 = t3 + t9;
-  const Scalar t11 = k[23] - c6 * t1;
-  const Scalar t12 = k[19] * s6 + k[20] * c6;
-  const Scalar t13 = k[0] * s6 + k[1] * c6;
-  const Scalar t14 = k[4] * t13;
-  const Scalar t15 = (k[4] * t11 + k[24] * t12) + k[29] * t14;
-  const Scalar t16 = k[30] - t15;
-  const Scalar t17 = Scalar(2) * c5 * t16 - s5 * (t3 - t9);
-  const Scalar t18 = t3 + s5 * t17;
-  const Scalar t19 = t10 - t18;
-  const Scalar t20 = k[26] * t13;
-  const Scalar t21 = k[36] * t20 + t8;
-  const Scalar t22 = k[3] + t0;
-  const Scalar t23 = (k[4] * t12 - k[24] * t11) - k[18] * t13;
-  const Scalar t24 = k[26] * t22 - (k[25] + t23);
-  const Scalar t25 = k[5] + t14;
-  const Scalar t26 = (k[28] + (t5 - k[4] * t7)) - k[26] * t25;
-  const Scalar t27 = s5 * t24 - c5 * t26;
-  const Scalar t28 = k[11] * (t21 - t19) - k[37] * t27;
-  const Scalar t29 = k[11] * t28;
-  const Scalar t30 = k[41] - (t19 + t29);
-  const Scalar t31 = s5 * t22 + c5 * t25;
-  const Scalar t32 = k[2] * t13 - k[6] * t31;
-  const Scalar t33 = c5 * t24 + s5 * t26;
-  const Scalar t34 = c5 * t17 - t16;
-  const Scalar t35 = k[17] * t32 + (k[11] * t33 + k[6] * t34);
-  const Scalar t36 = k[42] - t35;
-  const Scalar t37 = c4 * t36;
-  const Scalar t38 = c5 * t22 - s5 * t25;
-  const Scalar t39 = k[44] + (t18 + k[43] * t38);
-  const Scalar t40 = (t37 + t37) + s4 * (t30 + t39);
-  const Scalar t41 = s4 * t40;
-  const Scalar t42 = t30 - t41;
-  const Scalar t43 = k[38] - (t27 + k[6] * t28);
-  const Scalar t44 = k[11] * t31 + k[10] * t13;
-  const Scalar t45 = k[17] * t44 - (k[11] * t34 - k[6] * t33);
-  const Scalar t46 = k[35] - t45;
-  const Scalar t47 = k[7] - t32;
-  const Scalar t48 = k[8] + t38;
-  const Scalar t49 = c4 * t47 + s4 * t48;
-  const Scalar t50 = (c4 * t43 - s4 * t46) + k[39] * t49;
-  const Scalar t51 = (t21 - t29) + k[45] * t44;
-  const Scalar t52 = k[40] * t50 - k[9] * (t42 + t51);
-  const Scalar t53 = k[9] * t52;
-  const Scalar t54 = k[47] + (t42 + t53);
-  const Scalar t55 = s4 * t47 - c4 * t48;
-  const Scalar t56 = t39 - t41;
-  const Scalar t57 = k[49] - (k[48] * t55 - t56);
-  const Scalar t58 = k[12] * t49 - k[9] * t44;
-  const Scalar t59 = c4 * t40 - t36;
-  const Scalar t60 = k[39] * t55 + (s4 * t43 + c4 * t46);
-  const Scalar t61 = k[50] * t58 + (k[12] * t59 + k[9] * t60);
-  const Scalar t62 = k[51] - t61;
-  const Scalar t63 = c3 * t62;
-  const Scalar t64 = s3 * (t57 + t54) - (t63 + t63);
-  const Scalar t65 = s3 * t64;
-  const Scalar t66 = t54 - t65;
-  const Scalar t67 = k[15] - t58;
-  const Scalar t68 = k[53] * t67 - (k[52] + (k[12] * t52 - t50));
-  const Scalar t69 = k[12] * t44 + k[9] * t49;
-  const Scalar t70 = k[50] * t69 + (k[9] * t59 - k[12] * t60);
-  const Scalar t71 = k[14] - t55;
-  const Scalar t72 = (k[54] + t70) + k[53] * t71;
-  const Scalar t73 = c3 * t68 - s3 * t72;
-  const Scalar t74 = (t51 + t53) + k[46] * t69;
-  const Scalar t75 = k[55] * t73 + k[16] * (t66 + t74);
-  const Scalar t76 = k[16] * t75;
-  const Scalar t77 = k[56] + (t66 - t76);
-  const Scalar t78 = s3 * t67 + c3 * t71;
-  const Scalar t79 = k[60] + (k[59] * t78 + (t57 - t65));
-  const Scalar t80 = c3 * t72 + s3 * t68;
-  const Scalar t81 = c3 * t64 + t62;
-  const Scalar t82 = s3 * t71 - c3 * t67;
-  const Scalar t83 = k[16] * t69 - k[13] * t82;
-  const Scalar t84 = (k[16] * t80 - k[13] * t81) + k[57] * t83;
-  const Scalar t85 = c2 * (k[58] + t84);
-  const Scalar t86 = s2 * (s2 * (t77 + t79) - (t85 + t85));
-  const Scalar t87 = t86 - t77;
-  const Scalar t88 = k[16] * t82 + k[13] * t69;
-  const Scalar t89 = k[61] * (((t74 - t76) + Scalar(2) * t88) - t87);
-  const Scalar t90 = k[65] + t83;
-  const Scalar t91 = c2 * ((k[64] - (k[13] * t75 - t73)) - t90);
-  const Scalar t92 = k[63] + t78;
-  const Scalar t93 = (k[16] * t81 + k[13] * t80) + k[57] * t88;
-  const Scalar t94 = k[66] * (t91 + s2 * (t92 + (k[62] + t93)));
-  const Scalar t95 = c2 * t92 + s2 * t90;
-  const Scalar t96 = t86 - t79;
-  const Scalar t97 = (k[68] - (t87 + (t89 - k[67] * t94))) - (k[70] + (k[69] * t95 - t96));
-  const Scalar t98 = t96 - t87;
-  const Scalar t99 = t57 - t54;
-  const Scalar t100 = k[74] * t78 + (k[16] * t73 + k[13] * t99);
-  const Scalar t101 = (k[13] * t73 - k[16] * t99) - k[73] * t78;
-  const Scalar t102 = k[13] * t78;
-  const Scalar t103 = c2 * (t101 - t82) - s2 * (t80 + t102);
-  const Scalar t104 = k[75] * k[16] * t78 + k[72] * (s2 * t82 - c2 * t102);
-  const Scalar t105 = k[12] * t55;
-  const Scalar t106 = s3 * t49 + c3 * t105;
-  const Scalar t107 = k[16] * t106 + k[79] * t55;
-  const Scalar t108 = k[13] * t106 - k[76] * t55;
-  const Scalar t109 = c3 * t49 - s3 * t105;
-  const Scalar t110 = k[75] * t107 - k[72] * (c2 * t108 + s2 * t109);
-  const Scalar t111 = t42 - t56;
-  const Scalar t112 = (k[9] * t111 - k[12] * t50) + k[77] * t55;
-  const Scalar t113 = t112 - k[53] * t49;
-  const Scalar t114 = k[78] * t55 + t60;
-  const Scalar t115 = c3 * t113 + s3 * t114;
-  const Scalar t116 = k[50] * t105 + (k[9] * t50 + k[12] * t111);
-  const Scalar t117 = k[57] * t107 + (k[13] * t115 + k[16] * t116);
-  const Scalar t118 = s2 * ((c3 * t114 - s3 * t113) + t108);
-  const Scalar t119 = (k[13] * t116 - k[16] * t115) + k[57] * t108;
-  const Scalar t120 = k[66] * (c2 * (t117 - t109) + t118) - k[71] * t119;
-  const Scalar t121 = k[6] * t38;
-  const Scalar t122 = s4 * t121 + c4 * t31;
-  const Scalar t123 = c4 * t121 - s4 * t31;
-  const Scalar t124 = k[80] * t38 - k[12] * t123;
-  const Scalar t125 = c3 * t122 - s3 * t124;
-  const Scalar t126 = s3 * t122 + c3 * t124;
-  const Scalar t127 = k[81] * t38 + k[9] * t123;
-  const Scalar t128 = k[16] * t126 - k[13] * t127;
-  const Scalar t129 = k[83] * t38 + t33;
-  const Scalar t130 = (k[11] * t10 + k[6] * t27) + k[82] * t38;
-  const Scalar t131 = t130 + k[39] * t31;
-  const Scalar t132 = s4 * t129 + c4 * t131;
-  const Scalar t133 = (k[6] * t10 - k[11] * t27) + k[17] * t121;
-  const Scalar t134 = k[50] * t124 + (k[9] * t132 - k[12] * t133);
-  const Scalar t135 = (k[12] * t132 + k[9] * t133) + k[50] * t127;
-  const Scalar t136 = s4 * t131 - c4 * t129;
-  const Scalar t137 = (c3 * t135 - s3 * t136) + k[53] * t125;
-  const Scalar t138 = k[57] * t128 + (k[16] * t134 - k[13] * t137);
-  const Scalar t139 = k[53] * t126 + (c3 * t136 + s3 * t135);
-  const Scalar t140 = k[13] * t126 + k[16] * t127;
-  const Scalar t141 = c2 * (t125 - t138) - s2 * (t139 + t140);
-  const Scalar t142 = k[57] * t140 + (k[16] * t137 + k[13] * t134);
-  const Scalar t143 = k[72] * (c2 * t140 + s2 * t125) - k[75] * t128;
-  const Scalar t144 = k[4] * t0;
-  const Scalar t145 = c5 * t144 - s5 * t13;
-  const Scalar t146 = k[11] * t145 + k[10] * t0;
-  const Scalar t147 = s5 * t144 + c5 * t13;
-  const Scalar t148 = k[6] * t145 - k[2] * t0;
-  const Scalar t149 = s4 * t147 - c4 * t148;
-  const Scalar t150 = k[12] * t146 - k[9] * t149;
-  const Scalar t151 = c4 * t147 + s4 * t148;
-  const Scalar t152 = k[9] * t146 + k[12] * t149;
-  const Scalar t153 = s3 * t151 + c3 * t152;
-  const Scalar t154 = k[13] * t150 - k[16] * t153;
-  const Scalar t155 = t20 - ((k[84] - t6) - k[18] * t0);
-  const Scalar t156 = t12 - k[26] * t144;
-  const Scalar t157 = c5 * t155 - s5 * t156;
-  const Scalar t158 = (k[85] + k[24] * t5) - k[29] * t144;
-  const Scalar t159 = k[17] * t148 - (k[11] * t157 + k[6] * t158);
-  const Scalar t160 = (k[6] * t157 - k[11] * t158) + k[17] * t146;
-  const Scalar t161 = c5 * t156 + s5 * t155;
-  const Scalar t162 = (c4 * t160 - s4 * t161) + k[39] * t151;
-  const Scalar t163 = (k[12] * t159 - k[9] * t162) - k[50] * t152;
-  const Scalar t164 = (s4 * t160 + c4 * t161) + k[39] * t149;
-  const Scalar t165 = t164 + k[53] * t152;
-  const Scalar t166 = (k[9] * t159 + k[12] * t162) + k[50] * t150;
-  const Scalar t167 = t166 + k[53] * t151;
-  const Scalar t168 = s3 * t165 - c3 * t167;
-  const Scalar t169 = k[57] * t154 + (k[16] * t163 - k[13] * t168);
-  const Scalar t170 = c3 * t151 - s3 * t152;
-  const Scalar t171 = k[16] * t150 + k[13] * t153;
-  const Scalar t172 = s2 * (t171 + (c3 * t165 + s3 * t167));
-  const Scalar t173 = (k[13] * t163 + k[16] * t168) - k[57] * t171;
-  const Scalar t174 = k[66] * (c2 * (t169 + t170) - t172) - k[71] * t173;
-  const Scalar t175 = k[72] * (c2 * t171 + s2 * t170) + k[75] * t154;
+  const Scalar t1 = k[15] + t0;
+  const Scalar t2 = k[0] * s6 + k[1] * c6;
+  const Scalar t3 = k[6] * t2;
+  const Scalar t4 = k[16] + t3;
+  const Scalar t5 = s5 * t1 + c5 * t4;
+  const Scalar t6 = k[17] * t5 - k[27] * t2;
+  const Scalar t7 = k[36] + t6;
+  const Scalar t8 = s5 * t4 - c5 * t1;
+  const Scalar t9 = k[37] - t8;
+  const Scalar t10 = s4 * t7 - c4 * t9;
+  const Scalar t11 = k[49] - t10;
+  const Scalar t12 = k[24] * t5 + k[25] * t2;
+  const Scalar t13 = s4 * t9 + c4 * t7;
+  const Scalar t14 = k[33] * t12 - k[39] * t13;
+  const Scalar t15 = k[50] + t14;
+  const Scalar t16 = c3 * t11 + s3 * t15;
+  const Scalar t17 = k[4] * c6 - k[5] * s6;
+  const Scalar t18 = k[6] * t17;
+  const Scalar t19 = k[7] * c6 + k[8] * s6;
+  const Scalar t20 = s6 * t19;
+  const Scalar t21 = k[9] + t20;
+  const Scalar t22 = Scalar(2) * t18 - k[10] * t21;
+  const Scalar t23 = k[14] + (t17 - k[6] * t22);
+  const Scalar t24 = k[4] * s6 + k[5] * c6;
+  const Scalar t25 = k[12] - c6 * t19;
+  const Scalar t26 = (k[6] * t24 - k[10] * t25) - k[11] * t2;
+  const Scalar t27 = k[13] + t26;
+  const Scalar t28 = k[2] * t5 - (c5 * t23 + s5 * t27);
+  const Scalar t29 = k[17] * t28;
+  const Scalar t30 = k[22] + (k[21] * t0 - (k[20] - t20));
+  const Scalar t31 = k[10] * t22;
+  const Scalar t32 = k[23] - (t31 + t21);
+  const Scalar t33 = (k[10] * t24 + k[6] * t25) + k[18] * t3;
+  const Scalar t34 = k[19] - t33;
+  const Scalar t35 = s5 * (t30 - t32) - Scalar(2) * c5 * t34;
+  const Scalar t36 = s5 * t35;
+  const Scalar t37 = t36 + t32;
+  const Scalar t38 = k[2] * t2;
+  const Scalar t39 = t31 + k[3] * t38;
+  const Scalar t40 = Scalar(2) * t29 + k[24] * (t37 - t39);
+  const Scalar t41 = k[24] * t40;
+  const Scalar t42 = k[30] + (t41 - t37);
+  const Scalar t43 = k[32] - (k[31] * t8 - (t30 - t36));
+  const Scalar t44 = c5 * t35 + t34;
+  const Scalar t45 = k[2] * t8 - (s5 * t23 - c5 * t27);
+  const Scalar t46 = k[28] * t6 + (k[17] * t44 + k[24] * t45);
+  const Scalar t47 = k[29] + t46;
+  const Scalar t48 = s4 * (t42 + t43) + Scalar(2) * c4 * t47;
+  const Scalar t49 = s4 * t48 - t42;
+  const Scalar t50 = k[35] + (k[17] * t40 - t28);
+  const Scalar t51 = (k[17] * t45 - k[24] * t44) - k[28] * t12;
+  const Scalar t52 = k[34] + t51;
+  const Scalar t53 = k[38] * t13 + (c4 * t50 - s4 * t52);
+  const Scalar t54 = k[39] * t53;
+  const Scalar t55 = k[26] * t12 + (t41 + t39);
+  const Scalar t56 = Scalar(2) * t54 - k[33] * (t55 - t49);
+  const Scalar t57 = k[33] * t56;
+  const Scalar t58 = k[40] - (t49 - t57);
+  const Scalar t59 = t42 - t43;
+  const Scalar t60 = k[44] - (k[43] * t10 + (t59 + t49));
+  const Scalar t61 = t58 - t60;
+  const Scalar t62 = t47 - c4 * t48;
+  const Scalar t63 = k[38] * t10 + (c4 * t52 + s4 * t50);
+  const Scalar t64 = (k[39] * t62 - k[33] * t63) + k[41] * t14;
+  const Scalar t65 = k[42] + t64;
+  const Scalar t66 = s3 * (t58 + t60) - Scalar(2) * c3 * t65;
+  const Scalar t67 = t58 - s3 * t66;
+  const Scalar t68 = k[55] + (k[54] * t16 - (t61 - t67));
+  const Scalar t69 = c3 * t66 + t65;
+  const Scalar t70 = k[48] + (k[39] * t56 - t53);
+  const Scalar t71 = k[39] * t12 + k[33] * t13;
+  const Scalar t72 = k[41] * t71 - (k[39] * t63 + k[33] * t62);
+  const Scalar t73 = k[47] + t72;
+  const Scalar t74 = k[51] * t16 - (s3 * t70 - c3 * t73);
+  const Scalar t75 = c3 * t15 - s3 * t11;
+  const Scalar t76 = k[56] * t75 + k[46] * t71;
+  const Scalar t77 = (k[56] * t69 - k[46] * t74) - k[57] * t76;
+  const Scalar t78 = (c3 * t70 + s3 * t73) - k[51] * t75;
+  const Scalar t79 = (t55 + t57) + k[45] * t71;
+  const Scalar t80 = k[52] * t78 - k[46] * (t79 + t67);
+  const Scalar t81 = k[46] * t80;
+  const Scalar t82 = k[53] + (t67 + t81);
+  const Scalar t83 = Scalar(2) * c2 * (k[58] - t77) - s2 * (t68 + t82);
+  const Scalar t84 = s2 * t83;
+  const Scalar t85 = t68 + t84;
+  const Scalar t86 = k[62] + t16;
+  const Scalar t87 = k[61] + t76;
+  const Scalar t88 = c2 * t86 + s2 * t87;
+  const Scalar t89 = k[56] * t71 - k[46] * t75;
+  const Scalar t90 = t82 + t84;
+  const Scalar t91 = k[59] * (((t79 + t81) + (t89 + t89)) + t90);
+  const Scalar t92 = k[57] * t89 + (k[56] * t74 + k[46] * t69);
+  const Scalar t93 = c2 * (t87 - (k[60] + (k[56] * t80 - t78)));
+  const Scalar t94 = k[64] * (s2 * ((k[63] + t92) + t86) - t93);
+  const Scalar t95 = (k[68] + (t85 + k[67] * t88)) - (k[66] - ((t91 - k[65] * t94) - t90));
+  const Scalar t96 = t85 - t90;
+  const Scalar t97 = k[56] * t16;
+  const Scalar t98 = (k[46] * t61 - k[56] * t78) - k[71] * t16;
+  const Scalar t99 = s2 * (t97 + t74) - c2 * (t75 + t98);
+  const Scalar t100 = (k[56] * t61 + k[46] * t78) - k[57] * t97;
+  const Scalar t101 = k[69] * (c2 * t97 + s2 * t75) - k[72] * k[46] * t16;
+  const Scalar t102 = k[39] * t10;
+  const Scalar t103 = s3 * t13 + c3 * t102;
+  const Scalar t104 = k[46] * t103 + k[74] * t10;
+  const Scalar t105 = k[51] * t13 + ((t54 - k[33] * t59) - k[75] * t10);
+  const Scalar t106 = k[76] * t10 + t63;
+  const Scalar t107 = c3 * t105 - s3 * t106;
+  const Scalar t108 = k[41] * t102 + (k[39] * t59 + k[33] * t53);
+  const Scalar t109 = k[57] * t104 - (k[56] * t107 - k[46] * t108);
+  const Scalar t110 = c3 * t13 - s3 * t102;
+  const Scalar t111 = k[73] * t10 - k[56] * t103;
+  const Scalar t112 = s2 * (t111 - (s3 * t105 + c3 * t106));
+  const Scalar t113 = (k[56] * t108 + k[46] * t107) - k[57] * t111;
+  const Scalar t114 = k[64] * (c2 * (t109 - t110) - t112) - k[70] * t113;
+  const Scalar t115 = k[69] * (c2 * t111 - s2 * t110) + k[72] * t104;
+  const Scalar t116 = k[17] * t8;
+  const Scalar t117 = c4 * t5 - s4 * t116;
+  const Scalar t118 = s4 * t5 + c4 * t116;
+  const Scalar t119 = k[77] * t8 - k[39] * t118;
+  const Scalar t120 = s3 * t117 - c3 * t119;
+  const Scalar t121 = k[78] * t8 + k[33] * t118;
+  const Scalar t122 = k[46] * t120 + k[56] * t121;
+  const Scalar t123 = s3 * t119 + c3 * t117;
+  const Scalar t124 = k[56] * t120 - k[46] * t121;
+  const Scalar t125 = k[72] * t122 - k[69] * (s2 * t123 + c2 * t124);
+  const Scalar t126 = t30 + t32;
+  const Scalar t127 = (k[79] * t8 - (t29 + k[24] * t126)) - k[38] * t5;
+  const Scalar t128 = k[80] * t8 + t45;
+  const Scalar t129 = c4 * t127 + s4 * t128;
+  const Scalar t130 = (k[17] * t126 - k[24] * t28) - k[81] * t8;
+  const Scalar t131 = (k[33] * t129 + k[39] * t130) + k[41] * t119;
+  const Scalar t132 = (s4 * t127 - c4 * t128) + k[51] * t119;
+  const Scalar t133 = k[41] * t121 - (k[33] * t130 - k[39] * t129);
+  const Scalar t134 = t133 - k[51] * t117;
+  const Scalar t135 = s3 * t132 - c3 * t134;
+  const Scalar t136 = (k[56] * t131 - k[46] * t135) - k[57] * t124;
+  const Scalar t137 = k[57] * t122 - (k[56] * t135 + k[46] * t131);
+  const Scalar t138 = s2 * ((c3 * t132 + s3 * t134) - t124);
+  const Scalar t139 = k[70] * t136 + k[64] * (c2 * (t137 - t123) - t138);
+  const Scalar t140 = k[6] * t0;
+  const Scalar t141 = c5 * t140 - s5 * t2;
+  const Scalar t142 = k[25] * t0 + k[24] * t141;
+  const Scalar t143 = k[17] * t141 - k[27] * t0;
+  const Scalar t144 = s5 * t140 + c5 * t2;
+  const Scalar t145 = c4 * t143 - s4 * t144;
+  const Scalar t146 = k[39] * t142 + k[33] * t145;
+  const Scalar t147 = k[33] * t142 - k[39] * t145;
+  const Scalar t148 = s4 * t143 + c4 * t144;
+  const Scalar t149 = c3 * t147 + s3 * t148;
+  const Scalar t150 = k[46] * t146 + k[56] * t149;
+  const Scalar t151 = (k[82] + k[10] * t17) - k[18] * t140;
+  const Scalar t152 = k[2] * t140 - t24;
+  const Scalar t153 = ((k[83] - t18) - k[11] * t0) - t38;
+  const Scalar t154 = s5 * t152 - c5 * t153;
+  const Scalar t155 = (k[24] * t151 - k[17] * t154) - k[28] * t142;
+  const Scalar t156 = c5 * t152 + s5 * t153;
+  const Scalar t157 = k[38] * t148 - (c4 * t155 - s4 * t156);
+  const Scalar t158 = (k[24] * t154 + k[17] * t151) - k[28] * t143;
+  const Scalar t159 = (k[33] * t157 + k[39] * t158) + k[41] * t147;
+  const Scalar t160 = c3 * t148 - s3 * t147;
+  const Scalar t161 = k[41] * t146 + (k[39] * t157 - k[33] * t158);
+  const Scalar t162 = k[38] * t145 + (s4 * t155 + c4 * t156);
+  const Scalar t163 = k[51] * t160 + (c3 * t161 + s3 * t162);
+  const Scalar t164 = k[57] * t150 + (k[56] * t159 + k[46] * t163);
+  const Scalar t165 = k[51] * t149 - (c3 * t162 - s3 * t161);
+  const Scalar t166 = k[46] * t149 - k[56] * t146;
+  const Scalar t167 = (k[56] * t163 - k[46] * t159) - k[57] * t166;
+  const Scalar t168 = s2 * (t165 + t150) - c2 * (t160 + t167);
+  const Scalar t169 = k[72] * t166 - k[69] * (c2 * t150 + s2 * t160);
   Eigen::Matrix<Scalar, dof, dof> result;
-  result(0, 0) = -t97;
-  result(0, 1) = result(1, 0) = k[72] * t95 - (k[71] * t98 + t94);
-  result(0, 2) = result(2, 0) = (k[71] * t100 + k[66] * t103) - t104;
-  result(0, 3) = result(3, 0) = t110 + t120;
-  result(0, 4) = result(4, 0) = -(k[66] * t141 + k[71] * t142) - t143;
-  result(0, 5) = result(5, 0) = -t174 - t175;
-  result(1, 1) = -t98;
-  result(1, 2) = result(2, 1) = t100;
-  result(1, 3) = result(3, 1) = -t119;
-  result(1, 4) = result(4, 1) = -t142;
-  result(1, 5) = result(5, 1) = t173;
-  result(2, 2) = t99;
-  result(2, 3) = result(3, 2) = -t116;
-  result(2, 4) = result(4, 2) = -t134;
-  result(2, 5) = result(5, 2) = t163;
-  result(3, 3) = -t111;
-  result(3, 4) = result(4, 3) = t133;
-  result(3, 5) = result(5, 3) = t159;
-  result(4, 4) = t10;
-  result(4, 5) = result(5, 4) = -t158;
-  result(5, 5) = -k[86];
+  result(0, 0) = t95;
+  result(0, 1) = result(1, 0) = k[69] * t88 - (t94 - k[70] * t96);
+  result(0, 2) = result(2, 0) = t101 - (k[64] * t99 + k[70] * t100);
+  result(0, 3) = result(3, 0) = t114 + t115;
+  result(0, 4) = result(4, 0) = t125 + t139;
+  result(0, 5) = result(5, 0) = t169 - (k[70] * t164 - k[64] * t168);
+  result(1, 1) = t96;
+  result(1, 2) = result(2, 1) = -t100;
+  result(1, 3) = result(3, 1) = -t113;
+  result(1, 4) = result(4, 1) = t136;
+  result(1, 5) = result(5, 1) = -t164;
+  result(2, 2) = -t61;
+  result(2, 3) = result(3, 2) = -t108;
+  result(2, 4) = result(4, 2) = t131;
+  result(2, 5) = result(5, 2) = -t159;
+  result(3, 3) = -t59;
+  result(3, 4) = result(4, 3) = t130;
+  result(3, 5) = result(5, 3) = -t158;
+  result(4, 4) = t126;
+  result(4, 5) = result(5, 4) = -t151;
+  result(5, 5) = -k[84];
   return result;
 }
 
@@ -2292,211 +2286,211 @@ ForwardDynamicsConstants<Scalar> forward_dynamics_constants(const BasicGeometry<
   using std::sin;
   const Scalar t0 = inertia.c6x * inertia.m6;
   const Scalar t1 = inertia.c6y * inertia.m6;
-  const Scalar t2 = g.a2 / g.d2;
-  const Scalar t3 = g.a5 / g.d2;
-  const Scalar t4 = g.a6 / g.d2;
-  const Scalar t5 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t6 = (inertia.I6xx - t5) - inertia.c6x * t0;
-  const Scalar t7 = (inertia.I6yy - t5) - inertia.c6y * t1;
-  const Scalar t8 = t6 + t7;
-  const Scalar t9 = g.d5 / g.d2;
-  const Scalar t10 = g.d4 / g.d2;
-  const Scalar t11 = g.a4 / g.d2;
-  const Scalar t12 = g.d3 / g.d2;
-  const Scalar t13 = g.a3 / g.d2;
-  const Scalar t14 = g.a6 * inertia.m6;
-  const Scalar t15 = inertia.c5x * inertia.m5;
-  const Scalar t16 = inertia.c5y * inertia.m5;
-  const Scalar t17 = inertia.c6z * inertia.m6;
-  const Scalar t18 = g.d6 * inertia.m6 + t17;
-  const Scalar t19 = sin(g.alpha6) * t18;
-  const Scalar t20 = g.d5 * inertia.m5;
-  const Scalar t21 = inertia.c5z * inertia.m5;
-  const Scalar t22 = t21 + t20;
-  const Scalar t23 = t20 - t22;
-  const Scalar t24 = cos(g.alpha6) * t18;
-  const Scalar t25 = t23 - t24;
-  const Scalar t26 = inertia.m5 + inertia.m6;
-  const Scalar t27 = t25 - g.d5 * t26;
-  const Scalar t28 = sin(g.alpha5) * t27;
-  const Scalar t29 = inertia.c4y * inertia.m4;
-  const Scalar t30 = g.a5 * t26;
-  const Scalar t31 = inertia.c4x * inertia.m4;
-  const Scalar t32 = inertia.I6xy - inertia.c6y * t0;
-  const Scalar t33 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t34 = (inertia.c5x * t15 - (inertia.I5xx - t33)) + g.a6 * t14;
-  const Scalar t35 = (inertia.c6z * t17 - (inertia.I6zz - t5)) + g.d6 * (t18 + t17);
-  const Scalar t36 = sin(g.alpha6) * t35;
-  const Scalar t37 = sin(g.alpha6) * t36;
-  const Scalar t38 = g.d5 * t16;
-  const Scalar t39 = (t38 + ((inertia.I5yz - inertia.c5z * t16) - t38)) + cos(g.alpha6) * t36;
-  const Scalar t40 = g.d5 * t15;
-  const Scalar t41 = (t40 - (t40 - (inertia.I5xz - inertia.c5z * t15))) - g.a6 * t24;
-  const Scalar t42 = (inertia.c5z * t21 - (inertia.I5zz - t33)) + g.d5 * (t21 + t22);
-  const Scalar t43 = (g.d5 * (t23 - t22) + t42) + (t35 - t37);
-  const Scalar t44 = g.d5 * (t25 + t27) - t43;
-  const Scalar t45 = sin(g.alpha5) * t44;
-  const Scalar t46 = sin(g.alpha5) * t45;
-  const Scalar t47 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t48 = g.a5 * t30 - ((inertia.I4xx - t47) - inertia.c4x * t31);
-  const Scalar t49 = g.d4 * t29;
-  const Scalar t50 = cos(g.alpha5) * t45 - (t49 - (t49 - (inertia.I4yz - inertia.c4z * t29)));
-  const Scalar t51 = cos(g.alpha5) * t27;
-  const Scalar t52 = g.d4 * t31;
-  const Scalar t53 = g.a5 * t51 + (((inertia.I4xz - inertia.c4z * t31) - t52) + t52);
-  const Scalar t54 = inertia.m4 + t26;
-  const Scalar t55 = g.a4 * t54;
-  const Scalar t56 = inertia.c3x * inertia.m3;
-  const Scalar t57 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t58 = g.a4 * t55 + (inertia.c3x * t56 - (inertia.I3xx - t57));
-  const Scalar t59 = inertia.c3y * inertia.m3;
-  const Scalar t60 = inertia.c4z * inertia.m4;
-  const Scalar t61 = g.d4 * inertia.m4;
-  const Scalar t62 = t60 + t61;
-  const Scalar t63 = t62 - t61;
-  const Scalar t64 = ((inertia.I4zz - t47) - inertia.c4z * t60) - g.d4 * (t62 + t60);
-  const Scalar t65 = (g.d4 * (t63 + t62) + t64) - (t46 - t44);
-  const Scalar t66 = t63 - t51;
-  const Scalar t67 = g.d4 * t54 + t66;
-  const Scalar t68 = t65 - g.d4 * (t66 + t67);
-  const Scalar t69 = sin(g.alpha4) * t68;
-  const Scalar t70 = sin(g.alpha4) * t69;
-  const Scalar t71 = sin(g.alpha4) * t67;
-  const Scalar t72 = cos(g.alpha4) * t67;
-  const Scalar t73 = g.d3 * t56;
-  const Scalar t74 = g.a4 * t72 - (t73 - (t73 - (inertia.I3xz - inertia.c3z * t56)));
-  const Scalar t75 = g.d3 * t59;
-  const Scalar t76 = cos(g.alpha4) * t69 - (t75 - (t75 - (inertia.I3yz - inertia.c3z * t59)));
-  const Scalar t77 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t78 = inertia.c2y * inertia.m2;
-  const Scalar t79 = inertia.c3z * inertia.m3;
-  const Scalar t80 = g.d3 * inertia.m3;
-  const Scalar t81 = t79 + t80;
-  const Scalar t82 = g.d3 * (t79 + t81) - ((inertia.I3zz - t57) - inertia.c3z * t79);
-  const Scalar t83 = t80 - t81;
-  const Scalar t84 = (t70 - t68) + (t82 - g.d3 * (t81 - t83));
-  const Scalar t85 = t72 - t83;
-  const Scalar t86 = inertia.m3 + t54;
-  const Scalar t87 = t85 + g.d3 * t86;
-  const Scalar t88 = t84 + g.d3 * (t85 + t87);
-  const Scalar t89 = sin(g.alpha3) * t88;
-  const Scalar t90 = sin(g.alpha3) * t89;
-  const Scalar t91 = ((inertia.I2yy - t77) - inertia.c2y * t78) - t90;
-  const Scalar t92 = g.a3 * t86;
-  const Scalar t93 = inertia.c2x * inertia.m2;
-  const Scalar t94 = g.a3 * t92 + (inertia.c2x * t93 - (inertia.I2xx - t77));
-  const Scalar t95 = cos(g.alpha3) * t87;
-  const Scalar t96 = g.d2 * t93;
-  const Scalar t97 = g.a3 * t95 - (((inertia.I2xz - inertia.c2z * t93) - t96) + t96);
-  const Scalar t98 = sin(g.alpha3) * t87;
-  const Scalar t99 = g.d2 * t78;
-  const Scalar t100 = ((t99 - (inertia.I2yz - inertia.c2z * t78)) - t99) - cos(g.alpha3) * t89;
-  const Scalar t101 = gravity / g.d2;
-  const Scalar t102 = g.a3 * t98 + (inertia.I2xy - inertia.c2y * t93);
-  const Scalar t103 = inertia.m2 + t86;
-  const Scalar t104 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t105 = g.a2 * g.a2 * t103 + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t104));
-  const Scalar t106 = g.d2 * inertia.m2;
-  const Scalar t107 = inertia.c2z * inertia.m2;
-  const Scalar t108 = t106 + t107;
-  const Scalar t109 = t106 - t108;
-  const Scalar t110 = g.d2 * (t108 + t107) - ((inertia.I2zz - t77) - inertia.c2z * t107);
-  const Scalar t111 = (g.d2 * (t108 - t109) - t110) + (t90 - t88);
-  const Scalar t112 = t95 - t109;
-  const Scalar t113 = t111 - g.d2 * (t112 + (g.d2 * t103 + t112));
-  const Scalar t114 = sin(g.alpha2) * sin(g.alpha2) * t113
-      - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t104));
+  const Scalar t2 = inertia.c5y * inertia.m5;
+  const Scalar t3 = inertia.c6z * inertia.m6;
+  const Scalar t4 = g.d6 * inertia.m6 + t3;
+  const Scalar t5 = sin(g.alpha6) * t4;
+  const Scalar t6 = g.a6 * inertia.m6;
+  const Scalar t7 = inertia.c5x * inertia.m5;
+  const Scalar t8 = g.a3 / g.d2;
+  const Scalar t9 = g.d4 / g.d2;
+  const Scalar t10 = g.a6 / g.d2;
+  const Scalar t11 = inertia.I6xy - inertia.c6y * t0;
+  const Scalar t12 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t13 = (inertia.I6xx - t12) - inertia.c6x * t0;
+  const Scalar t14 = (inertia.I6yy - t12) - inertia.c6y * t1;
+  const Scalar t15 = g.d5 * t7;
+  const Scalar t16 = cos(g.alpha6) * t4;
+  const Scalar t17 = (t15 - (t15 - (inertia.I5xz - inertia.c5z * t7))) - g.a6 * t16;
+  const Scalar t18 = g.d5 / g.d2;
+  const Scalar t19 = t13 + t14;
+  const Scalar t20 = g.d5 * t2;
+  const Scalar t21 = (inertia.c6z * t3 - (inertia.I6zz - t12)) + g.d6 * (t4 + t3);
+  const Scalar t22 = sin(g.alpha6) * t21;
+  const Scalar t23 = (t20 + ((inertia.I5yz - inertia.c5z * t2) - t20)) + cos(g.alpha6) * t22;
+  const Scalar t24 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t25 = (inertia.c5x * t7 - (inertia.I5xx - t24)) + g.a6 * t6;
+  const Scalar t26 = sin(g.alpha6) * t22;
+  const Scalar t27 = g.a5 / g.d2;
+  const Scalar t28 = g.a4 / g.d2;
+  const Scalar t29 = g.d3 / g.d2;
+  const Scalar t30 = g.a2 / g.d2;
+  const Scalar t31 = inertia.m5 + inertia.m6;
+  const Scalar t32 = g.a5 * t31;
+  const Scalar t33 = inertia.c4x * inertia.m4;
+  const Scalar t34 = g.d5 * inertia.m5;
+  const Scalar t35 = inertia.c5z * inertia.m5;
+  const Scalar t36 = t35 + t34;
+  const Scalar t37 = t34 - t36;
+  const Scalar t38 = t37 - t16;
+  const Scalar t39 = t38 - g.d5 * t31;
+  const Scalar t40 = sin(g.alpha5) * t39;
+  const Scalar t41 = inertia.c4y * inertia.m4;
+  const Scalar t42 = inertia.m4 + t31;
+  const Scalar t43 = g.a4 * t42;
+  const Scalar t44 = inertia.c3x * inertia.m3;
+  const Scalar t45 = inertia.c4z * inertia.m4;
+  const Scalar t46 = g.d4 * inertia.m4;
+  const Scalar t47 = t45 + t46;
+  const Scalar t48 = t47 - t46;
+  const Scalar t49 = cos(g.alpha5) * t39;
+  const Scalar t50 = t48 - t49;
+  const Scalar t51 = g.d4 * t42 + t50;
+  const Scalar t52 = sin(g.alpha4) * t51;
+  const Scalar t53 = inertia.c3y * inertia.m3;
+  const Scalar t54 = cos(g.alpha4) * t51;
+  const Scalar t55 = g.d3 * inertia.m3;
+  const Scalar t56 = inertia.c3z * inertia.m3;
+  const Scalar t57 = t56 + t55;
+  const Scalar t58 = t55 - t57;
+  const Scalar t59 = t54 - t58;
+  const Scalar t60 = inertia.m3 + t42;
+  const Scalar t61 = t59 + g.d3 * t60;
+  const Scalar t62 = sin(g.alpha3) * t61;
+  const Scalar t63 = inertia.c2y * inertia.m2;
+  const Scalar t64 = g.a3 * t60;
+  const Scalar t65 = inertia.c2x * inertia.m2;
+  const Scalar t66 = (inertia.c5z * t35 - (inertia.I5zz - t24)) + g.d5 * (t35 + t36);
+  const Scalar t67 = (g.d5 * (t37 - t36) + t66) + (t21 - t26);
+  const Scalar t68 = g.d5 * (t38 + t39) - t67;
+  const Scalar t69 = sin(g.alpha5) * t68;
+  const Scalar t70 = sin(g.alpha5) * t69;
+  const Scalar t71 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t72 = g.a5 * t32 - ((inertia.I4xx - t71) - inertia.c4x * t33);
+  const Scalar t73 = g.d4 * t41;
+  const Scalar t74 = cos(g.alpha5) * t69 - (t73 - (t73 - (inertia.I4yz - inertia.c4z * t41)));
+  const Scalar t75 = g.d4 * t33;
+  const Scalar t76 = g.a5 * t49 + (((inertia.I4xz - inertia.c4z * t33) - t75) + t75);
+  const Scalar t77 = ((inertia.I4zz - t71) - inertia.c4z * t45) - g.d4 * (t47 + t45);
+  const Scalar t78 = (g.d4 * (t48 + t47) + t77) - (t70 - t68);
+  const Scalar t79 = t78 - g.d4 * (t50 + t51);
+  const Scalar t80 = sin(g.alpha4) * t79;
+  const Scalar t81 = g.d3 * t53;
+  const Scalar t82 = cos(g.alpha4) * t80 - (t81 - (t81 - (inertia.I3yz - inertia.c3z * t53)));
+  const Scalar t83 = g.d3 * t44;
+  const Scalar t84 = g.a4 * t54 - (t83 - (t83 - (inertia.I3xz - inertia.c3z * t44)));
+  const Scalar t85 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t86 = sin(g.alpha4) * t80;
+  const Scalar t87 = g.a4 * t43 + (inertia.c3x * t44 - (inertia.I3xx - t85));
+  const Scalar t88 = cos(g.alpha3) * t61;
+  const Scalar t89 = g.d2 * t65;
+  const Scalar t90 = g.a3 * t88 - (((inertia.I2xz - inertia.c2z * t65) - t89) + t89);
+  const Scalar t91 = g.d2 * t63;
+  const Scalar t92 = g.d3 * (t56 + t57) - ((inertia.I3zz - t85) - inertia.c3z * t56);
+  const Scalar t93 = (t86 - t79) + (t92 - g.d3 * (t57 - t58));
+  const Scalar t94 = t93 + g.d3 * (t59 + t61);
+  const Scalar t95 = sin(g.alpha3) * t94;
+  const Scalar t96 = ((t91 - (inertia.I2yz - inertia.c2z * t63)) - t91) - cos(g.alpha3) * t95;
+  const Scalar t97 = g.a3 * t62 + (inertia.I2xy - inertia.c2y * t65);
+  const Scalar t98 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t99 = g.a3 * t64 + (inertia.c2x * t65 - (inertia.I2xx - t98));
+  const Scalar t100 = sin(g.alpha3) * t95;
+  const Scalar t101 = ((inertia.I2yy - t98) - inertia.c2y * t63) - t100;
+  const Scalar t102 = gravity / g.d2;
+  const Scalar t103 = g.d2 * inertia.m2;
+  const Scalar t104 = inertia.c2z * inertia.m2;
+  const Scalar t105 = t103 + t104;
+  const Scalar t106 = t103 - t105;
+  const Scalar t107 = g.d2 * (t105 + t104) - ((inertia.I2zz - t98) - inertia.c2z * t104);
+  const Scalar t108 = (g.d2 * (t105 - t106) - t107) + (t100 - t94);
+  const Scalar t109 = t88 - t106;
+  const Scalar t110 = inertia.m2 + t60;
+  const Scalar t111 = t108 - g.d2 * (t109 + (g.d2 * t110 + t109));
+  const Scalar t112 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t113 = sin(g.alpha2) * sin(g.alpha2) * t111
+      - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t112));
+  const Scalar t114 = g.a2 * g.a2 * t110 + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t112));
   return { g.d2 * t0,
            g.d2 * t1,
            cos(g.alpha6),
-           sin(g.alpha5) * sin(g.alpha6),
+           g.d2 * (t2 - t5),
+           g.d2 * (t6 + t7),
+           sin(g.alpha4) * sin(g.alpha5),
            cos(g.alpha5),
-           sin(g.alpha5),
-           cos(g.alpha5) * sin(g.alpha6),
-           sin(g.alpha4),
            cos(g.alpha4),
-           sin(g.alpha3),
            cos(g.alpha3),
-           sin(g.alpha2) * t2,
-           cos(g.alpha2) * t2,
-           t3,
-           cos(g.alpha6) * t4,
+           cos(g.alpha4) * sin(g.alpha5),
+           sin(g.alpha4),
+           sin(g.alpha3),
+           t8,
+           t9,
+           sin(g.alpha6) * t10,
            g.d6 * t1 - (inertia.I6yz - inertia.c6z * t1),
            (inertia.I6xz - inertia.c6z * t0) - g.d6 * t0,
-           sin(g.alpha6),
-           cos(g.alpha6) * t8,
-           t9,
-           sin(g.alpha6) * t4,
-           sin(g.alpha6) * t8,
-           t10,
-           t11,
-           t12,
-           t13,
-           cos(g.alpha2),
-           sin(g.alpha2),
-           Scalar(1) / t8,
-           g.d2 * (t14 + t15),
-           g.d2 * (t16 - t19),
-           g.d2 * (t28 + t29),
-           g.d2 * (t30 + t31),
-           sin(g.alpha3) * sin(g.alpha4),
-           cos(g.alpha3) * sin(g.alpha4),
-           Scalar(2) * t32,
-           t6 - t7,
-           t6,
-           Scalar(2) * t4,
-           t34,
-           t8,
-           (inertia.c5y * t16 - (inertia.I5yy - t33)) + t37,
-           t32,
-           (inertia.I5xy - inertia.c5y * t15) + g.a6 * t19,
-           t39,
-           t4,
-           t41,
-           Scalar(2) * t9,
-           t46 + ((inertia.I4yy - t47) - inertia.c4y * t29),
-           Scalar(2) * t3,
-           t48,
-           t50,
-           t53,
-           sin(g.alpha4) * t11,
-           cos(g.alpha5) * t3,
-           sin(g.alpha4) * sin(g.alpha5),
-           cos(g.alpha4) * sin(g.alpha5),
-           sin(g.alpha5) * t3,
            Scalar(2) * t11,
-           g.a5 * t28 - (inertia.I4xy - inertia.c4y * t31),
-           t58,
+           t13 - t14,
+           t11,
+           sin(g.alpha6),
+           t17,
+           t18,
+           t13,
+           t19,
+           t23,
            Scalar(2) * t10,
-           ((inertia.I3yy - t57) - inertia.c3y * t59) + t70,
-           (inertia.I3xy - inertia.c3y * t56) + g.a4 * t71,
-           g.d2 * (t55 + t56),
+           t25,
+           (inertia.c5y * t2 - (inertia.I5yy - t24)) + t26,
+           sin(g.alpha5),
+           sin(g.alpha5) * t27,
+           t28,
+           t27,
+           t29,
+           sin(g.alpha5) * sin(g.alpha6),
+           cos(g.alpha5) * sin(g.alpha6),
+           cos(g.alpha6) * t19,
+           t10,
+           cos(g.alpha6) * t18,
+           sin(g.alpha6) * t19,
+           Scalar(1) / t19,
+           cos(g.alpha2) * t30,
+           sin(g.alpha2) * t30,
+           sin(g.alpha2),
+           cos(g.alpha2),
+           g.d2 * (t32 + t33),
+           g.d2 * (t40 + t41),
+           g.d2 * (t43 + t44),
+           g.d2 * (t52 - t53),
+           g.d2 * (t62 - t63),
+           g.d2 * (t64 + t65),
+           Scalar(2) * cos(g.alpha5),
+           Scalar(2) * sin(g.alpha6),
+           cos(g.alpha6) * t10,
+           (inertia.I5xy - inertia.c5y * t7) + g.a6 * t5,
+           Scalar(2) * t9,
+           t70 + ((inertia.I4yy - t71) - inertia.c4y * t41),
+           Scalar(2) * t27,
+           t72,
+           g.a5 * t40 - (inertia.I4xy - inertia.c4y * t33),
            t74,
            t76,
-           g.d2 * (t71 - t59),
-           Scalar(2) * cos(g.alpha3),
-           Scalar(2) * t12,
-           t91,
-           Scalar(2) * t13,
-           t94,
-           g.d2 * (t92 + t93),
+           t82,
+           t84,
+           (inertia.I3xy - inertia.c3y * t44) + g.a4 * t52,
+           ((inertia.I3yy - t85) - inertia.c3y * t53) + t86,
+           Scalar(2) * t28,
+           t87,
+           t90,
+           Scalar(2) * t29,
+           t96,
            t97,
-           g.d2 * (t98 - t78),
-           t100,
-           sin(g.alpha3) * t13,
-           sin(g.alpha2) * sin(g.alpha3),
-           t2,
-           cos(g.alpha2) * cos(g.alpha3),
-           cos(g.alpha2) * sin(g.alpha2),
-           sin(g.alpha2) * t101,
+           Scalar(2) * t8,
+           t99,
+           t101,
+           sin(g.alpha3) * sin(g.alpha4),
+           cos(g.alpha3) * sin(g.alpha4),
+           cos(g.alpha4) * t28,
+           cos(g.alpha4) * t29,
+           sin(g.alpha4) * t28,
+           sin(g.alpha3) * t8,
+           cos(g.alpha4) * sin(g.alpha3),
+           cos(g.alpha2) * t102,
+           sin(g.alpha2) * t102,
+           t30,
+           t99 + t101,
+           Scalar(2) * t97,
            sin(g.alpha2) * sin(g.alpha2),
-           cos(g.alpha2) * t101,
-           t94 + t91,
-           Scalar(2) * t102,
-           t102,
-           Scalar(2) * t2,
-           t105,
            Scalar(2) * cos(g.alpha2),
+           t113,
+           Scalar(2) * t30,
            t114 };
 }
 
@@ -2516,448 +2510,449 @@ inline JointVector<Scalar> forward_dynamics([[maybe_unused]] const JointVector<S
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[0] * c6 - k[1] * s6;
-  const Scalar t1 = k[16] * s6 - k[15] * c6;
-  const Scalar t2 = k[14] * t0 - (k[18] - k[17] * t1);
-  const Scalar t3 = k[28] * t2;
-  const Scalar t4 = k[0] * s6 + k[1] * c6;
-  const Scalar t5 = k[2] * t0;
-  const Scalar t6 = s5 * t4 - c5 * t5;
-  const Scalar t7 = k[6] * t0 - k[5] * t6;
-  const Scalar t8 = k[3] * t0 + k[4] * t6;
-  const Scalar t9 = s5 * t5 + c5 * t4;
-  const Scalar t10 = c4 * t8 + s4 * t9;
-  const Scalar t11 = k[7] * t7 + k[8] * t10;
-  const Scalar t12 = k[16] * c6 + k[15] * s6;
-  const Scalar t13 = k[2] * t1;
-  const Scalar t14 = (k[21] + t13) - k[20] * t0;
-  const Scalar t15 = (s5 * t12 + c5 * t14) - k[19] * t9;
-  const Scalar t16 = (k[5] * t15 + k[4] * t2) - k[13] * t8;
-  const Scalar t17 = c4 * t9 - s4 * t8;
-  const Scalar t18 = (k[5] * t2 - k[4] * t15) + k[13] * t7;
-  const Scalar t19 = (s5 * t14 - c5 * t12) - k[19] * t6;
-  const Scalar t20 = k[22] * t17 + (c4 * t18 + s4 * t19);
-  const Scalar t21 = k[23] * t11 - (k[8] * t16 - k[7] * t20);
-  const Scalar t22 = k[7] * t10 - k[8] * t7;
-  const Scalar t23 = (k[8] * t20 + k[7] * t16) - k[23] * t22;
-  const Scalar t24 = k[24] * t17 + t23;
-  const Scalar t25 = (s4 * t18 - c4 * t19) + k[22] * t10;
-  const Scalar t26 = k[24] * t11 + t25;
-  const Scalar t27 = c3 * t24 - s3 * t26;
-  const Scalar t28 = c3 * t11 + s3 * t17;
-  const Scalar t29 = k[9] * t22 - k[10] * t28;
-  const Scalar t30 = (k[10] * t21 + k[9] * t27) - k[25] * t29;
-  const Scalar t31 = k[29] + t0;
-  const Scalar t32 = k[30] + k[2] * t4;
-  const Scalar t33 = c5 * t31 - s5 * t32;
-  const Scalar t34 = s5 * t31 + c5 * t32;
-  const Scalar t35 = k[4] * t33;
-  const Scalar t36 = s4 * t34 - c4 * t35;
-  const Scalar t37 = k[55] * t33 + k[8] * t36;
-  const Scalar t38 = k[35] * c6 + k[36] * s6;
-  const Scalar t39 = k[42] - c6 * t38;
-  const Scalar t40 = k[17] * t4;
-  const Scalar t41 = (k[2] * t12 - k[17] * t39) - k[45] * t40;
-  const Scalar t42 = k[19] * t31 - (k[46] + t41);
-  const Scalar t43 = k[37] - s6 * t38;
-  const Scalar t44 = k[40] - t43;
-  const Scalar t45 = Scalar(2) * t13 + k[17] * t44;
-  const Scalar t46 = (k[44] + (k[2] * t45 - t1)) - k[19] * t32;
-  const Scalar t47 = s5 * t42 - c5 * t46;
-  const Scalar t48 = k[17] * t45;
-  const Scalar t49 = k[41] - (t44 - t48);
-  const Scalar t50 = k[39] - (t43 - k[38] * t0);
-  const Scalar t51 = t49 + t50;
-  const Scalar t52 = k[54] * t33 - (k[5] * t47 - k[4] * t51);
-  const Scalar t53 = k[4] * t47;
-  const Scalar t54 = (k[57] * t33 + (k[5] * t51 + t53)) + k[22] * t34;
-  const Scalar t55 = s5 * t46 + c5 * t42;
-  const Scalar t56 = t55 + k[22] * t35;
-  const Scalar t57 = c4 * t54 + s4 * t56;
-  const Scalar t58 = k[23] * t37 - (k[8] * t52 - k[7] * t57);
-  const Scalar t59 = k[24] * t37 + (s4 * t54 - c4 * t56);
-  const Scalar t60 = s4 * t35 + c4 * t34;
-  const Scalar t61 = k[7] * t36 - k[56] * t33;
-  const Scalar t62 = k[23] * t61 - (k[8] * t57 + k[7] * t52);
-  const Scalar t63 = k[24] * t60 - t62;
-  const Scalar t64 = s3 * t59 - c3 * t63;
-  const Scalar t65 = s3 * t60 + c3 * t37;
-  const Scalar t66 = k[9] * t61 - k[10] * t65;
-  const Scalar t67 = (k[10] * t58 - k[9] * t64) - k[25] * t66;
-  const Scalar t68 = t3 * t30 + t67;
-  const Scalar t69 = k[27] * qd[0];
-  const Scalar t70 = c2 * t69;
-  const Scalar t71 = k[9] * t70;
-  const Scalar t72 = qd[1] + k[26] * qd[0];
-  const Scalar t73 = t71 - k[10] * t72;
-  const Scalar t74 = qd[2] - t73;
-  const Scalar t75 = s2 * t69;
-  const Scalar t76 = k[10] * t70 + k[9] * t72;
-  const Scalar t77 = s3 * t75 - c3 * t76;
-  const Scalar t78 = k[8] * t74 + k[7] * t77;
-  const Scalar t79 = qd[3] + t78;
-  const Scalar t80 = k[7] * t74 - k[8] * t77;
-  const Scalar t81 = s3 * t76 + c3 * t75;
-  const Scalar t82 = c4 * t80 - s4 * t81;
-  const Scalar t83 = k[5] * t79 + k[4] * t82;
-  const Scalar t84 = k[4] * t79 - k[5] * t82;
-  const Scalar t85 = qd[1] * t70 + t76 * t73;
-  const Scalar t86 = t71 * t75 - t75 * k[80] * qd[0];
-  const Scalar t87 = c3 * t85 - s3 * t86;
-  const Scalar t88 = t74 * t77;
-  const Scalar t89 = t87 - t88;
-  const Scalar t90 = t80 * t78 - t89;
-  const Scalar t91 = s3 * t85 + c3 * t86;
-  const Scalar t92 = k[9] * qd[1] * t75;
-  const Scalar t93 = t81 * t77;
-  const Scalar t94 = t92 + t93;
-  const Scalar t95 = k[8] * t91 - k[7] * t94;
-  const Scalar t96 = c4 * t90 + s4 * t95;
-  const Scalar t97 = t79 * t82;
-  const Scalar t98 = t96 - t97;
-  const Scalar t99 = t83 * t84 + t98;
-  const Scalar t100 = c4 * t81 + s4 * t80;
-  const Scalar t101 = t100 * t82;
-  const Scalar t102 = t81 * t74;
-  const Scalar t103 = t102 + t91;
-  const Scalar t104 = k[7] * t103 + k[8] * t92;
-  const Scalar t105 = t101 - t104;
-  const Scalar t106 = c4 * t95 - s4 * t90;
-  const Scalar t107 = k[5] * t105 + k[4] * t106;
-  const Scalar t108 = c5 * t99 + s5 * t107;
-  const Scalar t109 = c5 * t107 - s5 * t99;
-  const Scalar t110 = qd[4] + t84;
-  const Scalar t111 = t110 * t110;
-  const Scalar t112 = s5 * t83 + c5 * t100;
-  const Scalar t113 = t112 * t112;
-  const Scalar t114 = t111 + t113;
-  const Scalar t115 = s5 * t100 - c5 * t83;
-  const Scalar t116 = t115 * t115;
-  const Scalar t117 = t116 + t113;
-  const Scalar t118 = t114 - t117;
-  const Scalar t119 = t116 + t111;
-  const Scalar t120 = t119 - t117;
-  const Scalar t121 = t79 * t100;
-  const Scalar t122 = t106 + t121;
-  const Scalar t123 = k[5] * t122 + k[4] * t104;
-  const Scalar t124 = t112 * t115;
-  const Scalar t125 = t123 + t124;
-  const Scalar t126 = t123 - t124;
-  const Scalar t127 = k[43] * (t118 - t120) + (k[41] * t125 + k[39] * t126);
-  const Scalar t128 = t122 + t121;
-  const Scalar t129 = t100 * t100;
-  const Scalar t130 = t82 * t82;
-  const Scalar t131 = t102 + t103;
-  const Scalar t132 = qd[0] * qd[0];
-  const Scalar t133 = k[81] * t132;
-  const Scalar t134 = t72 * t69;
-  const Scalar t135 = t133 - (t134 + t134);
-  const Scalar t136 = k[83] * t132;
-  const Scalar t137 = k[84] - t136;
-  const Scalar t138 = k[25] * s2 * t135 - t137;
-  const Scalar t139 = k[82] + t133;
-  const Scalar t140 = k[79] * t132;
-  const Scalar t141 = (c2 * t139 + s2 * t140) + k[25] * t75 * t70;
-  const Scalar t142 = t77 * t77;
-  const Scalar t143 = t74 * t74;
-  const Scalar t144 = t142 + t143;
-  const Scalar t145 = t143 - t81 * t81;
-  const Scalar t146 = (k[10] * t138 + k[9] * t141) + k[24] * (t144 - t145);
-  const Scalar t147 = k[23] * t131 - t146;
-  const Scalar t148 = (k[9] * t138 - k[10] * t141) + k[24] * t85;
-  const Scalar t149 = t72 * t72;
-  const Scalar t150 = t149 + t136;
-  const Scalar t151 = k[25] * (t150 - t75 * t75) + (c2 * t140 - s2 * t139);
-  const Scalar t152 = t151 + k[24] * t86;
-  const Scalar t153 = c3 * t148 - s3 * t152;
-  const Scalar t154 = t92 - t93;
-  const Scalar t155 = t153 - k[23] * t154;
-  const Scalar t156 = k[22] * (t129 + t130) - (k[8] * t147 + k[7] * t155);
-  const Scalar t157 = k[13] * t128 - t156;
-  const Scalar t158 = s3 * t148 + c3 * t152;
-  const Scalar t159 = k[22] * t95 + (k[23] * t144 + t158);
-  const Scalar t160 = (k[7] * t147 - k[8] * t155) + k[22] * t90;
-  const Scalar t161 = s4 * t159 + c4 * t160;
-  const Scalar t162 = t101 + t104;
-  const Scalar t163 = t161 + k[13] * t162;
-  const Scalar t164 = (k[5] * t157 + k[4] * t163) + k[19] * t99;
-  const Scalar t165 = s4 * t160 - c4 * t159;
-  const Scalar t166 = t79 * t79;
-  const Scalar t167 = t166 + t130;
-  const Scalar t168 = (t165 - k[13] * t167) - k[19] * t107;
-  const Scalar t169 = s5 * t164 + c5 * t168;
-  const Scalar t170 = c5 * t164 - s5 * t168;
-  const Scalar t171 = ((k[46] * t108 + k[44] * t109) - t127) + (k[30] * t169 - k[29] * t170);
-  const Scalar t172 = k[17] * t110 - k[2] * t115;
-  const Scalar t173 = t172 * t112;
-  const Scalar t174 = t110 * t112;
-  const Scalar t175 = t109 + t174;
-  const Scalar t176 = k[17] * t175 + k[2] * t123;
-  const Scalar t177 = t173 + t176;
-  const Scalar t178 = k[2] * t110 + k[17] * t115;
-  const Scalar t179 = qd[5] + t178;
-  const Scalar t180 = t179 * t179;
-  const Scalar t181 = t0 * t177 - t4 * (t180 + t113);
-  const Scalar t182 = t179 * t112;
-  const Scalar t183 = k[17] * t125 - k[2] * t109;
-  const Scalar t184 = t182 - (t183 - t182);
-  const Scalar t185 = t172 * t179;
-  const Scalar t186 = t110 * t115;
-  const Scalar t187 = t108 + t186;
-  const Scalar t188 = t172 * t178 + t187;
-  const Scalar t189 = (t185 + t185) - t188;
-  const Scalar t190 = t184 * t0 + t4 * t189;
-  const Scalar t191 = k[2] * t181 - k[17] * t190;
-  const Scalar t192 = t174 + t175;
-  const Scalar t193 = (k[5] * t163 - k[4] * t157) + k[19] * t117;
-  const Scalar t194 = k[45] * t192 - t193;
-  const Scalar t195 = t170 + k[45] * t126;
-  const Scalar t196 = k[2] * t194 - k[17] * t195;
-  const Scalar t197 = t173 - t176;
-  const Scalar t198 = t172 * t172;
-  const Scalar t199 = t198 - t113;
-  const Scalar t200 = t198 - t180;
-  const Scalar t201 = (t184 * t43 - t39 * t189) - (t197 * t1 - t12 * (t199 - t200));
-  const Scalar t202 = t196 * t0 - t201;
-  const Scalar t203 = (t44 * t197 - t43 * t177) + t39 * t199;
-  const Scalar t204 = (k[2] * t195 + k[17] * t194) * t0 + (k[45] * t119 - t169) * t4;
-  const Scalar t205 = ((t12 * t188 - t183 * t1) - t203) - t204;
-  const Scalar t206 = k[45] * t191 - (k[17] * t202 + k[2] * t205);
-  const Scalar t207 = t171 - t206;
-  const Scalar t208 = torque[5] + t205;
-  const Scalar t209 = k[28] * t208;
-  const Scalar t210 = (torque[4] + t207) + t209 * t2;
-  const Scalar t211 = Scalar(1) / (t51 + t3 * t2);
-  const Scalar t212 = t210 * t211;
-  const Scalar t213 = t166 + t129;
-  const Scalar t214 = k[2] * t190 + k[17] * t181;
-  const Scalar t215 = t187 + t186;
-  const Scalar t216 = t214 - (k[30] * t215 - k[29] * t192);
-  const Scalar t217 = t191 - (k[30] * t114 - k[29] * t126);
-  const Scalar t218 = (t0 * (t198 + t180) - t4 * t197) + (k[30] * t125 + k[29] * t119);
-  const Scalar t219 = c5 * t217 - s5 * t218;
-  const Scalar t220 = k[5] * t216 - k[4] * t219;
-  const Scalar t221 = (k[31] * t213 - k[32] * t162) + t220;
-  const Scalar t222 = s5 * t217 + c5 * t218;
-  const Scalar t223 = (k[32] * t167 - k[31] * t105) + t222;
-  const Scalar t224 = s4 * t221 - c4 * t223;
-  const Scalar t225 = k[45] * t214 - (k[17] * t205 - k[2] * t202);
-  const Scalar t226 = (k[43] * t215 + k[39] * t192) - (k[44] * t125 + k[46] * t120);
-  const Scalar t227 = t225 - (k[29] * t193 - t226);
-  const Scalar t228 = (t44 * t189 - t184 * t39) - t200 * t1;
-  const Scalar t229 = (k[41] * t215 + k[43] * t192) + k[44] * t118;
-  const Scalar t230 = (t4 * t196 + (t12 * t177 - t228)) - ((t229 - k[46] * t126) + k[30] * t193);
-  const Scalar t231 = (s5 * t227 + c5 * t230) - k[19] * t219;
-  const Scalar t232 = t97 - t98;
-  const Scalar t233 = k[51] * (t166 - t130) - (k[48] * t232 - k[59] * t128);
-  const Scalar t234 = t231 - (k[31] * t156 - (t233 + k[52] * t162));
-  const Scalar t235 = k[5] * t219 + k[4] * t216;
-  const Scalar t236 = k[19] * t222 - (s5 * t230 - c5 * t227);
-  const Scalar t237 = k[13] * t235 - (k[5] * t207 - k[4] * t236);
-  const Scalar t238 = (k[50] * t128 + k[59] * t232) - (k[51] * t105 + k[52] * (t166 - t129));
-  const Scalar t239 = t237 - (k[32] * t156 - t238);
-  const Scalar t240 = k[22] * t224 + (s4 * t234 - c4 * t239);
-  const Scalar t241 = (k[4] * t207 + k[5] * t236) + k[13] * t220;
-  const Scalar t242 = k[59] * (t213 - t167) - (k[48] * t105 + k[50] * t162);
-  const Scalar t243 = (k[32] * t161 - k[31] * t165) - (t242 - (k[51] * t106 - k[52] * t96));
-  const Scalar t244 = t241 - t243;
-  const Scalar t245 = c4 * t221 + s4 * t223;
-  const Scalar t246 = t235 + (k[32] * t128 + k[31] * t232);
-  const Scalar t247 = k[8] * t245 + k[7] * t246;
-  const Scalar t248 = (k[7] * t240 - k[8] * t244) - k[23] * t247;
-  const Scalar t249 = t142 - t143;
-  const Scalar t250 = t145 + t249;
-  const Scalar t251 = (k[60] * t154 - k[62] * t94) - k[63] * t250;
-  const Scalar t252 = (k[67] * t158 + k[64] * t153) - ((k[66] * t91 - k[65] * t87) + t251);
-  const Scalar t253 = t248 - t252;
-  const Scalar t254 = t247 - (k[64] * t154 + k[67] * (t144 - t250));
-  const Scalar t255 = t224 + (k[67] * t94 - k[64] * t144);
-  const Scalar t256 = s3 * t254 + c3 * t255;
-  const Scalar t257 = k[8] * t246 - k[7] * t245;
-  const Scalar t258 = (k[8] * t240 + k[7] * t244) - k[23] * t257;
-  const Scalar t259 = t88 - t89;
-  const Scalar t260 = (k[65] * t145 + k[66] * t94) + (k[63] * t259 + k[60] * t131);
-  const Scalar t261 = t258 - (t260 - k[64] * t146);
-  const Scalar t262 = k[66] * t249 - (k[62] * t259 - k[63] * t131);
-  const Scalar t263 = (c4 * t234 + s4 * t239) + k[22] * t245;
-  const Scalar t264 = (k[67] * t146 - (k[65] * t154 + t262)) + t263;
-  const Scalar t265 = k[24] * t256 + (c3 * t261 + s3 * t264);
-  const Scalar t266 = t257 + (k[64] * t131 + k[67] * t259);
-  const Scalar t267 = s3 * t255 - c3 * t254;
-  const Scalar t268 = k[9] * t266 - k[10] * t267;
-  const Scalar t269 = (k[10] * t253 + k[9] * t265) - k[25] * t268;
-  const Scalar t270 = k[87] + c2 * (k[85] * s2 - k[86] * c2);
-  const Scalar t271 = k[74] * c2 - k[76] * s2;
-  const Scalar t272 = k[75] * c2 - k[73] * s2;
-  const Scalar t273 = k[75] * s2 + k[73] * c2;
-  const Scalar t274 = (t270 * t136 + t133 * t271) - (t272 * t140 - t273 * t139);
-  const Scalar t275 = t269 + t274;
-  const Scalar t276 = k[28] * t30;
-  const Scalar t277 = t68 * t212 + ((torque[1] - t275) - t208 * t276);
-  const Scalar t278 = (k[17] * t12 + k[2] * t39) + k[14] * t4;
-  const Scalar t279 = k[43] - t278;
-  const Scalar t280 = c5 * t279;
-  const Scalar t281 = (t280 + t280) + s5 * (t49 - t50);
-  const Scalar t282 = t49 - s5 * t281;
-  const Scalar t283 = k[47] * t40 - t48;
-  const Scalar t284 = (t53 + t53) + k[5] * (t282 - t283);
-  const Scalar t285 = k[5] * t284;
-  const Scalar t286 = k[48] - (t282 - t285);
-  const Scalar t287 = k[50] + (k[49] * t33 + (t51 - t282));
-  const Scalar t288 = t286 - t287;
-  const Scalar t289 = t279 - c5 * t281;
-  const Scalar t290 = k[6] * t4 + k[5] * t34;
-  const Scalar t291 = (k[4] * t55 + k[5] * t289) + k[13] * t290;
-  const Scalar t292 = k[52] - t291;
-  const Scalar t293 = k[51] - (t47 - k[4] * t284);
-  const Scalar t294 = k[4] * t34 - k[3] * t4;
-  const Scalar t295 = k[31] + t294;
-  const Scalar t296 = k[32] + t33;
-  const Scalar t297 = c4 * t295 + s4 * t296;
-  const Scalar t298 = (s4 * t292 - c4 * t293) - k[22] * t297;
-  const Scalar t299 = c4 * t296 - s4 * t295;
-  const Scalar t300 = k[8] * t299;
-  const Scalar t301 = (k[8] * t288 - k[7] * t298) - k[23] * t300;
-  const Scalar t302 = k[22] * t299 - (c4 * t292 + s4 * t293);
-  const Scalar t303 = k[8] * t298;
-  const Scalar t304 = (k[7] * t288 + t303) - k[53] * t299;
-  const Scalar t305 = s3 * t300 + c3 * t297;
-  const Scalar t306 = (s3 * t302 - c3 * t304) + k[24] * t305;
-  const Scalar t307 = s3 * t297 - c3 * t300;
-  const Scalar t308 = k[33] * t299 + k[10] * t307;
-  const Scalar t309 = (k[10] * t301 + k[9] * t306) + k[25] * t308;
-  const Scalar t310 = t3 * t16 + t52;
-  const Scalar t311 = t211 * t68;
-  const Scalar t312 = (t309 + t276 * t16) - t310 * t311;
-  const Scalar t313 = t211 * t310;
-  const Scalar t314 = t210 * t313 - ((torque[3] + t244) + t209 * t16);
-  const Scalar t315 = k[28] * t16;
-  const Scalar t316 = Scalar(1) / ((t288 - t16 * t315) + t313 * t310);
-  const Scalar t317 = t314 * t316;
-  const Scalar t318 = t3 * t21 + t58;
-  const Scalar t319 = t211 * t318;
-  const Scalar t320 = k[64] + t299;
-  const Scalar t321 = k[7] * t290 - k[8] * t297;
-  const Scalar t322 = k[67] + t321;
-  const Scalar t323 = c3 * t320 + s3 * t322;
-  const Scalar t324 = k[10] * t323;
-  const Scalar t325 = k[61] * t290 + (t285 + t283);
-  const Scalar t326 = (k[4] * t289 - k[5] * t55) + k[13] * t294;
-  const Scalar t327 = k[59] + t326;
-  const Scalar t328 = s4 * (t286 + t287) + Scalar(2) * c4 * t327;
-  const Scalar t329 = s4 * t328 - t287;
-  const Scalar t330 = t288 - t329;
-  const Scalar t331 = (t303 + t303) + k[7] * (t325 + t330);
-  const Scalar t332 = k[24] * t322 - (k[66] + (t298 - k[8] * t331));
-  const Scalar t333 = t327 - c4 * t328;
-  const Scalar t334 = k[7] * t297 + k[8] * t290;
-  const Scalar t335 = (k[7] * t333 - k[8] * t302) - k[23] * t334;
-  const Scalar t336 = (k[65] - t335) + k[24] * t320;
-  const Scalar t337 = c3 * t332 - s3 * t336;
-  const Scalar t338 = k[60] + (k[58] * t299 - t329);
-  const Scalar t339 = k[7] * t331;
-  const Scalar t340 = k[62] - (t339 - t330);
-  const Scalar t341 = t338 - t340;
-  const Scalar t342 = k[25] * t324 + (k[9] * t337 + k[10] * t341);
-  const Scalar t343 = k[28] * t21;
-  const Scalar t344 = (t16 * t343 + t301) - t319 * t310;
-  const Scalar t345 = t344 * t316;
-  const Scalar t346 = (t319 * t68 - (t276 * t21 + t342)) - t312 * t345;
-  const Scalar t347 = t210 * t319 + ((torque[2] - t253) - t208 * t343);
-  const Scalar t348 = (t319 * t318 - (t341 + t343 * t21)) - t345 * t344;
-  const Scalar t349 = Scalar(1) / t348;
-  const Scalar t350 = (t314 * t345 + t347) * t349;
-  const Scalar t351 = (t277 + t312 * t317) - t346 * t350;
-  const Scalar t352 = k[10] * t61 + k[9] * t65;
-  const Scalar t353 = s3 * t37 - c3 * t60;
-  const Scalar t354 = k[11] * t352 + k[12] * (c2 * t66 + s2 * t353);
-  const Scalar t355 = (k[10] * t64 + k[9] * t58) + k[25] * t352;
-  const Scalar t356 = s2 * ((s3 * t63 + c3 * t59) - t66);
-  const Scalar t357 = k[26] * t67 - k[27] * (c2 * (t355 + t353) + t356);
-  const Scalar t358 = s2 * ((s3 * t24 + c3 * t26) - t29);
-  const Scalar t359 = c3 * t17 - s3 * t11;
-  const Scalar t360 = k[9] * t28 + k[10] * t22;
-  const Scalar t361 = (k[10] * t27 - k[9] * t21) - k[25] * t360;
-  const Scalar t362 = k[27] * (t358 - c2 * (t359 + t361)) - k[26] * t30;
-  const Scalar t363 = k[11] * t360 + k[12] * (c2 * t29 - s2 * t359);
-  const Scalar t364 = t362 + t363;
-  const Scalar t365 = (t354 - t357) + t364 * t3;
-  const Scalar t366 = t211 * t365;
-  const Scalar t367 = c3 * t322 - s3 * t320;
-  const Scalar t368 = k[10] * t334 - k[9] * t367;
-  const Scalar t369 = s3 * t332 + c3 * t336;
-  const Scalar t370 = k[23] * t321 + (k[8] * t333 + k[7] * t302);
-  const Scalar t371 = k[63] + t370;
-  const Scalar t372 = s3 * (t338 + t340) - Scalar(2) * c3 * t371;
-  const Scalar t373 = t371 + c3 * t372;
-  const Scalar t374 = k[25] * t368 + (k[10] * t369 + k[9] * t373);
-  const Scalar t375 = k[73] + t323;
-  const Scalar t376 = k[69] * t334 + (t325 - t339);
-  const Scalar t377 = t338 - s3 * t372;
-  const Scalar t378 = t377 - t341;
-  const Scalar t379 = k[68] * t337 + k[9] * (t376 + t378);
-  const Scalar t380 = k[9] * t334 + k[10] * t367;
-  const Scalar t381 = k[75] + t380;
-  const Scalar t382 = c2 * ((k[76] - (k[10] * t379 - t337)) - t381);
-  const Scalar t383 = k[27] * (s2 * ((k[74] + t374) + t375) + t382);
-  const Scalar t384 = k[9] * t379;
-  const Scalar t385 = k[70] + (t378 - t384);
-  const Scalar t386 = k[72] + (t377 + k[71] * t323);
-  const Scalar t387 = t385 - t386;
-  const Scalar t388 = s2 * t381 + c2 * t375;
-  const Scalar t389 = ((t383 + k[26] * t387) - k[12] * t388) + t364 * t276;
-  const Scalar t390 = k[34] * t299 - k[9] * t307;
-  const Scalar t391 = k[12] * (c2 * t308 + s2 * t305) + k[11] * t390;
-  const Scalar t392 = k[25] * t390 + (k[10] * t306 - k[9] * t301);
-  const Scalar t393 = k[24] * t307 - (c3 * t302 + s3 * t304);
-  const Scalar t394 = c2 * (t305 + t392) - s2 * (t393 + t308);
-  const Scalar t395 = t364 * t315 - (t391 + (k[27] * t394 + k[26] * t309));
-  const Scalar t396 = t366 * t310 - t395;
-  const Scalar t397 = t312 * t316;
-  const Scalar t398 = t396 * t316;
-  const Scalar t399 = k[28] * t364;
-  const Scalar t400 = k[26] * (s2 * t367 + c2 * t324) - k[78] * t323;
-  const Scalar t401 = k[77] * t323 - (k[10] * t337 - k[9] * t341);
-  const Scalar t402 = c2 * (t367 - t401) - s2 * (t324 + t369);
-  const Scalar t403 = k[79] * t400 + (k[27] * t402 + k[26] * t342);
-  const Scalar t404 = t398 * t344 + (t366 * t318 - (t21 * t399 - t403));
-  const Scalar t405 = t349 * t404;
-  const Scalar t406 = ((t366 * t68 - t389) + t396 * t397) - t346 * t405;
-  const Scalar t407 = t346 * t349;
-  const Scalar t408 = t312 * t397 + ((t276 * t30 - t387) - t68 * t311);
-  const Scalar t409 = Scalar(1) / (t346 * t407 + t408);
-  const Scalar t410 = t406 * t409;
-  const Scalar t411 = k[9] * t267 + k[10] * t266;
-  const Scalar t412 = t272 * t149 - (c2 * t268 - s2 * t256);
-  const Scalar t413 = k[11] * (t135 * t272 + t411) - k[12] * t412;
-  const Scalar t414 = t273 * t137 - (t135 * t270 - t271 * t149);
-  const Scalar t415 = (k[9] * t253 - k[10] * t265) + k[25] * t411;
-  const Scalar t416 = k[24] * t267 + (s3 * t261 - c3 * t264);
-  const Scalar t417 = c2 * (t256 - t415) + s2 * (t268 - t416);
-  const Scalar t418 = k[26] * t275 - k[27] * (t273 * t150 + (t414 - t417));
-  const Scalar t419 = t366 * t210 - ((torque[0] + (t413 - t418)) + t364 * t209);
-  const Scalar t420 = t351 * t410 + ((t419 - t317 * t396) - t350 * t404);
-  const Scalar t421 = k[25] * t380 - (k[10] * t373 - k[9] * t369);
-  const Scalar t422 = Scalar(2) * c2 * (k[87] + t421) - s2 * (t385 + t386);
-  const Scalar t423 = t385 + s2 * t422;
-  const Scalar t424 = k[83] * (t423 + ((t376 - t384) + Scalar(2) * t368));
-  const Scalar t425 = (k[91] - ((t424 - k[90] * t383) - t423)) - (k[89] + ((t423 - t387) + k[88] * t388));
-  const Scalar t426 = t398 * t396 - (t366 * t365 + (t425 - t364 * t399));
-  const Scalar t427 = Scalar(1) / ((t405 * t404 + t426) - t406 * t410);
-  const Scalar t428 = t420 * t427;
-  const Scalar t429 = t351 * t409 + t428 * t410;
-  const Scalar t430 = (t428 * t405 + t350) + t429 * t407;
-  const Scalar t431 = (t429 * t397 - (t317 + t428 * t398)) - t430 * t345;
-  const Scalar t432 = ((t428 * t366 + t212) + t429 * t311) - t430 * t319;
-  const Scalar t433 = t432 + t313 * t431;
-  const Scalar t434 = t343 * t430 - (t276 * t429 + (t209 + t428 * t399));
+  const Scalar t0 = k[17] * c6 + k[18] * s6;
+  const Scalar t1 = k[19] - c6 * t0;
+  const Scalar t2 = k[43] * qd[0];
+  const Scalar t3 = s2 * t2;
+  const Scalar t4 = qd[1] + k[44] * qd[0];
+  const Scalar t5 = c2 * t2;
+  const Scalar t6 = k[11] * t4 + k[8] * t5;
+  const Scalar t7 = c3 * t3 + s3 * t6;
+  const Scalar t8 = s3 * t3 - c3 * t6;
+  const Scalar t9 = k[8] * t4 - k[11] * t5;
+  const Scalar t10 = qd[2] + t9;
+  const Scalar t11 = k[7] * t8 - k[10] * t10;
+  const Scalar t12 = c4 * t7 - s4 * t11;
+  const Scalar t13 = c4 * t11 + s4 * t7;
+  const Scalar t14 = k[7] * t10 + k[10] * t8;
+  const Scalar t15 = qd[3] + t14;
+  const Scalar t16 = k[6] * t13 - k[29] * t15;
+  const Scalar t17 = s5 * t12 + c5 * t16;
+  const Scalar t18 = k[29] * t13 + k[6] * t15;
+  const Scalar t19 = qd[4] + t18;
+  const Scalar t20 = k[20] * t17 + k[2] * t19;
+  const Scalar t21 = qd[5] + t20;
+  const Scalar t22 = t21 * t21;
+  const Scalar t23 = c5 * t12 - s5 * t16;
+  const Scalar t24 = t23 * t23;
+  const Scalar t25 = t22 + t24;
+  const Scalar t26 = k[2] * t17 - k[20] * t19;
+  const Scalar t27 = t26 * t26;
+  const Scalar t28 = t27 + t22;
+  const Scalar t29 = k[23] - s6 * t0;
+  const Scalar t30 = qd[1] * t2;
+  const Scalar t31 = t4 * t2;
+  const Scalar t32 = t30 - t31;
+  const Scalar t33 = t5 * t3;
+  const Scalar t34 = k[8] * s2 * t32 + k[11] * t33;
+  const Scalar t35 = qd[1] * t5 - t9 * t6;
+  const Scalar t36 = c3 * t34 + s3 * t35;
+  const Scalar t37 = t10 * t7;
+  const Scalar t38 = t36 + t37;
+  const Scalar t39 = qd[1] * t3;
+  const Scalar t40 = k[10] * t38 + k[81] * t39;
+  const Scalar t41 = t15 * t12;
+  const Scalar t42 = s3 * t34 - c3 * t35;
+  const Scalar t43 = t8 * t10;
+  const Scalar t44 = t42 + t43;
+  const Scalar t45 = t44 - t14 * t11;
+  const Scalar t46 = t8 * t7;
+  const Scalar t47 = k[11] * t39;
+  const Scalar t48 = t46 + t47;
+  const Scalar t49 = k[7] * t36 - k[10] * t48;
+  const Scalar t50 = s4 * t45 - c4 * t49;
+  const Scalar t51 = t41 - t50;
+  const Scalar t52 = k[6] * t40 + k[29] * t51;
+  const Scalar t53 = t12 * t13;
+  const Scalar t54 = t40 + t53;
+  const Scalar t55 = k[29] * t54 + k[6] * t50;
+  const Scalar t56 = t15 * t13;
+  const Scalar t57 = s4 * t49 + c4 * t45;
+  const Scalar t58 = t56 + t57;
+  const Scalar t59 = t18 * t16 - t58;
+  const Scalar t60 = c5 * t55 - s5 * t59;
+  const Scalar t61 = t23 * t19;
+  const Scalar t62 = t60 - t61;
+  const Scalar t63 = k[2] * t52 - k[20] * t62;
+  const Scalar t64 = t26 * t23;
+  const Scalar t65 = t63 - t64;
+  const Scalar t66 = k[24] - t29;
+  const Scalar t67 = t63 + t64;
+  const Scalar t68 = t1 * (t25 - t28) + (t29 * t65 + t66 * t67);
+  const Scalar t69 = t17 * t23;
+  const Scalar t70 = t69 + t52;
+  const Scalar t71 = k[20] * t70 + k[2] * t60;
+  const Scalar t72 = k[16] * s6 - k[15] * c6;
+  const Scalar t73 = k[16] * c6 + k[15] * s6;
+  const Scalar t74 = s5 * t55 + c5 * t59;
+  const Scalar t75 = t17 * t19;
+  const Scalar t76 = t74 - t75;
+  const Scalar t77 = t76 + t26 * t20;
+  const Scalar t78 = t17 * t17;
+  const Scalar t79 = t19 * t19;
+  const Scalar t80 = t78 + t79;
+  const Scalar t81 = t13 * t13;
+  const Scalar t82 = t15 * t15;
+  const Scalar t83 = t81 + t82;
+  const Scalar t84 = k[83] - t32;
+  const Scalar t85 = k[84] * qd[0] * qd[0];
+  const Scalar t86 = k[12] * t33 + (c2 * t84 + s2 * t85);
+  const Scalar t87 = t30 + t31;
+  const Scalar t88 = t2 * t2;
+  const Scalar t89 = k[82] - t88;
+  const Scalar t90 = k[12] * s2 * t87 + t89;
+  const Scalar t91 = t7 * t7;
+  const Scalar t92 = t10 * t10;
+  const Scalar t93 = t91 + t92;
+  const Scalar t94 = t91 - t92;
+  const Scalar t95 = t8 * t8;
+  const Scalar t96 = t91 - t95;
+  const Scalar t97 = t94 - t96;
+  const Scalar t98 = (k[11] * t86 - k[8] * t90) + k[33] * (t93 + t97);
+  const Scalar t99 = t38 + t37;
+  const Scalar t100 = t98 - k[31] * t99;
+  const Scalar t101 = t46 - t47;
+  const Scalar t102 = k[33] * t35 - (k[11] * t90 + k[8] * t86);
+  const Scalar t103 = t4 * t4;
+  const Scalar t104 = k[12] * (t103 + t5 * t5) + (c2 * t85 - s2 * t84);
+  const Scalar t105 = k[33] * t34 + t104;
+  const Scalar t106 = c3 * t102 - s3 * t105;
+  const Scalar t107 = k[31] * t101 + t106;
+  const Scalar t108 = k[13] * t45 - (k[10] * t100 + k[7] * t107);
+  const Scalar t109 = t95 + t92;
+  const Scalar t110 = c3 * t105 + s3 * t102;
+  const Scalar t111 = k[13] * t49 + (k[31] * t109 + t110);
+  const Scalar t112 = s4 * t108 - c4 * t111;
+  const Scalar t113 = k[32] * t83 - t112;
+  const Scalar t114 = t40 - t53;
+  const Scalar t115 = s4 * t111 + c4 * t108;
+  const Scalar t116 = k[32] * t114 + t115;
+  const Scalar t117 = t12 * t12;
+  const Scalar t118 = t81 + t117;
+  const Scalar t119 = (k[7] * t100 - k[10] * t107) + k[13] * t118;
+  const Scalar t120 = t41 + t51;
+  const Scalar t121 = t119 - k[32] * t120;
+  const Scalar t122 = k[6] * t116 - k[29] * t121;
+  const Scalar t123 = (c5 * t113 - s5 * t122) - k[22] * t60;
+  const Scalar t124 = k[0] * s6 + k[1] * c6;
+  const Scalar t125 = t79 - t24;
+  const Scalar t126 = (k[6] * t121 + k[29] * t116) + k[22] * (t80 - t125);
+  const Scalar t127 = t62 - t61;
+  const Scalar t128 = t126 + k[37] * t127;
+  const Scalar t129 = t69 - t52;
+  const Scalar t130 = (c5 * t122 + s5 * t113) - k[22] * t74;
+  const Scalar t131 = k[37] * t129 - t130;
+  const Scalar t132 = k[0] * c6 - k[1] * s6;
+  const Scalar t133 = (k[37] * t80 + t123) * t124 - (k[20] * t128 + k[2] * t131) * t132;
+  const Scalar t134 = (t68 - (t71 * t72 + t73 * t77)) - t133;
+  const Scalar t135 = torque[5] + t134;
+  const Scalar t136 = k[2] * t132;
+  const Scalar t137 = s5 * t124 - c5 * t136;
+  const Scalar t138 = k[29] * t137 - k[35] * t132;
+  const Scalar t139 = s5 * t136 + c5 * t124;
+  const Scalar t140 = k[34] * t132 + k[6] * t137;
+  const Scalar t141 = s4 * t139 + c4 * t140;
+  const Scalar t142 = k[10] * t138 - k[7] * t141;
+  const Scalar t143 = t73 - k[38] * t132;
+  const Scalar t144 = k[22] * t124;
+  const Scalar t145 = k[2] * t72;
+  const Scalar t146 = t144 - ((k[39] + t145) - k[14] * t132);
+  const Scalar t147 = s5 * t143 - c5 * t146;
+  const Scalar t148 = (k[36] - k[20] * t72) - k[37] * t136;
+  const Scalar t149 = k[32] * t140 - (k[29] * t147 - k[6] * t148);
+  const Scalar t150 = k[32] * t138 + (k[29] * t148 + k[6] * t147);
+  const Scalar t151 = t150 - k[13] * t139;
+  const Scalar t152 = k[13] * t140 + (c5 * t143 + s5 * t146);
+  const Scalar t153 = c4 * t151 + s4 * t152;
+  const Scalar t154 = k[31] * t142 - (k[7] * t149 - k[10] * t153);
+  const Scalar t155 = k[33] * t142 + (s4 * t151 - c4 * t152);
+  const Scalar t156 = k[7] * t138 + k[10] * t141;
+  const Scalar t157 = k[31] * t156 + (k[7] * t153 + k[10] * t149);
+  const Scalar t158 = c4 * t139 - s4 * t140;
+  const Scalar t159 = t157 - k[33] * t158;
+  const Scalar t160 = s3 * t155 - c3 * t159;
+  const Scalar t161 = c3 * t142 - s3 * t158;
+  const Scalar t162 = k[8] * t156 - k[11] * t161;
+  const Scalar t163 = (k[11] * t154 + k[8] * t160) - k[12] * t162;
+  const Scalar t164 = s3 * t142 + c3 * t158;
+  const Scalar t165 = k[8] * t161 + k[11] * t156;
+  const Scalar t166 = s2 * ((s3 * t159 + c3 * t155) + t165);
+  const Scalar t167 = (k[8] * t154 - k[11] * t160) + k[12] * t165;
+  const Scalar t168 = k[43] * (c2 * (t163 + t164) + t166) - k[44] * t167;
+  const Scalar t169 = k[41] * (c2 * t165 - s2 * t164) + k[42] * t162;
+  const Scalar t170 = t168 - t169;
+  const Scalar t171 = k[40] * t170;
+  const Scalar t172 = t124 * t25 - t65 * t132;
+  const Scalar t173 = Scalar(2) * t21 * t26 - t77;
+  const Scalar t174 = t21 * t23;
+  const Scalar t175 = t71 - (t174 + t174);
+  const Scalar t176 = t124 * t173 + t175 * t132;
+  const Scalar t177 = k[2] * t172 - k[20] * t176;
+  const Scalar t178 = t177 + (k[3] * (t79 + t24) + k[4] * t129);
+  const Scalar t179 = (t132 * t28 + t124 * t67) + (k[4] * t80 + k[3] * t70);
+  const Scalar t180 = c5 * t178 + s5 * t179;
+  const Scalar t181 = t76 - t75;
+  const Scalar t182 = k[2] * t176 + k[20] * t172;
+  const Scalar t183 = (k[4] * t127 - k[3] * t181) + t182;
+  const Scalar t184 = k[29] * t180 + k[6] * t183;
+  const Scalar t185 = t56 + t58;
+  const Scalar t186 = t184 - (k[45] * t120 - k[46] * t185);
+  const Scalar t187 = t81 - t82;
+  const Scalar t188 = t187 - t118;
+  const Scalar t189 = k[6] * t180 - k[29] * t183;
+  const Scalar t190 = (k[46] * t188 + k[45] * t114) - t189;
+  const Scalar t191 = (k[46] * t54 + k[45] * t83) + (c5 * t179 - s5 * t178);
+  const Scalar t192 = c4 * t190 - s4 * t191;
+  const Scalar t193 = k[10] * t186 + k[7] * t192;
+  const Scalar t194 = t193 - (k[47] * t101 - k[48] * t93);
+  const Scalar t195 = (k[48] * t48 - k[47] * t109) - (s4 * t190 + c4 * t191);
+  const Scalar t196 = s3 * t194 - c3 * t195;
+  const Scalar t197 = s3 * t195 + c3 * t194;
+  const Scalar t198 = k[7] * t186 - k[10] * t192;
+  const Scalar t199 = t43 + t44;
+  const Scalar t200 = t198 - (k[48] * t199 + k[47] * t99);
+  const Scalar t201 = k[11] * t197 - k[8] * t200;
+  const Scalar t202 = k[64] * t96 - (k[67] * t101 + k[65] * t48);
+  const Scalar t203 = (t202 + (k[62] * t36 + k[63] * t42)) - (k[48] * t110 + k[47] * t106);
+  const Scalar t204 = (k[58] * t120 - k[59] * t185) + (k[60] * t54 + k[61] * (t117 - t82));
+  const Scalar t205 = t78 - t79;
+  const Scalar t206 = k[54] * (t205 + t125) + (k[27] * t129 - k[28] * t70);
+  const Scalar t207 = ((k[21] * t74 + k[25] * t60) - t206) + (k[3] * t123 + k[4] * t130);
+  const Scalar t208 = (t1 * t173 - t29 * t175) + (t67 * t72 + t73 * (t22 - t24));
+  const Scalar t209 = k[20] * t131 - k[2] * t128;
+  const Scalar t210 = t208 - t209 * t132;
+  const Scalar t211 = (k[20] * t210 - k[2] * t134) - k[37] * t177;
+  const Scalar t212 = t207 + t211;
+  const Scalar t213 = k[25] * t205 + (k[54] * t127 + k[28] * t181);
+  const Scalar t214 = (t1 * t175 - t173 * t66) - (t27 - t22) * t72;
+  const Scalar t215 = (k[3] * t126 + (k[21] * t129 - t213)) - (t124 * t209 - (t214 - t65 * t73));
+  const Scalar t216 = t215 - k[22] * t178;
+  const Scalar t217 = (k[25] * t70 + k[21] * t125) + (k[54] * t181 + k[27] * t127);
+  const Scalar t218 = k[37] * t182 + (k[2] * t210 + k[20] * t134);
+  const Scalar t219 = ((k[4] * t126 + t217) + t218) - k[22] * t179;
+  const Scalar t220 = s5 * t216 - c5 * t219;
+  const Scalar t221 = k[32] * t184 - (k[29] * t212 + k[6] * t220);
+  const Scalar t222 = k[13] * t191 + ((t204 - k[45] * t119) - t221);
+  const Scalar t223 = k[60] * t187 - (k[59] * t120 + k[56] * t185);
+  const Scalar t224 = (k[46] * t119 - (k[61] * t114 - t223)) + (c5 * t216 + s5 * t219);
+  const Scalar t225 = k[13] * t190 + t224;
+  const Scalar t226 = c4 * t222 + s4 * t225;
+  const Scalar t227 = k[32] * t189 - (k[6] * t212 - k[29] * t220);
+  const Scalar t228 = (k[58] * t114 - k[56] * t54) + k[59] * (t83 + t188);
+  const Scalar t229 = ((k[61] * t57 + k[60] * t50) - t228) + (k[46] * t112 - k[45] * t115);
+  const Scalar t230 = t227 + t229;
+  const Scalar t231 = (k[10] * t226 + k[7] * t230) - k[31] * t193;
+  const Scalar t232 = t203 - t231;
+  const Scalar t233 = (k[65] * t199 - k[64] * t99) - k[62] * t97;
+  const Scalar t234 = (s4 * t222 - c4 * t225) + ((t233 + k[63] * t101) + k[48] * t98);
+  const Scalar t235 = (k[67] * t99 + k[64] * t199) + (k[62] * t48 - k[63] * t94);
+  const Scalar t236 = (k[7] * t226 - k[10] * t230) - k[31] * t198;
+  const Scalar t237 = (k[47] * t98 - t235) - t236;
+  const Scalar t238 = (s3 * t234 + c3 * t237) - k[33] * t196;
+  const Scalar t239 = k[12] * t201 + (k[11] * t232 - k[8] * t238);
+  const Scalar t240 = k[33] * t197 - (c3 * t234 - s3 * t237);
+  const Scalar t241 = k[8] * t197 + k[11] * t200;
+  const Scalar t242 = c2 * (t196 + t239) + s2 * (t240 + t241);
+  const Scalar t243 = k[50] * c2 + k[49] * s2;
+  const Scalar t244 = k[71] + c2 * (k[85] * s2 - k[86] * c2);
+  const Scalar t245 = k[70] * s2 - k[68] * c2;
+  const Scalar t246 = t243 * t89 + (t244 * t87 - t245 * t103);
+  const Scalar t247 = k[43] * ((t242 + t246) + t243 * (t103 + t88));
+  const Scalar t248 = k[12] * t241 + (k[11] * t238 + k[8] * t232);
+  const Scalar t249 = k[50] * s2 - k[49] * c2;
+  const Scalar t250 = (t244 * t88 + t245 * t32) + (t85 * t249 + t243 * t84);
+  const Scalar t251 = t248 + t250;
+  const Scalar t252 = t103 * t249 + (s2 * t196 - c2 * t241);
+  const Scalar t253 = k[41] * t252 + k[42] * (t201 + t87 * t249);
+  const Scalar t254 = t135 * t171 - (torque[0] + ((t247 - k[44] * t251) + t253));
+  const Scalar t255 = k[40] * t148;
+  const Scalar t256 = t135 * t255 - (torque[4] - t212);
+  const Scalar t257 = k[27] - (t29 - k[26] * t132);
+  const Scalar t258 = Scalar(2) * t145 + k[20] * t66;
+  const Scalar t259 = k[20] * t258;
+  const Scalar t260 = k[28] - (t66 - t259);
+  const Scalar t261 = t257 + t260;
+  const Scalar t262 = Scalar(1) / (t261 + t148 * t255);
+  const Scalar t263 = t256 * t262;
+  const Scalar t264 = k[3] + k[2] * t124;
+  const Scalar t265 = k[4] + t132;
+  const Scalar t266 = s5 * t264 - c5 * t265;
+  const Scalar t267 = c5 * t264 + s5 * t265;
+  const Scalar t268 = k[6] * t266;
+  const Scalar t269 = s4 * t267 + c4 * t268;
+  const Scalar t270 = k[5] * t266 - k[7] * t269;
+  const Scalar t271 = c4 * t267 - s4 * t268;
+  const Scalar t272 = (k[2] * t73 - k[20] * t1) - k[14] * t124;
+  const Scalar t273 = (k[21] + t272) - k[22] * t265;
+  const Scalar t274 = (k[25] + (k[2] * t258 - t72)) - k[22] * t264;
+  const Scalar t275 = s5 * t273 + c5 * t274;
+  const Scalar t276 = k[30] * t266 + (k[6] * t275 - k[29] * t261);
+  const Scalar t277 = c5 * t273 - s5 * t274;
+  const Scalar t278 = k[13] * t271 - (c4 * t276 + s4 * t277);
+  const Scalar t279 = (k[29] * t275 + k[6] * t261) - k[32] * t268;
+  const Scalar t280 = k[31] * t270 - (k[10] * t278 - k[7] * t279);
+  const Scalar t281 = c3 * t271 + s3 * t270;
+  const Scalar t282 = (s4 * t276 - c4 * t277) - k[13] * t269;
+  const Scalar t283 = k[10] * t269 + k[9] * t266;
+  const Scalar t284 = k[31] * t283 - (k[7] * t278 + k[10] * t279);
+  const Scalar t285 = k[33] * t281 + (s3 * t282 - c3 * t284);
+  const Scalar t286 = c3 * t270 - s3 * t271;
+  const Scalar t287 = k[11] * t283 + k[8] * t286;
+  const Scalar t288 = (k[8] * t280 - k[11] * t285) + k[12] * t287;
+  const Scalar t289 = k[11] * t286 - k[8] * t283;
+  const Scalar t290 = k[12] * t289 + (k[8] * t285 + k[11] * t280);
+  const Scalar t291 = k[33] * t286 + (c3 * t282 + s3 * t284);
+  const Scalar t292 = c2 * (t290 + t281) + s2 * (t291 + t287);
+  const Scalar t293 = k[41] * (s2 * t281 - c2 * t287) + k[42] * t289;
+  const Scalar t294 = ((k[44] * t288 - k[43] * t292) - t293) + t148 * t171;
+  const Scalar t295 = t279 + t255 * t149;
+  const Scalar t296 = t294 * t262;
+  const Scalar t297 = k[34] * t124 - k[6] * t267;
+  const Scalar t298 = k[46] - t297;
+  const Scalar t299 = k[45] - t266;
+  const Scalar t300 = s4 * t298 - c4 * t299;
+  const Scalar t301 = s4 * t299 + c4 * t298;
+  const Scalar t302 = k[29] * t267 + k[35] * t124;
+  const Scalar t303 = k[53] * t124 + (k[20] * t73 + k[2] * t1);
+  const Scalar t304 = k[54] - t303;
+  const Scalar t305 = Scalar(2) * c5 * t304 - s5 * (t257 - t260);
+  const Scalar t306 = c5 * t305 - t304;
+  const Scalar t307 = k[32] * t302 - (k[29] * t306 + k[6] * t277);
+  const Scalar t308 = k[61] - t307;
+  const Scalar t309 = s5 * t305 - t260;
+  const Scalar t310 = k[52] * t144 - t259;
+  const Scalar t311 = k[29] * (t309 + t310) + k[51] * t275;
+  const Scalar t312 = k[60] + (t275 - k[6] * t311);
+  const Scalar t313 = k[13] * t301 - (s4 * t308 - c4 * t312);
+  const Scalar t314 = k[29] * t311;
+  const Scalar t315 = k[56] + (t309 - t314);
+  const Scalar t316 = k[58] - (k[57] * t266 - (t309 + t261));
+  const Scalar t317 = k[32] * t297 + (k[6] * t306 - k[29] * t277);
+  const Scalar t318 = k[59] - t317;
+  const Scalar t319 = c4 * t318;
+  const Scalar t320 = s4 * (t316 + t315) + (t319 + t319);
+  const Scalar t321 = s4 * t320;
+  const Scalar t322 = t315 - t321;
+  const Scalar t323 = t316 - t321;
+  const Scalar t324 = t322 - t323;
+  const Scalar t325 = k[77] * t300 + (k[10] * t313 + k[7] * t324);
+  const Scalar t326 = k[7] * t313;
+  const Scalar t327 = k[33] * t301 + ((t326 - k[10] * t324) - k[79] * t300);
+  const Scalar t328 = (s4 * t312 + c4 * t308) + k[13] * t300;
+  const Scalar t329 = t328 + k[78] * t300;
+  const Scalar t330 = c3 * t327 - s3 * t329;
+  const Scalar t331 = k[7] * t300;
+  const Scalar t332 = c3 * t331 + s3 * t301;
+  const Scalar t333 = k[75] * t300 - k[8] * t332;
+  const Scalar t334 = (k[8] * t325 + k[11] * t330) - k[12] * t333;
+  const Scalar t335 = s2 * (t333 - (s3 * t327 + c3 * t329));
+  const Scalar t336 = k[11] * t332 + k[76] * t300;
+  const Scalar t337 = (k[11] * t325 - k[8] * t330) + k[12] * t336;
+  const Scalar t338 = s3 * t331 - c3 * t301;
+  const Scalar t339 = k[44] * t334 + k[43] * (t335 - c2 * (t337 + t338));
+  const Scalar t340 = k[41] * (c2 * t333 + s2 * t338) + k[42] * t336;
+  const Scalar t341 = t295 * t296 - (t149 * t171 - (t339 - t340));
+  const Scalar t342 = t295 * t262;
+  const Scalar t343 = k[40] * t149;
+  const Scalar t344 = Scalar(1) / (t342 * t295 + (t324 - t149 * t343));
+  const Scalar t345 = t341 * t344;
+  const Scalar t346 = k[40] * t135;
+  const Scalar t347 = t295 * t263 - (t346 * t149 - (torque[3] + t230));
+  const Scalar t348 = t154 * t255 - t280;
+  const Scalar t349 = t348 * t262;
+  const Scalar t350 = (t154 * t343 + t325) - t295 * t349;
+  const Scalar t351 = t350 * t344;
+  const Scalar t352 = k[67] + (t323 - k[66] * t300);
+  const Scalar t353 = (t310 - t314) + k[55] * t302;
+  const Scalar t354 = k[10] * (t322 + t353) - Scalar(2) * t326;
+  const Scalar t355 = k[10] * t354;
+  const Scalar t356 = k[65] - (t355 - t322);
+  const Scalar t357 = t352 - t356;
+  const Scalar t358 = k[40] * t154;
+  const Scalar t359 = t351 * t350 + ((t357 + t358 * t154) - t349 * t348);
+  const Scalar t360 = Scalar(1) / t359;
+  const Scalar t361 = t344 * t347;
+  const Scalar t362 = ((torque[2] - t232) + t358 * t135) - t349 * t256;
+  const Scalar t363 = t361 * t350 - t362;
+  const Scalar t364 = t360 * t363;
+  const Scalar t365 = k[47] - t300;
+  const Scalar t366 = k[10] * t302 - k[7] * t301;
+  const Scalar t367 = k[48] + t366;
+  const Scalar t368 = c3 * t365 + s3 * t367;
+  const Scalar t369 = k[8] * t368;
+  const Scalar t370 = (k[62] - (k[7] * t354 + t313)) - k[33] * t367;
+  const Scalar t371 = k[7] * t302 + k[10] * t301;
+  const Scalar t372 = c4 * t320 - t318;
+  const Scalar t373 = k[31] * t371 + (k[10] * t372 - k[7] * t328);
+  const Scalar t374 = k[33] * t365 + (k[63] + t373);
+  const Scalar t375 = c3 * t370 + s3 * t374;
+  const Scalar t376 = k[12] * t369 - (k[11] * t375 - k[8] * t357);
+  const Scalar t377 = k[8] * t375;
+  const Scalar t378 = s3 * t365 - c3 * t367;
+  const Scalar t379 = (k[80] * t368 + (k[11] * t357 + t377)) + t378;
+  const Scalar t380 = c3 * t374 - s3 * t370;
+  const Scalar t381 = k[43] * (c2 * t379 + s2 * (t380 + t369));
+  const Scalar t382 = k[41] * (s2 * t378 - c2 * t369) + k[42] * k[11] * t368;
+  const Scalar t383 = t154 * t171 - ((k[44] * t376 - t381) - t382);
+  const Scalar t384 = t345 * t350 - (t383 - t296 * t348);
+  const Scalar t385 = ((t254 - t263 * t294) + t345 * t347) - t364 * t384;
+  const Scalar t386 = k[40] * t167;
+  const Scalar t387 = t386 * t148 - t288;
+  const Scalar t388 = t387 * t262;
+  const Scalar t389 = t295 * t388 - (t334 + t167 * t343);
+  const Scalar t390 = (t388 * t348 - (t376 + t386 * t154)) + t351 * t389;
+  const Scalar t391 = t360 * t390;
+  const Scalar t392 = t389 * t344;
+  const Scalar t393 = (t346 * t167 + (torque[1] - t251)) - t256 * t388;
+  const Scalar t394 = t363 * t391 - (t392 * t347 + t393);
+  const Scalar t395 = t360 * t384;
+  const Scalar t396 = k[11] * t371 - k[8] * t378;
+  const Scalar t397 = k[49] + t396;
+  const Scalar t398 = k[50] + t368;
+  const Scalar t399 = s2 * t397 + c2 * t398;
+  const Scalar t400 = (k[10] * t328 + k[7] * t372) - k[31] * t366;
+  const Scalar t401 = k[64] - t400;
+  const Scalar t402 = s3 * (t352 + t356) - Scalar(2) * c3 * t401;
+  const Scalar t403 = t356 - s3 * t402;
+  const Scalar t404 = k[73] + (k[72] * t368 + (t403 + t357));
+  const Scalar t405 = c3 * t402 + t401;
+  const Scalar t406 = k[12] * t396 + (k[11] * t380 - k[8] * t405);
+  const Scalar t407 = (t355 - t353) - k[69] * t371;
+  const Scalar t408 = Scalar(2) * t377 - k[11] * (t403 - t407);
+  const Scalar t409 = k[11] * t408;
+  const Scalar t410 = k[74] + (t403 + t409);
+  const Scalar t411 = Scalar(2) * c2 * (k[71] + t406) - s2 * (t404 + t410);
+  const Scalar t412 = s2 * t411;
+  const Scalar t413 = t404 + t412;
+  const Scalar t414 = t410 + t412;
+  const Scalar t415 = t413 - t414;
+  const Scalar t416 = k[8] * t371 + k[11] * t378;
+  const Scalar t417 = k[12] * t416 + (k[8] * t380 + k[11] * t405);
+  const Scalar t418 = c2 * (t397 - (k[70] + (k[8] * t408 - t375)));
+  const Scalar t419 = k[43] * (s2 * ((k[68] + t417) + t398) - t418);
+  const Scalar t420 = (k[41] * t399 + (k[44] * t415 - t419)) - t167 * t171;
+  const Scalar t421 = t395 * t390 - (t389 * t345 - (t296 * t387 + t420));
+  const Scalar t422 = ((t415 + t386 * t167) - t387 * t388) + t389 * t392;
+  const Scalar t423 = Scalar(1) / (t391 * t390 - t422);
+  const Scalar t424 = t421 * t423;
+  const Scalar t425 = k[87] * (((t407 - t409) - Scalar(2) * t416) - t414);
+  const Scalar t426 = (k[91] + (t413 + k[90] * t399)) - (k[89] + ((k[88] * t419 + t425) + t414));
+  const Scalar t427 = t345 * t341 + ((t426 + t170 * t171) - t296 * t294);
+  const Scalar t428 = Scalar(1) / (t421 * t424 - (t384 * t395 - t427));
+  const Scalar t429 = (t385 + t394 * t424) * t428;
+  const Scalar t430 = t394 * t423 - t429 * t424;
+  const Scalar t431 = (t364 - t429 * t395) - t391 * t430;
+  const Scalar t432 = (t430 * t392 - (t361 - t429 * t345)) + t351 * t431;
+  const Scalar t433 = t431 * t349 - (t388 * t430 - (t263 - t429 * t296));
+  const Scalar t434 = t433 + t342 * t432;
+  const Scalar t435 = (t386 * t430 - (t346 - t429 * t171)) - t431 * t358;
   JointVector<Scalar> result;
-  result[0] = -t428;
-  result[1] = t429;
-  result[2] = -t430;
-  result[3] = -t431;
-  result[4] = t433;
-  result[5] = t3 * t433 + (t434 - t315 * t431);
+  result[0] = -t429;
+  result[1] = t430;
+  result[2] = -t431;
+  result[3] = t432;
+  result[4] = -t434;
+  result[5] = t434 * t255 - (t432 * t343 - t435);
   return result;
 }
 
@@ -2984,206 +2979,208 @@ KineticEnergyConstants<Scalar> kinetic_energy_constants(const BasicGeometry<Scal
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6x * inertia.m6;
-  const Scalar t1 = inertia.c6y * inertia.m6;
-  const Scalar t2 = g.a6 / g.d2;
-  const Scalar t3 = inertia.I6xy - inertia.c6y * t0;
-  const Scalar t4 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t5 = (inertia.I6xx - t4) - inertia.c6x * t0;
-  const Scalar t6 = (inertia.I6yy - t4) - inertia.c6y * t1;
-  const Scalar t7 = t5 + t6;
-  const Scalar t8 = inertia.c5x * inertia.m5;
-  const Scalar t9 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t10 = g.a6 * inertia.m6;
-  const Scalar t11 = (inertia.c5x * t8 - (inertia.I5xx - t9)) + g.a6 * t10;
-  const Scalar t12 = inertia.c5y * inertia.m5;
-  const Scalar t13 = inertia.c6z * inertia.m6;
-  const Scalar t14 = g.d6 * inertia.m6 + t13;
-  const Scalar t15 = (inertia.c6z * t13 - (inertia.I6zz - t4)) + g.d6 * (t14 + t13);
-  const Scalar t16 = sin(g.alpha6) * t15;
+  const Scalar t0 = inertia.c6y * inertia.m6;
+  const Scalar t1 = inertia.c6x * inertia.m6;
+  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t1;
+  const Scalar t4 = (inertia.I6yy - t2) - inertia.c6y * t0;
+  const Scalar t5 = t3 + t4;
+  const Scalar t6 = g.a6 / g.d2;
+  const Scalar t7 = inertia.c5y * inertia.m5;
+  const Scalar t8 = inertia.c6z * inertia.m6;
+  const Scalar t9 = g.d6 * inertia.m6 + t8;
+  const Scalar t10 = sin(g.alpha6) * t9;
+  const Scalar t11 = g.a6 * inertia.m6;
+  const Scalar t12 = inertia.c5x * inertia.m5;
+  const Scalar t13 = g.a5 / g.d2;
+  const Scalar t14 = inertia.I6xy - inertia.c6y * t1;
+  const Scalar t15 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t16 = (inertia.c6z * t8 - (inertia.I6zz - t2)) + g.d6 * (t9 + t8);
   const Scalar t17 = sin(g.alpha6) * t16;
-  const Scalar t18 = sin(g.alpha6) * t14;
-  const Scalar t19 = g.a5 / g.d2;
-  const Scalar t20 = inertia.m5 + inertia.m6;
-  const Scalar t21 = g.a5 * t20;
-  const Scalar t22 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t23 = inertia.c4x * inertia.m4;
-  const Scalar t24 = g.a5 * t21 - ((inertia.I4xx - t22) - inertia.c4x * t23);
-  const Scalar t25 = g.d5 * t12;
-  const Scalar t26 = (t25 + ((inertia.I5yz - inertia.c5z * t12) - t25)) + cos(g.alpha6) * t16;
-  const Scalar t27 = g.d5 / g.d2;
-  const Scalar t28 = g.d5 * t8;
-  const Scalar t29 = cos(g.alpha6) * t14;
-  const Scalar t30 = (t28 - (t28 - (inertia.I5xz - inertia.c5z * t8))) - g.a6 * t29;
-  const Scalar t31 = g.d5 * inertia.m5;
-  const Scalar t32 = inertia.c5z * inertia.m5;
-  const Scalar t33 = t32 + t31;
-  const Scalar t34 = t31 - t33;
-  const Scalar t35 = t34 - t29;
-  const Scalar t36 = t35 - g.d5 * t20;
-  const Scalar t37 = (inertia.c5z * t32 - (inertia.I5zz - t9)) + g.d5 * (t32 + t33);
-  const Scalar t38 = (g.d5 * (t34 - t33) + t37) + (t15 - t17);
-  const Scalar t39 = g.d5 * (t35 + t36) - t38;
-  const Scalar t40 = sin(g.alpha5) * t39;
+  const Scalar t18 = sin(g.alpha6) * t17;
+  const Scalar t19 = (inertia.c5x * t12 - (inertia.I5xx - t15)) + g.a6 * t11;
+  const Scalar t20 = g.d5 * t12;
+  const Scalar t21 = cos(g.alpha6) * t9;
+  const Scalar t22 = (t20 - (t20 - (inertia.I5xz - inertia.c5z * t12))) - g.a6 * t21;
+  const Scalar t23 = g.d5 * t7;
+  const Scalar t24 = (t23 + ((inertia.I5yz - inertia.c5z * t7) - t23)) + cos(g.alpha6) * t17;
+  const Scalar t25 = g.d4 / g.d2;
+  const Scalar t26 = g.a4 / g.d2;
+  const Scalar t27 = inertia.m5 + inertia.m6;
+  const Scalar t28 = g.a5 * t27;
+  const Scalar t29 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t30 = inertia.c4x * inertia.m4;
+  const Scalar t31 = g.a5 * t28 - ((inertia.I4xx - t29) - inertia.c4x * t30);
+  const Scalar t32 = g.d5 * inertia.m5;
+  const Scalar t33 = inertia.c5z * inertia.m5;
+  const Scalar t34 = t33 + t32;
+  const Scalar t35 = t32 - t34;
+  const Scalar t36 = t35 - t21;
+  const Scalar t37 = t36 - g.d5 * t27;
+  const Scalar t38 = (inertia.c5z * t33 - (inertia.I5zz - t15)) + g.d5 * (t33 + t34);
+  const Scalar t39 = (g.d5 * (t35 - t34) + t38) + (t16 - t18);
+  const Scalar t40 = g.d5 * (t36 + t37) - t39;
   const Scalar t41 = sin(g.alpha5) * t40;
-  const Scalar t42 = inertia.c4y * inertia.m4;
-  const Scalar t43 = sin(g.alpha5) * t36;
-  const Scalar t44 = g.d4 / g.d2;
-  const Scalar t45 = g.d4 * t42;
-  const Scalar t46 = cos(g.alpha5) * t40 - (t45 - (t45 - (inertia.I4yz - inertia.c4z * t42)));
-  const Scalar t47 = cos(g.alpha5) * t36;
-  const Scalar t48 = g.d4 * t23;
-  const Scalar t49 = g.a5 * t47 + (((inertia.I4xz - inertia.c4z * t23) - t48) + t48);
-  const Scalar t50 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t51 = inertia.c3y * inertia.m3;
-  const Scalar t52 = inertia.c4z * inertia.m4;
-  const Scalar t53 = g.d4 * inertia.m4;
-  const Scalar t54 = t52 + t53;
-  const Scalar t55 = t54 - t53;
-  const Scalar t56 = ((inertia.I4zz - t22) - inertia.c4z * t52) - g.d4 * (t54 + t52);
-  const Scalar t57 = (g.d4 * (t55 + t54) + t56) - (t41 - t39);
-  const Scalar t58 = t55 - t47;
-  const Scalar t59 = inertia.m4 + t20;
-  const Scalar t60 = g.d4 * t59 + t58;
-  const Scalar t61 = t57 - g.d4 * (t58 + t60);
-  const Scalar t62 = sin(g.alpha4) * t61;
-  const Scalar t63 = sin(g.alpha4) * t62;
-  const Scalar t64 = g.a4 / g.d2;
-  const Scalar t65 = g.a4 * t59;
-  const Scalar t66 = inertia.c3x * inertia.m3;
-  const Scalar t67 = g.a4 * t65 + (inertia.c3x * t66 - (inertia.I3xx - t50));
-  const Scalar t68 = sin(g.alpha4) * t60;
-  const Scalar t69 = g.d3 / g.d2;
-  const Scalar t70 = g.d3 * t51;
-  const Scalar t71 = cos(g.alpha4) * t62 - (t70 - (t70 - (inertia.I3yz - inertia.c3z * t51)));
-  const Scalar t72 = cos(g.alpha4) * t60;
-  const Scalar t73 = g.d3 * t66;
-  const Scalar t74 = g.a4 * t72 - (t73 - (t73 - (inertia.I3xz - inertia.c3z * t66)));
-  const Scalar t75 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t76 = inertia.c2y * inertia.m2;
+  const Scalar t42 = sin(g.alpha5) * t41;
+  const Scalar t43 = inertia.c4y * inertia.m4;
+  const Scalar t44 = sin(g.alpha5) * t37;
+  const Scalar t45 = g.d4 * t43;
+  const Scalar t46 = cos(g.alpha5) * t41 - (t45 - (t45 - (inertia.I4yz - inertia.c4z * t43)));
+  const Scalar t47 = cos(g.alpha5) * t37;
+  const Scalar t48 = g.d4 * t30;
+  const Scalar t49 = g.a5 * t47 + (((inertia.I4xz - inertia.c4z * t30) - t48) + t48);
+  const Scalar t50 = g.d3 / g.d2;
+  const Scalar t51 = g.a3 / g.d2;
+  const Scalar t52 = inertia.m4 + t27;
+  const Scalar t53 = inertia.c4z * inertia.m4;
+  const Scalar t54 = g.d4 * inertia.m4;
+  const Scalar t55 = t53 + t54;
+  const Scalar t56 = t55 - t54;
+  const Scalar t57 = t56 - t47;
+  const Scalar t58 = g.d4 * t52 + t57;
+  const Scalar t59 = sin(g.alpha4) * t58;
+  const Scalar t60 = inertia.c3y * inertia.m3;
+  const Scalar t61 = g.a4 * t52;
+  const Scalar t62 = inertia.c3x * inertia.m3;
+  const Scalar t63 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t64 = g.a4 * t61 + (inertia.c3x * t62 - (inertia.I3xx - t63));
+  const Scalar t65 = ((inertia.I4zz - t29) - inertia.c4z * t53) - g.d4 * (t55 + t53);
+  const Scalar t66 = (g.d4 * (t56 + t55) + t65) - (t42 - t40);
+  const Scalar t67 = t66 - g.d4 * (t57 + t58);
+  const Scalar t68 = sin(g.alpha4) * t67;
+  const Scalar t69 = sin(g.alpha4) * t68;
+  const Scalar t70 = cos(g.alpha4) * t58;
+  const Scalar t71 = g.d3 * t62;
+  const Scalar t72 = g.a4 * t70 - (t71 - (t71 - (inertia.I3xz - inertia.c3z * t62)));
+  const Scalar t73 = g.d3 * t60;
+  const Scalar t74 = cos(g.alpha4) * t68 - (t73 - (t73 - (inertia.I3yz - inertia.c3z * t60)));
+  const Scalar t75 = g.a2 / g.d2;
+  const Scalar t76 = g.d3 * inertia.m3;
   const Scalar t77 = inertia.c3z * inertia.m3;
-  const Scalar t78 = g.d3 * inertia.m3;
-  const Scalar t79 = t77 + t78;
-  const Scalar t80 = g.d3 * (t77 + t79) - ((inertia.I3zz - t50) - inertia.c3z * t77);
-  const Scalar t81 = t78 - t79;
-  const Scalar t82 = (t63 - t61) + (t80 - g.d3 * (t79 - t81));
-  const Scalar t83 = t72 - t81;
-  const Scalar t84 = inertia.m3 + t59;
-  const Scalar t85 = t83 + g.d3 * t84;
-  const Scalar t86 = t82 + g.d3 * (t83 + t85);
-  const Scalar t87 = sin(g.alpha3) * t86;
-  const Scalar t88 = sin(g.alpha3) * t87;
-  const Scalar t89 = g.a3 / g.d2;
-  const Scalar t90 = g.a3 * t84;
-  const Scalar t91 = inertia.c2x * inertia.m2;
-  const Scalar t92 = g.a3 * t90 + (inertia.c2x * t91 - (inertia.I2xx - t75));
-  const Scalar t93 = sin(g.alpha3) * t85;
-  const Scalar t94 = g.a2 / g.d2;
-  const Scalar t95 = inertia.m2 + t84;
-  const Scalar t96 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t97 = g.a2 * g.a2 * t95 + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t96));
-  const Scalar t98 = cos(g.alpha3) * t85;
-  const Scalar t99 = g.d2 * t91;
-  const Scalar t100 = g.a3 * t98 - (((inertia.I2xz - inertia.c2z * t91) - t99) + t99);
-  const Scalar t101 = g.d2 * t76;
-  const Scalar t102 = ((t101 - (inertia.I2yz - inertia.c2z * t76)) - t101) - cos(g.alpha3) * t87;
-  const Scalar t103 = g.d2 * inertia.m2;
-  const Scalar t104 = inertia.c2z * inertia.m2;
-  const Scalar t105 = t103 + t104;
-  const Scalar t106 = t103 - t105;
-  const Scalar t107 = g.d2 * (t105 + t104) - ((inertia.I2zz - t75) - inertia.c2z * t104);
-  const Scalar t108 = (g.d2 * (t105 - t106) - t107) + (t88 - t86);
-  const Scalar t109 = t98 - t106;
-  const Scalar t110 = t108 - g.d2 * (t109 + (g.d2 * t95 + t109));
-  const Scalar t111 = sin(g.alpha2) * sin(g.alpha2) * t110
-      - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t96));
-  return { g.d2 * t0,
-           g.d2 * t1,
-           Scalar(2) * t2,
-           Scalar(2) * t3,
-           t5 - t6,
-           t6,
-           t7,
-           t11,
-           g.d6 * t1 - (inertia.I6yz - inertia.c6z * t1),
-           (inertia.I6xz - inertia.c6z * t0) - g.d6 * t0,
-           Scalar(2) * cos(g.alpha6),
+  const Scalar t78 = t77 + t76;
+  const Scalar t79 = t76 - t78;
+  const Scalar t80 = t70 - t79;
+  const Scalar t81 = inertia.m3 + t52;
+  const Scalar t82 = t80 + g.d3 * t81;
+  const Scalar t83 = sin(g.alpha3) * t82;
+  const Scalar t84 = inertia.c2y * inertia.m2;
+  const Scalar t85 = g.a3 * t81;
+  const Scalar t86 = inertia.c2x * inertia.m2;
+  const Scalar t87 = g.d2 * t84;
+  const Scalar t88 = g.d3 * (t77 + t78) - ((inertia.I3zz - t63) - inertia.c3z * t77);
+  const Scalar t89 = (t69 - t67) + (t88 - g.d3 * (t78 - t79));
+  const Scalar t90 = t89 + g.d3 * (t80 + t82);
+  const Scalar t91 = sin(g.alpha3) * t90;
+  const Scalar t92 = ((t87 - (inertia.I2yz - inertia.c2z * t84)) - t87) - cos(g.alpha3) * t91;
+  const Scalar t93 = cos(g.alpha3) * t82;
+  const Scalar t94 = g.d2 * t86;
+  const Scalar t95 = g.a3 * t93 - (((inertia.I2xz - inertia.c2z * t86) - t94) + t94);
+  const Scalar t96 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t97 = g.a3 * t85 + (inertia.c2x * t86 - (inertia.I2xx - t96));
+  const Scalar t98 = sin(g.alpha3) * t91;
+  const Scalar t99 = inertia.m2 + t81;
+  const Scalar t100 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t101 = g.a2 * g.a2 * t99 + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t100));
+  const Scalar t102 = g.d2 * inertia.m2;
+  const Scalar t103 = inertia.c2z * inertia.m2;
+  const Scalar t104 = t102 + t103;
+  const Scalar t105 = t102 - t104;
+  const Scalar t106 = g.d2 * (t104 + t103) - ((inertia.I2zz - t96) - inertia.c2z * t103);
+  const Scalar t107 = (g.d2 * (t104 - t105) - t106) + (t98 - t90);
+  const Scalar t108 = t93 - t105;
+  const Scalar t109 = t107 - g.d2 * (t108 + (g.d2 * t99 + t108));
+  const Scalar t110 = sin(g.alpha2) * sin(g.alpha2) * t109
+      - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t100));
+  return { g.d6 * t0 - (inertia.I6yz - inertia.c6z * t0),
+           (inertia.I6xz - inertia.c6z * t1) - g.d6 * t1,
            sin(g.alpha6),
-           (inertia.c5y * t12 - (inertia.I5yy - t9)) + t17,
-           t3,
+           cos(g.alpha6) * t5,
+           g.d2 * t1,
+           g.d2 * t0,
            cos(g.alpha6),
-           cos(g.alpha6) * t2,
-           (inertia.I5xy - inertia.c5y * t8) + g.a6 * t18,
-           g.d2 * (t12 - t18),
-           g.d2 * (t10 + t8),
-           Scalar(2) * t19,
-           t24,
-           t26,
-           t27,
-           sin(g.alpha6) * t2,
-           t30,
+           t6,
+           g.d2 * (t7 - t10),
+           g.d2 * (t11 + t12),
            cos(g.alpha5),
-           Scalar(2) * t27,
-           sin(g.alpha5),
-           t41 + ((inertia.I4yy - t22) - inertia.c4y * t42),
-           sin(g.alpha5) * sin(g.alpha6),
-           g.d2 * (t43 + t42),
-           t44,
-           t46,
-           g.d2 * (t21 + t23),
+           t13,
+           Scalar(2) * cos(g.alpha6),
+           Scalar(2) * t14,
+           t3 - t4,
+           t4,
+           (inertia.c5y * t7 - (inertia.I5yy - t15)) + t18,
+           t3,
+           Scalar(2) * t6,
            t19,
-           t49,
+           sin(g.alpha6) * t6,
+           t14,
+           t22,
+           t24,
+           g.d5 / g.d2,
+           sin(g.alpha5),
+           sin(g.alpha5) * sin(g.alpha6),
+           sin(g.alpha6) * t5,
            cos(g.alpha4),
-           g.a5 * t43 - (inertia.I4xy - inertia.c4y * t23),
-           Scalar(2) * t44,
-           sin(g.alpha4),
-           ((inertia.I3yy - t50) - inertia.c3y * t51) + t63,
-           Scalar(2) * t64,
-           t67,
-           t64,
-           (inertia.I3xy - inertia.c3y * t66) + g.a4 * t68,
-           Scalar(2) * t69,
-           sin(g.alpha3),
-           g.d2 * (t68 - t51),
-           t69,
-           t71,
-           t74,
-           g.d2 * (t65 + t66),
-           Scalar(2) * cos(g.alpha3),
-           ((inertia.I2yy - t75) - inertia.c2y * t76) - t88,
-           Scalar(2) * t89,
-           t92,
-           cos(g.alpha3),
-           t89,
-           g.a3 * t93 + (inertia.I2xy - inertia.c2y * t91),
-           g.d2 * (t90 + t91),
-           g.d2 * (t93 - t76),
-           Scalar(2) * t94,
-           t97,
-           t100,
-           t102,
-           sin(g.alpha2),
-           Scalar(2) * cos(g.alpha2),
-           sin(g.alpha2) * sin(g.alpha2),
-           t111,
-           cos(g.alpha6) * t7,
-           t2,
-           sin(g.alpha6) * t7,
-           cos(g.alpha5) * t19,
-           sin(g.alpha3) * sin(g.alpha4),
-           cos(g.alpha4) * t64,
-           sin(g.alpha4) * t64,
-           sin(g.alpha4) * sin(g.alpha5),
-           cos(g.alpha4) * sin(g.alpha5),
-           sin(g.alpha5) * t19,
            cos(g.alpha5) * sin(g.alpha6),
-           sin(g.alpha2) * t94,
-           cos(g.alpha2) * t94,
+           t25,
+           sin(g.alpha4),
+           t26,
+           cos(g.alpha5) * t25,
+           Scalar(2) * cos(g.alpha5),
+           sin(g.alpha5) * t13,
+           sin(g.alpha4) * sin(g.alpha5),
+           (inertia.I5xy - inertia.c5y * t12) + g.a6 * t10,
+           Scalar(2) * t13,
+           t31,
+           Scalar(2) * sin(g.alpha6),
+           t42 + ((inertia.I4yy - t29) - inertia.c4y * t43),
+           g.d2 * (t44 + t43),
+           t46,
+           g.d2 * (t28 + t30),
+           t49,
+           cos(g.alpha4) * t26,
+           cos(g.alpha3),
+           sin(g.alpha4) * t26,
+           t50,
+           sin(g.alpha3),
+           sin(g.alpha3) * sin(g.alpha4),
+           t51,
+           g.d2 * (t59 - t60),
+           g.d2 * (t61 + t62),
+           Scalar(2) * t26,
+           g.a5 * t44 - (inertia.I4xy - inertia.c4y * t30),
+           t64,
+           Scalar(2) * t25,
+           Scalar(2) * cos(g.alpha4),
+           ((inertia.I3yy - t63) - inertia.c3y * t60) + t69,
+           t72,
+           t74,
+           cos(g.alpha4) * sin(g.alpha5),
+           sin(g.alpha2) * t75,
+           cos(g.alpha2) * t75,
+           sin(g.alpha2),
            cos(g.alpha2),
            sin(g.alpha2) * sin(g.alpha3),
-           t94,
-           sin(g.alpha3) * t89,
-           cos(g.alpha3) * sin(g.alpha4) };
+           t75,
+           sin(g.alpha3) * t51,
+           Scalar(2) * cos(g.alpha3),
+           g.d2 * (t83 - t84),
+           g.d2 * (t85 + t86),
+           (inertia.I3xy - inertia.c3y * t62) + g.a4 * t59,
+           Scalar(2) * t50,
+           t92,
+           Scalar(2) * sin(g.alpha3),
+           t95,
+           Scalar(2) * t51,
+           t97,
+           ((inertia.I2yy - t96) - inertia.c2y * t84) - t98,
+           cos(g.alpha3) * sin(g.alpha4),
+           g.a3 * t83 + (inertia.I2xy - inertia.c2y * t86),
+           Scalar(2) * t75,
+           t101,
+           sin(g.alpha2) * sin(g.alpha2),
+           Scalar(2) * cos(g.alpha2),
+           t110,
+           t5 };
 }
 
 namespace detail {
@@ -3202,191 +3199,190 @@ inline Scalar kinetic_energy([[maybe_unused]] const JointVector<Scalar>& q, cons
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[0] * s6 + k[1] * c6;
-  const Scalar t1 = k[17] + k[14] * t0;
-  const Scalar t2 = k[0] * c6 - k[1] * s6;
-  const Scalar t3 = k[18] + t2;
-  const Scalar t4 = s5 * t1 - c5 * t3;
-  const Scalar t5 = k[3] * c6 + k[4] * s6;
-  const Scalar t6 = k[5] + s6 * t5;
-  const Scalar t7 = k[7] - ((k[6] - t6) - k[2] * t2);
-  const Scalar t8 = k[8] * c6 - k[9] * s6;
-  const Scalar t9 = k[10] * t8;
-  const Scalar t10 = t9 - k[11] * t6;
-  const Scalar t11 = k[11] * t10;
-  const Scalar t12 = k[12] - (t6 + t11);
-  const Scalar t13 = t7 + t12;
-  const Scalar t14 = k[13] - c6 * t5;
-  const Scalar t15 = k[9] * c6 + k[8] * s6;
-  const Scalar t16 = k[23] * t0 + (k[11] * t14 - k[14] * t15);
-  const Scalar t17 = k[22] * t3 - (k[24] - t16);
-  const Scalar t18 = (k[21] + (t8 - k[14] * t10)) - k[22] * t1;
-  const Scalar t19 = s5 * t17 - c5 * t18;
-  const Scalar t20 = k[25] * t19;
-  const Scalar t21 = c5 * t1 + s5 * t3;
-  const Scalar t22 = (k[78] * t4 - (k[27] * t13 + t20)) - k[31] * t21;
-  const Scalar t23 = s5 * t18 + c5 * t17;
-  const Scalar t24 = k[25] * t4;
-  const Scalar t25 = t23 - k[31] * t24;
-  const Scalar t26 = c4 * t22 - s4 * t25;
-  const Scalar t27 = (k[27] * t19 - k[25] * t13) + k[72] * t4;
-  const Scalar t28 = c4 * t24 + s4 * t21;
-  const Scalar t29 = k[76] * t4 - k[36] * t28;
-  const Scalar t30 = (k[39] * t26 - k[36] * t27) + k[43] * t29;
-  const Scalar t31 = k[33] - t4;
-  const Scalar t32 = k[25] * t21 - k[29] * t0;
-  const Scalar t33 = k[30] + t32;
-  const Scalar t34 = c4 * t31 - s4 * t33;
-  const Scalar t35 = k[11] * t0;
-  const Scalar t36 = k[25] * t35 + k[27] * t21;
-  const Scalar t37 = (k[14] * t14 + k[11] * t15) + k[15] * t0;
-  const Scalar t38 = k[16] - t37;
-  const Scalar t39 = c5 * t38;
-  const Scalar t40 = (t39 + t39) - s5 * (t7 - t12);
-  const Scalar t41 = t38 - c5 * t40;
-  const Scalar t42 = k[34] * t36 + (k[27] * t41 + k[25] * t23);
-  const Scalar t43 = (k[35] - t42) - k[31] * t31;
-  const Scalar t44 = t7 + s5 * t40;
-  const Scalar t45 = t44 - t13;
-  const Scalar t46 = k[26] * t35 + t11;
-  const Scalar t47 = k[27] * (t45 + t46) - (t20 + t20);
-  const Scalar t48 = k[31] * t33 + (k[32] - (k[25] * t47 + t19));
-  const Scalar t49 = s4 * t43 - c4 * t48;
-  const Scalar t50 = k[27] * t47;
-  const Scalar t51 = k[28] + (t45 - t50);
-  const Scalar t52 = k[20] + (t44 - k[19] * t4);
-  const Scalar t53 = t51 - t52;
-  const Scalar t54 = k[74] * t34 + (k[39] * t49 - k[36] * t53);
-  const Scalar t55 = k[14] * t2;
-  const Scalar t56 = c5 * t55 - s5 * t0;
-  const Scalar t57 = k[79] * t2 + k[27] * t56;
-  const Scalar t58 = k[25] * t56 - k[29] * t2;
-  const Scalar t59 = s5 * t55 + c5 * t0;
-  const Scalar t60 = c4 * t58 - s4 * t59;
-  const Scalar t61 = k[39] * t57 - k[36] * t60;
-  const Scalar t62 = (k[69] + k[11] * t8) - k[70] * t55;
-  const Scalar t63 = k[23] * t2 - (k[71] - Scalar(0.5) * t9);
-  const Scalar t64 = (c5 * t63 - s5 * t15) + k[22] * t59;
-  const Scalar t65 = k[34] * t57 - (k[27] * t62 - k[25] * t64);
-  const Scalar t66 = k[31] * t59 + t65;
-  const Scalar t67 = k[22] * t56 - (c5 * t15 + s5 * t63);
-  const Scalar t68 = t67 + k[31] * t58;
-  const Scalar t69 = c4 * t66 + s4 * t68;
-  const Scalar t70 = k[34] * t58 - (k[27] * t64 + k[25] * t62);
-  const Scalar t71 = k[43] * t61 + (k[39] * t69 - k[36] * t70);
-  const Scalar t72 = (qd[4] * t30 + qd[3] * t54) - qd[5] * t71;
-  const Scalar t73 = s4 * t24 - c4 * t21;
-  const Scalar t74 = c3 * t29 + s3 * t73;
-  const Scalar t75 = k[77] * t4 + k[39] * t28;
-  const Scalar t76 = k[56] * t74 + k[46] * t75;
-  const Scalar t77 = c3 * t73 - s3 * t29;
-  const Scalar t78 = k[46] * t74 - k[56] * t75;
-  const Scalar t79 = k[81] * (c2 * t76 + s2 * t77) - k[80] * t78;
-  const Scalar t80 = c4 * t25 + s4 * t22;
-  const Scalar t81 = k[43] * t75 + (k[36] * t26 + k[39] * t27);
-  const Scalar t82 = k[48] * t77 - (s3 * t80 - c3 * t81);
-  const Scalar t83 = k[57] * t76 + (k[46] * t82 + k[56] * t30);
-  const Scalar t84 = k[48] * t74 + (c3 * t80 + s3 * t81);
-  const Scalar t85 = k[57] * t78 - (k[56] * t82 - k[46] * t30);
-  const Scalar t86 = s2 * (t84 + t76) + c2 * (t85 - t77);
-  const Scalar t87 = qd[4] * (t79 + (k[82] * t83 - k[65] * t86));
-  const Scalar t88 = c4 * t33 + s4 * t31;
-  const Scalar t89 = k[36] * t88 - k[39] * t36;
-  const Scalar t90 = k[47] - t89;
-  const Scalar t91 = k[51] + t34;
-  const Scalar t92 = c3 * t90 - s3 * t91;
-  const Scalar t93 = k[39] * t88 + k[36] * t36;
-  const Scalar t94 = k[56] * t92 + k[46] * t93;
-  const Scalar t95 = k[60] + t94;
-  const Scalar t96 = s4 * t48 + c4 * t43;
-  const Scalar t97 = (k[25] * t41 - k[27] * t23) + k[34] * t32;
-  const Scalar t98 = k[37] + t97;
-  const Scalar t99 = Scalar(2) * c4 * t98 + s4 * (t51 + t52);
-  const Scalar t100 = c4 * t99 - t98;
-  const Scalar t101 = (k[36] * t96 - k[39] * t100) - k[43] * t93;
-  const Scalar t102 = (k[50] - t101) + k[48] * t91;
-  const Scalar t103 = k[36] * t49;
-  const Scalar t104 = (t46 - t50) + k[38] * t36;
-  const Scalar t105 = s4 * t99;
-  const Scalar t106 = t51 - t105;
-  const Scalar t107 = Scalar(2) * t103 + k[39] * (t104 + t106);
-  const Scalar t108 = (k[49] - (k[36] * t107 - t49)) - k[48] * t90;
-  const Scalar t109 = s3 * t102 + c3 * t108;
-  const Scalar t110 = k[52] * t109;
-  const Scalar t111 = k[39] * t107;
-  const Scalar t112 = k[45] * t93 + (t104 - t111);
-  const Scalar t113 = k[40] + (t106 - t111);
-  const Scalar t114 = (k[36] * t100 + k[39] * t96) + k[43] * t89;
-  const Scalar t115 = k[44] - t114;
-  const Scalar t116 = k[42] + ((t52 - t105) + k[41] * t34);
-  const Scalar t117 = Scalar(2) * c3 * t115 - s3 * (t113 + t116);
-  const Scalar t118 = t113 + s3 * t117;
-  const Scalar t119 = t110 - k[46] * (t112 + t118);
-  const Scalar t120 = c2 * (t95 - (k[64] + (k[56] * t119 - t109)));
-  const Scalar t121 = k[46] * t92 - k[56] * t93;
-  const Scalar t122 = c3 * t102 - s3 * t108;
-  const Scalar t123 = t115 - c3 * t117;
-  const Scalar t124 = k[57] * t121 - (k[56] * t122 + k[46] * t123);
-  const Scalar t125 = s3 * t90 + c3 * t91;
-  const Scalar t126 = k[59] + t125;
-  const Scalar t127 = k[65] * (t120 - s2 * ((k[63] - t124) + t126));
-  const Scalar t128 = k[46] * t119;
-  const Scalar t129 = k[53] + (t128 + t118);
-  const Scalar t130 = t113 - t116;
-  const Scalar t131 = k[55] + (k[54] * t125 - (t130 - t118));
-  const Scalar t132 = t129 - t131;
-  const Scalar t133 = c2 * t126 + s2 * t95;
-  const Scalar t134 = qd[1] * ((t127 - k[82] * t132) + k[81] * t133);
-  const Scalar t135 = (k[46] * t130 - Scalar(0.5) * t110) - k[85] * t125;
-  const Scalar t136 = k[56] * t125;
-  const Scalar t137 = c2 * (t135 + t92) - s2 * (t122 + t136);
-  const Scalar t138 = (k[56] * t130 + k[46] * t109) - k[57] * t136;
-  const Scalar t139 = k[82] * (c2 * t136 + s2 * t92) - k[83] * t125;
-  const Scalar t140 = (k[65] * t137 - k[82] * t138) + k[84] * t139;
-  const Scalar t141 = k[36] * t34;
-  const Scalar t142 = c3 * t88 + s3 * t141;
-  const Scalar t143 = k[48] * t88 + (k[75] * t34 - (k[39] * t53 + t103));
-  const Scalar t144 = t96 - k[48] * t141;
-  const Scalar t145 = c3 * t143 - s3 * t144;
-  const Scalar t146 = s3 * t88 - c3 * t141;
-  const Scalar t147 = k[46] * t146 - k[86] * t34;
-  const Scalar t148 = (k[56] * t145 + k[46] * t54) - k[57] * t147;
-  const Scalar t149 = k[56] * t146 + k[73] * t34;
-  const Scalar t150 = s2 * (t149 + (s3 * t143 + c3 * t144));
-  const Scalar t151 = k[57] * t149 + (k[46] * t145 - k[56] * t54);
-  const Scalar t152 = k[65] * (c2 * (t142 + t148) - t150) + k[82] * t151;
-  const Scalar t153 = k[81] * (s2 * t142 + c2 * t149) - k[80] * t147;
-  const Scalar t154 = (t134 + qd[2] * t140) - qd[3] * (t152 + t153);
-  const Scalar t155 = s4 * t58 + c4 * t59;
-  const Scalar t156 = s3 * t61 - c3 * t155;
-  const Scalar t157 = c3 * t61 + s3 * t155;
-  const Scalar t158 = k[36] * t57 + k[39] * t60;
-  const Scalar t159 = k[56] * t157 + k[46] * t158;
-  const Scalar t160 = k[56] * t158 - k[46] * t157;
-  const Scalar t161 = k[81] * (s2 * t156 - c2 * t159) - k[80] * t160;
-  const Scalar t162 = c4 * t68 - s4 * t66;
-  const Scalar t163 = k[43] * t158 + (k[36] * t69 + k[39] * t70);
-  const Scalar t164 = k[48] * t156 - (s3 * t162 + c3 * t163);
-  const Scalar t165 = (k[46] * t164 - k[56] * t71) - k[57] * t159;
-  const Scalar t166 = (c3 * t162 - s3 * t163) - k[48] * t157;
-  const Scalar t167 = (k[46] * t71 + k[56] * t164) - k[57] * t160;
-  const Scalar t168 = s2 * (t166 - t159) - c2 * (t167 + t156);
-  const Scalar t169 = qd[5] * (t161 + (k[82] * t165 - k[65] * t168));
-  const Scalar t170 = qd[4] * t83 - (qd[2] * t138 + qd[3] * t151);
-  const Scalar t171 = qd[0] * ((t87 + t154) + t169) + qd[1] * (t170 + qd[5] * t165);
-  const Scalar t172 = (qd[2] * t72 + t171) - qd[3] * (qd[4] * t27 - qd[5] * t70);
-  const Scalar t173 = (k[56] * t123 - k[46] * t122) - k[57] * t94;
-  const Scalar t174 = s2 * (t129 + t131) - Scalar(2) * c2 * (k[58] - t173);
-  const Scalar t175 = s2 * t174;
-  const Scalar t176 = t129 - t175;
-  const Scalar t177 = k[67] * (((t128 + t112) - Scalar(2) * t121) + t176);
-  const Scalar t178 = (k[68] + (t176 - (t177 + k[66] * t127))) - (k[62] + (k[61] * t133 - (t175 - t131)));
-  const Scalar t179 = qd[0] * qd[0] * t178 + qd[1] * qd[1] * t132;
-  const Scalar t180 = (t179 + qd[2] * qd[2] * t130) + qd[3] * qd[3] * t53;
-  const Scalar t181 = (qd[4] * qd[4] * t13 - t180) - qd[5] * k[6] * qd[5];
-  const Scalar t182 = (t172 - qd[4] * qd[5] * t62) + Scalar(0.5) * t181;
+  const Scalar t0 = k[14] * s6 + k[13] * c6;
+  const Scalar t1 = s6 * t0;
+  const Scalar t2 = k[4] * c6 - k[5] * s6;
+  const Scalar t3 = k[19] - ((k[17] - t1) - k[18] * t2);
+  const Scalar t4 = k[15] + t1;
+  const Scalar t5 = k[0] * c6 - k[1] * s6;
+  const Scalar t6 = k[12] * t5 - k[2] * t4;
+  const Scalar t7 = k[2] * t6;
+  const Scalar t8 = k[16] - (t4 + t7);
+  const Scalar t9 = t3 + t8;
+  const Scalar t10 = k[0] * s6 + k[1] * c6;
+  const Scalar t11 = k[21] - c6 * t0;
+  const Scalar t12 = k[4] * s6 + k[5] * c6;
+  const Scalar t13 = k[6] * t12;
+  const Scalar t14 = (k[2] * t10 + k[6] * t11) + k[7] * t13;
+  const Scalar t15 = k[37] - t14;
+  const Scalar t16 = s5 * (t3 - t8) - Scalar(2) * c5 * t15;
+  const Scalar t17 = s5 * t16 - t3;
+  const Scalar t18 = k[8] + t13;
+  const Scalar t19 = k[9] + t2;
+  const Scalar t20 = s5 * t18 - c5 * t19;
+  const Scalar t21 = k[39] - (t17 + k[38] * t20);
+  const Scalar t22 = t17 + t9;
+  const Scalar t23 = k[24] * t12;
+  const Scalar t24 = k[40] * t23 + t7;
+  const Scalar t25 = k[23] + (t5 - k[6] * t6);
+  const Scalar t26 = k[20] * t12 - (k[6] * t10 - k[2] * t11);
+  const Scalar t27 = k[22] - t26;
+  const Scalar t28 = c5 * t18 + s5 * t19;
+  const Scalar t29 = (c5 * t25 + s5 * t27) - k[24] * t28;
+  const Scalar t30 = k[34] * t29;
+  const Scalar t31 = k[25] * (t24 - t22) + t30;
+  const Scalar t32 = k[25] * t31;
+  const Scalar t33 = k[41] - (t22 + t32);
+  const Scalar t34 = t21 - t33;
+  const Scalar t35 = k[10] * t28 - k[26] * t12;
+  const Scalar t36 = k[24] * t20 - (s5 * t25 - c5 * t27);
+  const Scalar t37 = t15 + c5 * t16;
+  const Scalar t38 = k[11] * t35 + (k[25] * t36 + k[10] * t37);
+  const Scalar t39 = k[56] + t38;
+  const Scalar t40 = s4 * (t21 + t33) + Scalar(2) * c4 * t39;
+  const Scalar t41 = s4 * t40 - t33;
+  const Scalar t42 = k[29] * t12 + k[25] * t28;
+  const Scalar t43 = k[58] * t42 + (t24 - t32);
+  const Scalar t44 = k[11] * t42 + (k[25] * t37 - k[10] * t36);
+  const Scalar t45 = k[44] - t20;
+  const Scalar t46 = (k[45] - t44) - k[30] * t45;
+  const Scalar t47 = k[42] + t35;
+  const Scalar t48 = k[30] * t47 + (k[43] + (t29 - k[10] * t31));
+  const Scalar t49 = s4 * t46 - c4 * t48;
+  const Scalar t50 = k[31] * (t41 - t43) - k[59] * t49;
+  const Scalar t51 = k[31] * t50;
+  const Scalar t52 = k[60] - (t41 - t51);
+  const Scalar t53 = c4 * t45 - s4 * t47;
+  const Scalar t54 = k[57] + (k[55] * t53 + (t34 - t41));
+  const Scalar t55 = t52 - t54;
+  const Scalar t56 = c4 * t47 + s4 * t45;
+  const Scalar t57 = k[31] * t42 - k[28] * t56;
+  const Scalar t58 = k[53] + t57;
+  const Scalar t59 = k[54] + t53;
+  const Scalar t60 = c3 * t58 - s3 * t59;
+  const Scalar t61 = k[31] * t56 + k[28] * t42;
+  const Scalar t62 = k[47] * t60 + k[50] * t61;
+  const Scalar t63 = k[72] + t62;
+  const Scalar t64 = s3 * t58 + c3 * t59;
+  const Scalar t65 = k[73] + t64;
+  const Scalar t66 = s2 * t63 + c2 * t65;
+  const Scalar t67 = c4 * t40 - t39;
+  const Scalar t68 = c4 * t46 + s4 * t48;
+  const Scalar t69 = k[32] * t57 - (k[28] * t67 + k[31] * t68);
+  const Scalar t70 = k[74] + t69;
+  const Scalar t71 = c3 * t70;
+  const Scalar t72 = s3 * (t52 + t54) - (t71 + t71);
+  const Scalar t73 = t52 - s3 * t72;
+  const Scalar t74 = k[62] + (t49 + k[28] * t50);
+  const Scalar t75 = k[32] * t61 - (k[28] * t68 - k[31] * t67);
+  const Scalar t76 = k[61] + t75;
+  const Scalar t77 = k[49] * t60 - (c3 * t74 + s3 * t76);
+  const Scalar t78 = k[71] * t77;
+  const Scalar t79 = (t43 + t51) + k[75] * t61;
+  const Scalar t80 = t78 + k[50] * (t73 + t79);
+  const Scalar t81 = k[50] * t80;
+  const Scalar t82 = k[81] + (t73 - t81);
+  const Scalar t83 = k[80] + (k[79] * t64 - (t55 - t73));
+  const Scalar t84 = (c3 * t76 - s3 * t74) + k[49] * t64;
+  const Scalar t85 = t70 + c3 * t72;
+  const Scalar t86 = (k[50] * t84 - k[47] * t85) + k[52] * t62;
+  const Scalar t87 = s2 * (t82 + t83) - Scalar(2) * c2 * (k[83] + t86);
+  const Scalar t88 = s2 * t87;
+  const Scalar t89 = t88 - t82;
+  const Scalar t90 = k[71] * t61 - k[77] * t60;
+  const Scalar t91 = c2 * ((k[76] - (k[47] * t80 - t77)) - t63);
+  const Scalar t92 = (k[50] * t85 + k[47] * t84) + k[52] * Scalar(0.5) * t90;
+  const Scalar t93 = k[66] * (t91 + s2 * ((k[78] + t92) + t65));
+  const Scalar t94 = k[86] * (t89 + ((t81 - t79) - t90)) + k[87] * t93;
+  const Scalar t95 = (k[85] + (k[84] * t66 - (t88 - t83))) - (k[88] - (t89 - t94));
+  const Scalar t96 = t82 - t83;
+  const Scalar t97 = qd[0] * qd[0] * t95 - qd[1] * qd[1] * t96;
+  const Scalar t98 = qd[3] * qd[3] * t34 - (qd[2] * qd[2] * t55 - t97);
+  const Scalar t99 = (qd[4] * qd[4] * t9 + t98) - qd[5] * k[89] * qd[5];
+  const Scalar t100 = k[6] * t2;
+  const Scalar t101 = k[7] * t100 - (k[3] + k[2] * t5);
+  const Scalar t102 = s5 * t12 - c5 * t100;
+  const Scalar t103 = k[29] * t2 - k[25] * t102;
+  const Scalar t104 = s5 * t100 + c5 * t12;
+  const Scalar t105 = k[10] * t102 + k[26] * t2;
+  const Scalar t106 = s4 * t104 + c4 * t105;
+  const Scalar t107 = k[28] * t103 - k[31] * t106;
+  const Scalar t108 = c4 * t104 - s4 * t105;
+  const Scalar t109 = k[28] * t106 + k[31] * t103;
+  const Scalar t110 = s3 * t108 + c3 * t109;
+  const Scalar t111 = k[50] * t107 + k[47] * t110;
+  const Scalar t112 = c3 * t108 - s3 * t109;
+  const Scalar t113 = (k[20] * t2 - (k[27] - k[6] * t5)) + t23;
+  const Scalar t114 = t10 - k[24] * t100;
+  const Scalar t115 = c5 * t113 - s5 * t114;
+  const Scalar t116 = (k[10] * t115 + k[25] * t101) + k[11] * t103;
+  const Scalar t117 = s5 * t113 + c5 * t114;
+  const Scalar t118 = (c4 * t116 - s4 * t117) + k[30] * t108;
+  const Scalar t119 = k[11] * t105 - (k[10] * t101 - k[25] * t115);
+  const Scalar t120 = (k[28] * t118 - k[31] * t119) + k[32] * t107;
+  const Scalar t121 = (s4 * t116 + c4 * t117) + k[30] * t106;
+  const Scalar t122 = k[49] * t112 + (c3 * t120 - s3 * t121);
+  const Scalar t123 = (k[28] * t119 + k[31] * t118) + k[32] * t109;
+  const Scalar t124 = k[52] * t111 + (k[50] * t122 + k[47] * t123);
+  const Scalar t125 = (c3 * t121 + s3 * t120) + k[49] * t110;
+  const Scalar t126 = k[47] * t107 - k[50] * t110;
+  const Scalar t127 = k[52] * t126 - (k[50] * t123 - k[47] * t122);
+  const Scalar t128 = s2 * (t111 + t125) - c2 * (t112 + t127);
+  const Scalar t129 = k[64] * t126 + k[65] * (c2 * t111 + s2 * t112);
+  const Scalar t130 = qd[5] * ((k[67] * t124 - k[66] * t128) + t129);
+  const Scalar t131 = k[10] * t20;
+  const Scalar t132 = c4 * t131 + s4 * t28;
+  const Scalar t133 = k[36] * t20 - k[28] * t132;
+  const Scalar t134 = s4 * t131 - c4 * t28;
+  const Scalar t135 = c3 * t133 + s3 * t134;
+  const Scalar t136 = k[63] * t20 + k[31] * t132;
+  const Scalar t137 = k[47] * t135 + k[50] * t136;
+  const Scalar t138 = c3 * t134 - s3 * t133;
+  const Scalar t139 = k[47] * t136 - k[50] * t135;
+  const Scalar t140 = k[65] * (c2 * t137 + s2 * t138) + k[64] * t139;
+  const Scalar t141 = k[11] * t131 - (k[25] * t29 + k[10] * t9);
+  const Scalar t142 = (k[25] * t9 - Scalar(0.5) * t30) - k[35] * t20;
+  const Scalar t143 = t142 + k[30] * t28;
+  const Scalar t144 = t36 + k[33] * t20;
+  const Scalar t145 = c4 * t143 - s4 * t144;
+  const Scalar t146 = (k[28] * t141 + k[31] * t145) - k[32] * t133;
+  const Scalar t147 = c4 * t144 + s4 * t143;
+  const Scalar t148 = (k[28] * t145 - k[31] * t141) - k[32] * t136;
+  const Scalar t149 = k[49] * t138 + (s3 * t147 - c3 * t148);
+  const Scalar t150 = k[52] * t137 - (k[47] * t146 - k[50] * t149);
+  const Scalar t151 = (k[47] * t149 + k[50] * t146) + k[52] * t139;
+  const Scalar t152 = (s3 * t148 + c3 * t147) - k[49] * t135;
+  const Scalar t153 = c2 * (t151 + t138) + s2 * (t152 - t137);
+  const Scalar t154 = qd[4] * (t140 + (k[67] * t150 + k[66] * t153));
+  const Scalar t155 = qd[1] * (k[65] * t66 - (k[67] * t96 + t93));
+  const Scalar t156 = k[47] * t64;
+  const Scalar t157 = k[67] * (c2 * t156 + s2 * t60) - k[68] * t64;
+  const Scalar t158 = k[52] * t156 - (k[47] * t55 - k[50] * t77);
+  const Scalar t159 = (k[50] * t55 + Scalar(0.5) * t78) - k[70] * t64;
+  const Scalar t160 = s2 * (t156 + t84) - c2 * (t60 + t159);
+  const Scalar t161 = k[69] * t157 + (k[67] * t158 - k[66] * t160);
+  const Scalar t162 = k[28] * t53;
+  const Scalar t163 = s3 * t56 - c3 * t162;
+  const Scalar t164 = (k[28] * t49 - k[31] * t34) - k[48] * t53;
+  const Scalar t165 = k[49] * t163 + (c3 * t68 - s3 * t164);
+  const Scalar t166 = k[47] * t163 + k[51] * t53;
+  const Scalar t167 = k[46] * t53 + (k[28] * t34 + k[31] * t49);
+  const Scalar t168 = s3 * t162 + c3 * t56;
+  const Scalar t169 = (s3 * t68 + c3 * t164) - k[49] * t168;
+  const Scalar t170 = k[82] * t53 - k[50] * t163;
+  const Scalar t171 = (k[50] * t167 - k[47] * t169) + k[52] * t170;
+  const Scalar t172 = s2 * (t165 + t166) - c2 * (t171 + t168);
+  const Scalar t173 = k[52] * t166 - (k[50] * t169 + k[47] * t167);
+  const Scalar t174 = k[64] * t170 + k[65] * (c2 * t166 + s2 * t168);
+  const Scalar t175 = qd[3] * ((k[66] * t172 - k[67] * t173) - t174);
+  const Scalar t176 = t130 - (t154 + ((t155 + qd[2] * t161) + t175));
+  const Scalar t177 = (qd[3] * t173 - qd[2] * t158) - qd[4] * t150;
+  const Scalar t178 = qd[0] * t176 + qd[1] * (qd[5] * t124 + t177);
+  const Scalar t179 = qd[5] * t123 - (qd[3] * t167 - qd[4] * t146);
+  const Scalar t180 = (t178 + qd[2] * t179) + qd[3] * (qd[5] * t119 + qd[4] * t141);
+  const Scalar t181 = Scalar(0.5) * t99 + (qd[4] * qd[5] * t101 - t180);
   Scalar result;
-  result = t182;
+  result = t181;
   return result;
 }
 

@@ -17,7 +17,7 @@ struct InverseDynamicsDerivatives {
 
 /// Joint forces for a motion, and their derivatives by q and qd; the one by qdd is mass_matrix.
 ///
-/// 2762 multiplications, 2279 additions, 5 sine/cosine pairs. Set-up: 175 multiplications, 178 additions, 10 divisions,
+/// 2759 multiplications, 2272 additions, 5 sine/cosine pairs. Set-up: 173 multiplications, 178 additions, 10 divisions,
 /// 5 sine/cosine pairs.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is a3, which must not be zero.
@@ -26,7 +26,7 @@ InverseDynamicsDerivatives<Scalar> inverse_dynamics_derivatives(const JointVecto
     const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
-using InverseDynamicsDerivativesConstants = std::array<Scalar, 76>;
+using InverseDynamicsDerivativesConstants = std::array<Scalar, 74>;
 template <class Scalar>
 InverseDynamicsDerivativesConstants<Scalar> inverse_dynamics_derivatives_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));

@@ -31,487 +31,6 @@ InverseDynamicsWithGravityVectorConstants<Scalar> inverse_dynamics_with_gravity_
   using std::sin;
   const Scalar t0 = inertia.m5 + inertia.m6;
   const Scalar t1 = inertia.m4 + t0;
-  const Scalar t2 = inertia.m3 + t1;
-  const Scalar t3 = g.a3 * t2;
-  const Scalar t4 = inertia.c2x * inertia.m2;
-  const Scalar t5 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t6 = g.a3 * t3 + (inertia.c2x * t4 - (inertia.I2xx - t5));
-  const Scalar t7 = inertia.c4z * inertia.m4;
-  const Scalar t8 = g.d4 * inertia.m4;
-  const Scalar t9 = t7 + t8;
-  const Scalar t10 = t9 - t8;
-  const Scalar t11 = g.d5 * inertia.m5;
-  const Scalar t12 = inertia.c5z * inertia.m5;
-  const Scalar t13 = t12 + t11;
-  const Scalar t14 = t11 - t13;
-  const Scalar t15 = inertia.c6z * inertia.m6;
-  const Scalar t16 = g.d6 * inertia.m6 + t15;
-  const Scalar t17 = cos(g.alpha6) * t16;
-  const Scalar t18 = t14 - t17;
-  const Scalar t19 = t18 - g.d5 * t0;
-  const Scalar t20 = cos(g.alpha5) * t19;
-  const Scalar t21 = t10 - t20;
-  const Scalar t22 = g.d4 * t1 + t21;
-  const Scalar t23 = cos(g.alpha4) * t22;
-  const Scalar t24 = g.d3 * inertia.m3;
-  const Scalar t25 = inertia.c3z * inertia.m3;
-  const Scalar t26 = t25 + t24;
-  const Scalar t27 = t24 - t26;
-  const Scalar t28 = t23 - t27;
-  const Scalar t29 = t28 + g.d3 * t2;
-  const Scalar t30 = sin(g.alpha3) * t29;
-  const Scalar t31 = inertia.c2y * inertia.m2;
-  const Scalar t32 = (t30 - t31) / (g.d3 * sin(g.alpha3));
-  const Scalar t33 = g.a3 * t32;
-  const Scalar t34 = g.a3 * t33;
-  const Scalar t35 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t36 = ((inertia.I4zz - t35) - inertia.c4z * t7) - g.d4 * (t9 + t7);
-  const Scalar t37 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t38 = (inertia.c5z * t12 - (inertia.I5zz - t37)) + g.d5 * (t12 + t13);
-  const Scalar t39 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t40 = (inertia.c6z * t15 - (inertia.I6zz - t39)) + g.d6 * (t16 + t15);
-  const Scalar t41 = sin(g.alpha6) * t40;
-  const Scalar t42 = sin(g.alpha6) * t41;
-  const Scalar t43 = (g.d5 * (t14 - t13) + t38) + (t40 - t42);
-  const Scalar t44 = g.d5 * (t18 + t19) - t43;
-  const Scalar t45 = sin(g.alpha5) * t44;
-  const Scalar t46 = sin(g.alpha5) * t45;
-  const Scalar t47 = (g.d4 * (t10 + t9) + t36) - (t46 - t44);
-  const Scalar t48 = t47 - g.d4 * (t21 + t22);
-  const Scalar t49 = sin(g.alpha4) * t48;
-  const Scalar t50 = sin(g.alpha4) * t49;
-  const Scalar t51 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t52 = g.d3 * (t25 + t26) - ((inertia.I3zz - t51) - inertia.c3z * t25);
-  const Scalar t53 = (t50 - t48) + (t52 - g.d3 * (t26 - t27));
-  const Scalar t54 = t53 + g.d3 * (t28 + t29);
-  const Scalar t55 = sin(g.alpha3) * t54;
-  const Scalar t56 = sin(g.alpha3) * t55;
-  const Scalar t57 = g.d3 * t32;
-  const Scalar t58 = g.d3 * t57;
-  const Scalar t59 = sin(g.alpha3) * t58;
-  const Scalar t60 = sin(g.alpha3) * t59;
-  const Scalar t61 = (((inertia.I2yy - t5) - inertia.c2y * t31) - t56) + t60;
-  const Scalar t62 = (g.a3 * t30 + (inertia.I2xy - inertia.c2y * t4)) - g.a3 * sin(g.alpha3) * t57;
-  const Scalar t63 = cos(g.alpha3) * t29;
-  const Scalar t64 = g.d2 * t4;
-  const Scalar t65 = g.a3 * t63 - (((inertia.I2xz - inertia.c2z * t4) - t64) + t64);
-  const Scalar t66 = cos(g.alpha3) * t57;
-  const Scalar t67 = g.d2 * t31;
-  const Scalar t68 = ((t67 - (inertia.I2yz - inertia.c2z * t31)) - t67) - cos(g.alpha3) * t55;
-  const Scalar t69 = g.a2 / g.a3;
-  const Scalar t70 = gravity[2] / g.a3;
-  const Scalar t71 = g.a6 * inertia.m6;
-  const Scalar t72 = inertia.c5x * inertia.m5;
-  const Scalar t73 = inertia.c5y * inertia.m5;
-  const Scalar t74 = sin(g.alpha6) * t16;
-  const Scalar t75 = inertia.c6x * inertia.m6;
-  const Scalar t76 = inertia.c6y * inertia.m6;
-  const Scalar t77 = sin(g.alpha5) * t19;
-  const Scalar t78 = inertia.c4y * inertia.m4;
-  const Scalar t79 = g.a5 * t0;
-  const Scalar t80 = inertia.c4x * inertia.m4;
-  const Scalar t81 = g.a4 * t1;
-  const Scalar t82 = inertia.c3x * inertia.m3;
-  const Scalar t83 = sin(g.alpha4) * t22;
-  const Scalar t84 = inertia.c3y * inertia.m3;
-  const Scalar t85 = g.d4 * t80;
-  const Scalar t86 = g.a5 * t20 + (((inertia.I4xz - inertia.c4z * t80) - t85) + t85);
-  const Scalar t87 = g.d4 * t78;
-  const Scalar t88 = cos(g.alpha5) * t45 - (t87 - (t87 - (inertia.I4yz - inertia.c4z * t78)));
-  const Scalar t89 = (inertia.I6xx - t39) - inertia.c6x * t75;
-  const Scalar t90 = (inertia.I6yy - t39) - inertia.c6y * t76;
-  const Scalar t91 = inertia.I6xy - inertia.c6y * t75;
-  const Scalar t92 = g.d5 * t73;
-  const Scalar t93 = (t92 + ((inertia.I5yz - inertia.c5z * t73) - t92)) + cos(g.alpha6) * t41;
-  const Scalar t94 = g.d5 * t72;
-  const Scalar t95 = (t94 - (t94 - (inertia.I5xz - inertia.c5z * t72))) - g.a6 * t17;
-  const Scalar t96 = (inertia.c5x * t72 - (inertia.I5xx - t37)) + g.a6 * t71;
-  const Scalar t97 = g.a5 * t79 - ((inertia.I4xx - t35) - inertia.c4x * t80);
-  const Scalar t98 = g.a4 * t81 + (inertia.c3x * t82 - (inertia.I3xx - t51));
-  const Scalar t99 = g.d3 * t84;
-  const Scalar t100 = cos(g.alpha4) * t49 - (t99 - (t99 - (inertia.I3yz - inertia.c3z * t84)));
-  const Scalar t101 = g.d3 * t82;
-  const Scalar t102 = g.a4 * t23 - (t101 - (t101 - (inertia.I3xz - inertia.c3z * t82)));
-  const Scalar t103 = g.a2 * t32;
-  const Scalar t104 = inertia.m2 + t2;
-  const Scalar t105 = g.a2 * t104;
-  const Scalar t106 = inertia.c1x * inertia.m1;
-  const Scalar t107 = t66 + g.d2 * t32;
-  const Scalar t108 = g.d2 * inertia.m2;
-  const Scalar t109 = inertia.c2z * inertia.m2;
-  const Scalar t110 = t108 + t109;
-  const Scalar t111 = t108 - t110;
-  const Scalar t112 = t63 - t111;
-  const Scalar t113 = g.d2 * t104 + t112;
-  const Scalar t114 = inertia.c1y * inertia.m1;
-  const Scalar t115 = g.a3 * (sin(g.alpha2) * t107 - (sin(g.alpha2) * t113 - t114));
-  const Scalar t116 = g.d2 * (t110 + t109) - ((inertia.I2zz - t5) - inertia.c2z * t109);
-  const Scalar t117 = (g.d2 * (t110 - t111) - t116) + (t56 - t54);
-  const Scalar t118 = sin(g.alpha2) * sin(g.alpha2) * (t117 - g.d2 * (t112 + t113));
-  const Scalar t119 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t120 = sin(g.alpha2) * ((t60 - t58) - g.d2 * (t66 + t107));
-  const Scalar t121 = (t118 - (inertia.c1y * t114 - (inertia.I1yy - t119))) - sin(g.alpha2) * t120;
-  const Scalar t122 = g.a2 * t105 + (inertia.c1x * t106 - (inertia.I1xx - t119));
-  return { sin(g.alpha2),
-           cos(g.alpha2),
-           t6 - t34,
-           t61,
-           t62,
-           t65 - g.a3 * t66,
-           t68 + cos(g.alpha3) * t59,
-           g.d2 / g.a3,
-           t69,
-           gravity[0] / g.a3,
-           gravity[1] / g.a3,
-           sin(g.alpha2) * t70,
-           g.a3 * ((t3 + t4) - t33),
-           cos(g.alpha3),
-           sin(g.alpha3),
-           sin(g.alpha4),
-           cos(g.alpha4),
-           cos(g.alpha5),
-           sin(g.alpha5),
-           g.a3 * (t71 + t72),
-           g.a3 * (t73 - t74),
-           g.a3 * t75,
-           g.a3 * t76,
-           sin(g.alpha6),
-           cos(g.alpha6),
-           g.a3 * (t77 + t78),
-           g.a3 * (t79 + t80),
-           cos(g.alpha2) * t70,
-           g.d3 / g.a3,
-           t34,
-           g.a3 * (t81 + t82),
-           g.a3 * (t83 - t84),
-           g.a4 / g.a3,
-           g.d4 / g.a3,
-           t86,
-           t88,
-           t46 + ((inertia.I4yy - t35) - inertia.c4y * t78),
-           g.a5 * t77 - (inertia.I4xy - inertia.c4y * t80),
-           g.d5 / g.a3,
-           (inertia.I6xz - inertia.c6z * t75) - g.d6 * t75,
-           g.d6 * t76 - (inertia.I6yz - inertia.c6z * t76),
-           t89 - t90,
-           Scalar(2) * t91,
-           t89,
-           t90,
-           t91,
-           g.a5 / g.a3,
-           g.a6 / g.a3,
-           t93,
-           t95,
-           t96,
-           (inertia.I5xy - inertia.c5y * t72) + g.a6 * t74,
-           (inertia.c5y * t73 - (inertia.I5yy - t37)) + t42,
-           t97,
-           (inertia.I3xy - inertia.c3y * t82) + g.a4 * t83,
-           t98,
-           ((inertia.I3yy - t51) - inertia.c3y * t84) + t50,
-           t100,
-           t102,
-           sin(g.alpha2) * t69,
-           cos(g.alpha2) * t69,
-           g.a3 * (t103 - (t105 + t106)),
-           t115,
-           t121 + (g.a2 * t103 - t122) };
-}
-
-namespace detail {
-
-template <class Scalar, class Angles>
-inline JointVector<Scalar> inverse_dynamics_with_gravity_vector([[maybe_unused]] const JointVector<Scalar>& q,
-    const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const Angles& angles,
-    const InverseDynamicsWithGravityVectorConstants<Scalar>& k) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s3 = angles.sine[2];
-  const Scalar& c3 = angles.cosine[2];
-  const Scalar& s4 = angles.sine[3];
-  const Scalar& c4 = angles.cosine[3];
-  const Scalar& s5 = angles.sine[4];
-  const Scalar& c5 = angles.cosine[4];
-  const Scalar& s6 = angles.sine[5];
-  const Scalar& c6 = angles.cosine[5];
-  const Scalar t0 = k[10] * c1 - k[9] * s1;
-  const Scalar t1 = k[10] * s1 + k[9] * c1;
-  const Scalar t2 = k[63] * qdd[0] - (k[61] * t0 + k[62] * t1);
-  const Scalar t3 = k[1] * qd[0];
-  const Scalar t4 = qd[1] + t3;
-  const Scalar t5 = k[0] * qd[0];
-  const Scalar t6 = c2 * t5;
-  const Scalar t7 = k[14] * t4 + k[13] * t6;
-  const Scalar t8 = s2 * t5;
-  const Scalar t9 = s3 * t7 + c3 * t8;
-  const Scalar t10 = s3 * t8 - c3 * t7;
-  const Scalar t11 = t9 * t10;
-  const Scalar t12 = qdd[1] + k[1] * qdd[0];
-  const Scalar t13 = k[0] * qdd[0];
-  const Scalar t14 = t8 * t3 + c2 * t13;
-  const Scalar t15 = t8 * t4;
-  const Scalar t16 = t14 - t15;
-  const Scalar t17 = qdd[2] + (k[13] * t12 - k[14] * t16);
-  const Scalar t18 = t11 + t17;
-  const Scalar t19 = t4 * t6;
-  const Scalar t20 = s2 * t13 - t3 * t6;
-  const Scalar t21 = t19 + t20;
-  const Scalar t22 = k[13] * t4 - k[14] * t6;
-  const Scalar t23 = t21 - t7 * t22;
-  const Scalar t24 = t8 * t6;
-  const Scalar t25 = t12 - t24;
-  const Scalar t26 = k[13] * t14 + k[14] * t25;
-  const Scalar t27 = s3 * t23 - c3 * t26;
-  const Scalar t28 = k[15] * t18 - k[16] * t27;
-  const Scalar t29 = qd[2] + t22;
-  const Scalar t30 = k[15] * t10 + k[16] * t29;
-  const Scalar t31 = k[15] * t29 - k[16] * t10;
-  const Scalar t32 = t10 * t29;
-  const Scalar t33 = s3 * t26 + c3 * t23;
-  const Scalar t34 = t32 - t33;
-  const Scalar t35 = t30 * t31 + t34;
-  const Scalar t36 = c4 * t28 + s4 * t35;
-  const Scalar t37 = s4 * t31 + c4 * t9;
-  const Scalar t38 = qd[3] + t30;
-  const Scalar t39 = t37 * t38;
-  const Scalar t40 = t36 - t39;
-  const Scalar t41 = t40 - t39;
-  const Scalar t42 = c4 * t35 - s4 * t28;
-  const Scalar t43 = s4 * t9 - c4 * t31;
-  const Scalar t44 = t43 * t38;
-  const Scalar t45 = t42 + t44;
-  const Scalar t46 = t45 + t44;
-  const Scalar t47 = k[22] * c6 + k[21] * s6;
-  const Scalar t48 = k[18] * t43 + k[17] * t38;
-  const Scalar t49 = qd[4] + t48;
-  const Scalar t50 = k[18] * t38 - k[17] * t43;
-  const Scalar t51 = c5 * t50 - s5 * t37;
-  const Scalar t52 = k[24] * t49 - k[23] * t51;
-  const Scalar t53 = k[23] * t49 + k[24] * t51;
-  const Scalar t54 = t51 * t49;
-  const Scalar t55 = t45 + t50 * t48;
-  const Scalar t56 = t9 * t29;
-  const Scalar t57 = t56 + t27;
-  const Scalar t58 = qdd[3] + (k[15] * t57 + k[16] * t17);
-  const Scalar t59 = t37 * t43;
-  const Scalar t60 = t58 + t59;
-  const Scalar t61 = k[17] * t36 + k[18] * t60;
-  const Scalar t62 = c5 * t55 - s5 * t61;
-  const Scalar t63 = t54 - t62;
-  const Scalar t64 = t52 * t53 - t63;
-  const Scalar t65 = qd[5] + t52;
-  const Scalar t66 = t65 * t53;
-  const Scalar t67 = t64 - (t66 + t66);
-  const Scalar t68 = c5 * t37 + s5 * t50;
-  const Scalar t69 = t51 * t68;
-  const Scalar t70 = qdd[4] + (k[17] * t58 - k[18] * t40);
-  const Scalar t71 = t69 - t70;
-  const Scalar t72 = c5 * t61 + s5 * t55;
-  const Scalar t73 = k[23] * t71 - k[24] * t72;
-  const Scalar t74 = t65 * t68;
-  const Scalar t75 = (t73 + t74) + t74;
-  const Scalar t76 = k[21] * c6 - k[22] * s6;
-  const Scalar t77 = t47 * t67 - t75 * t76;
-  const Scalar t78 = t49 * t68;
-  const Scalar t79 = t72 - t78;
-  const Scalar t80 = qdd[5] - (k[23] * t79 - k[24] * t70);
-  const Scalar t81 = t68 * t53;
-  const Scalar t82 = t80 + t81;
-  const Scalar t83 = t65 * t65;
-  const Scalar t84 = t68 * t68;
-  const Scalar t85 = t82 * t76 - t47 * (t83 + t84);
-  const Scalar t86 = k[24] * t77 - k[23] * t85;
-  const Scalar t87 = t54 + t63;
-  const Scalar t88 = t79 - t78;
-  const Scalar t89 = t86 - (k[20] * t87 - k[19] * t88);
-  const Scalar t90 = t69 + t70;
-  const Scalar t91 = t51 * t51;
-  const Scalar t92 = t84 - t91;
-  const Scalar t93 = t49 * t49;
-  const Scalar t94 = t93 + t91;
-  const Scalar t95 = k[24] * t85 + k[23] * t77;
-  const Scalar t96 = (k[19] * t90 - k[20] * (t92 + t94)) + t95;
-  const Scalar t97 = t80 - t81;
-  const Scalar t98 = t53 * t53;
-  const Scalar t99 = (t47 * t97 + t76 * (t83 + t98)) - (k[20] * t71 - k[19] * t94);
-  const Scalar t100 = c5 * t96 - s5 * t99;
-  const Scalar t101 = k[17] * t89 - k[18] * t100;
-  const Scalar t102 = (k[26] * t41 + k[25] * t46) + t101;
-  const Scalar t103 = t38 * t38;
-  const Scalar t104 = t43 * t43;
-  const Scalar t105 = t103 + t104;
-  const Scalar t106 = c5 * t99 + s5 * t96;
-  const Scalar t107 = (k[25] * t60 + k[26] * t105) + t106;
-  const Scalar t108 = t37 * t37;
-  const Scalar t109 = t103 + t108;
-  const Scalar t110 = t58 - t59;
-  const Scalar t111 = k[17] * t100 + k[18] * t89;
-  const Scalar t112 = (k[25] * t109 - k[26] * t110) - t111;
-  const Scalar t113 = s4 * t107 + c4 * t112;
-  const Scalar t114 = k[15] * t102 - k[16] * t113;
-  const Scalar t115 = t10 * t10;
-  const Scalar t116 = t29 * t29;
-  const Scalar t117 = t115 - t116;
-  const Scalar t118 = t9 * t9 + t115;
-  const Scalar t119 = t117 - t118;
-  const Scalar t120 = t11 - t17;
-  const Scalar t121 = t6 * t6;
-  const Scalar t122 = t4 * t4;
-  const Scalar t123 = t121 + t122;
-  const Scalar t124 = t0 - k[8] * qdd[0];
-  const Scalar t125 = k[11] + k[1] * t124;
-  const Scalar t126 = t1 + k[8] * qd[0] * qd[0];
-  const Scalar t127 = k[7] * t14 - (s2 * t125 + c2 * t126);
-  const Scalar t128 = t123 - t127;
-  const Scalar t129 = t16 - t15;
-  const Scalar t130 = t5 * t5;
-  const Scalar t131 = k[7] * t130 + (k[27] - k[0] * t124);
-  const Scalar t132 = t129 + t131;
-  const Scalar t133 = t12 + t24;
-  const Scalar t134 = (s2 * t126 - c2 * t125) - k[7] * t20;
-  const Scalar t135 = t133 + t134;
-  const Scalar t136 = k[14] * t132 - k[13] * t135;
-  const Scalar t137 = (s3 * t128 - c3 * t136) - k[28] * t33;
-  const Scalar t138 = (k[31] * t119 + k[30] * t120) - k[29] * t137;
-  const Scalar t139 = t114 - t138;
-  const Scalar t140 = t115 + t116;
-  const Scalar t141 = (c3 * t128 + s3 * t136) + k[28] * t27;
-  const Scalar t142 = (k[30] * t140 - k[31] * t18) + k[29] * t141;
-  const Scalar t143 = (c4 * t107 - s4 * t112) + t142;
-  const Scalar t144 = s3 * t139 + c3 * t143;
-  const Scalar t145 = t144 + k[12] * t123;
-  const Scalar t146 = s3 * t143 - c3 * t139;
-  const Scalar t147 = k[16] * t102 + k[15] * t113;
-  const Scalar t148 = t56 + t57;
-  const Scalar t149 = t32 + t34;
-  const Scalar t150 = (k[13] * t132 + k[14] * t135) + k[28] * t118;
-  const Scalar t151 = (k[30] * t148 + k[31] * t149) - k[29] * t150;
-  const Scalar t152 = t147 - t151;
-  const Scalar t153 = k[13] * t146 - k[14] * t152;
-  const Scalar t154 = t153 - k[12] * t133;
-  const Scalar t155 = k[14] * t146 + k[13] * t152;
-  const Scalar t156 = k[60] * (s2 * t145 + c2 * t154) - k[59] * (t155 + k[12] * t129);
-  const Scalar t157 = t140 + t119;
-  const Scalar t158 = (k[55] * t148 + k[54] * t149) - (k[58] * (t117 - t157) - k[57] * t18);
-  const Scalar t159 = k[33] * t28 - (k[32] * t140 + t141);
-  const Scalar t160 = t137 - k[32] * t120;
-  const Scalar t161 = k[32] * t148 - t150;
-  const Scalar t162 = (k[16] * t160 + k[15] * t161) + k[33] * t35;
-  const Scalar t163 = s4 * t159 - c4 * t162;
-  const Scalar t164 = s4 * t162 + c4 * t159;
-  const Scalar t165 = t109 - t105;
-  const Scalar t166 = (k[36] * t60 - k[53] * t110) + k[37] * t165;
-  const Scalar t167 = (k[26] * t163 + k[25] * t164) + (t166 + (k[34] * t42 + k[35] * t36));
-  const Scalar t168 = (k[50] * t90 - k[52] * t71) + k[51] * t92;
-  const Scalar t169 = t163 - k[46] * t110;
-  const Scalar t170 = t104 + t108;
-  const Scalar t171 = k[33] * t170 - (k[16] * t161 - k[15] * t160);
-  const Scalar t172 = k[46] * t41 + t171;
-  const Scalar t173 = k[17] * t169 + k[18] * t172;
-  const Scalar t174 = k[46] * t105 - t164;
-  const Scalar t175 = k[38] * t62 - (c5 * t173 - s5 * t174);
-  const Scalar t176 = (s5 * t173 + c5 * t174) - k[38] * t72;
-  const Scalar t177 = ((k[49] * t62 - k[48] * t72) - t168) - (k[19] * t175 + k[20] * t176);
-  const Scalar t178 = k[47] * t90 + t175;
-  const Scalar t179 = (k[17] * t172 - k[18] * t169) + k[38] * (t84 + t91);
-  const Scalar t180 = k[47] * t88 + t179;
-  const Scalar t181 = k[23] * t178 + k[24] * t180;
-  const Scalar t182 = k[41] * s6 + k[42] * c6;
-  const Scalar t183 = s6 * t182;
-  const Scalar t184 = k[43] - t183;
-  const Scalar t185 = k[45] - c6 * t182;
-  const Scalar t186 = t83 - t84;
-  const Scalar t187 = k[40] * s6 + k[39] * c6;
-  const Scalar t188 = k[39] * s6 - k[40] * c6;
-  const Scalar t189 = (t75 * t184 + t185 * t67) + (t186 * t187 + t188 * t97);
-  const Scalar t190 = t76 * t181 + t189;
-  const Scalar t191 = k[44] + t183;
-  const Scalar t192 = t83 - t98;
-  const Scalar t193 = (t97 * t191 + t82 * t184) - t185 * (t186 - t192);
-  const Scalar t194 = t47 * (t176 + k[47] * t94) + t76 * (k[24] * t178 - k[23] * t180);
-  const Scalar t195 = (t193 + (t188 * t73 + t187 * t64)) - t194;
-  const Scalar t196 = (k[23] * t190 - k[24] * t195) + k[47] * t95;
-  const Scalar t197 = t177 - t196;
-  const Scalar t198 = t84 - t93;
-  const Scalar t199 = (k[48] * t71 + k[49] * t198) - (k[51] * t87 + k[50] * t88);
-  const Scalar t200 = k[47] * t86 + (k[23] * t195 + k[24] * t190);
-  const Scalar t201 = (k[19] * t179 - t199) + t200;
-  const Scalar t202 = t188 * t192 - (t185 * t75 + t67 * t191);
-  const Scalar t203 = k[48] * (t92 - t198) - (k[51] * t88 + k[52] * t87);
-  const Scalar t204 = ((t82 * t187 - t202) - t47 * t181) - (k[20] * t179 + (t203 - k[49] * t90));
-  const Scalar t205 = k[38] * t106 - (c5 * t201 + s5 * t204);
-  const Scalar t206 = k[46] * t111 - (k[17] * t197 + k[18] * t205);
-  const Scalar t207 = t167 - t206;
-  const Scalar t208 = k[38] * t100 - (c5 * t204 - s5 * t201);
-  const Scalar t209 = t109 - t170;
-  const Scalar t210 = (k[37] * t41 - k[36] * t46) - k[35] * t209;
-  const Scalar t211 = t208 + (k[25] * t171 + (t210 - k[34] * t110));
-  const Scalar t212 = t211 - k[33] * t112;
-  const Scalar t213 = (k[35] * t60 + k[34] * (t165 - t209)) - (k[53] * t41 + k[37] * t46);
-  const Scalar t214 = (k[18] * t197 - k[17] * t205) + k[46] * t101;
-  const Scalar t215 = ((t213 - k[26] * t171) - t214) + k[33] * t107;
-  const Scalar t216 = s4 * t212 + c4 * t215;
-  const Scalar t217 = (k[15] * t207 - k[16] * t216) + k[32] * t147;
-  const Scalar t218 = (k[30] * t150 - t158) + t217;
-  const Scalar t219 = k[57] * t117 + (k[54] * t148 - k[56] * t149);
-  const Scalar t220 = (c4 * t212 - s4 * t215) - (k[31] * t150 - (t219 - k[58] * t120));
-  const Scalar t221 = (c3 * t218 - s3 * t220) - k[28] * t144;
-  const Scalar t222 = (k[55] * t120 + k[56] * t18) + k[54] * t157;
-  const Scalar t223 = (k[31] * t141 - k[30] * t137) + (t222 + (k[58] * t33 - k[57] * t27));
-  const Scalar t224 = k[32] * t114 - (k[15] * t216 + k[16] * t207);
-  const Scalar t225 = t223 - t224;
-  const Scalar t226 = t123 - t130;
-  const Scalar t227 = t121 - t122;
-  const Scalar t228 = (k[3] * t25 - k[2] * t133) + k[4] * (t226 + t227);
-  const Scalar t229 = k[12] * t134 - ((k[5] * t20 + k[6] * t14) + t228);
-  const Scalar t230 = (t153 - (k[14] * t221 - k[13] * t225)) - t229;
-  const Scalar t231 = t21 + t19;
-  const Scalar t232 = (k[4] * t129 - k[3] * t231) - k[6] * t227;
-  const Scalar t233 = k[28] * t146 - (c3 * t220 + s3 * t218);
-  const Scalar t234 = k[7] * t154 + ((t232 - k[5] * t133) + t233);
-  const Scalar t235 = (k[4] * t231 + k[2] * t129) - (k[5] * t226 + k[6] * t25);
-  const Scalar t236 = (t155 + (k[14] * t225 + k[13] * t221)) + (k[12] * t131 + t235);
-  const Scalar t237 = s2 * t234 + c2 * (t236 - k[7] * t145);
-  const Scalar t238 = t2 + (t156 + (k[1] * t230 - k[0] * t237));
-  JointVector<Scalar> result;
-  result[0] = -t238;
-  result[1] = -t230;
-  result[2] = -t225;
-  result[3] = -t207;
-  result[4] = -t197;
-  result[5] = -t195;
-  return result;
-}
-
-}  // namespace detail
-
-template <class Scalar>
-JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
-    const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g,
-    const BasicInertia<Scalar>& inertia,
-    const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
-  return detail::inverse_dynamics_with_gravity_vector<Scalar>(q, qd, qdd,
-      sines_and_cosines<Scalar>(q[0], q[1], q[2], q[3], q[4], q[5]),
-      inverse_dynamics_with_gravity_vector_constants<Scalar>(g, inertia, gravity));
-}
-
-template <class Scalar>
-JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
-    const JointVector<Scalar>& qdd, const LoadAngles<Scalar>& angles,
-    const InverseDynamicsWithGravityVectorConstants<Scalar>& constants) {
-  return detail::inverse_dynamics_with_gravity_vector<Scalar>(q, qd, qdd, angles, constants);
-}
-
-template <class Scalar>
-InverseDynamicsWithWrenchConstants<Scalar> inverse_dynamics_with_wrench_constants(const BasicGeometry<Scalar>& g,
-    const BasicInertia<Scalar>& inertia,
-    const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
-  using std::cos;
-  using std::sin;
-  const Scalar t0 = inertia.m5 + inertia.m6;
-  const Scalar t1 = inertia.m4 + t0;
   const Scalar t2 = inertia.c4z * inertia.m4;
   const Scalar t3 = g.d4 * inertia.m4;
   const Scalar t4 = t2 + t3;
@@ -545,74 +64,74 @@ InverseDynamicsWithWrenchConstants<Scalar> inverse_dynamics_with_wrench_constant
   const Scalar t32 = (t30 - t31) / (g.d3 * sin(g.alpha3));
   const Scalar t33 = g.d3 * t32;
   const Scalar t34 = cos(g.alpha3) * t33;
-  const Scalar t35 = g.d2 * t31;
-  const Scalar t36 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t37 = ((inertia.I4zz - t36) - inertia.c4z * t2) - g.d4 * (t4 + t2);
-  const Scalar t38 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t39 = (inertia.c5z * t7 - (inertia.I5zz - t38)) + g.d5 * (t7 + t8);
-  const Scalar t40 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t41 = (inertia.c6z * t10 - (inertia.I6zz - t40)) + g.d6 * (t11 + t10);
-  const Scalar t42 = sin(g.alpha6) * t41;
+  const Scalar t35 = (g.a3 * t30 + (inertia.I2xy - inertia.c2y * t27)) - g.a3 * sin(g.alpha3) * t33;
+  const Scalar t36 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t37 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t38 = ((inertia.I4zz - t37) - inertia.c4z * t2) - g.d4 * (t4 + t2);
+  const Scalar t39 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t40 = (inertia.c5z * t7 - (inertia.I5zz - t39)) + g.d5 * (t7 + t8);
+  const Scalar t41 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t42 = (inertia.c6z * t10 - (inertia.I6zz - t41)) + g.d6 * (t11 + t10);
   const Scalar t43 = sin(g.alpha6) * t42;
-  const Scalar t44 = (g.d5 * (t9 - t8) + t39) + (t41 - t43);
-  const Scalar t45 = g.d5 * (t13 + t14) - t44;
-  const Scalar t46 = sin(g.alpha5) * t45;
+  const Scalar t44 = sin(g.alpha6) * t43;
+  const Scalar t45 = (g.d5 * (t9 - t8) + t40) + (t42 - t44);
+  const Scalar t46 = g.d5 * (t13 + t14) - t45;
   const Scalar t47 = sin(g.alpha5) * t46;
-  const Scalar t48 = (g.d4 * (t5 + t4) + t37) - (t47 - t45);
-  const Scalar t49 = t48 - g.d4 * (t16 + t17);
-  const Scalar t50 = sin(g.alpha4) * t49;
+  const Scalar t48 = sin(g.alpha5) * t47;
+  const Scalar t49 = (g.d4 * (t5 + t4) + t38) - (t48 - t46);
+  const Scalar t50 = t49 - g.d4 * (t16 + t17);
   const Scalar t51 = sin(g.alpha4) * t50;
-  const Scalar t52 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t53 = g.d3 * (t20 + t21) - ((inertia.I3zz - t52) - inertia.c3z * t20);
-  const Scalar t54 = (t51 - t49) + (t53 - g.d3 * (t21 - t22));
-  const Scalar t55 = t54 + g.d3 * (t23 + t25);
-  const Scalar t56 = sin(g.alpha3) * t55;
-  const Scalar t57 = ((t35 - (inertia.I2yz - inertia.c2z * t31)) - t35) - cos(g.alpha3) * t56;
-  const Scalar t58 = g.d3 * t33;
-  const Scalar t59 = sin(g.alpha3) * t58;
-  const Scalar t60 = (g.a3 * t30 + (inertia.I2xy - inertia.c2y * t27)) - g.a3 * sin(g.alpha3) * t33;
-  const Scalar t61 = g.a3 * t24;
-  const Scalar t62 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t63 = g.a3 * t61 + (inertia.c2x * t27 - (inertia.I2xx - t62));
-  const Scalar t64 = g.a3 * t32;
-  const Scalar t65 = g.a3 * t64;
-  const Scalar t66 = sin(g.alpha3) * t56;
-  const Scalar t67 = sin(g.alpha3) * t59;
-  const Scalar t68 = (((inertia.I2yy - t62) - inertia.c2y * t31) - t66) + t67;
-  const Scalar t69 = g.a2 / g.a3;
-  const Scalar t70 = gravity[2] / g.a3;
-  const Scalar t71 = g.a5 * t0;
-  const Scalar t72 = inertia.c4x * inertia.m4;
-  const Scalar t73 = sin(g.alpha5) * t14;
-  const Scalar t74 = inertia.c4y * inertia.m4;
-  const Scalar t75 = inertia.c6x * inertia.m6;
-  const Scalar t76 = inertia.c6y * inertia.m6;
-  const Scalar t77 = g.a6 * inertia.m6;
-  const Scalar t78 = inertia.c5x * inertia.m5;
-  const Scalar t79 = inertia.c5y * inertia.m5;
-  const Scalar t80 = sin(g.alpha6) * t11;
-  const Scalar t81 = g.a5 * t71 - ((inertia.I4xx - t36) - inertia.c4x * t72);
-  const Scalar t82 = g.d4 * t74;
-  const Scalar t83 = cos(g.alpha5) * t46 - (t82 - (t82 - (inertia.I4yz - inertia.c4z * t74)));
-  const Scalar t84 = g.d4 * t72;
-  const Scalar t85 = g.a5 * t15 + (((inertia.I4xz - inertia.c4z * t72) - t84) + t84);
-  const Scalar t86 = g.d5 * t79;
-  const Scalar t87 = (t86 + ((inertia.I5yz - inertia.c5z * t79) - t86)) + cos(g.alpha6) * t42;
-  const Scalar t88 = g.d5 * t78;
-  const Scalar t89 = (t88 - (t88 - (inertia.I5xz - inertia.c5z * t78))) - g.a6 * t12;
-  const Scalar t90 = (inertia.I6xx - t40) - inertia.c6x * t75;
-  const Scalar t91 = (inertia.I6yy - t40) - inertia.c6y * t76;
-  const Scalar t92 = inertia.I6xy - inertia.c6y * t75;
-  const Scalar t93 = (inertia.c5x * t78 - (inertia.I5xx - t38)) + g.a6 * t77;
-  const Scalar t94 = g.a4 * t1;
-  const Scalar t95 = inertia.c3x * inertia.m3;
-  const Scalar t96 = g.a4 * t94 + (inertia.c3x * t95 - (inertia.I3xx - t52));
-  const Scalar t97 = sin(g.alpha4) * t17;
-  const Scalar t98 = inertia.c3y * inertia.m3;
-  const Scalar t99 = g.d3 * t98;
-  const Scalar t100 = cos(g.alpha4) * t50 - (t99 - (t99 - (inertia.I3yz - inertia.c3z * t98)));
-  const Scalar t101 = g.d3 * t95;
-  const Scalar t102 = g.a4 * t18 - (t101 - (t101 - (inertia.I3xz - inertia.c3z * t95)));
+  const Scalar t52 = sin(g.alpha4) * t51;
+  const Scalar t53 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t54 = g.d3 * (t20 + t21) - ((inertia.I3zz - t53) - inertia.c3z * t20);
+  const Scalar t55 = (t52 - t50) + (t54 - g.d3 * (t21 - t22));
+  const Scalar t56 = t55 + g.d3 * (t23 + t25);
+  const Scalar t57 = sin(g.alpha3) * t56;
+  const Scalar t58 = sin(g.alpha3) * t57;
+  const Scalar t59 = g.d3 * t33;
+  const Scalar t60 = sin(g.alpha3) * t59;
+  const Scalar t61 = sin(g.alpha3) * t60;
+  const Scalar t62 = (((inertia.I2yy - t36) - inertia.c2y * t31) - t58) + t61;
+  const Scalar t63 = g.d2 * t31;
+  const Scalar t64 = ((t63 - (inertia.I2yz - inertia.c2z * t31)) - t63) - cos(g.alpha3) * t57;
+  const Scalar t65 = sin(g.alpha5) * t14;
+  const Scalar t66 = inertia.c4y * inertia.m4;
+  const Scalar t67 = g.a5 * t0;
+  const Scalar t68 = inertia.c4x * inertia.m4;
+  const Scalar t69 = inertia.c6x * inertia.m6;
+  const Scalar t70 = inertia.c6y * inertia.m6;
+  const Scalar t71 = g.a6 * inertia.m6;
+  const Scalar t72 = inertia.c5x * inertia.m5;
+  const Scalar t73 = inertia.c5y * inertia.m5;
+  const Scalar t74 = sin(g.alpha6) * t11;
+  const Scalar t75 = g.a4 * t1;
+  const Scalar t76 = inertia.c3x * inertia.m3;
+  const Scalar t77 = sin(g.alpha4) * t17;
+  const Scalar t78 = inertia.c3y * inertia.m3;
+  const Scalar t79 = g.a2 / g.a3;
+  const Scalar t80 = gravity[2] / g.a3;
+  const Scalar t81 = g.a3 * t32;
+  const Scalar t82 = g.a3 * t81;
+  const Scalar t83 = g.a5 * t67 - ((inertia.I4xx - t37) - inertia.c4x * t68);
+  const Scalar t84 = g.d4 * t66;
+  const Scalar t85 = cos(g.alpha5) * t47 - (t84 - (t84 - (inertia.I4yz - inertia.c4z * t66)));
+  const Scalar t86 = g.d4 * t68;
+  const Scalar t87 = g.a5 * t15 + (((inertia.I4xz - inertia.c4z * t68) - t86) + t86);
+  const Scalar t88 = g.d5 * t72;
+  const Scalar t89 = (t88 - (t88 - (inertia.I5xz - inertia.c5z * t72))) - g.a6 * t12;
+  const Scalar t90 = g.d5 * t73;
+  const Scalar t91 = (t90 + ((inertia.I5yz - inertia.c5z * t73) - t90)) + cos(g.alpha6) * t43;
+  const Scalar t92 = (inertia.I6xx - t41) - inertia.c6x * t69;
+  const Scalar t93 = (inertia.I6yy - t41) - inertia.c6y * t70;
+  const Scalar t94 = inertia.I6xy - inertia.c6y * t69;
+  const Scalar t95 = (inertia.c5x * t72 - (inertia.I5xx - t39)) + g.a6 * t71;
+  const Scalar t96 = g.d3 * t76;
+  const Scalar t97 = g.a4 * t18 - (t96 - (t96 - (inertia.I3xz - inertia.c3z * t76)));
+  const Scalar t98 = g.d3 * t78;
+  const Scalar t99 = cos(g.alpha4) * t51 - (t98 - (t98 - (inertia.I3yz - inertia.c3z * t78)));
+  const Scalar t100 = g.a4 * t75 + (inertia.c3x * t76 - (inertia.I3xx - t53));
+  const Scalar t101 = g.a3 * t24;
+  const Scalar t102 = g.a3 * t101 + (inertia.c2x * t27 - (inertia.I2xx - t36));
   const Scalar t103 = g.a2 * t32;
   const Scalar t104 = inertia.m2 + t24;
   const Scalar t105 = g.a2 * t104;
@@ -626,82 +145,563 @@ InverseDynamicsWithWrenchConstants<Scalar> inverse_dynamics_with_wrench_constant
   const Scalar t113 = g.d2 * t104 + t112;
   const Scalar t114 = inertia.c1y * inertia.m1;
   const Scalar t115 = g.a3 * (sin(g.alpha2) * t107 - (sin(g.alpha2) * t113 - t114));
-  const Scalar t116 = g.d2 * (t110 + t109) - ((inertia.I2zz - t62) - inertia.c2z * t109);
-  const Scalar t117 = (g.d2 * (t110 - t111) - t116) + (t66 - t55);
+  const Scalar t116 = g.d2 * (t110 + t109) - ((inertia.I2zz - t36) - inertia.c2z * t109);
+  const Scalar t117 = (g.d2 * (t110 - t111) - t116) + (t58 - t56);
   const Scalar t118 = sin(g.alpha2) * sin(g.alpha2) * (t117 - g.d2 * (t112 + t113));
   const Scalar t119 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t120 = sin(g.alpha2) * ((t67 - t58) - g.d2 * (t34 + t107));
+  const Scalar t120 = sin(g.alpha2) * ((t61 - t59) - g.d2 * (t34 + t107));
   const Scalar t121 = (t118 - (inertia.c1y * t114 - (inertia.I1yy - t119))) - sin(g.alpha2) * t120;
   const Scalar t122 = g.a2 * t105 + (inertia.c1x * t106 - (inertia.I1xx - t119));
-  return { cos(g.alpha2),
-           sin(g.alpha2),
+  return { sin(g.alpha2),
+           cos(g.alpha2),
            t29 - g.a3 * t34,
-           t57 + cos(g.alpha3) * t59,
-           sin(g.alpha2) * sin(g.alpha2),
-           t60,
-           t63 - t65,
-           t68,
-           g.d2 / g.a3,
-           t69,
-           gravity[0] / g.a3,
-           gravity[1] / g.a3,
-           sin(g.alpha2) * t70,
-           g.a3 * ((t61 + t27) - t64),
+           t35,
+           t62,
+           t64 + cos(g.alpha3) * t60,
            cos(g.alpha3),
            sin(g.alpha3),
            sin(g.alpha4),
            cos(g.alpha4),
-           g.a3 * (t71 + t72),
-           g.a3 * (t73 + t74),
-           g.a3 * t75,
-           g.a3 * t76,
+           g.a3 * (t65 + t66),
+           g.a3 * (t67 + t68),
+           g.a3 * t69,
+           g.a3 * t70,
            sin(g.alpha5),
            cos(g.alpha5),
            sin(g.alpha6),
            cos(g.alpha6),
-           g.a3,
-           g.a3 * (t77 + t78),
-           g.a3 * (t79 - t80),
-           g.a3 * sin(g.alpha6),
-           g.a3 * cos(g.alpha6),
-           g.d4 / g.a3,
-           g.a4 / g.a3,
-           cos(g.alpha2) * t70,
+           g.a3 * (t71 + t72),
+           g.a3 * (t73 - t74),
+           g.a3 * (t75 + t76),
+           g.a3 * (t77 - t78),
+           g.d2 / g.a3,
+           t79,
+           gravity[0] / g.a3,
+           gravity[1] / g.a3,
+           sin(g.alpha2) * t80,
+           cos(g.alpha2) * t80,
            g.d3 / g.a3,
-           t81,
-           g.a5 * t73 - (inertia.I4xy - inertia.c4y * t72),
+           t82,
+           g.a4 / g.a3,
+           g.d4 / g.a3,
            t83,
+           g.a5 * t65 - (inertia.I4xy - inertia.c4y * t68),
            t85,
-           g.a5 / g.a3,
-           g.d5 / g.a3,
            t87,
-           (inertia.I5xy - inertia.c5y * t78) + g.a6 * t80,
-           (inertia.c5y * t79 - (inertia.I5yy - t38)) + t43,
+           g.d5 / g.a3,
+           g.a5 / g.a3,
            t89,
-           g.d6 / g.a3,
-           (inertia.I6xz - inertia.c6z * t75) - g.d6 * t75,
-           g.d6 * t76 - (inertia.I6yz - inertia.c6z * t76),
-           t90 - t91,
-           Scalar(2) * t92,
-           t92,
+           (inertia.I5xy - inertia.c5y * t72) + g.a6 * t74,
+           (inertia.c5y * t73 - (inertia.I5yy - t39)) + t44,
            t91,
            g.a6 / g.a3,
-           t90,
+           (inertia.I6xz - inertia.c6z * t69) - g.d6 * t69,
+           g.d6 * t70 - (inertia.I6yz - inertia.c6z * t70),
+           t92 - t93,
+           Scalar(2) * t94,
+           t94,
            t93,
-           t47 + ((inertia.I4yy - t36) - inertia.c4y * t74),
-           g.a3 * (t94 + t95),
-           t96,
-           (inertia.I3xy - inertia.c3y * t95) + g.a4 * t97,
+           t95,
+           t92,
+           t48 + ((inertia.I4yy - t37) - inertia.c4y * t66),
+           t97,
+           t99,
+           ((inertia.I3yy - t53) - inertia.c3y * t78) + t52,
+           (inertia.I3xy - inertia.c3y * t76) + g.a4 * t77,
            t100,
-           t102,
-           g.a3 * (t97 - t98),
-           ((inertia.I3yy - t52) - inertia.c3y * t98) + t51,
-           t65,
-           cos(g.alpha2) * t69,
-           sin(g.alpha2) * t69,
+           g.a3 * ((t101 + t27) - t81),
+           t102 - t82,
+           cos(g.alpha2) * t79,
+           sin(g.alpha2) * t79,
            g.a3 * (t103 - (t105 + t106)),
            t115,
            t121 + (g.a2 * t103 - t122) };
+}
+
+namespace detail {
+
+template <class Scalar, class Angles>
+inline JointVector<Scalar> inverse_dynamics_with_gravity_vector([[maybe_unused]] const JointVector<Scalar>& q,
+    const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const Angles& angles,
+    const InverseDynamicsWithGravityVectorConstants<Scalar>& k) {
+  const Scalar& s1 = angles.sine[0];
+  const Scalar& c1 = angles.cosine[0];
+  const Scalar& s2 = angles.sine[1];
+  const Scalar& c2 = angles.cosine[1];
+  const Scalar& s3 = angles.sine[2];
+  const Scalar& c3 = angles.cosine[2];
+  const Scalar& s4 = angles.sine[3];
+  const Scalar& c4 = angles.cosine[3];
+  const Scalar& s5 = angles.sine[4];
+  const Scalar& c5 = angles.cosine[4];
+  const Scalar& s6 = angles.sine[5];
+  const Scalar& c6 = angles.cosine[5];
+  const Scalar t0 = k[0] * qd[0];
+  const Scalar t1 = s2 * t0;
+  const Scalar t2 = k[1] * qd[0];
+  const Scalar t3 = k[0] * qdd[0];
+  const Scalar t4 = t1 * t2 + c2 * t3;
+  const Scalar t5 = qdd[1] + k[1] * qdd[0];
+  const Scalar t6 = c2 * t0;
+  const Scalar t7 = t1 * t6;
+  const Scalar t8 = t5 - t7;
+  const Scalar t9 = k[6] * t4 + k[7] * t8;
+  const Scalar t10 = qd[1] + t2;
+  const Scalar t11 = t10 * t6;
+  const Scalar t12 = s2 * t3 - t2 * t6;
+  const Scalar t13 = t11 + t12;
+  const Scalar t14 = k[6] * t6 + k[7] * t10;
+  const Scalar t15 = k[6] * t10 - k[7] * t6;
+  const Scalar t16 = t13 - t14 * t15;
+  const Scalar t17 = c3 * t9 - s3 * t16;
+  const Scalar t18 = s3 * t14 + c3 * t1;
+  const Scalar t19 = qd[2] + t15;
+  const Scalar t20 = t18 * t19;
+  const Scalar t21 = t17 - t20;
+  const Scalar t22 = t1 * t10;
+  const Scalar t23 = t4 - t22;
+  const Scalar t24 = qdd[2] - (k[7] * t23 - k[6] * t5);
+  const Scalar t25 = qdd[3] - (k[8] * t21 - k[9] * t24);
+  const Scalar t26 = s3 * t1 - c3 * t14;
+  const Scalar t27 = k[9] * t26 - k[8] * t19;
+  const Scalar t28 = s4 * t27 - c4 * t18;
+  const Scalar t29 = s4 * t18 + c4 * t27;
+  const Scalar t30 = t28 * t29;
+  const Scalar t31 = t25 + t30;
+  const Scalar t32 = k[9] * t19 + k[8] * t26;
+  const Scalar t33 = qd[3] + t32;
+  const Scalar t34 = t33 * t33;
+  const Scalar t35 = t28 * t28;
+  const Scalar t36 = t26 * t19;
+  const Scalar t37 = c3 * t16 + s3 * t9;
+  const Scalar t38 = t36 - t37;
+  const Scalar t39 = t38 - t27 * t32;
+  const Scalar t40 = t18 * t26;
+  const Scalar t41 = t24 + t40;
+  const Scalar t42 = k[8] * t41 + k[9] * t17;
+  const Scalar t43 = s4 * t39 + c4 * t42;
+  const Scalar t44 = t33 * t28;
+  const Scalar t45 = t43 + t44;
+  const Scalar t46 = qdd[4] - (k[14] * t45 - k[15] * t25);
+  const Scalar t47 = k[14] * t33 - k[15] * t29;
+  const Scalar t48 = s5 * t47 - c5 * t28;
+  const Scalar t49 = c5 * t47 + s5 * t28;
+  const Scalar t50 = t48 * t49;
+  const Scalar t51 = t46 + t50;
+  const Scalar t52 = t48 * t48;
+  const Scalar t53 = k[15] * t33 + k[14] * t29;
+  const Scalar t54 = qd[4] + t53;
+  const Scalar t55 = t54 * t54;
+  const Scalar t56 = t52 + t55;
+  const Scalar t57 = k[17] * t54 - k[16] * t49;
+  const Scalar t58 = qd[5] + t57;
+  const Scalar t59 = k[17] * t49 + k[16] * t54;
+  const Scalar t60 = t58 * t59;
+  const Scalar t61 = s4 * t42 - c4 * t39;
+  const Scalar t62 = t33 * t29;
+  const Scalar t63 = t61 - t62;
+  const Scalar t64 = t63 - t47 * t53;
+  const Scalar t65 = t25 - t30;
+  const Scalar t66 = k[14] * t65 + k[15] * t43;
+  const Scalar t67 = c5 * t64 + s5 * t66;
+  const Scalar t68 = t54 * t49;
+  const Scalar t69 = t67 + t68;
+  const Scalar t70 = t57 * t59 - t69;
+  const Scalar t71 = (t60 - t70) + t60;
+  const Scalar t72 = k[12] * s6 + k[13] * c6;
+  const Scalar t73 = s5 * t64 - c5 * t66;
+  const Scalar t74 = t46 - t50;
+  const Scalar t75 = k[17] * t73 - k[16] * t74;
+  const Scalar t76 = t48 * t58;
+  const Scalar t77 = (t75 + t76) + t76;
+  const Scalar t78 = k[13] * s6 - k[12] * c6;
+  const Scalar t79 = t71 * t72 - t77 * t78;
+  const Scalar t80 = t58 * t58;
+  const Scalar t81 = t52 + t80;
+  const Scalar t82 = t48 * t59;
+  const Scalar t83 = t48 * t54;
+  const Scalar t84 = t83 + t73;
+  const Scalar t85 = qdd[5] + (k[16] * t84 + k[17] * t46);
+  const Scalar t86 = t82 + t85;
+  const Scalar t87 = t81 * t72 + t86 * t78;
+  const Scalar t88 = k[16] * t79 + k[17] * t87;
+  const Scalar t89 = (k[18] * t51 - k[19] * t56) - t88;
+  const Scalar t90 = t82 - t85;
+  const Scalar t91 = t59 * t59;
+  const Scalar t92 = t52 - t91;
+  const Scalar t93 = t52 - t55;
+  const Scalar t94 = t52 + t49 * t49;
+  const Scalar t95 = t93 - t94;
+  const Scalar t96 = (t90 * t72 + t78 * (t81 - t92)) + (k[18] * t95 - k[19] * t74);
+  const Scalar t97 = c5 * t89 + s5 * t96;
+  const Scalar t98 = k[17] * t79 - k[16] * t87;
+  const Scalar t99 = t83 + t84;
+  const Scalar t100 = t68 + t69;
+  const Scalar t101 = t98 + (k[18] * t99 + k[19] * t100);
+  const Scalar t102 = k[15] * t97 - k[14] * t101;
+  const Scalar t103 = (k[11] * t31 - k[10] * (t34 + t35)) + t102;
+  const Scalar t104 = t29 * t29;
+  const Scalar t105 = t34 + t104;
+  const Scalar t106 = (c5 * t96 - s5 * t89) - (k[10] * t65 + k[11] * t105);
+  const Scalar t107 = c4 * t103 + s4 * t106;
+  const Scalar t108 = t62 - t63;
+  const Scalar t109 = t44 + t45;
+  const Scalar t110 = k[15] * t101 + k[14] * t97;
+  const Scalar t111 = (k[10] * t108 + k[11] * t109) - t110;
+  const Scalar t112 = k[8] * t107 - k[9] * t111;
+  const Scalar t113 = t18 * t18;
+  const Scalar t114 = t26 * t26;
+  const Scalar t115 = k[24] * s1 - k[25] * c1;
+  const Scalar t116 = t115 + k[23] * qdd[0];
+  const Scalar t117 = k[26] - k[1] * t116;
+  const Scalar t118 = k[24] * c1 + k[25] * s1;
+  const Scalar t119 = k[23] * qd[0] * qd[0] + t118;
+  const Scalar t120 = (c2 * t117 - s2 * t119) + k[22] * t12;
+  const Scalar t121 = t5 + t7;
+  const Scalar t122 = t120 - t121;
+  const Scalar t123 = t0 * t0;
+  const Scalar t124 = (k[27] + k[0] * t116) + k[22] * t123;
+  const Scalar t125 = t23 - t22;
+  const Scalar t126 = t124 + t125;
+  const Scalar t127 = k[28] * (t113 + t114) - (k[7] * t122 - k[6] * t126);
+  const Scalar t128 = t21 - t20;
+  const Scalar t129 = t38 + t36;
+  const Scalar t130 = k[29] * t127 + (k[20] * t128 - k[21] * t129);
+  const Scalar t131 = t112 - t130;
+  const Scalar t132 = k[8] * t111 + k[9] * t107;
+  const Scalar t133 = t19 * t19;
+  const Scalar t134 = t133 + t113;
+  const Scalar t135 = t24 - t40;
+  const Scalar t136 = t6 * t6;
+  const Scalar t137 = t10 * t10;
+  const Scalar t138 = t136 + t137;
+  const Scalar t139 = k[22] * t4 - (s2 * t117 + c2 * t119);
+  const Scalar t140 = k[28] * t9 - (t138 - t139);
+  const Scalar t141 = (k[7] * t126 + k[6] * t122) + k[28] * t16;
+  const Scalar t142 = s3 * t140 + c3 * t141;
+  const Scalar t143 = (k[21] * t134 + k[20] * t135) - k[29] * t142;
+  const Scalar t144 = t132 + t143;
+  const Scalar t145 = t133 - t113;
+  const Scalar t146 = t133 - t114;
+  const Scalar t147 = t145 - t146;
+  const Scalar t148 = t134 + t147;
+  const Scalar t149 = s3 * t141 - c3 * t140;
+  const Scalar t150 = (k[20] * t148 - k[21] * t41) + k[29] * t149;
+  const Scalar t151 = (s4 * t103 - c4 * t106) + t150;
+  const Scalar t152 = c3 * t144 - s3 * t151;
+  const Scalar t153 = k[7] * t131 - k[6] * t152;
+  const Scalar t154 = k[30] * t135 - t142;
+  const Scalar t155 = k[30] * t128 + t127;
+  const Scalar t156 = t34 - t35;
+  const Scalar t157 = (k[8] * t154 + k[9] * t155) + k[31] * (t105 - t156);
+  const Scalar t158 = k[37] * t109 + t157;
+  const Scalar t159 = k[9] * t154 - k[8] * t155;
+  const Scalar t160 = k[30] * t148 + t149;
+  const Scalar t161 = (c4 * t159 + s4 * t160) - k[31] * t61;
+  const Scalar t162 = t161 + k[37] * t31;
+  const Scalar t163 = (k[15] * t158 + k[14] * t162) + k[36] * t94;
+  const Scalar t164 = k[42] * t99 - t163;
+  const Scalar t165 = k[15] * t162 - k[14] * t158;
+  const Scalar t166 = (c4 * t160 - s4 * t159) - k[31] * t43;
+  const Scalar t167 = k[37] * t105 + t166;
+  const Scalar t168 = (c5 * t165 + s5 * t167) - k[36] * t67;
+  const Scalar t169 = t168 + k[42] * t51;
+  const Scalar t170 = k[36] * t73 + (c5 * t167 - s5 * t165);
+  const Scalar t171 = (k[16] * t164 + k[17] * t169) * t78 - (t170 - k[42] * t95) * t72;
+  const Scalar t172 = k[46] * c6 + k[45] * s6;
+  const Scalar t173 = s6 * t172;
+  const Scalar t174 = k[48] + t173;
+  const Scalar t175 = k[50] - t173;
+  const Scalar t176 = k[47] - c6 * t172;
+  const Scalar t177 = (t90 * t174 - t86 * t175) - t176 * t92;
+  const Scalar t178 = k[43] * s6 - k[44] * c6;
+  const Scalar t179 = k[43] * c6 + k[44] * s6;
+  const Scalar t180 = t171 - (t177 - (t178 * t75 + t179 * t70));
+  const Scalar t181 = k[16] * t169 - k[17] * t164;
+  const Scalar t182 = t80 - t91;
+  const Scalar t183 = (t179 * (t182 - t92) - t90 * t178) - (t176 * t71 - t77 * t175);
+  const Scalar t184 = t181 * t78 - t183;
+  const Scalar t185 = (k[17] * t180 + k[16] * t184) + k[42] * t88;
+  const Scalar t186 = (k[40] * t74 + k[49] * t51) + k[39] * (t95 + t56);
+  const Scalar t187 = ((k[38] * t67 - k[41] * t73) + t186) + (k[19] * t170 + k[18] * t168);
+  const Scalar t188 = t185 - t187;
+  const Scalar t189 = (k[39] * t100 - k[49] * t99) - (k[38] * t93 - k[41] * t74);
+  const Scalar t190 = (k[16] * t180 - k[17] * t184) - k[42] * t98;
+  const Scalar t191 = ((k[18] * t163 + t189) + t190) + k[36] * t96;
+  const Scalar t192 = t182 * t178 + (t71 * t174 - t77 * t176);
+  const Scalar t193 = (k[39] * t99 - k[40] * t100) + k[41] * (t56 - t94);
+  const Scalar t194 = (t181 * t72 + (t192 - t179 * t86)) - ((k[38] * t51 - t193) - k[19] * t163);
+  const Scalar t195 = t194 + k[36] * t89;
+  const Scalar t196 = c5 * t191 - s5 * t195;
+  const Scalar t197 = k[37] * t102 - (k[15] * t188 - k[14] * t196);
+  const Scalar t198 = (k[51] * t65 - k[32] * t31) - k[33] * (t104 - t35);
+  const Scalar t199 = (k[10] * t166 + k[11] * t161) - ((k[34] * t43 - k[35] * t61) + t198);
+  const Scalar t200 = t197 + t199;
+  const Scalar t201 = k[34] * (t34 - t104) - (k[33] * t109 - k[51] * t108);
+  const Scalar t202 = ((t201 + k[35] * t31) - k[10] * t157) - (c5 * t195 + s5 * t191);
+  const Scalar t203 = k[31] * t103 - t202;
+  const Scalar t204 = (k[15] * t196 + k[14] * t188) - k[37] * t110;
+  const Scalar t205 = (k[35] * t156 - k[34] * t65) + (k[32] * t109 + k[33] * t108);
+  const Scalar t206 = (t204 + (t205 + k[11] * t157)) + k[31] * t106;
+  const Scalar t207 = s4 * t203 - c4 * t206;
+  const Scalar t208 = (k[9] * t200 - k[8] * t207) + k[30] * t132;
+  const Scalar t209 = (k[54] * t41 - k[56] * t135) + k[55] * t147;
+  const Scalar t210 = (t209 + (k[52] * t37 + k[53] * t17)) + (k[20] * t142 + k[21] * t149);
+  const Scalar t211 = t208 - t210;
+  const Scalar t212 = (k[55] * t128 + k[54] * t129) + k[53] * t146;
+  const Scalar t213 = (c4 * t203 + s4 * t206) - ((t212 - k[52] * t135) + k[21] * t127);
+  const Scalar t214 = (k[9] * t207 + k[8] * t200) + k[30] * t112;
+  const Scalar t215 = (k[55] * t129 - k[56] * t128) + (k[53] * t41 + k[52] * t145);
+  const Scalar t216 = t214 - (k[20] * t127 - t215);
+  const Scalar t217 = s3 * t144 + c3 * t151;
+  const Scalar t218 = (s3 * t213 + c3 * t216) + k[28] * t217;
+  const Scalar t219 = t138 - t123;
+  const Scalar t220 = t136 - t137;
+  const Scalar t221 = k[3] * (t219 + t220) + (k[4] * t8 - k[58] * t121);
+  const Scalar t222 = ((k[2] * t12 + k[5] * t4) + t221) + k[57] * t120;
+  const Scalar t223 = (t153 - (k[6] * t211 - k[7] * t218)) + t222;
+  const Scalar t224 = k[57] * t121 - t153;
+  const Scalar t225 = t13 + t11;
+  const Scalar t226 = k[5] * t220 + (k[4] * t225 - k[3] * t125);
+  const Scalar t227 = (s3 * t216 - c3 * t213) - k[28] * t152;
+  const Scalar t228 = k[22] * t224 + ((t226 + k[2] * t121) - t227);
+  const Scalar t229 = t217 + k[57] * t138;
+  const Scalar t230 = (k[58] * t125 + k[3] * t225) - (k[2] * t219 + k[5] * t8);
+  const Scalar t231 = k[7] * t152 + k[6] * t131;
+  const Scalar t232 = (k[57] * t124 + t230) - (t231 + (k[7] * t211 + k[6] * t218));
+  const Scalar t233 = s2 * t228 + c2 * (k[22] * t229 - t232);
+  const Scalar t234 = k[59] * (c2 * t224 - s2 * t229) - k[60] * (t231 - k[57] * t125);
+  const Scalar t235 = (k[61] * t115 - k[62] * t118) + k[63] * qdd[0];
+  const Scalar t236 = ((k[1] * t223 + k[0] * t233) - t234) + t235;
+  JointVector<Scalar> result;
+  result[0] = -t236;
+  result[1] = -t223;
+  result[2] = t211;
+  result[3] = t200;
+  result[4] = -t188;
+  result[5] = -t180;
+  return result;
+}
+
+}  // namespace detail
+
+template <class Scalar>
+JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
+    const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g,
+    const BasicInertia<Scalar>& inertia,
+    const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
+  return detail::inverse_dynamics_with_gravity_vector<Scalar>(q, qd, qdd,
+      sines_and_cosines<Scalar>(q[0], q[1], q[2], q[3], q[4], q[5]),
+      inverse_dynamics_with_gravity_vector_constants<Scalar>(g, inertia, gravity));
+}
+
+template <class Scalar>
+JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
+    const JointVector<Scalar>& qdd, const LoadAngles<Scalar>& angles,
+    const InverseDynamicsWithGravityVectorConstants<Scalar>& constants) {
+  return detail::inverse_dynamics_with_gravity_vector<Scalar>(q, qd, qdd, angles, constants);
+}
+
+template <class Scalar>
+InverseDynamicsWithWrenchConstants<Scalar> inverse_dynamics_with_wrench_constants(const BasicGeometry<Scalar>& g,
+    const BasicInertia<Scalar>& inertia,
+    const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
+  using std::cos;
+  using std::sin;
+  const Scalar t0 = g.a2 / g.a3;
+  const Scalar t1 = gravity[2] / g.a3;
+  const Scalar t2 = inertia.m5 + inertia.m6;
+  const Scalar t3 = inertia.m4 + t2;
+  const Scalar t4 = g.a4 * t3;
+  const Scalar t5 = inertia.c3x * inertia.m3;
+  const Scalar t6 = inertia.c4z * inertia.m4;
+  const Scalar t7 = g.d4 * inertia.m4;
+  const Scalar t8 = t6 + t7;
+  const Scalar t9 = t8 - t7;
+  const Scalar t10 = g.d5 * inertia.m5;
+  const Scalar t11 = inertia.c5z * inertia.m5;
+  const Scalar t12 = t11 + t10;
+  const Scalar t13 = t10 - t12;
+  const Scalar t14 = inertia.c6z * inertia.m6;
+  const Scalar t15 = g.d6 * inertia.m6 + t14;
+  const Scalar t16 = cos(g.alpha6) * t15;
+  const Scalar t17 = t13 - t16;
+  const Scalar t18 = t17 - g.d5 * t2;
+  const Scalar t19 = cos(g.alpha5) * t18;
+  const Scalar t20 = t9 - t19;
+  const Scalar t21 = g.d4 * t3 + t20;
+  const Scalar t22 = sin(g.alpha4) * t21;
+  const Scalar t23 = inertia.c3y * inertia.m3;
+  const Scalar t24 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t25 = g.a4 * t4 + (inertia.c3x * t5 - (inertia.I3xx - t24));
+  const Scalar t26 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t27 = ((inertia.I4zz - t26) - inertia.c4z * t6) - g.d4 * (t8 + t6);
+  const Scalar t28 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t29 = (inertia.c5z * t11 - (inertia.I5zz - t28)) + g.d5 * (t11 + t12);
+  const Scalar t30 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t31 = (inertia.c6z * t14 - (inertia.I6zz - t30)) + g.d6 * (t15 + t14);
+  const Scalar t32 = sin(g.alpha6) * t31;
+  const Scalar t33 = sin(g.alpha6) * t32;
+  const Scalar t34 = (g.d5 * (t13 - t12) + t29) + (t31 - t33);
+  const Scalar t35 = g.d5 * (t17 + t18) - t34;
+  const Scalar t36 = sin(g.alpha5) * t35;
+  const Scalar t37 = sin(g.alpha5) * t36;
+  const Scalar t38 = (g.d4 * (t9 + t8) + t27) - (t37 - t35);
+  const Scalar t39 = t38 - g.d4 * (t20 + t21);
+  const Scalar t40 = sin(g.alpha4) * t39;
+  const Scalar t41 = sin(g.alpha4) * t40;
+  const Scalar t42 = g.d3 * t23;
+  const Scalar t43 = cos(g.alpha4) * t40 - (t42 - (t42 - (inertia.I3yz - inertia.c3z * t23)));
+  const Scalar t44 = cos(g.alpha4) * t21;
+  const Scalar t45 = g.d3 * t5;
+  const Scalar t46 = g.a4 * t44 - (t45 - (t45 - (inertia.I3xz - inertia.c3z * t5)));
+  const Scalar t47 = g.a5 * t2;
+  const Scalar t48 = inertia.c4x * inertia.m4;
+  const Scalar t49 = sin(g.alpha5) * t18;
+  const Scalar t50 = inertia.c4y * inertia.m4;
+  const Scalar t51 = inertia.c5y * inertia.m5;
+  const Scalar t52 = sin(g.alpha6) * t15;
+  const Scalar t53 = g.a6 * inertia.m6;
+  const Scalar t54 = inertia.c5x * inertia.m5;
+  const Scalar t55 = inertia.c6x * inertia.m6;
+  const Scalar t56 = inertia.c6y * inertia.m6;
+  const Scalar t57 = g.a5 * t47 - ((inertia.I4xx - t26) - inertia.c4x * t48);
+  const Scalar t58 = g.d4 * t50;
+  const Scalar t59 = cos(g.alpha5) * t36 - (t58 - (t58 - (inertia.I4yz - inertia.c4z * t50)));
+  const Scalar t60 = g.d4 * t48;
+  const Scalar t61 = g.a5 * t19 + (((inertia.I4xz - inertia.c4z * t48) - t60) + t60);
+  const Scalar t62 = (inertia.I6xx - t30) - inertia.c6x * t55;
+  const Scalar t63 = (inertia.I6yy - t30) - inertia.c6y * t56;
+  const Scalar t64 = inertia.I6xy - inertia.c6y * t55;
+  const Scalar t65 = g.d6 / g.a3;
+  const Scalar t66 = g.d5 * t51;
+  const Scalar t67 = (t66 + ((inertia.I5yz - inertia.c5z * t51) - t66)) + cos(g.alpha6) * t32;
+  const Scalar t68 = g.d5 * t54;
+  const Scalar t69 = (t68 - (t68 - (inertia.I5xz - inertia.c5z * t54))) - g.a6 * t16;
+  const Scalar t70 = (inertia.c5x * t54 - (inertia.I5xx - t28)) + g.a6 * t53;
+  const Scalar t71 = g.d3 * inertia.m3;
+  const Scalar t72 = inertia.c3z * inertia.m3;
+  const Scalar t73 = t72 + t71;
+  const Scalar t74 = t71 - t73;
+  const Scalar t75 = t44 - t74;
+  const Scalar t76 = inertia.m3 + t3;
+  const Scalar t77 = t75 + g.d3 * t76;
+  const Scalar t78 = sin(g.alpha3) * t77;
+  const Scalar t79 = inertia.c2y * inertia.m2;
+  const Scalar t80 = (t78 - t79) / (g.d3 * sin(g.alpha3));
+  const Scalar t81 = g.a3 * t80;
+  const Scalar t82 = g.a3 * t81;
+  const Scalar t83 = cos(g.alpha3) * t77;
+  const Scalar t84 = inertia.c2x * inertia.m2;
+  const Scalar t85 = g.d2 * t84;
+  const Scalar t86 = g.a3 * t83 - (((inertia.I2xz - inertia.c2z * t84) - t85) + t85);
+  const Scalar t87 = g.d3 * t80;
+  const Scalar t88 = cos(g.alpha3) * t87;
+  const Scalar t89 = g.d2 * t79;
+  const Scalar t90 = g.d3 * (t72 + t73) - ((inertia.I3zz - t24) - inertia.c3z * t72);
+  const Scalar t91 = (t41 - t39) + (t90 - g.d3 * (t73 - t74));
+  const Scalar t92 = t91 + g.d3 * (t75 + t77);
+  const Scalar t93 = sin(g.alpha3) * t92;
+  const Scalar t94 = ((t89 - (inertia.I2yz - inertia.c2z * t79)) - t89) - cos(g.alpha3) * t93;
+  const Scalar t95 = g.d3 * t87;
+  const Scalar t96 = sin(g.alpha3) * t95;
+  const Scalar t97 = (g.a3 * t78 + (inertia.I2xy - inertia.c2y * t84)) - g.a3 * sin(g.alpha3) * t87;
+  const Scalar t98 = g.a3 * t76;
+  const Scalar t99 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t100 = g.a3 * t98 + (inertia.c2x * t84 - (inertia.I2xx - t99));
+  const Scalar t101 = sin(g.alpha3) * t93;
+  const Scalar t102 = sin(g.alpha3) * t96;
+  const Scalar t103 = (((inertia.I2yy - t99) - inertia.c2y * t79) - t101) + t102;
+  const Scalar t104 = g.a2 * t80;
+  const Scalar t105 = inertia.m2 + t76;
+  const Scalar t106 = g.a2 * t105;
+  const Scalar t107 = inertia.c1x * inertia.m1;
+  const Scalar t108 = t88 + g.d2 * t80;
+  const Scalar t109 = g.d2 * inertia.m2;
+  const Scalar t110 = inertia.c2z * inertia.m2;
+  const Scalar t111 = t109 + t110;
+  const Scalar t112 = t109 - t111;
+  const Scalar t113 = t83 - t112;
+  const Scalar t114 = g.d2 * t105 + t113;
+  const Scalar t115 = inertia.c1y * inertia.m1;
+  const Scalar t116 = g.a3 * (sin(g.alpha2) * t108 - (sin(g.alpha2) * t114 - t115));
+  const Scalar t117 = g.d2 * (t111 + t110) - ((inertia.I2zz - t99) - inertia.c2z * t110);
+  const Scalar t118 = (g.d2 * (t111 - t112) - t117) + (t101 - t92);
+  const Scalar t119 = sin(g.alpha2) * sin(g.alpha2) * (t118 - g.d2 * (t113 + t114));
+  const Scalar t120 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t121 = sin(g.alpha2) * ((t102 - t95) - g.d2 * (t88 + t108));
+  const Scalar t122 = (t119 - (inertia.c1y * t115 - (inertia.I1yy - t120))) - sin(g.alpha2) * t121;
+  const Scalar t123 = g.a2 * t106 + (inertia.c1x * t107 - (inertia.I1xx - t120));
+  return { sin(g.alpha2),
+           cos(g.alpha2),
+           g.d2 / g.a3,
+           t0,
+           gravity[0] / g.a3,
+           gravity[1] / g.a3,
+           sin(g.alpha2) * t1,
+           cos(g.alpha3),
+           sin(g.alpha2) * sin(g.alpha2),
+           cos(g.alpha2) * t1,
+           sin(g.alpha3),
+           g.d3 / g.a3,
+           g.a3 * (t4 + t5),
+           g.a3 * (t22 - t23),
+           t25,
+           ((inertia.I3yy - t24) - inertia.c3y * t23) + t41,
+           (inertia.I3xy - inertia.c3y * t5) + g.a4 * t22,
+           t43,
+           t46,
+           sin(g.alpha4),
+           cos(g.alpha4),
+           g.a3 * (t47 + t48),
+           g.a3 * (t49 + t50),
+           cos(g.alpha5),
+           sin(g.alpha5),
+           g.a3 * (t51 - t52),
+           g.a3 * (t53 + t54),
+           g.a3 * cos(g.alpha6),
+           g.a3 * sin(g.alpha6),
+           g.a3 * t55,
+           g.a3 * t56,
+           sin(g.alpha6),
+           cos(g.alpha6),
+           g.a3,
+           g.a4 / g.a3,
+           t57,
+           g.a5 * t49 - (inertia.I4xy - inertia.c4y * t48),
+           t59,
+           t61,
+           g.d4 / g.a3,
+           g.a5 / g.a3,
+           (inertia.I6xz - inertia.c6z * t55) - g.d6 * t55,
+           g.d6 * t56 - (inertia.I6yz - inertia.c6z * t56),
+           t62 - t63,
+           Scalar(2) * t64,
+           t62,
+           t63,
+           t64,
+           g.a6 / g.a3,
+           g.d5 / g.a3,
+           g.a3 * t65,
+           t67,
+           t69,
+           (inertia.c5y * t51 - (inertia.I5yy - t28)) + t33,
+           t70,
+           (inertia.I5xy - inertia.c5y * t54) + g.a6 * t52,
+           t65,
+           t37 + ((inertia.I4yy - t26) - inertia.c4y * t50),
+           t82,
+           t86 - g.a3 * t88,
+           t94 + cos(g.alpha3) * t96,
+           t97,
+           t100 - t82,
+           t103,
+           g.a3 * ((t98 + t84) - t81),
+           cos(g.alpha2) * t0,
+           sin(g.alpha2) * t0,
+           g.a3 * (t104 - (t106 + t107)),
+           t116,
+           t122 + (g.a2 * t104 - t123) };
 }
 
 namespace detail {
@@ -722,295 +722,292 @@ inline JointVector<Scalar> inverse_dynamics_with_wrench([[maybe_unused]] const J
   const Scalar& c5 = angles.cosine[4];
   const Scalar& s6 = angles.sine[5];
   const Scalar& c6 = angles.cosine[5];
-  const Scalar t0 = k[10] * s1 - k[11] * c1;
-  const Scalar t1 = k[10] * c1 + k[11] * s1;
-  const Scalar t2 = k[68] * qdd[0] + (k[66] * t0 - k[67] * t1);
-  const Scalar t3 = k[1] * qdd[0];
-  const Scalar t4 = k[0] * qd[0];
+  const Scalar t0 = k[4] * s1 - k[5] * c1;
+  const Scalar t1 = k[4] * c1 + k[5] * s1;
+  const Scalar t2 = k[69] * qdd[0] + (k[67] * t0 - k[68] * t1);
+  const Scalar t3 = k[0] * qd[0];
+  const Scalar t4 = s2 * t3;
   const Scalar t5 = k[1] * qd[0];
-  const Scalar t6 = s2 * t5;
-  const Scalar t7 = c2 * t3 + t4 * t6;
-  const Scalar t8 = qdd[1] + k[0] * qdd[0];
-  const Scalar t9 = c2 * t5;
-  const Scalar t10 = t6 * t9;
-  const Scalar t11 = t8 - t10;
-  const Scalar t12 = k[14] * t7 + k[15] * t11;
-  const Scalar t13 = qd[1] + t4;
-  const Scalar t14 = k[15] * t13 + k[14] * t9;
-  const Scalar t15 = k[14] * t13 - k[15] * t9;
-  const Scalar t16 = s2 * t3 - t4 * t9;
-  const Scalar t17 = t9 * t13;
-  const Scalar t18 = t16 + t17;
-  const Scalar t19 = t14 * t15 - t18;
-  const Scalar t20 = s3 * t12 - c3 * t19;
-  const Scalar t21 = t0 + k[9] * qdd[0];
-  const Scalar t22 = k[12] - k[0] * t21;
-  const Scalar t23 = qd[0] * qd[0];
-  const Scalar t24 = t1 + k[9] * t23;
-  const Scalar t25 = (c2 * t22 - s2 * t24) + k[8] * t16;
-  const Scalar t26 = t8 + t10;
-  const Scalar t27 = t25 - t26;
-  const Scalar t28 = t6 * t13;
-  const Scalar t29 = t7 - t28;
-  const Scalar t30 = t28 - t29;
-  const Scalar t31 = k[4] * t23;
-  const Scalar t32 = k[8] * t31 + (k[33] + k[1] * t21);
-  const Scalar t33 = t30 - t32;
-  const Scalar t34 = k[14] * t27 - k[15] * t33;
-  const Scalar t35 = (s2 * t22 + c2 * t24) - k[8] * t7;
-  const Scalar t36 = t13 * t13;
-  const Scalar t37 = t9 * t9;
-  const Scalar t38 = t36 + t37;
-  const Scalar t39 = t35 + t38;
-  const Scalar t40 = k[34] * t20 + (c3 * t34 - s3 * t39);
-  const Scalar t41 = qd[2] + t15;
-  const Scalar t42 = s3 * t14 + c3 * t6;
-  const Scalar t43 = t42 * t42;
-  const Scalar t44 = t41 * t41 - t43;
-  const Scalar t45 = c3 * t14 - s3 * t6;
-  const Scalar t46 = t45 * t45;
-  const Scalar t47 = t46 + t43;
-  const Scalar t48 = t44 + t47;
-  const Scalar t49 = t46 - t43;
-  const Scalar t50 = t48 - t49;
-  const Scalar t51 = t45 * t42;
-  const Scalar t52 = qdd[2] - (k[15] * t29 - k[14] * t8);
-  const Scalar t53 = t51 + t52;
-  const Scalar t54 = k[63] * t40 - (k[61] * t50 + k[56] * t53);
-  const Scalar t55 = k[17] * t41 - k[16] * t45;
-  const Scalar t56 = qd[3] + t55;
-  const Scalar t57 = k[17] * t45 + k[16] * t41;
-  const Scalar t58 = c4 * t42 + s4 * t57;
-  const Scalar t59 = t56 * t58;
-  const Scalar t60 = t41 * t45;
-  const Scalar t61 = t20 + t60;
-  const Scalar t62 = t57 * t55 - t61;
-  const Scalar t63 = s3 * t19 + c3 * t12;
-  const Scalar t64 = t51 - t52;
-  const Scalar t65 = k[17] * t63 - k[16] * t64;
-  const Scalar t66 = s4 * t62 + c4 * t65;
-  const Scalar t67 = t59 - t66;
-  const Scalar t68 = t59 + t67;
-  const Scalar t69 = s4 * t42 - c4 * t57;
-  const Scalar t70 = t56 * t69;
-  const Scalar t71 = c4 * t62 - s4 * t65;
-  const Scalar t72 = t70 + t71;
-  const Scalar t73 = t70 + t72;
-  const Scalar t74 = k[22] * t56 - k[23] * t69;
-  const Scalar t75 = c5 * t74 - s5 * t58;
-  const Scalar t76 = k[23] * t56 + k[22] * t69;
-  const Scalar t77 = qd[4] + t76;
-  const Scalar t78 = k[24] * t75 - k[25] * t77;
-  const Scalar t79 = k[25] * t75 + k[24] * t77;
-  const Scalar t80 = t75 * t77;
-  const Scalar t81 = t58 * t69;
-  const Scalar t82 = t41 * t42;
-  const Scalar t83 = t63 - t82;
-  const Scalar t84 = qdd[3] - (k[16] * t83 - k[17] * t52);
-  const Scalar t85 = t81 + t84;
-  const Scalar t86 = k[23] * t66 + k[22] * t85;
-  const Scalar t87 = t76 * t74 + t72;
-  const Scalar t88 = s5 * t86 - c5 * t87;
-  const Scalar t89 = t80 + t88;
-  const Scalar t90 = t78 * t79 + t89;
-  const Scalar t91 = qd[5] - t78;
-  const Scalar t92 = t91 * t79;
-  const Scalar t93 = t90 + (t92 + t92);
-  const Scalar t94 = k[21] * c6 + k[20] * s6;
-  const Scalar t95 = s5 * t87 + c5 * t86;
-  const Scalar t96 = s5 * t74 + c5 * t58;
-  const Scalar t97 = t75 * t96;
-  const Scalar t98 = qdd[4] + (k[22] * t67 + k[23] * t84);
-  const Scalar t99 = t97 - t98;
-  const Scalar t100 = k[25] * t95 - k[24] * t99;
-  const Scalar t101 = t96 * t91;
-  const Scalar t102 = (t100 - t101) - t101;
-  const Scalar t103 = k[20] * c6 - k[21] * s6;
-  const Scalar t104 = wrench[0] * s1 - wrench[1] * c1;
-  const Scalar t105 = k[0] * wrench[2] + k[1] * t104;
-  const Scalar t106 = k[0] * t104 - k[1] * wrench[2];
-  const Scalar t107 = wrench[0] * c1 + wrench[1] * s1;
-  const Scalar t108 = c2 * t106 + s2 * t107;
-  const Scalar t109 = k[15] * t105 - k[14] * t108;
-  const Scalar t110 = s2 * t106 - c2 * t107;
-  const Scalar t111 = c3 * t109 + s3 * t110;
-  const Scalar t112 = k[15] * t108 + k[14] * t105;
-  const Scalar t113 = k[17] * t111 + k[16] * t112;
-  const Scalar t114 = s3 * t109 - c3 * t110;
-  const Scalar t115 = c4 * t113 - s4 * t114;
-  const Scalar t116 = k[17] * t112 - k[16] * t111;
-  const Scalar t117 = k[23] * t115 + k[22] * t116;
-  const Scalar t118 = c4 * t114 + s4 * t113;
-  const Scalar t119 = c5 * t117 - s5 * t118;
-  const Scalar t120 = k[22] * t115 - k[23] * t116;
-  const Scalar t121 = (t93 * t94 - t102 * t103) + (k[29] * t119 + k[30] * t120);
-  const Scalar t122 = t96 * t79;
-  const Scalar t123 = t96 * t77;
-  const Scalar t124 = t95 - t123;
-  const Scalar t125 = qdd[5] + (k[25] * t98 - k[24] * t124);
-  const Scalar t126 = t122 + t125;
-  const Scalar t127 = t91 * t91;
-  const Scalar t128 = t79 * t79;
-  const Scalar t129 = t127 + t128;
-  const Scalar t130 = t96 * t96;
-  const Scalar t131 = t128 - t130;
-  const Scalar t132 = k[29] * t120 - k[30] * t119;
-  const Scalar t133 = (t126 * t103 - t94 * (t129 - t131)) + t132;
-  const Scalar t134 = k[24] * t121 - k[25] * t133;
-  const Scalar t135 = t75 * t75;
-  const Scalar t136 = t77 * t77;
-  const Scalar t137 = t135 - t136;
-  const Scalar t138 = t135 + t130;
-  const Scalar t139 = t135 + t136;
-  const Scalar t140 = t138 - t139;
-  const Scalar t141 = t137 - t140;
-  const Scalar t142 = t97 + t98;
-  const Scalar t143 = t134 - (k[28] * (t141 - t139) + k[27] * t142);
-  const Scalar t144 = k[26] * (c5 * t118 + s5 * t117);
-  const Scalar t145 = t122 - t125;
-  const Scalar t146 = (t144 - (t94 * t145 - t129 * t103)) + (k[27] * t139 - k[28] * t99);
-  const Scalar t147 = c5 * t143 + s5 * t146;
-  const Scalar t148 = k[25] * t121 + k[24] * t133;
-  const Scalar t149 = t89 + t80;
-  const Scalar t150 = t124 - t123;
-  const Scalar t151 = t148 + (k[28] * t149 - k[27] * t150);
-  const Scalar t152 = k[22] * t147 - k[23] * t151;
-  const Scalar t153 = (k[18] * t68 - k[19] * t73) - t152;
-  const Scalar t154 = k[23] * t147 + k[22] * t151;
-  const Scalar t155 = t81 - t84;
-  const Scalar t156 = t69 * t69;
-  const Scalar t157 = t56 * t56;
-  const Scalar t158 = t156 + t157;
-  const Scalar t159 = t58 * t58;
-  const Scalar t160 = t156 - t159;
-  const Scalar t161 = t158 - t160;
-  const Scalar t162 = t154 + (k[18] * t155 + k[19] * t161);
-  const Scalar t163 = c5 * t146 - s5 * t143;
-  const Scalar t164 = t163 + (k[19] * t85 + k[18] * t158);
-  const Scalar t165 = c4 * t162 + s4 * t164;
-  const Scalar t166 = k[16] * t153 + k[17] * t165;
-  const Scalar t167 = t54 + t166;
-  const Scalar t168 = k[34] * t63 - (c3 * t39 + s3 * t34);
-  const Scalar t169 = k[63] * t168 - (k[56] * t48 + k[61] * t64);
-  const Scalar t170 = (s4 * t162 - c4 * t164) + t169;
-  const Scalar t171 = c3 * t167 - s3 * t170;
-  const Scalar t172 = t83 - t82;
-  const Scalar t173 = t61 + t60;
-  const Scalar t174 = k[34] * t47 - (k[15] * t27 + k[14] * t33);
-  const Scalar t175 = (k[56] * t172 + k[61] * t173) + k[63] * t174;
-  const Scalar t176 = k[16] * t165 - k[17] * t153;
-  const Scalar t177 = t175 + t176;
-  const Scalar t178 = k[14] * t171 - k[15] * t177;
-  const Scalar t179 = t178 - k[13] * t26;
-  const Scalar t180 = c3 * t170 + s3 * t167;
-  const Scalar t181 = k[13] * t38 - t180;
-  const Scalar t182 = k[15] * t171 + k[14] * t177;
-  const Scalar t183 = k[64] * (c2 * t179 + s2 * t181) - k[65] * (t182 - k[13] * t30);
-  const Scalar t184 = t17 + t18;
-  const Scalar t185 = t36 - t37;
-  const Scalar t186 = (k[7] * t184 + k[5] * t30) - k[3] * t185;
-  const Scalar t187 = (k[60] * t44 - k[59] * t64) - (k[57] * t172 + k[58] * t173);
-  const Scalar t188 = t174 + k[32] * t172;
-  const Scalar t189 = t40 - k[32] * t53;
-  const Scalar t190 = k[31] * t62 - (k[16] * t188 + k[17] * t189);
-  const Scalar t191 = (k[32] * t48 - t168) - k[31] * t65;
-  const Scalar t192 = c4 * t190 + s4 * t191;
-  const Scalar t193 = c4 * t191 - s4 * t190;
-  const Scalar t194 = (k[35] * t155 + k[55] * t85) - k[36] * t160;
-  const Scalar t195 = (k[18] * t192 + k[19] * t193) - ((k[37] * t66 + k[38] * t71) + t194);
-  const Scalar t196 = k[42] * t141 + (k[43] * t99 - k[54] * t142);
-  const Scalar t197 = t192 - k[39] * t155;
-  const Scalar t198 = t159 - t157;
-  const Scalar t199 = t158 + t198;
-  const Scalar t200 = k[31] * t199 - (k[16] * t189 - k[17] * t188);
-  const Scalar t201 = k[39] * t68 - t200;
-  const Scalar t202 = k[23] * t197 + k[22] * t201;
-  const Scalar t203 = t193 + k[39] * t158;
-  const Scalar t204 = k[40] * t95 + (s5 * t202 - c5 * t203);
-  const Scalar t205 = k[40] * t88 - (c5 * t202 + s5 * t203);
-  const Scalar t206 = (t196 - (k[44] * t88 + k[41] * t95)) + (k[28] * t204 + k[27] * t205);
-  const Scalar t207 = wrench[3] * s1 - wrench[4] * c1;
-  const Scalar t208 = k[1] * wrench[5] - k[0] * t207;
-  const Scalar t209 = wrench[3] * c1 + wrench[4] * s1;
-  const Scalar t210 = s2 * t208 + c2 * t209;
-  const Scalar t211 = s2 * t209 - c2 * t208;
-  const Scalar t212 = k[0] * wrench[5] + k[1] * t207;
-  const Scalar t213 = k[14] * t211 - k[15] * t212;
-  const Scalar t214 = c3 * t210 - s3 * t213;
-  const Scalar t215 = s3 * t210 + c3 * t213;
-  const Scalar t216 = k[14] * t212 + k[15] * t211;
-  const Scalar t217 = k[17] * t215 - k[16] * t216;
-  const Scalar t218 = s4 * t214 + c4 * t217;
-  const Scalar t219 = k[17] * t216 + k[16] * t215;
-  const Scalar t220 = k[23] * t218 - k[22] * t219;
-  const Scalar t221 = s4 * t217 - c4 * t214;
-  const Scalar t222 = c5 * t220 - s5 * t221;
-  const Scalar t223 = k[23] * t219 + k[22] * t218;
-  const Scalar t224 = (k[25] * t222 - k[24] * t223) - k[45] * t144;
-  const Scalar t225 = k[49] * c6 + k[48] * s6;
-  const Scalar t226 = k[50] - c6 * t225;
-  const Scalar t227 = s6 * t225;
-  const Scalar t228 = k[53] - t227;
-  const Scalar t229 = k[47] * s6 + k[46] * c6;
-  const Scalar t230 = k[47] * c6 - k[46] * s6;
-  const Scalar t231 = (t93 * t226 + t102 * t228) - (t229 * (t127 - t130) + t230 * t145);
-  const Scalar t232 = k[52] * t142 - t205;
-  const Scalar t233 = k[40] * t138 + (k[22] * t197 - k[23] * t201);
-  const Scalar t234 = t233 + k[52] * t150;
-  const Scalar t235 = k[24] * t232 + k[25] * t234;
-  const Scalar t236 = t224 - (t231 - t103 * t235);
-  const Scalar t237 = k[51] + t227;
-  const Scalar t238 = (t126 * t228 - t237 * t145) - t226 * t131;
-  const Scalar t239 = t94 * (k[52] * t139 - t204) - t103 * (k[24] * t234 - k[25] * t232);
-  const Scalar t240 = ((t229 * t90 - t100 * t230) - t238) + t239;
-  const Scalar t241 = (k[24] * t222 + k[25] * t223) - t240;
-  const Scalar t242 = k[52] * t134 - (k[24] * t236 - k[25] * t241);
-  const Scalar t243 = t206 + t242;
-  const Scalar t244 = (k[42] * t150 + k[43] * t149) + k[41] * t137;
-  const Scalar t245 = t230 * (t127 - t128) - (t226 * t102 + t93 * t237);
-  const Scalar t246 = k[45] * t132 - (c5 * t221 + s5 * t220);
-  const Scalar t247 = (t94 * t235 - (t126 * t229 + t245)) + t246;
-  const Scalar t248 = ((k[44] * t142 + t244) - k[28] * t233) - t247;
-  const Scalar t249 = k[52] * t148 - (k[25] * t236 + k[24] * t241);
-  const Scalar t250 = (k[54] * t150 + k[42] * t149) - (k[44] * t140 + k[41] * t99);
-  const Scalar t251 = t249 - (k[27] * t233 + t250);
-  const Scalar t252 = (s5 * t248 - c5 * t251) - k[40] * t163;
-  const Scalar t253 = k[39] * t154 + (k[23] * t243 - k[22] * t252);
-  const Scalar t254 = t195 - t253;
-  const Scalar t255 = (c5 * t248 + s5 * t251) + k[40] * t147;
-  const Scalar t256 = k[37] * (t199 - t161) - (k[36] * t68 + k[55] * t73);
-  const Scalar t257 = t255 - (k[19] * t200 + (t256 + k[38] * t155));
-  const Scalar t258 = t257 + k[31] * t162;
-  const Scalar t259 = (k[38] * t198 + k[37] * t85) + (k[35] * t68 - k[36] * t73);
-  const Scalar t260 = k[39] * t152 + (k[22] * t243 + k[23] * t252);
-  const Scalar t261 = ((t259 - k[18] * t200) - t260) + k[31] * t164;
-  const Scalar t262 = s4 * t258 - c4 * t261;
-  const Scalar t263 = k[32] * t176 - (k[16] * t254 - k[17] * t262);
-  const Scalar t264 = (k[56] * t174 - t187) + t263;
-  const Scalar t265 = k[59] * (t50 - t47) + (k[58] * t172 - k[62] * t173);
-  const Scalar t266 = (k[61] * t174 + (t265 - k[60] * t53)) + (c4 * t258 + s4 * t261);
-  const Scalar t267 = k[34] * t171 - (s3 * t264 - c3 * t266);
-  const Scalar t268 = k[8] * t179 - ((k[2] * t26 + t186) - t267);
-  const Scalar t269 = k[32] * t166 - (k[17] * t254 + k[16] * t262);
-  const Scalar t270 = k[58] * t49 - (k[62] * t64 + k[57] * t53);
-  const Scalar t271 = (k[61] * t168 - k[56] * t40) - ((k[59] * t63 + k[60] * t20) + t270);
-  const Scalar t272 = t269 - t271;
-  const Scalar t273 = (c3 * t264 + s3 * t266) + k[34] * t180;
-  const Scalar t274 = t38 - t31;
-  const Scalar t275 = (k[3] * t11 + k[2] * t274) + (k[6] * t30 - k[5] * t184);
-  const Scalar t276 = ((k[15] * t272 + k[14] * t273) + t182) + (k[13] * t32 - t275);
-  const Scalar t277 = s2 * t268 + c2 * (t276 - k[8] * t181);
-  const Scalar t278 = k[5] * (t185 - t274) - (k[7] * t11 - k[6] * t26);
-  const Scalar t279 = ((k[2] * t16 + k[3] * t7) - t278) + k[13] * t25;
-  const Scalar t280 = (t178 + (k[14] * t272 - k[15] * t273)) + t279;
-  const Scalar t281 = t2 + (t183 - (k[1] * t277 - k[0] * t280));
+  const Scalar t6 = k[0] * qdd[0];
+  const Scalar t7 = t4 * t5 + c2 * t6;
+  const Scalar t8 = c2 * t3;
+  const Scalar t9 = s2 * t6 - t5 * t8;
+  const Scalar t10 = qdd[1] + k[1] * qdd[0];
+  const Scalar t11 = t4 * t8;
+  const Scalar t12 = t10 - t11;
+  const Scalar t13 = t10 + t11;
+  const Scalar t14 = t8 * t8;
+  const Scalar t15 = qd[1] + t5;
+  const Scalar t16 = t15 * t15;
+  const Scalar t17 = t14 - t16;
+  const Scalar t18 = t14 + t16;
+  const Scalar t19 = qd[0] * qd[0];
+  const Scalar t20 = k[8] * t19;
+  const Scalar t21 = t18 - t20;
+  const Scalar t22 = (k[63] * t12 - k[62] * t13) + k[61] * (t17 + t21);
+  const Scalar t23 = t0 + k[3] * qdd[0];
+  const Scalar t24 = k[6] - k[1] * t23;
+  const Scalar t25 = t1 + k[3] * t19;
+  const Scalar t26 = k[2] * t9 + (c2 * t24 - s2 * t25);
+  const Scalar t27 = ((k[60] * t7 + k[59] * t9) + t22) + k[64] * t26;
+  const Scalar t28 = t15 * t8;
+  const Scalar t29 = t28 + t9;
+  const Scalar t30 = k[10] * t8 - k[7] * t15;
+  const Scalar t31 = k[7] * t8 + k[10] * t15;
+  const Scalar t32 = t29 + t30 * t31;
+  const Scalar t33 = k[7] * t7 + k[10] * t12;
+  const Scalar t34 = s3 * t32 - c3 * t33;
+  const Scalar t35 = s3 * t31 + c3 * t4;
+  const Scalar t36 = qd[2] - t30;
+  const Scalar t37 = t35 * t36;
+  const Scalar t38 = t34 + t37;
+  const Scalar t39 = t4 * t15;
+  const Scalar t40 = t7 - t39;
+  const Scalar t41 = qdd[2] - (k[10] * t40 - k[7] * t10);
+  const Scalar t42 = qdd[3] + (k[19] * t38 + k[20] * t41);
+  const Scalar t43 = s3 * t4 - c3 * t31;
+  const Scalar t44 = k[20] * t43 - k[19] * t36;
+  const Scalar t45 = s4 * t44 - c4 * t35;
+  const Scalar t46 = c4 * t44 + s4 * t35;
+  const Scalar t47 = t45 * t46;
+  const Scalar t48 = t42 - t47;
+  const Scalar t49 = k[19] * t43 + k[20] * t36;
+  const Scalar t50 = qd[3] + t49;
+  const Scalar t51 = t50 * t50;
+  const Scalar t52 = t45 * t45;
+  const Scalar t53 = t51 - t52;
+  const Scalar t54 = t50 * t45;
+  const Scalar t55 = t35 * t43;
+  const Scalar t56 = t55 + t41;
+  const Scalar t57 = k[19] * t56 - k[20] * t34;
+  const Scalar t58 = s3 * t33 + c3 * t32;
+  const Scalar t59 = t43 * t36;
+  const Scalar t60 = t58 - t59;
+  const Scalar t61 = t49 * t44 + t60;
+  const Scalar t62 = c4 * t57 - s4 * t61;
+  const Scalar t63 = t54 + t62;
+  const Scalar t64 = t54 + t63;
+  const Scalar t65 = t50 * t46;
+  const Scalar t66 = c4 * t61 + s4 * t57;
+  const Scalar t67 = t65 - t66;
+  const Scalar t68 = t65 + t67;
+  const Scalar t69 = (k[37] * t48 - k[38] * t53) - (k[35] * t64 + k[36] * t68);
+  const Scalar t70 = t26 - t13;
+  const Scalar t71 = k[2] * t20 + (k[9] + k[0] * t23);
+  const Scalar t72 = t40 - t39;
+  const Scalar t73 = t71 + t72;
+  const Scalar t74 = t35 * t35;
+  const Scalar t75 = t43 * t43;
+  const Scalar t76 = t74 + t75;
+  const Scalar t77 = (k[10] * t70 - k[7] * t73) - k[11] * t76;
+  const Scalar t78 = t37 + t38;
+  const Scalar t79 = t77 + k[34] * t78;
+  const Scalar t80 = k[10] * t73 + k[7] * t70;
+  const Scalar t81 = (c2 * t25 + s2 * t24) - k[2] * t7;
+  const Scalar t82 = t18 + t81;
+  const Scalar t83 = (c3 * t80 - s3 * t82) + k[11] * t58;
+  const Scalar t84 = t55 - t41;
+  const Scalar t85 = t83 + k[34] * t84;
+  const Scalar t86 = t46 * t46 - t51;
+  const Scalar t87 = t53 + t86;
+  const Scalar t88 = t51 + t52;
+  const Scalar t89 = t87 + t88;
+  const Scalar t90 = (k[20] * t79 + k[19] * t85) - k[39] * (t89 - t53);
+  const Scalar t91 = wrench[0] * s1 - wrench[1] * c1;
+  const Scalar t92 = k[0] * wrench[2] - k[1] * t91;
+  const Scalar t93 = wrench[0] * c1 + wrench[1] * s1;
+  const Scalar t94 = c2 * t92 - s2 * t93;
+  const Scalar t95 = k[0] * t91 + k[1] * wrench[2];
+  const Scalar t96 = k[10] * t94 - k[7] * t95;
+  const Scalar t97 = s2 * t92 + c2 * t93;
+  const Scalar t98 = k[10] * t95 + k[7] * t94;
+  const Scalar t99 = s3 * t97 - c3 * t98;
+  const Scalar t100 = k[19] * t96 + k[20] * t99;
+  const Scalar t101 = s3 * t98 + c3 * t97;
+  const Scalar t102 = c4 * t100 + s4 * t101;
+  const Scalar t103 = k[20] * t96 - k[19] * t99;
+  const Scalar t104 = k[23] * t102 + k[24] * t103;
+  const Scalar t105 = c4 * t101 - s4 * t100;
+  const Scalar t106 = c5 * t104 + s5 * t105;
+  const Scalar t107 = k[23] * t103 - k[24] * t102;
+  const Scalar t108 = k[29] * c6 - k[30] * s6;
+  const Scalar t109 = k[23] * t46 - k[24] * t50;
+  const Scalar t110 = s5 * t109 + c5 * t45;
+  const Scalar t111 = k[24] * t46 + k[23] * t50;
+  const Scalar t112 = qd[4] + t111;
+  const Scalar t113 = c5 * t109 - s5 * t45;
+  const Scalar t114 = k[32] * t112 + k[31] * t113;
+  const Scalar t115 = qd[5] + t114;
+  const Scalar t116 = t110 * t115;
+  const Scalar t117 = t109 * t111 - t67;
+  const Scalar t118 = k[24] * t48 + k[23] * t62;
+  const Scalar t119 = s5 * t117 - c5 * t118;
+  const Scalar t120 = qdd[4] + (k[23] * t42 - k[24] * t63);
+  const Scalar t121 = t113 * t110;
+  const Scalar t122 = t120 - t121;
+  const Scalar t123 = k[32] * t119 - k[31] * t122;
+  const Scalar t124 = (t116 + t116) - t123;
+  const Scalar t125 = k[30] * c6 + k[29] * s6;
+  const Scalar t126 = k[31] * t112 - k[32] * t113;
+  const Scalar t127 = t126 * t115;
+  const Scalar t128 = t113 * t112;
+  const Scalar t129 = c5 * t117 + s5 * t118;
+  const Scalar t130 = t128 - t129;
+  const Scalar t131 = t114 * t126 + t130;
+  const Scalar t132 = t127 + (t127 - t131);
+  const Scalar t133 = (k[28] * t106 - k[27] * t107) + (t108 * t124 - t125 * t132);
+  const Scalar t134 = k[28] * t107 + k[27] * t106;
+  const Scalar t135 = t110 * t126;
+  const Scalar t136 = t110 * t112;
+  const Scalar t137 = t136 - t119;
+  const Scalar t138 = qdd[5] + (k[32] * t120 - k[31] * t137);
+  const Scalar t139 = t135 - t138;
+  const Scalar t140 = t115 * t115;
+  const Scalar t141 = t110 * t110;
+  const Scalar t142 = t134 - (t139 * t108 + t125 * (t140 + t141));
+  const Scalar t143 = k[31] * t133 + k[32] * t142;
+  const Scalar t144 = wrench[3] * s1 - wrench[4] * c1;
+  const Scalar t145 = k[1] * wrench[5] + k[0] * t144;
+  const Scalar t146 = wrench[3] * c1 + wrench[4] * s1;
+  const Scalar t147 = k[0] * wrench[5] - k[1] * t144;
+  const Scalar t148 = s2 * t146 - c2 * t147;
+  const Scalar t149 = k[7] * t145 + k[10] * t148;
+  const Scalar t150 = c2 * t146 + s2 * t147;
+  const Scalar t151 = k[10] * t145 - k[7] * t148;
+  const Scalar t152 = s3 * t150 - c3 * t151;
+  const Scalar t153 = k[20] * t149 + k[19] * t152;
+  const Scalar t154 = k[19] * t149 - k[20] * t152;
+  const Scalar t155 = s3 * t151 + c3 * t150;
+  const Scalar t156 = c4 * t154 - s4 * t155;
+  const Scalar t157 = k[24] * t153 + k[23] * t156;
+  const Scalar t158 = c4 * t155 + s4 * t154;
+  const Scalar t159 = c5 * t157 - s5 * t158;
+  const Scalar t160 = k[23] * t153 - k[24] * t156;
+  const Scalar t161 = (k[19] * t79 - k[20] * t85) - k[39] * t61;
+  const Scalar t162 = (s3 * t80 + c3 * t82) + k[11] * t34;
+  const Scalar t163 = t36 * t36;
+  const Scalar t164 = t163 + t75;
+  const Scalar t165 = (t162 + k[34] * t164) - k[39] * t57;
+  const Scalar t166 = c4 * t161 + s4 * t165;
+  const Scalar t167 = t42 + t47;
+  const Scalar t168 = t166 + k[40] * t167;
+  const Scalar t169 = t90 - k[40] * t64;
+  const Scalar t170 = k[49] * t117 - (k[23] * t168 + k[24] * t169);
+  const Scalar t171 = s4 * t161 - c4 * t165;
+  const Scalar t172 = k[49] * t118 + (t171 - k[40] * t89);
+  const Scalar t173 = c5 * t170 + s5 * t172;
+  const Scalar t174 = t120 + t121;
+  const Scalar t175 = t173 - k[48] * t174;
+  const Scalar t176 = t136 + t137;
+  const Scalar t177 = t113 * t113;
+  const Scalar t178 = t141 + t177;
+  const Scalar t179 = k[49] * t178 + (k[24] * t168 - k[23] * t169);
+  const Scalar t180 = k[48] * t176 + t179;
+  const Scalar t181 = t112 * t112;
+  const Scalar t182 = t177 + t181;
+  const Scalar t183 = s5 * t170 - c5 * t172;
+  const Scalar t184 = t108 * (k[32] * t175 + k[31] * t180) - (k[48] * t182 + t183) * t125;
+  const Scalar t185 = k[42] * s6 + k[41] * c6;
+  const Scalar t186 = k[41] * s6 - k[42] * c6;
+  const Scalar t187 = k[43] * s6 + k[44] * c6;
+  const Scalar t188 = s6 * t187;
+  const Scalar t189 = k[45] - t188;
+  const Scalar t190 = k[46] + t188;
+  const Scalar t191 = t135 + t138;
+  const Scalar t192 = k[47] - c6 * t187;
+  const Scalar t193 = t140 - t141;
+  const Scalar t194 = t126 * t126;
+  const Scalar t195 = t140 - t194;
+  const Scalar t196 = (t139 * t189 - t190 * t191) + t192 * (t193 - t195);
+  const Scalar t197 = t184 + ((t185 * t131 + t186 * t123) - t196);
+  const Scalar t198 = (k[31] * t159 - k[32] * t160) - t197;
+  const Scalar t199 = s5 * t104 - c5 * t105;
+  const Scalar t200 = (k[31] * t160 + k[32] * t159) - k[50] * t199;
+  const Scalar t201 = k[32] * t180 - k[31] * t175;
+  const Scalar t202 = (t192 * t132 + t189 * t124) - (t191 * t186 + t193 * t185);
+  const Scalar t203 = t200 - (t108 * t201 - t202);
+  const Scalar t204 = k[48] * t143 + (k[32] * t198 - k[31] * t203);
+  const Scalar t205 = k[55] * (t141 - t177) + (k[54] * t174 + k[53] * t122);
+  const Scalar t206 = ((k[52] * t129 - k[51] * t119) + t205) - (k[26] * t173 - k[25] * t183);
+  const Scalar t207 = t204 + t206;
+  const Scalar t208 = (t125 * t191 + t108 * (t140 + t194)) - k[33] * t199;
+  const Scalar t209 = (k[26] * t182 + k[25] * t122) + t208;
+  const Scalar t210 = t177 - t181;
+  const Scalar t211 = (k[26] * t174 + k[25] * (t210 - t178)) + t143;
+  const Scalar t212 = c5 * t209 + s5 * t211;
+  const Scalar t213 = (t190 * t132 + t192 * t124) + t186 * t195;
+  const Scalar t214 = (s5 * t157 + c5 * t158) + k[56] * t134;
+  const Scalar t215 = (t125 * t201 + (t139 * t185 + t213)) + t214;
+  const Scalar t216 = t128 + t130;
+  const Scalar t217 = (k[53] * t216 - k[55] * t176) - k[51] * t210;
+  const Scalar t218 = t215 + (k[25] * t179 - (k[52] * t174 - t217));
+  const Scalar t219 = k[32] * t133 - k[31] * t142;
+  const Scalar t220 = (k[31] * t198 + k[32] * t203) - k[48] * t219;
+  const Scalar t221 = (k[52] * (t178 - t182) - k[51] * t122) - (k[54] * t176 - k[55] * t216);
+  const Scalar t222 = t220 + (t221 - k[26] * t179);
+  const Scalar t223 = k[49] * t212 + (s5 * t218 + c5 * t222);
+  const Scalar t224 = s5 * t209 - c5 * t211;
+  const Scalar t225 = (k[26] * t176 + k[25] * t216) + t219;
+  const Scalar t226 = k[24] * t224 + k[23] * t225;
+  const Scalar t227 = (k[24] * t207 + k[23] * t223) - k[40] * t226;
+  const Scalar t228 = (t69 + k[21] * t90) + t227;
+  const Scalar t229 = k[37] * t86 + (k[36] * t64 - k[57] * t68);
+  const Scalar t230 = (s5 * t222 - c5 * t218) + k[49] * t224;
+  const Scalar t231 = (k[22] * t90 + (k[38] * t167 - t229)) + t230;
+  const Scalar t232 = t212 + (k[22] * t48 + k[21] * t89);
+  const Scalar t233 = k[23] * t224 - k[24] * t225;
+  const Scalar t234 = (k[21] * t167 - k[22] * t88) - t233;
+  const Scalar t235 = s4 * t232 - c4 * t234;
+  const Scalar t236 = (s4 * t228 + c4 * t231) + k[39] * t235;
+  const Scalar t237 = t59 - t60;
+  const Scalar t238 = t74 + t163;
+  const Scalar t239 = (k[16] * t78 - k[15] * t237) + k[17] * (t76 - t238);
+  const Scalar t240 = t236 - (k[13] * t77 - (k[18] * t84 - t239));
+  const Scalar t241 = (k[21] * t64 + k[22] * t68) + t226;
+  const Scalar t242 = k[19] * t241 - k[20] * t235;
+  const Scalar t243 = (k[12] * t84 - k[13] * t238) + k[58] * t83;
+  const Scalar t244 = t242 - t243;
+  const Scalar t245 = t240 - k[11] * t244;
+  const Scalar t246 = (k[12] * t164 - k[13] * t56) + k[58] * t162;
+  const Scalar t247 = c4 * t232 + s4 * t234;
+  const Scalar t248 = t246 + t247;
+  const Scalar t249 = k[40] * t233 + (k[24] * t223 - k[23] * t207);
+  const Scalar t250 = (k[35] * t167 - k[57] * t48) + k[36] * t87;
+  const Scalar t251 = (k[22] * t171 - k[21] * t166) - (t250 + (k[38] * t66 - k[37] * t62));
+  const Scalar t252 = t249 + t251;
+  const Scalar t253 = k[39] * t247 + (c4 * t228 - s4 * t231);
+  const Scalar t254 = k[19] * t235 + k[20] * t241;
+  const Scalar t255 = (k[19] * t252 - k[20] * t253) + k[34] * t254;
+  const Scalar t256 = (k[17] * t56 - k[18] * (t74 - t163)) + (k[14] * t78 + k[16] * t237);
+  const Scalar t257 = k[11] * t248 - (t255 - (k[12] * t77 + t256));
+  const Scalar t258 = s3 * t245 - c3 * t257;
+  const Scalar t259 = k[34] * t242 - (k[19] * t253 + k[20] * t252);
+  const Scalar t260 = k[16] * (t238 - t164) - (k[15] * t56 + k[14] * t84);
+  const Scalar t261 = (k[12] * t83 + k[13] * t162) - ((k[17] * t34 - k[18] * t58) + t260);
+  const Scalar t262 = t259 - t261;
+  const Scalar t263 = k[58] * t77 + (k[12] * t78 + k[13] * t237);
+  const Scalar t264 = t254 - t263;
+  const Scalar t265 = c3 * t244 - s3 * t248;
+  const Scalar t266 = k[10] * t264 + k[7] * t265;
+  const Scalar t267 = t27 - ((k[10] * t258 + k[7] * t262) + t266);
+  const Scalar t268 = k[64] * t13 + t266;
+  const Scalar t269 = t29 + t28;
+  const Scalar t270 = (k[63] * t269 - k[61] * t72) + k[60] * t17;
+  const Scalar t271 = (t270 + k[59] * t13) - (c3 * t245 + s3 * t257);
+  const Scalar t272 = (k[59] * t21 + k[60] * t12) - (k[62] * t72 + k[61] * t269);
+  const Scalar t273 = k[7] * t264 - k[10] * t265;
+  const Scalar t274 = (k[64] * t71 - t272) + (t273 - (k[10] * t262 - k[7] * t258));
+  const Scalar t275 = k[64] * t18 + (s3 * t244 + c3 * t248);
+  const Scalar t276 = s2 * (k[2] * t268 + t271) - c2 * (t274 - k[2] * t275);
+  const Scalar t277 = k[66] * (t273 + k[64] * t72) + k[65] * (c2 * t268 - s2 * t275);
+  const Scalar t278 = t2 + ((k[1] * t267 + k[0] * t276) - t277);
   JointVector<Scalar> result;
-  result[0] = -t281;
-  result[1] = -t280;
-  result[2] = -t272;
-  result[3] = t254;
-  result[4] = -t243;
-  result[5] = -t241;
+  result[0] = -t278;
+  result[1] = -t267;
+  result[2] = t262;
+  result[3] = -t252;
+  result[4] = t207;
+  result[5] = t198;
   return result;
 }
 
@@ -1178,218 +1175,218 @@ ForwardDynamicsWithGravityVectorConstants<Scalar> forward_dynamics_with_gravity_
   using std::sin;
   const Scalar t0 = inertia.c6x * inertia.m6;
   const Scalar t1 = inertia.c6y * inertia.m6;
-  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t0;
-  const Scalar t4 = (inertia.I6yy - t2) - inertia.c6y * t1;
-  const Scalar t5 = t3 + t4;
-  const Scalar t6 = g.a6 / g.d2;
-  const Scalar t7 = inertia.I6xy - inertia.c6y * t0;
-  const Scalar t8 = g.d3 / g.d2;
-  const Scalar t9 = g.a3 / g.d2;
-  const Scalar t10 = g.a2 / g.d2;
-  const Scalar t11 = gravity[2] / g.d2;
-  const Scalar t12 = g.a4 / g.d2;
-  const Scalar t13 = g.d4 / g.d2;
-  const Scalar t14 = g.a5 / g.d2;
-  const Scalar t15 = inertia.c5y * inertia.m5;
-  const Scalar t16 = g.d5 * t15;
-  const Scalar t17 = inertia.c6z * inertia.m6;
-  const Scalar t18 = g.d6 * inertia.m6 + t17;
-  const Scalar t19 = (inertia.c6z * t17 - (inertia.I6zz - t2)) + g.d6 * (t18 + t17);
-  const Scalar t20 = sin(g.alpha6) * t19;
-  const Scalar t21 = (t16 + ((inertia.I5yz - inertia.c5z * t15) - t16)) + cos(g.alpha6) * t20;
-  const Scalar t22 = inertia.c5x * inertia.m5;
-  const Scalar t23 = g.d5 * t22;
-  const Scalar t24 = cos(g.alpha6) * t18;
-  const Scalar t25 = (t23 - (t23 - (inertia.I5xz - inertia.c5z * t22))) - g.a6 * t24;
-  const Scalar t26 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t27 = sin(g.alpha6) * t20;
-  const Scalar t28 = g.a6 * inertia.m6;
-  const Scalar t29 = (inertia.c5x * t22 - (inertia.I5xx - t26)) + g.a6 * t28;
-  const Scalar t30 = sin(g.alpha6) * t18;
-  const Scalar t31 = inertia.m5 + inertia.m6;
-  const Scalar t32 = inertia.m4 + t31;
-  const Scalar t33 = inertia.m3 + t32;
-  const Scalar t34 = inertia.m2 + t33;
-  const Scalar t35 = g.a2 * t34;
-  const Scalar t36 = inertia.c1x * inertia.m1;
-  const Scalar t37 = inertia.c4z * inertia.m4;
-  const Scalar t38 = g.d4 * inertia.m4;
-  const Scalar t39 = t37 + t38;
-  const Scalar t40 = t39 - t38;
-  const Scalar t41 = g.d5 * inertia.m5;
-  const Scalar t42 = inertia.c5z * inertia.m5;
-  const Scalar t43 = t42 + t41;
-  const Scalar t44 = t41 - t43;
-  const Scalar t45 = t44 - t24;
-  const Scalar t46 = t45 - g.d5 * t31;
-  const Scalar t47 = cos(g.alpha5) * t46;
-  const Scalar t48 = t40 - t47;
-  const Scalar t49 = g.d4 * t32 + t48;
-  const Scalar t50 = cos(g.alpha4) * t49;
-  const Scalar t51 = g.d3 * inertia.m3;
-  const Scalar t52 = inertia.c3z * inertia.m3;
-  const Scalar t53 = t52 + t51;
-  const Scalar t54 = t51 - t53;
-  const Scalar t55 = t50 - t54;
-  const Scalar t56 = t55 + g.d3 * t33;
-  const Scalar t57 = cos(g.alpha3) * t56;
-  const Scalar t58 = g.d2 * inertia.m2;
-  const Scalar t59 = inertia.c2z * inertia.m2;
-  const Scalar t60 = t58 + t59;
-  const Scalar t61 = t58 - t60;
-  const Scalar t62 = t57 - t61;
-  const Scalar t63 = g.d2 * t34 + t62;
-  const Scalar t64 = inertia.c1y * inertia.m1;
-  const Scalar t65 = g.a3 * t33;
-  const Scalar t66 = inertia.c2x * inertia.m2;
-  const Scalar t67 = sin(g.alpha3) * t56;
-  const Scalar t68 = inertia.c2y * inertia.m2;
-  const Scalar t69 = sin(g.alpha4) * t49;
-  const Scalar t70 = inertia.c3y * inertia.m3;
-  const Scalar t71 = g.a4 * t32;
-  const Scalar t72 = inertia.c3x * inertia.m3;
-  const Scalar t73 = g.a5 * t31;
-  const Scalar t74 = inertia.c4x * inertia.m4;
-  const Scalar t75 = sin(g.alpha5) * t46;
-  const Scalar t76 = inertia.c4y * inertia.m4;
-  const Scalar t77 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t78 = ((inertia.I4zz - t77) - inertia.c4z * t37) - g.d4 * (t39 + t37);
-  const Scalar t79 = (inertia.c5z * t42 - (inertia.I5zz - t26)) + g.d5 * (t42 + t43);
-  const Scalar t80 = (g.d5 * (t44 - t43) + t79) + (t19 - t27);
-  const Scalar t81 = g.d5 * (t45 + t46) - t80;
-  const Scalar t82 = sin(g.alpha5) * t81;
-  const Scalar t83 = sin(g.alpha5) * t82;
-  const Scalar t84 = (g.d4 * (t40 + t39) + t78) - (t83 - t81);
-  const Scalar t85 = t84 - g.d4 * (t48 + t49);
-  const Scalar t86 = sin(g.alpha4) * t85;
-  const Scalar t87 = g.d3 * t70;
-  const Scalar t88 = cos(g.alpha4) * t86 - (t87 - (t87 - (inertia.I3yz - inertia.c3z * t70)));
-  const Scalar t89 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t90 = sin(g.alpha4) * t86;
-  const Scalar t91 = g.d3 * t72;
-  const Scalar t92 = g.a4 * t50 - (t91 - (t91 - (inertia.I3xz - inertia.c3z * t72)));
-  const Scalar t93 = g.d4 * t74;
-  const Scalar t94 = g.a5 * t47 + (((inertia.I4xz - inertia.c4z * t74) - t93) + t93);
-  const Scalar t95 = g.d4 * t76;
-  const Scalar t96 = cos(g.alpha5) * t82 - (t95 - (t95 - (inertia.I4yz - inertia.c4z * t76)));
-  const Scalar t97 = g.a5 * t73 - ((inertia.I4xx - t77) - inertia.c4x * t74);
-  const Scalar t98 = g.a4 * t71 + (inertia.c3x * t72 - (inertia.I3xx - t89));
-  const Scalar t99 = g.d2 * t68;
-  const Scalar t100 = g.d3 * (t52 + t53) - ((inertia.I3zz - t89) - inertia.c3z * t52);
-  const Scalar t101 = (t90 - t85) + (t100 - g.d3 * (t53 - t54));
-  const Scalar t102 = t101 + g.d3 * (t55 + t56);
-  const Scalar t103 = sin(g.alpha3) * t102;
-  const Scalar t104 = ((t99 - (inertia.I2yz - inertia.c2z * t68)) - t99) - cos(g.alpha3) * t103;
-  const Scalar t105 = g.d2 * t66;
-  const Scalar t106 = g.a3 * t57 - (((inertia.I2xz - inertia.c2z * t66) - t105) + t105);
-  const Scalar t107 = g.a3 * t67 + (inertia.I2xy - inertia.c2y * t66);
-  const Scalar t108 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t109 = g.a3 * t65 + (inertia.c2x * t66 - (inertia.I2xx - t108));
-  const Scalar t110 = sin(g.alpha3) * t103;
-  const Scalar t111 = ((inertia.I2yy - t108) - inertia.c2y * t68) - t110;
-  const Scalar t112 = g.d2 * (t60 + t59) - ((inertia.I2zz - t108) - inertia.c2z * t59);
-  const Scalar t113 = (g.d2 * (t60 - t61) - t112) + (t110 - t102);
-  const Scalar t114 = sin(g.alpha2) * sin(g.alpha2) * (t113 - g.d2 * (t62 + t63));
-  const Scalar t115 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t116 = g.a2 * t35 + (inertia.c1x * t36 - (inertia.I1xx - t115));
-  return { (inertia.I6xz - inertia.c6z * t0) - g.d6 * t0,
-           g.d6 * t1 - (inertia.I6yz - inertia.c6z * t1),
-           sin(g.alpha6),
-           cos(g.alpha6) * t5,
-           g.d2 * t0,
+  const Scalar t2 = g.a6 * inertia.m6;
+  const Scalar t3 = inertia.c5x * inertia.m5;
+  const Scalar t4 = inertia.c5y * inertia.m5;
+  const Scalar t5 = inertia.c6z * inertia.m6;
+  const Scalar t6 = g.d6 * inertia.m6 + t5;
+  const Scalar t7 = sin(g.alpha6) * t6;
+  const Scalar t8 = g.a5 / g.d2;
+  const Scalar t9 = g.d5 / g.d2;
+  const Scalar t10 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t11 = (inertia.I6xx - t10) - inertia.c6x * t0;
+  const Scalar t12 = (inertia.I6yy - t10) - inertia.c6y * t1;
+  const Scalar t13 = inertia.I6xy - inertia.c6y * t0;
+  const Scalar t14 = g.d5 * t4;
+  const Scalar t15 = (inertia.c6z * t5 - (inertia.I6zz - t10)) + g.d6 * (t6 + t5);
+  const Scalar t16 = sin(g.alpha6) * t15;
+  const Scalar t17 = (t14 + ((inertia.I5yz - inertia.c5z * t4) - t14)) + cos(g.alpha6) * t16;
+  const Scalar t18 = g.a6 / g.d2;
+  const Scalar t19 = g.d5 * t3;
+  const Scalar t20 = cos(g.alpha6) * t6;
+  const Scalar t21 = (t19 - (t19 - (inertia.I5xz - inertia.c5z * t3))) - g.a6 * t20;
+  const Scalar t22 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t23 = sin(g.alpha6) * t16;
+  const Scalar t24 = (inertia.c5x * t3 - (inertia.I5xx - t22)) + g.a6 * t2;
+  const Scalar t25 = t11 + t12;
+  const Scalar t26 = g.d4 / g.d2;
+  const Scalar t27 = g.a4 / g.d2;
+  const Scalar t28 = g.d3 / g.d2;
+  const Scalar t29 = g.a3 / g.d2;
+  const Scalar t30 = g.a2 / g.d2;
+  const Scalar t31 = g.d5 * inertia.m5;
+  const Scalar t32 = inertia.c5z * inertia.m5;
+  const Scalar t33 = t32 + t31;
+  const Scalar t34 = t31 - t33;
+  const Scalar t35 = t34 - t20;
+  const Scalar t36 = inertia.m5 + inertia.m6;
+  const Scalar t37 = t35 - g.d5 * t36;
+  const Scalar t38 = sin(g.alpha5) * t37;
+  const Scalar t39 = inertia.c4y * inertia.m4;
+  const Scalar t40 = g.a5 * t36;
+  const Scalar t41 = inertia.c4x * inertia.m4;
+  const Scalar t42 = (inertia.c5z * t32 - (inertia.I5zz - t22)) + g.d5 * (t32 + t33);
+  const Scalar t43 = (g.d5 * (t34 - t33) + t42) + (t15 - t23);
+  const Scalar t44 = g.d5 * (t35 + t37) - t43;
+  const Scalar t45 = sin(g.alpha5) * t44;
+  const Scalar t46 = sin(g.alpha5) * t45;
+  const Scalar t47 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t48 = g.a5 * t40 - ((inertia.I4xx - t47) - inertia.c4x * t41);
+  const Scalar t49 = g.d4 * t39;
+  const Scalar t50 = cos(g.alpha5) * t45 - (t49 - (t49 - (inertia.I4yz - inertia.c4z * t39)));
+  const Scalar t51 = cos(g.alpha5) * t37;
+  const Scalar t52 = g.d4 * t41;
+  const Scalar t53 = g.a5 * t51 + (((inertia.I4xz - inertia.c4z * t41) - t52) + t52);
+  const Scalar t54 = inertia.m4 + t36;
+  const Scalar t55 = inertia.c4z * inertia.m4;
+  const Scalar t56 = g.d4 * inertia.m4;
+  const Scalar t57 = t55 + t56;
+  const Scalar t58 = t57 - t56;
+  const Scalar t59 = t58 - t51;
+  const Scalar t60 = g.d4 * t54 + t59;
+  const Scalar t61 = sin(g.alpha4) * t60;
+  const Scalar t62 = inertia.c3y * inertia.m3;
+  const Scalar t63 = g.a4 * t54;
+  const Scalar t64 = inertia.c3x * inertia.m3;
+  const Scalar t65 = cos(g.alpha4) * t60;
+  const Scalar t66 = g.d3 * t64;
+  const Scalar t67 = g.a4 * t65 - (t66 - (t66 - (inertia.I3xz - inertia.c3z * t64)));
+  const Scalar t68 = ((inertia.I4zz - t47) - inertia.c4z * t55) - g.d4 * (t57 + t55);
+  const Scalar t69 = (g.d4 * (t58 + t57) + t68) - (t46 - t44);
+  const Scalar t70 = t69 - g.d4 * (t59 + t60);
+  const Scalar t71 = sin(g.alpha4) * t70;
+  const Scalar t72 = g.d3 * t62;
+  const Scalar t73 = cos(g.alpha4) * t71 - (t72 - (t72 - (inertia.I3yz - inertia.c3z * t62)));
+  const Scalar t74 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t75 = g.a4 * t63 + (inertia.c3x * t64 - (inertia.I3xx - t74));
+  const Scalar t76 = sin(g.alpha4) * t71;
+  const Scalar t77 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t78 = inertia.c2y * inertia.m2;
+  const Scalar t79 = inertia.c3z * inertia.m3;
+  const Scalar t80 = g.d3 * inertia.m3;
+  const Scalar t81 = t79 + t80;
+  const Scalar t82 = g.d3 * (t79 + t81) - ((inertia.I3zz - t74) - inertia.c3z * t79);
+  const Scalar t83 = t80 - t81;
+  const Scalar t84 = (t76 - t70) + (t82 - g.d3 * (t81 - t83));
+  const Scalar t85 = t65 - t83;
+  const Scalar t86 = inertia.m3 + t54;
+  const Scalar t87 = t85 + g.d3 * t86;
+  const Scalar t88 = t84 + g.d3 * (t85 + t87);
+  const Scalar t89 = sin(g.alpha3) * t88;
+  const Scalar t90 = sin(g.alpha3) * t89;
+  const Scalar t91 = ((inertia.I2yy - t77) - inertia.c2y * t78) - t90;
+  const Scalar t92 = g.a3 * t86;
+  const Scalar t93 = inertia.c2x * inertia.m2;
+  const Scalar t94 = g.a3 * t92 + (inertia.c2x * t93 - (inertia.I2xx - t77));
+  const Scalar t95 = sin(g.alpha3) * t87;
+  const Scalar t96 = g.a3 * t95 + (inertia.I2xy - inertia.c2y * t93);
+  const Scalar t97 = cos(g.alpha3) * t87;
+  const Scalar t98 = g.d2 * t93;
+  const Scalar t99 = g.a3 * t97 - (((inertia.I2xz - inertia.c2z * t93) - t98) + t98);
+  const Scalar t100 = g.d2 * t78;
+  const Scalar t101 = ((t100 - (inertia.I2yz - inertia.c2z * t78)) - t100) - cos(g.alpha3) * t89;
+  const Scalar t102 = g.d2 * inertia.m2;
+  const Scalar t103 = inertia.c2z * inertia.m2;
+  const Scalar t104 = t102 + t103;
+  const Scalar t105 = t102 - t104;
+  const Scalar t106 = g.d2 * (t104 + t103) - ((inertia.I2zz - t77) - inertia.c2z * t103);
+  const Scalar t107 = (g.d2 * (t104 - t105) - t106) + (t90 - t88);
+  const Scalar t108 = t97 - t105;
+  const Scalar t109 = inertia.m2 + t86;
+  const Scalar t110 = g.d2 * t109 + t108;
+  const Scalar t111 = sin(g.alpha2) * sin(g.alpha2) * (t107 - g.d2 * (t108 + t110));
+  const Scalar t112 = inertia.c1y * inertia.m1;
+  const Scalar t113 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t114 = g.a2 * t109;
+  const Scalar t115 = inertia.c1x * inertia.m1;
+  const Scalar t116 = g.a2 * t114 + (inertia.c1x * t115 - (inertia.I1xx - t113));
+  const Scalar t117 = gravity[2] / g.d2;
+  return { g.d2 * t0,
            g.d2 * t1,
-           cos(g.alpha6) * t6,
-           Scalar(1) / t5,
-           t3 - t4,
-           Scalar(2) * t7,
-           t3,
-           t5,
-           sin(g.alpha2),
-           cos(g.alpha3),
-           cos(g.alpha2),
-           sin(g.alpha3),
-           sin(g.alpha4),
-           cos(g.alpha4),
-           sin(g.alpha5),
-           cos(g.alpha5),
+           g.d2 * (t2 + t3),
            cos(g.alpha6),
-           cos(g.alpha2) * cos(g.alpha3),
-           cos(g.alpha4) * sin(g.alpha3),
-           t7,
-           t6,
-           t8,
+           g.d2 * (t4 - t7),
+           cos(g.alpha5) * t8,
            t9,
-           gravity[1] / g.d2,
-           gravity[0] / g.d2,
-           t10,
-           sin(g.alpha2) * t11,
-           cos(g.alpha2) * sin(g.alpha2),
-           cos(g.alpha2) * t11,
-           sin(g.alpha2) * sin(g.alpha2),
+           (inertia.I6xz - inertia.c6z * t0) - g.d6 * t0,
+           g.d6 * t1 - (inertia.I6yz - inertia.c6z * t1),
+           Scalar(2) * cos(g.alpha6),
+           t11 - t12,
+           Scalar(2) * t13,
            t12,
+           sin(g.alpha6),
+           t17,
+           sin(g.alpha6) * t18,
            t13,
-           t14,
-           g.d5 / g.d2,
            t21,
-           t25,
-           (inertia.c5y * t15 - (inertia.I5yy - t26)) + t27,
-           t29,
-           (inertia.I5xy - inertia.c5y * t22) + g.a6 * t30,
-           g.d2 * (t28 + t22),
-           g.d2 * (t15 - t30),
-           Scalar(2) * t6,
-           cos(g.alpha5) * sin(g.alpha6),
+           sin(g.alpha5),
+           (inertia.c5y * t4 - (inertia.I5yy - t22)) + t23,
+           t11,
+           Scalar(2) * t18,
+           t24,
+           cos(g.alpha5),
+           cos(g.alpha6) * t25,
+           t18,
+           cos(g.alpha6) * t9,
+           sin(g.alpha6) * t25,
            sin(g.alpha5) * sin(g.alpha6),
-           sin(g.alpha6) * t6,
-           sin(g.alpha6) * t5,
-           sin(g.alpha2) * t10,
-           cos(g.alpha2) * t10,
+           t8,
+           Scalar(1) / t25,
+           t26,
+           cos(g.alpha5) * sin(g.alpha6),
+           cos(g.alpha4),
+           sin(g.alpha4),
+           t27,
+           t28,
+           cos(g.alpha3),
+           sin(g.alpha3),
+           t29,
+           sin(g.alpha2),
+           cos(g.alpha2),
+           sin(g.alpha2) * t30,
+           cos(g.alpha2) * t30,
            sin(g.alpha4) * sin(g.alpha5),
            cos(g.alpha4) * sin(g.alpha5),
-           sin(g.alpha5) * t14,
-           cos(g.alpha5) * t14,
-           g.d2 * (t35 + t36),
-           g.d2 * (sin(g.alpha2) * t63 - t64),
-           g.d2 * (t65 + t66),
-           g.d2 * (t67 - t68),
-           g.d2 * (t69 - t70),
-           g.d2 * (t71 + t72),
-           g.d2 * (t73 + t74),
-           g.d2 * (t75 + t76),
-           t88,
-           ((inertia.I3yy - t89) - inertia.c3y * t70) + t90,
-           (inertia.I3xy - inertia.c3y * t72) + g.a4 * t69,
-           t92,
-           t94,
-           t83 + ((inertia.I4yy - t77) - inertia.c4y * t76),
-           g.a5 * t75 - (inertia.I4xy - inertia.c4y * t74),
-           t96,
-           t97,
-           t98,
-           t104,
-           t106,
-           Scalar(2) * t107,
-           t109 + t111,
-           t107,
-           Scalar(2) * sin(g.alpha6),
-           Scalar(2) * t14,
+           sin(g.alpha5) * t8,
+           g.d2 * (t38 + t39),
+           g.d2 * (t40 + t41),
            cos(g.alpha3) * sin(g.alpha4),
            sin(g.alpha3) * sin(g.alpha4),
-           sin(g.alpha4) * t12,
-           sin(g.alpha2) * sin(g.alpha3),
-           Scalar(2) * t13,
-           Scalar(2) * t12,
-           cos(g.alpha3) * t9,
-           sin(g.alpha3) * t9,
-           Scalar(2) * t9,
-           t109,
+           sin(g.alpha4) * t27,
+           Scalar(2) * sin(g.alpha6),
+           (inertia.I5xy - inertia.c5y * t3) + g.a6 * t7,
+           t46 + ((inertia.I4yy - t47) - inertia.c4y * t39),
            Scalar(2) * t8,
-           t111,
+           t48,
+           t50,
+           t53,
+           g.d2 * (t61 - t62),
+           g.d2 * (t63 + t64),
+           sin(g.alpha2) * sin(g.alpha3),
+           t30,
+           g.a5 * t38 - (inertia.I4xy - inertia.c4y * t41),
+           t67,
+           Scalar(2) * t26,
+           t73,
+           sin(g.alpha3) * t29,
+           Scalar(2) * t27,
+           t75,
+           ((inertia.I3yy - t74) - inertia.c3y * t62) + t76,
+           (inertia.I3xy - inertia.c3y * t64) + g.a4 * t61,
+           Scalar(2) * t28,
+           t91,
+           Scalar(2) * t29,
+           t94,
+           t96,
+           sin(g.alpha2) * sin(g.alpha2),
+           t99,
+           g.d2 * (t92 + t93),
+           g.d2 * (t95 - t78),
+           t101,
            Scalar(2) * cos(g.alpha2),
-           t114 - (inertia.c1y * t64 - (inertia.I1yy - t115)),
-           Scalar(2) * t10,
-           t116 };
+           t111 - (inertia.c1y * t112 - (inertia.I1yy - t113)),
+           Scalar(2) * t30,
+           t116,
+           cos(g.alpha4) * sin(g.alpha3),
+           gravity[1] / g.d2,
+           gravity[0] / g.d2,
+           sin(g.alpha2) * t117,
+           cos(g.alpha2) * sin(g.alpha2),
+           cos(g.alpha2) * t117,
+           g.d2 * (t114 + t115),
+           g.d2 * (sin(g.alpha2) * t110 - t112),
+           Scalar(2) * t96,
+           t94 + t91 };
 }
 
 namespace detail {
@@ -1410,456 +1407,457 @@ inline JointVector<Scalar> forward_dynamics_with_gravity_vector([[maybe_unused]]
   const Scalar& c5 = angles.cosine[4];
   const Scalar& s6 = angles.sine[5];
   const Scalar& c6 = angles.cosine[5];
-  const Scalar t0 = k[4] * s6 + k[5] * c6;
-  const Scalar t1 = k[44] + k[20] * t0;
-  const Scalar t2 = k[4] * c6 - k[5] * s6;
-  const Scalar t3 = k[43] + t2;
-  const Scalar t4 = s5 * t1 - c5 * t3;
-  const Scalar t5 = k[0] * s6 - k[1] * c6;
-  const Scalar t6 = k[20] * t5;
-  const Scalar t7 = k[9] * c6 + k[8] * s6;
-  const Scalar t8 = k[10] - s6 * t7;
-  const Scalar t9 = k[11] - t8;
-  const Scalar t10 = Scalar(2) * t6 + k[2] * t9;
-  const Scalar t11 = k[2] * t10;
-  const Scalar t12 = k[40] + (t11 - t9);
-  const Scalar t13 = k[41] - (t8 - k[45] * t2);
-  const Scalar t14 = t12 + t13;
-  const Scalar t15 = k[38] - (t5 - k[20] * t10);
-  const Scalar t16 = k[23] - c6 * t7;
-  const Scalar t17 = k[0] * c6 + k[1] * s6;
-  const Scalar t18 = k[48] * t0 + (k[2] * t16 - k[20] * t17);
-  const Scalar t19 = k[39] - t18;
-  const Scalar t20 = s5 * t3 + c5 * t1;
-  const Scalar t21 = (c5 * t15 + s5 * t19) - k[37] * t20;
-  const Scalar t22 = k[55] * t4 - (k[19] * t14 + k[18] * t21);
-  const Scalar t23 = k[19] * t21;
-  const Scalar t24 = k[35] * t20 + ((k[18] * t14 - t23) - k[54] * t4);
-  const Scalar t25 = (s5 * t15 - c5 * t19) - k[37] * t4;
-  const Scalar t26 = k[19] * t4;
-  const Scalar t27 = t25 - k[35] * t26;
-  const Scalar t28 = c4 * t24 + s4 * t27;
-  const Scalar t29 = s4 * t20 + c4 * t26;
-  const Scalar t30 = k[17] * t29 - k[52] * t4;
-  const Scalar t31 = (k[17] * t22 + k[16] * t28) + k[34] * t30;
-  const Scalar t32 = k[6] * t2 - (k[3] - k[2] * t5);
-  const Scalar t33 = k[7] * t32;
-  const Scalar t34 = k[20] * t2;
-  const Scalar t35 = s5 * t0 - c5 * t34;
-  const Scalar t36 = k[47] * t2 + k[19] * t35;
-  const Scalar t37 = t17 - k[37] * t34;
-  const Scalar t38 = k[37] * t0;
-  const Scalar t39 = t38 + (k[48] * t2 - (k[49] + t6));
-  const Scalar t40 = k[35] * t36 + (c5 * t37 + s5 * t39);
-  const Scalar t41 = s5 * t34 + c5 * t0;
-  const Scalar t42 = k[46] * t2 - k[18] * t35;
-  const Scalar t43 = c5 * t39 - s5 * t37;
-  const Scalar t44 = k[36] * t42 + (k[18] * t32 + k[19] * t43);
-  const Scalar t45 = k[35] * t41 + t44;
-  const Scalar t46 = s4 * t40 - c4 * t45;
-  const Scalar t47 = k[36] * t36 + (k[18] * t43 - k[19] * t32);
-  const Scalar t48 = s4 * t41 + c4 * t36;
-  const Scalar t49 = k[16] * t42 + k[17] * t48;
-  const Scalar t50 = (k[16] * t46 - k[17] * t47) - k[34] * t49;
-  const Scalar t51 = t31 - t33 * t50;
-  const Scalar t52 = t47 * t33 + t22;
-  const Scalar t53 = Scalar(1) / (t14 + t32 * t33);
-  const Scalar t54 = t52 * t53;
-  const Scalar t55 = k[7] * t47;
-  const Scalar t56 = k[62] - t4;
-  const Scalar t57 = k[19] * t20 - k[47] * t0;
-  const Scalar t58 = k[63] + t57;
-  const Scalar t59 = c4 * t56 - s4 * t58;
-  const Scalar t60 = k[17] * t59;
-  const Scalar t61 = k[6] * t0 + (k[2] * t17 + k[20] * t16);
-  const Scalar t62 = k[42] - t61;
-  const Scalar t63 = Scalar(2) * c5 * t62 + s5 * (t12 - t13);
-  const Scalar t64 = t13 + s5 * t63;
-  const Scalar t65 = t14 - t64;
-  const Scalar t66 = t11 - k[79] * t38;
-  const Scalar t67 = (t23 + t23) - k[18] * (t65 + t66);
-  const Scalar t68 = k[18] * t67;
-  const Scalar t69 = k[69] - (t68 + t65);
-  const Scalar t70 = k[72] + (t64 - k[80] * t4);
-  const Scalar t71 = t69 - t70;
-  const Scalar t72 = s4 * t56 + c4 * t58;
-  const Scalar t73 = k[18] * t20 + k[46] * t0;
-  const Scalar t74 = t62 - c5 * t63;
-  const Scalar t75 = k[36] * t73 + (k[18] * t74 + k[19] * t25);
-  const Scalar t76 = k[68] - t75;
-  const Scalar t77 = k[71] - (k[19] * t67 - t21);
-  const Scalar t78 = k[35] * t72 - (s4 * t76 - c4 * t77);
-  const Scalar t79 = k[34] * t60 - (k[17] * t71 + k[16] * t78);
-  const Scalar t80 = t51 * t54 + (t55 * t50 - t79);
-  const Scalar t81 = Scalar(1) / ((t71 - t55 * t47) + t52 * t54);
-  const Scalar t82 = t80 * t81;
-  const Scalar t83 = s3 * t72 - c3 * t60;
-  const Scalar t84 = k[13] * t83 + k[82] * t59;
-  const Scalar t85 = k[17] * t78;
-  const Scalar t86 = k[25] * t72 + (k[83] * t59 + (t85 - k[16] * t71));
-  const Scalar t87 = (c4 * t76 + s4 * t77) - k[35] * t59;
-  const Scalar t88 = t87 - k[25] * t60;
-  const Scalar t89 = c3 * t86 - s3 * t88;
-  const Scalar t90 = k[26] * t84 + (k[15] * t89 - k[13] * t79);
-  const Scalar t91 = c4 * t41 - s4 * t36;
-  const Scalar t92 = s3 * t91 + c3 * t49;
-  const Scalar t93 = k[17] * t42 - k[16] * t48;
-  const Scalar t94 = k[13] * t92 + k[15] * t93;
-  const Scalar t95 = c4 * t40 + s4 * t45;
-  const Scalar t96 = k[34] * t93 - (k[17] * t46 + k[16] * t47);
-  const Scalar t97 = c3 * t91 - s3 * t49;
-  const Scalar t98 = (s3 * t95 - c3 * t96) - k[25] * t97;
-  const Scalar t99 = k[26] * t94 - (k[13] * t50 + k[15] * t98);
-  const Scalar t100 = s4 * t24 - c4 * t27;
-  const Scalar t101 = k[16] * t29 + k[53] * t4;
-  const Scalar t102 = k[34] * t101 - (k[17] * t28 - k[16] * t22);
-  const Scalar t103 = c4 * t20 - s4 * t26;
-  const Scalar t104 = c3 * t103 - s3 * t30;
-  const Scalar t105 = (s3 * t100 + c3 * t102) - k[25] * t104;
-  const Scalar t106 = c3 * t30 + s3 * t103;
-  const Scalar t107 = k[15] * t101 - k[13] * t106;
-  const Scalar t108 = (k[15] * t105 - k[13] * t31) + k[26] * t107;
-  const Scalar t109 = k[7] * t99;
-  const Scalar t110 = t108 - t109 * t32;
-  const Scalar t111 = (t90 - t99 * t55) - t110 * t54;
-  const Scalar t112 = t53 * t51;
-  const Scalar t113 = k[61] + t59;
-  const Scalar t114 = k[16] * t73 - k[17] * t72;
-  const Scalar t115 = k[60] + t114;
-  const Scalar t116 = c3 * t113 + s3 * t115;
-  const Scalar t117 = (t68 + t66) - k[85] * t73;
-  const Scalar t118 = (k[18] * t25 - k[19] * t74) - k[36] * t57;
-  const Scalar t119 = k[70] - t118;
-  const Scalar t120 = c4 * t119;
-  const Scalar t121 = s4 * (t69 + t70) + (t120 + t120);
-  const Scalar t122 = s4 * t121;
-  const Scalar t123 = t69 - t122;
-  const Scalar t124 = k[16] * (t117 - t123) + Scalar(2) * t85;
-  const Scalar t125 = (k[64] - (t78 - k[17] * t124)) - k[25] * t115;
-  const Scalar t126 = c4 * t121 - t119;
-  const Scalar t127 = k[16] * t72 + k[17] * t73;
-  const Scalar t128 = (k[16] * t126 - k[17] * t87) + k[34] * t127;
-  const Scalar t129 = (k[67] + t128) + k[25] * t113;
-  const Scalar t130 = c3 * t125 + s3 * t129;
-  const Scalar t131 = k[16] * t124;
-  const Scalar t132 = k[65] + (t123 + t131);
-  const Scalar t133 = k[73] + (k[86] * t59 - (t122 - t70));
-  const Scalar t134 = t132 - t133;
-  const Scalar t135 = k[87] * t116 - (k[15] * t130 + k[13] * t134);
-  const Scalar t136 = t82 * t111 + (t112 * t110 + (t135 - t109 * t50));
-  const Scalar t137 = k[13] * t101 + k[15] * t106;
-  const Scalar t138 = (k[15] * t31 + k[13] * t105) + k[26] * t137;
-  const Scalar t139 = (s3 * t102 - c3 * t100) - k[25] * t106;
-  const Scalar t140 = c2 * (t138 - t104) - s2 * (t107 + t139);
-  const Scalar t141 = k[51] * (s2 * t104 - c2 * t107) - k[50] * t137;
-  const Scalar t142 = k[13] * t93 - k[15] * t92;
-  const Scalar t143 = k[50] * t142 + k[51] * (c2 * t94 + s2 * t97);
-  const Scalar t144 = (k[15] * t50 - k[13] * t98) + k[26] * t142;
-  const Scalar t145 = k[25] * t92 + (s3 * t96 + c3 * t95);
-  const Scalar t146 = c2 * (t144 + t97) - s2 * (t145 + t94);
-  const Scalar t147 = t143 + (k[14] * t99 + k[12] * t146);
-  const Scalar t148 = ((k[14] * t108 + k[12] * t140) - t141) - t147 * t33;
-  const Scalar t149 = t148 * t53;
-  const Scalar t150 = c3 * t115 - s3 * t113;
-  const Scalar t151 = k[13] * t130;
-  const Scalar t152 = t150 - ((t151 - k[15] * t134) + k[88] * t116);
-  const Scalar t153 = k[13] * t116;
-  const Scalar t154 = c3 * t129 - s3 * t125;
-  const Scalar t155 = k[12] * (c2 * t152 - s2 * (t153 + t154));
-  const Scalar t156 = k[84] * t116 - k[14] * (s2 * t150 + c2 * t153);
-  const Scalar t157 = k[7] * t50;
-  const Scalar t158 = ((k[14] * t135 + t155) - k[29] * t156) - t157 * t147;
-  const Scalar t159 = k[15] * t83 - k[81] * t59;
-  const Scalar t160 = c3 * t72 + s3 * t60;
-  const Scalar t161 = k[50] * t159 - k[51] * (c2 * t84 + s2 * t160);
-  const Scalar t162 = (k[13] * t89 + k[15] * t79) - k[26] * t159;
-  const Scalar t163 = s2 * ((s3 * t86 + c3 * t88) + t84);
-  const Scalar t164 = k[12] * (c2 * (t162 + t160) - t163) + k[14] * t90;
-  const Scalar t165 = ((t161 - t164) + t55 * t147) + t149 * t52;
-  const Scalar t166 = t165 * t81;
-  const Scalar t167 = (t149 * t51 + t158) - t166 * t80;
-  const Scalar t168 = (t112 * t51 - (t157 * t50 - t134)) - t82 * t80;
-  const Scalar t169 = Scalar(1) / t168;
-  const Scalar t170 = t167 * t169;
-  const Scalar t171 = (k[17] * t126 + k[16] * t87) - k[34] * t114;
-  const Scalar t172 = k[66] - t171;
-  const Scalar t173 = c3 * t172;
-  const Scalar t174 = s3 * (t132 + t133) - (t173 + t173);
-  const Scalar t175 = t132 - s3 * t174;
-  const Scalar t176 = k[91] * t127 - (t117 - t131);
-  const Scalar t177 = (t151 + t151) - k[15] * (t176 + t175);
-  const Scalar t178 = k[15] * t177;
-  const Scalar t179 = k[92] + (t175 + t178);
-  const Scalar t180 = k[90] + ((t175 - t134) + k[89] * t116);
-  const Scalar t181 = t179 - t180;
-  const Scalar t182 = k[58] + t116;
-  const Scalar t183 = c3 * t174 + t172;
-  const Scalar t184 = k[15] * t150 - k[13] * t127;
-  const Scalar t185 = (k[15] * t183 + k[13] * t154) - k[26] * t184;
-  const Scalar t186 = k[13] * t150 + k[15] * t127;
-  const Scalar t187 = k[59] + t186;
-  const Scalar t188 = c2 * (t187 - (k[74] - (t130 - k[13] * t177)));
-  const Scalar t189 = k[12] * (s2 * (t182 + (k[75] + t185)) - t188);
-  const Scalar t190 = c2 * t182 + s2 * t187;
-  const Scalar t191 = t109 * t147 - ((k[14] * t181 + t189) - k[51] * t190);
-  const Scalar t192 = t136 * t170 - (t166 * t111 + (t149 * t110 - t191));
-  const Scalar t193 = t136 * t169;
-  const Scalar t194 = t111 * t81;
-  const Scalar t195 = t53 * t110;
-  const Scalar t196 = t111 * t194 - (t110 * t195 + (t181 - t99 * t109));
-  const Scalar t197 = Scalar(1) / (t193 * t136 + t196);
-  const Scalar t198 = t197 * t192;
-  const Scalar t199 = k[7] * t147;
-  const Scalar t200 = k[26] * t186 - (k[13] * t183 - k[15] * t154);
-  const Scalar t201 = s2 * (t179 + t180) - Scalar(2) * c2 * (k[78] + t200);
-  const Scalar t202 = t180 - s2 * t201;
-  const Scalar t203 = t202 + t181;
-  const Scalar t204 = k[33] * (t203 + ((t176 + t178) - Scalar(2) * t184));
-  const Scalar t205 = (k[94] + ((k[93] * t189 - t204) + t203)) - (k[96] + (t202 + k[95] * t190));
-  const Scalar t206 = t165 * t166 + ((t199 * t147 - t205) - t149 * t148);
-  const Scalar t207 = Scalar(1) / (t192 * t198 - (t206 + t167 * t170));
-  const Scalar t208 = qd[1] + k[14] * qd[0];
-  const Scalar t209 = k[12] * qd[0];
-  const Scalar t210 = c2 * t209;
-  const Scalar t211 = k[15] * t208 + k[13] * t210;
-  const Scalar t212 = s2 * t209;
-  const Scalar t213 = s3 * t211 + c3 * t212;
-  const Scalar t214 = t213 * t213;
-  const Scalar t215 = s3 * t212 - c3 * t211;
-  const Scalar t216 = t215 * t215;
-  const Scalar t217 = t214 + t216;
-  const Scalar t218 = qd[0] * qd[0];
-  const Scalar t219 = k[27] * s1 + k[28] * c1;
-  const Scalar t220 = k[29] * t218 + t219;
-  const Scalar t221 = k[31] * t218;
-  const Scalar t222 = k[28] * s1 - k[27] * c1;
-  const Scalar t223 = t221 - (k[30] - k[14] * t222);
-  const Scalar t224 = s2 * t220 + c2 * t223;
-  const Scalar t225 = t224 + k[26] * t212 * t210;
-  const Scalar t226 = qd[1] * t209;
-  const Scalar t227 = t226 + t208 * t209;
-  const Scalar t228 = k[33] * t218;
-  const Scalar t229 = t228 + (k[32] + k[12] * t222);
-  const Scalar t230 = k[26] * s2 * t227 - t229;
-  const Scalar t231 = k[25] * t217 + (k[15] * t225 - k[13] * t230);
-  const Scalar t232 = k[15] * t210;
-  const Scalar t233 = t232 - k[13] * t208;
-  const Scalar t234 = qd[2] - t233;
-  const Scalar t235 = t234 * t213;
-  const Scalar t236 = c2 * t226 + t233 * t211;
-  const Scalar t237 = t212 * t232 - t212 * k[21] * qd[0];
-  const Scalar t238 = s3 * t236 + c3 * t237;
-  const Scalar t239 = t235 + t238;
-  const Scalar t240 = t235 + t239;
-  const Scalar t241 = t231 - k[34] * t240;
-  const Scalar t242 = t208 * t208;
-  const Scalar t243 = t228 + t242;
-  const Scalar t244 = c2 * t220 - s2 * t223;
-  const Scalar t245 = k[25] * t237 - (k[26] * (t212 * t212 - t243) - t244);
-  const Scalar t246 = (k[15] * t230 + k[13] * t225) - k[25] * t236;
-  const Scalar t247 = s3 * t245 + c3 * t246;
-  const Scalar t248 = t213 * t215;
-  const Scalar t249 = s2 * t226;
-  const Scalar t250 = k[15] * t249;
-  const Scalar t251 = t248 - t250;
-  const Scalar t252 = t247 - k[34] * t251;
-  const Scalar t253 = k[16] * t234 - k[17] * t215;
-  const Scalar t254 = s4 * t253 + c4 * t213;
-  const Scalar t255 = t254 * t254;
-  const Scalar t256 = s4 * t213 - c4 * t253;
-  const Scalar t257 = t256 * t256;
-  const Scalar t258 = t255 + t257;
-  const Scalar t259 = (k[17] * t241 + k[16] * t252) + k[35] * t258;
-  const Scalar t260 = t248 + t250;
-  const Scalar t261 = k[16] * t260 - k[17] * t238;
-  const Scalar t262 = t234 * t215;
-  const Scalar t263 = c3 * t236 - s3 * t237;
-  const Scalar t264 = t262 - t263;
-  const Scalar t265 = k[16] * t215 + k[17] * t234;
-  const Scalar t266 = t264 + t265 * t253;
-  const Scalar t267 = c4 * t261 + s4 * t266;
-  const Scalar t268 = qd[3] + t265;
-  const Scalar t269 = t268 * t254;
-  const Scalar t270 = t267 - t269;
-  const Scalar t271 = t270 - t269;
-  const Scalar t272 = t259 + k[36] * t271;
-  const Scalar t273 = (k[17] * t252 - k[16] * t241) + k[35] * t266;
-  const Scalar t274 = c3 * t245 - s3 * t246;
-  const Scalar t275 = t234 * t234;
-  const Scalar t276 = t275 + t216;
-  const Scalar t277 = k[35] * t261 - (t274 + k[34] * t276);
-  const Scalar t278 = c4 * t273 - s4 * t277;
-  const Scalar t279 = k[16] * t239 + k[22] * t249;
-  const Scalar t280 = t256 * t254;
-  const Scalar t281 = t279 - t280;
-  const Scalar t282 = t278 + k[36] * t281;
-  const Scalar t283 = k[18] * t272 - k[19] * t282;
-  const Scalar t284 = t268 * t268;
-  const Scalar t285 = t257 + t284;
-  const Scalar t286 = s4 * t273 + c4 * t277;
-  const Scalar t287 = k[36] * t285 - t286;
-  const Scalar t288 = t279 + t280;
-  const Scalar t289 = k[19] * t267 + k[18] * t288;
-  const Scalar t290 = t268 * t256;
-  const Scalar t291 = c4 * t266 - s4 * t261;
-  const Scalar t292 = t290 + t291;
-  const Scalar t293 = k[19] * t268 + k[18] * t256;
-  const Scalar t294 = k[18] * t268 - k[19] * t256;
-  const Scalar t295 = t292 + t293 * t294;
-  const Scalar t296 = s5 * t289 - c5 * t295;
-  const Scalar t297 = (c5 * t283 - s5 * t287) + k[37] * t296;
-  const Scalar t298 = s5 * t295 + c5 * t289;
-  const Scalar t299 = k[37] * t298 - (c5 * t287 + s5 * t283);
-  const Scalar t300 = c5 * t294 - s5 * t254;
-  const Scalar t301 = t300 * t300;
-  const Scalar t302 = s5 * t294 + c5 * t254;
-  const Scalar t303 = t302 * t302;
-  const Scalar t304 = k[18] * t270 - k[19] * t279;
-  const Scalar t305 = t300 * t302;
-  const Scalar t306 = t304 + t305;
-  const Scalar t307 = t304 - t305;
-  const Scalar t308 = k[42] * (t301 - t303) + (k[40] * t306 + k[41] * t307);
-  const Scalar t309 = (k[43] * t297 + k[44] * t299) - ((k[39] * t296 + k[38] * t298) - t308);
-  const Scalar t310 = qd[4] + t293;
-  const Scalar t311 = k[2] * t300 - k[20] * t310;
-  const Scalar t312 = qd[5] - t311;
-  const Scalar t313 = t302 * t312;
-  const Scalar t314 = k[2] * t306 - k[20] * t298;
-  const Scalar t315 = t313 + (t314 + t313);
-  const Scalar t316 = k[2] * t310 + k[20] * t300;
-  const Scalar t317 = t316 * t312;
-  const Scalar t318 = t300 * t310;
-  const Scalar t319 = t318 + t296;
-  const Scalar t320 = t316 * t311 + t319;
-  const Scalar t321 = (t317 + t320) + t317;
-  const Scalar t322 = t316 * t316;
-  const Scalar t323 = t303 - t322;
-  const Scalar t324 = t312 * t312;
-  const Scalar t325 = t322 - t324;
-  const Scalar t326 = t310 * t302;
-  const Scalar t327 = t326 - t298;
-  const Scalar t328 = k[20] * t304 - k[2] * t327;
-  const Scalar t329 = t316 * t302;
-  const Scalar t330 = t328 + t329;
-  const Scalar t331 = (t8 * t315 - t16 * t321) - (t17 * (t323 + t325) + t5 * t330);
-  const Scalar t332 = t326 + t327;
-  const Scalar t333 = t301 + t303;
-  const Scalar t334 = (k[18] * t282 + k[19] * t272) + k[37] * t333;
-  const Scalar t335 = k[24] * t332 - t334;
-  const Scalar t336 = t297 + k[24] * t307;
-  const Scalar t337 = k[20] * t335 + k[2] * t336;
-  const Scalar t338 = t331 - t337 * t2;
-  const Scalar t339 = t310 * t310;
-  const Scalar t340 = t303 - t339;
-  const Scalar t341 = t333 - t340;
-  const Scalar t342 = t0 * (k[24] * t341 - t299) + t2 * (k[2] * t335 - k[20] * t336);
-  const Scalar t343 = t328 - t329;
-  const Scalar t344 = (t343 * t8 + t330 * t9) - t16 * t323;
-  const Scalar t345 = t342 - ((t5 * t314 - t17 * t320) - t344);
-  const Scalar t346 = t0 * (t303 + t324) + t343 * t2;
-  const Scalar t347 = t321 * t0 + t2 * t315;
-  const Scalar t348 = k[20] * t346 + k[2] * t347;
-  const Scalar t349 = (k[2] * t338 + k[20] * t345) - k[24] * t348;
-  const Scalar t350 = t309 - t349;
-  const Scalar t351 = torque[5] - t345;
-  const Scalar t352 = t53 * ((torque[4] + t350) + t351 * t33);
-  const Scalar t353 = t214 + t275;
-  const Scalar t354 = (k[73] * t251 + k[65] * t260) - k[66] * (t353 - t276);
-  const Scalar t355 = (k[61] * t247 - k[60] * t274) - (t354 + (k[67] * t263 - k[64] * t238));
-  const Scalar t356 = t255 - t257;
-  const Scalar t357 = t356 + t285;
-  const Scalar t358 = t290 + t292;
-  const Scalar t359 = k[71] * (t357 - t258) + (k[69] * t358 - k[70] * t271);
-  const Scalar t360 = k[2] * t346 - k[20] * t347;
-  const Scalar t361 = k[24] * t360 - (k[2] * t345 - k[20] * t338);
-  const Scalar t362 = t318 + t319;
-  const Scalar t363 = (k[41] * t332 - k[42] * t362) + (k[38] * t306 + k[39] * t340);
-  const Scalar t364 = t361 + (k[43] * t334 - t363);
-  const Scalar t365 = t303 + t339;
-  const Scalar t366 = (k[42] * t332 - k[40] * t362) - k[38] * (t333 - t365);
-  const Scalar t367 = (t16 * t315 - t321 * t9) + t5 * t325;
-  const Scalar t368 = ((t366 + k[39] * t307) + k[44] * t334) - (t337 * t0 + (t367 - t343 * t17));
-  const Scalar t369 = t348 + (k[44] * t365 + k[43] * t307);
-  const Scalar t370 = (k[43] * t341 - k[44] * t306) - (t330 * t0 - (t322 + t324) * t2);
-  const Scalar t371 = c5 * t369 + s5 * t370;
-  const Scalar t372 = (s5 * t364 + c5 * t368) - k[37] * t371;
-  const Scalar t373 = (k[63] * t259 - (k[68] * t281 + t359)) + t372;
-  const Scalar t374 = s5 * t369 - c5 * t370;
-  const Scalar t375 = (c5 * t364 - s5 * t368) + k[37] * t374;
-  const Scalar t376 = t360 - (k[44] * t362 + k[43] * t332);
-  const Scalar t377 = k[19] * t376 + k[18] * t371;
-  const Scalar t378 = (k[18] * t350 + k[19] * t375) + k[36] * t377;
-  const Scalar t379 = (k[70] * t358 + k[72] * t271) - (k[68] * (t255 - t284) + k[71] * t288);
-  const Scalar t380 = t378 + (k[62] * t259 + t379);
-  const Scalar t381 = (k[63] * t288 + k[62] * t285) - t374;
-  const Scalar t382 = k[18] * t376 - k[19] * t371;
-  const Scalar t383 = t382 - (k[63] * t357 - k[62] * t281);
-  const Scalar t384 = c4 * t381 + s4 * t383;
-  const Scalar t385 = (s4 * t373 - c4 * t380) + k[35] * t384;
-  const Scalar t386 = k[36] * t382 + (k[18] * t375 - k[19] * t350);
-  const Scalar t387 = (k[72] * t281 - k[69] * t288) - k[70] * t356;
-  const Scalar t388 = (k[62] * t278 - k[63] * t286) - ((k[68] * t291 + k[71] * t267) - t387);
-  const Scalar t389 = t386 + t388;
-  const Scalar t390 = t377 + (k[62] * t271 + k[63] * t358);
-  const Scalar t391 = c4 * t383 - s4 * t381;
-  const Scalar t392 = k[16] * t390 + k[17] * t391;
-  const Scalar t393 = (k[16] * t385 - k[17] * t389) - k[34] * t392;
-  const Scalar t394 = t355 - t393;
-  const Scalar t395 = k[7] * t351;
-  const Scalar t396 = t352 * t51 + ((torque[2] - t394) + t395 * t50);
-  const Scalar t397 = (t47 * t395 - (torque[3] - t389)) - t352 * t52;
-  const Scalar t398 = t397 * t81;
-  const Scalar t399 = t396 + t398 * t80;
-  const Scalar t400 = k[59] * s2 + k[58] * c2;
-  const Scalar t401 = k[74] * s2 - k[75] * c2;
-  const Scalar t402 = k[78] + c2 * (k[77] * s2 - k[76] * c2);
-  const Scalar t403 = t400 * t229 + (t401 * t242 - t402 * t227);
-  const Scalar t404 = (k[60] * t353 - k[61] * t251) + t392;
-  const Scalar t405 = t384 + (k[61] * t276 - k[60] * t260);
-  const Scalar t406 = s3 * t404 + c3 * t405;
-  const Scalar t407 = t262 + t264;
-  const Scalar t408 = (k[67] * (t276 - t217) + k[64] * t260) + (k[66] * t407 + k[73] * t240);
-  const Scalar t409 = k[16] * t391 - k[17] * t390;
-  const Scalar t410 = k[34] * t409 + (k[16] * t389 + k[17] * t385);
-  const Scalar t411 = (t408 - k[61] * t231) + t410;
-  const Scalar t412 = (k[65] * t407 - k[66] * t240) + k[64] * (t275 - t216);
-  const Scalar t413 = (c4 * t373 + s4 * t380) + k[35] * t391;
-  const Scalar t414 = ((k[67] * t251 + t412) + k[60] * t231) - t413;
-  const Scalar t415 = k[25] * t406 + (c3 * t411 - s3 * t414);
-  const Scalar t416 = c3 * t404 - s3 * t405;
-  const Scalar t417 = (k[61] * t240 + k[60] * t407) + t409;
-  const Scalar t418 = k[15] * t416 + k[13] * t417;
-  const Scalar t419 = (k[13] * t415 + k[15] * t394) + k[26] * t418;
-  const Scalar t420 = k[13] * t416 - k[15] * t417;
-  const Scalar t421 = k[25] * t416 - (s3 * t411 + c3 * t414);
-  const Scalar t422 = c2 * (t419 + t406) + s2 * (t420 + t421);
-  const Scalar t423 = (k[59] * t244 - k[58] * t224) + (t401 * t221 - t402 * t228);
-  const Scalar t424 = k[26] * t420 + (k[13] * t394 - k[15] * t415);
-  const Scalar t425 = t423 - t424;
-  const Scalar t426 = k[12] * (t400 * t243 - (t403 - t422)) + k[14] * t425;
-  const Scalar t427 = k[58] * s2 - k[59] * c2;
-  const Scalar t428 = (c2 * t420 - s2 * t406) - t242 * t427;
-  const Scalar t429 = k[51] * t428 - k[50] * (t418 + t227 * t427);
-  const Scalar t430 = (t426 - t429) - (k[56] * t222 - k[57] * t219);
-  const Scalar t431 = t148 * t352 + (t147 * t395 - (torque[0] + t430));
-  const Scalar t432 = t352 * t110 - ((torque[1] + t425) - t109 * t351);
-  const Scalar t433 = t169 * t399;
-  const Scalar t434 = (t397 * t194 - t432) + t136 * t433;
-  const Scalar t435 = (t399 * t170 - (t165 * t398 + t431)) - t434 * t198;
-  const Scalar t436 = t207 * t435;
-  const Scalar t437 = t197 * t434 + t436 * t198;
-  const Scalar t438 = t193 * t437 - (t436 * t170 + t433);
-  const Scalar t439 = t82 * t438 - ((t398 - t436 * t166) - t194 * t437);
-  const Scalar t440 = (t195 * t437 - (t149 * t436 + t352)) - t112 * t438;
-  const Scalar t441 = t440 + t439 * t54;
-  const Scalar t442 = t157 * t438 - (t109 * t437 - (t436 * t199 - t395));
+  const Scalar t0 = k[0] * s6 + k[1] * c6;
+  const Scalar t1 = k[0] * c6 - k[1] * s6;
+  const Scalar t2 = k[3] * t1;
+  const Scalar t3 = s5 * t0 - c5 * t2;
+  const Scalar t4 = k[23] * t3 + k[28] * t1;
+  const Scalar t5 = k[8] * c6 - k[7] * s6;
+  const Scalar t6 = (k[24] + k[13] * t5) - k[25] * t2;
+  const Scalar t7 = k[6] * t0;
+  const Scalar t8 = t7 - ((k[27] - k[3] * t5) - k[15] * t1);
+  const Scalar t9 = k[7] * c6 + k[8] * s6;
+  const Scalar t10 = t9 - k[26] * t1;
+  const Scalar t11 = c5 * t8 - s5 * t10;
+  const Scalar t12 = k[29] * t4 + (k[23] * t6 + k[18] * t11);
+  const Scalar t13 = (s5 * t8 + c5 * t10) + k[31] * t4;
+  const Scalar t14 = k[32] * t1 - k[18] * t3;
+  const Scalar t15 = k[29] * t14 + (k[23] * t11 - k[18] * t6);
+  const Scalar t16 = s5 * t2 + c5 * t0;
+  const Scalar t17 = t15 + k[31] * t16;
+  const Scalar t18 = s4 * t13 - c4 * t17;
+  const Scalar t19 = s4 * t16 + c4 * t4;
+  const Scalar t20 = k[34] * t14 + k[33] * t19;
+  const Scalar t21 = (k[33] * t12 - k[34] * t18) + k[35] * t20;
+  const Scalar t22 = k[30] * t21;
+  const Scalar t23 = k[2] + t1;
+  const Scalar t24 = k[3] * t0;
+  const Scalar t25 = k[4] + t24;
+  const Scalar t26 = s5 * t23 + c5 * t25;
+  const Scalar t27 = k[23] * t26 - k[28] * t0;
+  const Scalar t28 = k[47] + t27;
+  const Scalar t29 = s5 * t25 - c5 * t23;
+  const Scalar t30 = k[48] - t29;
+  const Scalar t31 = s4 * t28 - c4 * t30;
+  const Scalar t32 = k[33] * t31;
+  const Scalar t33 = c4 * t28 + s4 * t30;
+  const Scalar t34 = k[10] * s6 + k[11] * c6;
+  const Scalar t35 = k[16] - c6 * t34;
+  const Scalar t36 = k[25] * t24 + (k[3] * t35 + k[13] * t9);
+  const Scalar t37 = k[53] - t36;
+  const Scalar t38 = c5 * t37;
+  const Scalar t39 = s6 * t34;
+  const Scalar t40 = k[20] - t39;
+  const Scalar t41 = k[22] + (k[21] * t1 - t40);
+  const Scalar t42 = k[12] + t39;
+  const Scalar t43 = k[13] * t42 - k[9] * t5;
+  const Scalar t44 = k[13] * t43;
+  const Scalar t45 = k[19] - (t42 - t44);
+  const Scalar t46 = (t38 + t38) - s5 * (t41 - t45);
+  const Scalar t47 = t37 - c5 * t46;
+  const Scalar t48 = k[14] + (k[3] * t43 + t5);
+  const Scalar t49 = (k[3] * t9 - k[13] * t35) - k[15] * t0;
+  const Scalar t50 = k[17] + t49;
+  const Scalar t51 = k[6] * t29 - (s5 * t48 - c5 * t50);
+  const Scalar t52 = k[18] * t26 + k[32] * t0;
+  const Scalar t53 = (k[18] * t47 - k[23] * t51) + k[29] * t52;
+  const Scalar t54 = k[58] - t53;
+  const Scalar t55 = k[6] * t26 - (s5 * t50 + c5 * t48);
+  const Scalar t56 = k[23] * t55;
+  const Scalar t57 = k[52] * t7 - t44;
+  const Scalar t58 = t41 + t45;
+  const Scalar t59 = s5 * t46 + t41;
+  const Scalar t60 = t58 - t59;
+  const Scalar t61 = Scalar(2) * t56 - k[18] * (t57 - t60);
+  const Scalar t62 = k[57] - (t55 - k[23] * t61);
+  const Scalar t63 = k[31] * t33 - (s4 * t54 - c4 * t62);
+  const Scalar t64 = k[56] + (t59 - k[55] * t29);
+  const Scalar t65 = k[18] * t61;
+  const Scalar t66 = k[54] + (t65 - t60);
+  const Scalar t67 = t64 - t66;
+  const Scalar t68 = k[35] * t32 + (k[34] * t63 - k[33] * t67);
+  const Scalar t69 = k[30] * t6;
+  const Scalar t70 = Scalar(1) / (t58 + t69 * t6);
+  const Scalar t71 = k[30] * t12;
+  const Scalar t72 = k[5] * t29 + (k[18] * t55 - k[23] * t58);
+  const Scalar t73 = t6 * t71 - t72;
+  const Scalar t74 = t70 * t73;
+  const Scalar t75 = k[23] * t29;
+  const Scalar t76 = k[31] * t75 + t51;
+  const Scalar t77 = ((k[18] * t58 + t56) - k[46] * t29) + k[31] * t26;
+  const Scalar t78 = s4 * t76 - c4 * t77;
+  const Scalar t79 = s4 * t26 + c4 * t75;
+  const Scalar t80 = k[33] * t79 - k[44] * t29;
+  const Scalar t81 = (k[34] * t78 - k[33] * t72) - k[35] * t80;
+  const Scalar t82 = t22 * t6 + t81;
+  const Scalar t83 = (t22 * t12 - t68) - t74 * t82;
+  const Scalar t84 = Scalar(1) / (t74 * t73 - (t12 * t71 + t67));
+  const Scalar t85 = t83 * t84;
+  const Scalar t86 = k[31] * t31 + (c4 * t54 + s4 * t62);
+  const Scalar t87 = (k[23] * t47 + k[18] * t51) + k[29] * t27;
+  const Scalar t88 = k[63] + t87;
+  const Scalar t89 = Scalar(2) * c4 * t88 + s4 * (t64 + t66);
+  const Scalar t90 = t88 - c4 * t89;
+  const Scalar t91 = k[33] * t33 - k[34] * t52;
+  const Scalar t92 = (k[34] * t86 - k[33] * t90) + k[35] * t91;
+  const Scalar t93 = k[71] - t92;
+  const Scalar t94 = k[33] * t63;
+  const Scalar t95 = (t65 + t57) + k[65] * t52;
+  const Scalar t96 = s4 * t89;
+  const Scalar t97 = t96 - t66;
+  const Scalar t98 = Scalar(2) * t94 - k[34] * (t95 - t97);
+  const Scalar t99 = k[34] * t98;
+  const Scalar t100 = k[70] + (t99 - t97);
+  const Scalar t101 = k[69] - (k[68] * t31 - (t64 - t96));
+  const Scalar t102 = Scalar(2) * c3 * t93 - s3 * (t100 + t101);
+  const Scalar t103 = s3 * t102;
+  const Scalar t104 = t103 + t101;
+  const Scalar t105 = t103 + t100;
+  const Scalar t106 = t104 - t105;
+  const Scalar t107 = t70 * t82;
+  const Scalar t108 = t83 * t85 + ((t106 + t22 * t21) - t107 * t82);
+  const Scalar t109 = Scalar(1) / t108;
+  const Scalar t110 = k[34] * t19 - k[33] * t14;
+  const Scalar t111 = s4 * t4 - c4 * t16;
+  const Scalar t112 = s3 * t111 - c3 * t20;
+  const Scalar t113 = k[38] * t110 + k[37] * t112;
+  const Scalar t114 = s3 * t20 + c3 * t111;
+  const Scalar t115 = k[37] * t110 - k[38] * t112;
+  const Scalar t116 = k[43] * (c2 * t113 + s2 * t114) + k[42] * t115;
+  const Scalar t117 = c4 * t13 + s4 * t17;
+  const Scalar t118 = k[35] * t110 + (k[34] * t12 + k[33] * t18);
+  const Scalar t119 = (s3 * t117 + c3 * t118) + k[36] * t114;
+  const Scalar t120 = k[39] * t113 + (k[38] * t119 - k[37] * t21);
+  const Scalar t121 = k[39] * t115 + (k[37] * t119 + k[38] * t21);
+  const Scalar t122 = (s3 * t118 - c3 * t117) + k[36] * t112;
+  const Scalar t123 = c2 * (t121 + t114) - s2 * (t122 + t113);
+  const Scalar t124 = t116 + (k[41] * t120 + k[40] * t123);
+  const Scalar t125 = s3 * t33 + c3 * t32;
+  const Scalar t126 = k[38] * t125 + k[49] * t31;
+  const Scalar t127 = k[37] * t125 - k[50] * t31;
+  const Scalar t128 = s3 * t32 - c3 * t33;
+  const Scalar t129 = k[42] * t126 - k[43] * (c2 * t127 - s2 * t128);
+  const Scalar t130 = (t94 + k[34] * t67) - k[51] * t31;
+  const Scalar t131 = k[36] * t128 - (c3 * t130 - s3 * t86);
+  const Scalar t132 = (k[37] * t131 + k[38] * t68) + k[39] * t126;
+  const Scalar t133 = k[36] * t125 + (c3 * t86 + s3 * t130);
+  const Scalar t134 = c2 * (t132 + t128) + s2 * (t127 + t133);
+  const Scalar t135 = k[39] * t127 + (k[37] * t68 - k[38] * t131);
+  const Scalar t136 = t71 * t124 - (t129 + (k[40] * t134 - k[41] * t135));
+  const Scalar t137 = c4 * t26 - s4 * t75;
+  const Scalar t138 = s3 * t137 + c3 * t80;
+  const Scalar t139 = k[34] * t79 + k[45] * t29;
+  const Scalar t140 = k[37] * t138 - k[38] * t139;
+  const Scalar t141 = s3 * t80 - c3 * t137;
+  const Scalar t142 = k[35] * t139 + (k[34] * t72 + k[33] * t78);
+  const Scalar t143 = c4 * t76 + s4 * t77;
+  const Scalar t144 = k[36] * t141 + (c3 * t142 + s3 * t143);
+  const Scalar t145 = k[39] * t140 - (k[38] * t144 + k[37] * t81);
+  const Scalar t146 = k[36] * t138 - (s3 * t142 - c3 * t143);
+  const Scalar t147 = k[38] * t138 + k[37] * t139;
+  const Scalar t148 = k[39] * t147 - (k[38] * t81 - k[37] * t144);
+  const Scalar t149 = s2 * (t146 + t140) + c2 * (t141 + t148);
+  const Scalar t150 = k[42] * t147 + k[43] * (s2 * t141 - c2 * t140);
+  const Scalar t151 = ((k[41] * t145 - k[40] * t149) - t150) + t69 * t124;
+  const Scalar t152 = t70 * t151;
+  const Scalar t153 = t136 - t73 * t152;
+  const Scalar t154 = k[59] - t91;
+  const Scalar t155 = k[60] - t31;
+  const Scalar t156 = s3 * t154 + c3 * t155;
+  const Scalar t157 = k[37] * t156;
+  const Scalar t158 = (k[66] - (t63 - k[33] * t98)) - k[36] * t154;
+  const Scalar t159 = k[34] * t33 + k[33] * t52;
+  const Scalar t160 = (k[33] * t86 + k[34] * t90) - k[35] * t159;
+  const Scalar t161 = k[36] * t155 + (k[64] - t160);
+  const Scalar t162 = s3 * t158 - c3 * t161;
+  const Scalar t163 = c3 * t154 - s3 * t155;
+  const Scalar t164 = s3 * t161 + c3 * t158;
+  const Scalar t165 = k[37] * t164;
+  const Scalar t166 = t163 - (k[67] * t156 + (t165 + k[38] * t106));
+  const Scalar t167 = k[40] * (s2 * (t157 - t162) - c2 * t166);
+  const Scalar t168 = (k[38] * t164 - k[37] * t106) - k[39] * t157;
+  const Scalar t169 = k[41] * (c2 * t157 + s2 * t163) - k[61] * t156;
+  const Scalar t170 = t22 * t124 + ((t167 + k[41] * t168) - k[62] * t169);
+  const Scalar t171 = t85 * t153 + (t170 - t152 * t82);
+  const Scalar t172 = t109 * t171;
+  const Scalar t173 = t84 * t153;
+  const Scalar t174 = k[30] * t124;
+  const Scalar t175 = k[79] + t156;
+  const Scalar t176 = k[37] * t159 - k[38] * t163;
+  const Scalar t177 = c3 * t102 - t93;
+  const Scalar t178 = k[39] * t176 - (k[37] * t162 + k[38] * t177);
+  const Scalar t179 = k[38] * t159 + k[37] * t163;
+  const Scalar t180 = k[80] + t179;
+  const Scalar t181 = (t95 + t99) + k[72] * t159;
+  const Scalar t182 = k[38] * (t181 + t105) - Scalar(2) * t165;
+  const Scalar t183 = c2 * (t180 - (k[81] - (k[37] * t182 + t164)));
+  const Scalar t184 = k[40] * (s2 * (t175 + (k[78] + t178)) - t183);
+  const Scalar t185 = k[38] * t182;
+  const Scalar t186 = k[73] - (t185 - t105);
+  const Scalar t187 = k[75] + (t104 + k[74] * t156);
+  const Scalar t188 = (k[38] * t162 - k[37] * t177) - k[39] * t179;
+  const Scalar t189 = s2 * (t186 + t187) - Scalar(2) * c2 * (k[76] - t188);
+  const Scalar t190 = s2 * t189 - t186;
+  const Scalar t191 = k[77] * (t190 - ((t181 - t185) + Scalar(2) * t176));
+  const Scalar t192 = s2 * t180 + c2 * t175;
+  const Scalar t193 = t186 - t187;
+  const Scalar t194 = (k[83] + ((k[82] * t184 + t191) - t190)) - (k[85] + (k[84] * t192 - (t193 + t190)));
+  const Scalar t195 = t173 * t153 - (t151 * t152 - (t124 * t174 - t194));
+  const Scalar t196 = t145 + t69 * t120;
+  const Scalar t197 = t70 * t196;
+  const Scalar t198 = k[30] * t120;
+  const Scalar t199 = t73 * t197 - (t12 * t198 + t135);
+  const Scalar t200 = t199 * t84;
+  const Scalar t201 = t83 * t200 - ((t22 * t120 + t168) - t107 * t196);
+  const Scalar t202 = t201 * t109;
+  const Scalar t203 = ((t193 - t198 * t120) + t196 * t197) - t199 * t200;
+  const Scalar t204 = Scalar(1) / (t201 * t202 + t203);
+  const Scalar t205 = t198 * t124 - ((t184 + k[41] * t193) - k[43] * t192);
+  const Scalar t206 = ((t152 * t196 - t205) + t153 * t200) - t202 * t171;
+  const Scalar t207 = t204 * t206;
+  const Scalar t208 = Scalar(1) / ((t172 * t171 - t195) - t207 * t206);
+  const Scalar t209 = k[40] * qd[0];
+  const Scalar t210 = s2 * t209;
+  const Scalar t211 = c2 * t209;
+  const Scalar t212 = k[41] * qd[0];
+  const Scalar t213 = qd[1] + t212;
+  const Scalar t214 = k[37] * t211 + k[38] * t213;
+  const Scalar t215 = s3 * t210 - c3 * t214;
+  const Scalar t216 = k[38] * t211;
+  const Scalar t217 = t216 - k[37] * t213;
+  const Scalar t218 = qd[2] - t217;
+  const Scalar t219 = k[34] * t215 + k[33] * t218;
+  const Scalar t220 = qd[3] + t219;
+  const Scalar t221 = k[33] * t215 - k[34] * t218;
+  const Scalar t222 = s3 * t214 + c3 * t210;
+  const Scalar t223 = c4 * t221 + s4 * t222;
+  const Scalar t224 = k[18] * t220 - k[23] * t223;
+  const Scalar t225 = s4 * t221 - c4 * t222;
+  const Scalar t226 = c5 * t224 + s5 * t225;
+  const Scalar t227 = t226 * t226;
+  const Scalar t228 = s5 * t224 - c5 * t225;
+  const Scalar t229 = t228 * t228;
+  const Scalar t230 = t227 - t229;
+  const Scalar t231 = qd[1] * t210;
+  const Scalar t232 = t214 * t217 + qd[1] * t211;
+  const Scalar t233 = t216 * t210 - k[37] * t212 * t210;
+  const Scalar t234 = s3 * t232 + c3 * t233;
+  const Scalar t235 = t222 * t218;
+  const Scalar t236 = t234 + t235;
+  const Scalar t237 = k[86] * t231 + k[34] * t236;
+  const Scalar t238 = s3 * t233 - c3 * t232;
+  const Scalar t239 = t215 * t218;
+  const Scalar t240 = t238 + t239;
+  const Scalar t241 = t219 * t221 - t240;
+  const Scalar t242 = k[38] * t231;
+  const Scalar t243 = t222 * t215;
+  const Scalar t244 = t242 + t243;
+  const Scalar t245 = k[33] * t234 - k[34] * t244;
+  const Scalar t246 = s4 * t241 + c4 * t245;
+  const Scalar t247 = t220 * t225;
+  const Scalar t248 = t246 - t247;
+  const Scalar t249 = k[23] * t237 + k[18] * t248;
+  const Scalar t250 = t226 * t228;
+  const Scalar t251 = t249 + t250;
+  const Scalar t252 = t249 - t250;
+  const Scalar t253 = k[53] * t230 - (k[22] * t251 + k[19] * t252);
+  const Scalar t254 = t223 * t220;
+  const Scalar t255 = s4 * t245 - c4 * t241;
+  const Scalar t256 = t254 + t255;
+  const Scalar t257 = k[18] * t223 + k[23] * t220;
+  const Scalar t258 = t256 + t224 * t257;
+  const Scalar t259 = t223 * t225;
+  const Scalar t260 = t237 - t259;
+  const Scalar t261 = k[18] * t260 - k[23] * t246;
+  const Scalar t262 = c5 * t258 - s5 * t261;
+  const Scalar t263 = c5 * t261 + s5 * t258;
+  const Scalar t264 = t237 + t259;
+  const Scalar t265 = t213 * t213;
+  const Scalar t266 = qd[0] * qd[0];
+  const Scalar t267 = k[88] * c1 + k[87] * s1;
+  const Scalar t268 = k[62] * t266 + t267;
+  const Scalar t269 = k[87] * c1 - k[88] * s1;
+  const Scalar t270 = k[90] * t266;
+  const Scalar t271 = (k[89] + k[41] * t269) - t270;
+  const Scalar t272 = c2 * t268 + s2 * t271;
+  const Scalar t273 = k[39] * (t211 * t211 + t265) + t272;
+  const Scalar t274 = k[77] * t266;
+  const Scalar t275 = t274 + (k[91] - k[40] * t269);
+  const Scalar t276 = t209 * t213;
+  const Scalar t277 = (t270 - t276) - t276;
+  const Scalar t278 = t275 + k[39] * s2 * t277;
+  const Scalar t279 = s2 * t268 - c2 * t271;
+  const Scalar t280 = t279 + k[39] * t211 * t210;
+  const Scalar t281 = k[38] * t278 - k[37] * t280;
+  const Scalar t282 = (s3 * t273 - c3 * t281) + k[36] * t238;
+  const Scalar t283 = t242 - t243;
+  const Scalar t284 = t282 + k[35] * t283;
+  const Scalar t285 = t236 + t235;
+  const Scalar t286 = t222 * t222;
+  const Scalar t287 = t215 * t215;
+  const Scalar t288 = (k[38] * t280 + k[37] * t278) + k[36] * (t286 + t287);
+  const Scalar t289 = k[35] * t285 - t288;
+  const Scalar t290 = k[31] * t241 - (k[33] * t284 + k[34] * t289);
+  const Scalar t291 = t218 * t218;
+  const Scalar t292 = t291 + t287;
+  const Scalar t293 = (c3 * t273 + s3 * t281) + k[36] * t234;
+  const Scalar t294 = (k[35] * t292 + t293) + k[31] * t245;
+  const Scalar t295 = c4 * t290 - s4 * t294;
+  const Scalar t296 = k[29] * t264 - t295;
+  const Scalar t297 = t225 * t225;
+  const Scalar t298 = t297 + t223 * t223;
+  const Scalar t299 = (k[34] * t284 - k[33] * t289) + k[31] * t298;
+  const Scalar t300 = t247 - t248;
+  const Scalar t301 = t299 + k[29] * t300;
+  const Scalar t302 = (k[23] * t296 - k[18] * t301) + k[6] * t258;
+  const Scalar t303 = t220 * t220;
+  const Scalar t304 = t297 - t303;
+  const Scalar t305 = t298 - t304;
+  const Scalar t306 = c4 * t294 + s4 * t290;
+  const Scalar t307 = k[6] * t261 - (k[29] * t305 + t306);
+  const Scalar t308 = c5 * t302 - s5 * t307;
+  const Scalar t309 = s5 * t302 + c5 * t307;
+  const Scalar t310 = (t253 + (k[17] * t262 - k[14] * t263)) - (k[2] * t308 - k[4] * t309);
+  const Scalar t311 = qd[4] + t257;
+  const Scalar t312 = t311 * t311;
+  const Scalar t313 = t227 + t312;
+  const Scalar t314 = t227 - t312;
+  const Scalar t315 = t230 - t314;
+  const Scalar t316 = t313 - t315;
+  const Scalar t317 = (k[23] * t301 + k[18] * t296) + k[6] * t316;
+  const Scalar t318 = t228 * t311;
+  const Scalar t319 = t263 - t318;
+  const Scalar t320 = t319 - t318;
+  const Scalar t321 = t317 + k[25] * t320;
+  const Scalar t322 = k[25] * t251 + t308;
+  const Scalar t323 = (k[13] * t321 - k[3] * t322) * t1 - t0 * (k[25] * t313 - t309);
+  const Scalar t324 = k[3] * t263 + k[13] * t252;
+  const Scalar t325 = t226 * t311;
+  const Scalar t326 = t262 - t325;
+  const Scalar t327 = k[3] * t311 - k[13] * t226;
+  const Scalar t328 = k[13] * t311 + k[3] * t226;
+  const Scalar t329 = t326 + t327 * t328;
+  const Scalar t330 = t328 * t328;
+  const Scalar t331 = t330 - t229;
+  const Scalar t332 = t228 * t328;
+  const Scalar t333 = k[13] * t319 - k[3] * t249;
+  const Scalar t334 = t332 - t333;
+  const Scalar t335 = t332 + t333;
+  const Scalar t336 = t35 * t331 - (t334 * t40 - t42 * t335);
+  const Scalar t337 = t323 + ((t324 * t5 + t9 * t329) - t336);
+  const Scalar t338 = k[13] * t322 + k[3] * t321;
+  const Scalar t339 = qd[5] + t327;
+  const Scalar t340 = t339 * t339;
+  const Scalar t341 = t328 * t339;
+  const Scalar t342 = (t341 - t329) + t341;
+  const Scalar t343 = t228 * t339;
+  const Scalar t344 = (t343 + t343) - t324;
+  const Scalar t345 = (t335 * t5 + t9 * (t340 - t229)) - (t35 * t342 - t344 * t40);
+  const Scalar t346 = t338 * t1 + t345;
+  const Scalar t347 = t344 * t1 + t0 * t342;
+  const Scalar t348 = t330 + t340;
+  const Scalar t349 = t0 * (t348 - t331) - t334 * t1;
+  const Scalar t350 = k[13] * t347 + k[3] * t349;
+  const Scalar t351 = (k[3] * t337 - k[13] * t346) + k[25] * t350;
+  const Scalar t352 = t310 + t351;
+  const Scalar t353 = torque[5] + t337;
+  const Scalar t354 = (torque[4] + t352) - t69 * t353;
+  const Scalar t355 = (t1 * t348 - t0 * t335) + (k[2] * t313 + k[4] * t252);
+  const Scalar t356 = (k[4] * (t314 - t316) + k[2] * t251) - t350;
+  const Scalar t357 = s5 * t355 - c5 * t356;
+  const Scalar t358 = k[3] * t347 - k[13] * t349;
+  const Scalar t359 = t325 - t326;
+  const Scalar t360 = t358 + (k[4] * t359 - k[2] * t320);
+  const Scalar t361 = k[23] * t357 + k[18] * t360;
+  const Scalar t362 = (k[3] * t346 + k[13] * t337) - k[25] * t358;
+  const Scalar t363 = (k[14] * t252 + k[17] * t315) + (k[22] * t320 + k[53] * t359);
+  const Scalar t364 = (t362 + (k[2] * t317 + t363)) - k[6] * t355;
+  const Scalar t365 = (k[53] * t320 + k[19] * t359) + k[14] * t314;
+  const Scalar t366 = (t330 - t340) * t5 + (t42 * t342 - t344 * t35);
+  const Scalar t367 = (k[4] * t317 - (k[17] * t251 + t365)) + (t0 * t338 + (t366 - t9 * t334));
+  const Scalar t368 = t367 + k[6] * t356;
+  const Scalar t369 = c5 * t364 - s5 * t368;
+  const Scalar t370 = k[29] * t361 - (k[18] * t369 - k[23] * t352);
+  const Scalar t371 = t297 + t303;
+  const Scalar t372 = t305 - t371;
+  const Scalar t373 = k[63] * t372 + (k[56] * t264 - k[54] * t260);
+  const Scalar t374 = ((k[57] * t246 - k[58] * t255) + t373) + (k[47] * t306 - k[48] * t295);
+  const Scalar t375 = t370 - t374;
+  const Scalar t376 = k[30] * t353;
+  const Scalar t377 = t74 * t354 - ((torque[3] + t375) - t376 * t12);
+  const Scalar t378 = t377 * t84;
+  const Scalar t379 = k[81] * s2 - k[78] * c2;
+  const Scalar t380 = k[76] - c2 * (k[94] * c2 - k[95] * s2);
+  const Scalar t381 = (k[79] * t279 - k[80] * t272) - (t270 * t379 - t274 * t380);
+  const Scalar t382 = t286 - t287;
+  const Scalar t383 = k[71] * t382 + (k[69] * t283 - k[70] * t244);
+  const Scalar t384 = (k[59] * t293 - k[60] * t282) - ((k[66] * t234 + k[64] * t238) + t383);
+  const Scalar t385 = (s5 * t356 + c5 * t355) + (k[47] * t260 + k[48] * t305);
+  const Scalar t386 = (k[47] * t371 - k[48] * t264) + t361;
+  const Scalar t387 = s4 * t385 + c4 * t386;
+  const Scalar t388 = k[23] * t360 - k[18] * t357;
+  const Scalar t389 = t254 + t256;
+  const Scalar t390 = t388 - (k[47] * t389 + k[48] * t300);
+  const Scalar t391 = k[33] * t387 + k[34] * t390;
+  const Scalar t392 = k[57] * (t372 + t304) + (k[63] * t300 - k[54] * t389);
+  const Scalar t393 = (c5 * t368 + s5 * t364) + ((t392 - k[58] * t264) + k[47] * t299);
+  const Scalar t394 = (k[57] * t260 + k[58] * t304) - (k[56] * t300 + k[63] * t389);
+  const Scalar t395 = (k[23] * t369 + k[18] * t352) - k[29] * t388;
+  const Scalar t396 = (t394 - k[48] * t299) - t395;
+  const Scalar t397 = c4 * t385 - s4 * t386;
+  const Scalar t398 = (s4 * t393 + c4 * t396) + k[31] * t397;
+  const Scalar t399 = k[35] * t391 + (k[33] * t375 + k[34] * t398);
+  const Scalar t400 = t384 + t399;
+  const Scalar t401 = t286 - t291;
+  const Scalar t402 = t240 + t239;
+  const Scalar t403 = (k[66] * t244 - k[64] * t401) + (k[71] * t402 + k[69] * t285);
+  const Scalar t404 = k[34] * t387 - k[33] * t390;
+  const Scalar t405 = (k[33] * t398 - k[34] * t375) - k[35] * t404;
+  const Scalar t406 = (k[59] * t244 - k[60] * t292) - t397;
+  const Scalar t407 = ((t403 - k[60] * t288) + t405) - k[36] * t406;
+  const Scalar t408 = (k[60] * t283 + k[59] * (t286 + t291)) - t391;
+  const Scalar t409 = (k[71] * t285 - k[70] * t402) + k[66] * (t401 - t382);
+  const Scalar t410 = (s4 * t396 - c4 * t393) + k[31] * t387;
+  const Scalar t411 = ((t409 + k[64] * t283) - k[59] * t288) - t410;
+  const Scalar t412 = k[36] * t408 + t411;
+  const Scalar t413 = c3 * t407 + s3 * t412;
+  const Scalar t414 = (k[60] * t285 + k[59] * t402) - t404;
+  const Scalar t415 = c3 * t408 + s3 * t406;
+  const Scalar t416 = k[38] * t414 - k[37] * t415;
+  const Scalar t417 = (k[37] * t400 + k[38] * t413) + k[39] * t416;
+  const Scalar t418 = t381 - t417;
+  const Scalar t419 = t354 * t197 + ((torque[1] - t418) + t353 * t198);
+  const Scalar t420 = t70 * t354;
+  const Scalar t421 = (t376 * t21 - (torque[2] + t400)) + t82 * t420;
+  const Scalar t422 = (t421 + t377 * t85) * t109;
+  const Scalar t423 = (t199 * t378 - t419) - t201 * t422;
+  const Scalar t424 = s3 * t408 - c3 * t406;
+  const Scalar t425 = k[79] * s2 - k[80] * c2;
+  const Scalar t426 = (s2 * t424 + c2 * t416) + t265 * t425;
+  const Scalar t427 = k[37] * t414 + k[38] * t415;
+  const Scalar t428 = k[43] * t426 - k[42] * (t277 * t425 - t427);
+  const Scalar t429 = k[79] * c2 + k[80] * s2;
+  const Scalar t430 = t429 * t275 + (t277 * t380 + t265 * t379);
+  const Scalar t431 = s2 * (t416 - (c3 * t412 - s3 * t407));
+  const Scalar t432 = (k[37] * t413 - k[38] * t400) + k[39] * t427;
+  const Scalar t433 = (t274 + t265) * t429 - (t430 + (t431 - c2 * (t424 + t432)));
+  const Scalar t434 = (t428 - (k[41] * t418 - k[40] * t433)) + (k[92] * t269 + k[93] * t267);
+  const Scalar t435 = t151 * t420 + (t376 * t124 + (torque[0] + t434));
+  const Scalar t436 = t207 * t423 + ((t435 + t377 * t173) - t422 * t171);
+  const Scalar t437 = t208 * t436;
+  const Scalar t438 = t204 * t423 + t207 * t437;
+  const Scalar t439 = (t422 + t172 * t437) + t202 * t438;
+  const Scalar t440 = (t438 * t200 + (t173 * t437 + t378)) - t85 * t439;
+  const Scalar t441 = t107 * t439 + (t197 * t438 - (t152 * t437 - t420));
+  const Scalar t442 = t74 * t440 - t441;
+  const Scalar t443 = t22 * t439 - ((t376 + t174 * t437) - t198 * t438);
   JointVector<Scalar> result;
-  result[0] = -t436;
-  result[1] = t437;
-  result[2] = t438;
-  result[3] = -t439;
-  result[4] = -t441;
-  result[5] = (t55 * t439 + t442) - t441 * t33;
+  result[0] = -t437;
+  result[1] = t438;
+  result[2] = -t439;
+  result[3] = t440;
+  result[4] = -t442;
+  result[5] = t69 * t442 - (t71 * t440 - t443);
   return result;
 }
 
@@ -1890,219 +1888,227 @@ ForwardDynamicsWithWrenchConstants<Scalar> forward_dynamics_with_wrench_constant
   using std::sin;
   const Scalar t0 = inertia.c6x * inertia.m6;
   const Scalar t1 = inertia.c6y * inertia.m6;
-  const Scalar t2 = g.a5 / g.d2;
-  const Scalar t3 = g.d5 / g.d2;
-  const Scalar t4 = g.a6 / g.d2;
-  const Scalar t5 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t6 = (inertia.I6xx - t5) - inertia.c6x * t0;
-  const Scalar t7 = (inertia.I6yy - t5) - inertia.c6y * t1;
-  const Scalar t8 = t6 + t7;
-  const Scalar t9 = g.a3 / g.d2;
-  const Scalar t10 = g.d4 / g.d2;
-  const Scalar t11 = g.a4 / g.d2;
-  const Scalar t12 = g.d3 / g.d2;
-  const Scalar t13 = g.a2 / g.d2;
-  const Scalar t14 = g.a6 * inertia.m6;
-  const Scalar t15 = inertia.c5x * inertia.m5;
-  const Scalar t16 = inertia.c5y * inertia.m5;
-  const Scalar t17 = inertia.c6z * inertia.m6;
-  const Scalar t18 = g.d6 * inertia.m6 + t17;
-  const Scalar t19 = sin(g.alpha6) * t18;
-  const Scalar t20 = g.d5 * inertia.m5;
-  const Scalar t21 = inertia.c5z * inertia.m5;
-  const Scalar t22 = t21 + t20;
-  const Scalar t23 = t20 - t22;
-  const Scalar t24 = cos(g.alpha6) * t18;
-  const Scalar t25 = t23 - t24;
-  const Scalar t26 = inertia.m5 + inertia.m6;
-  const Scalar t27 = t25 - g.d5 * t26;
-  const Scalar t28 = sin(g.alpha5) * t27;
-  const Scalar t29 = inertia.c4y * inertia.m4;
-  const Scalar t30 = g.a5 * t26;
-  const Scalar t31 = inertia.c4x * inertia.m4;
-  const Scalar t32 = inertia.I6xy - inertia.c6y * t0;
-  const Scalar t33 = g.d5 * t15;
-  const Scalar t34 = (t33 - (t33 - (inertia.I5xz - inertia.c5z * t15))) - g.a6 * t24;
-  const Scalar t35 = g.d5 * t16;
-  const Scalar t36 = (inertia.c6z * t17 - (inertia.I6zz - t5)) + g.d6 * (t18 + t17);
-  const Scalar t37 = sin(g.alpha6) * t36;
-  const Scalar t38 = (t35 + ((inertia.I5yz - inertia.c5z * t16) - t35)) + cos(g.alpha6) * t37;
-  const Scalar t39 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t40 = (inertia.c5x * t15 - (inertia.I5xx - t39)) + g.a6 * t14;
-  const Scalar t41 = sin(g.alpha6) * t37;
-  const Scalar t42 = (inertia.c5z * t21 - (inertia.I5zz - t39)) + g.d5 * (t21 + t22);
-  const Scalar t43 = (g.d5 * (t23 - t22) + t42) + (t36 - t41);
-  const Scalar t44 = g.d5 * (t25 + t27) - t43;
-  const Scalar t45 = sin(g.alpha5) * t44;
-  const Scalar t46 = g.d4 * t29;
-  const Scalar t47 = cos(g.alpha5) * t45 - (t46 - (t46 - (inertia.I4yz - inertia.c4z * t29)));
-  const Scalar t48 = cos(g.alpha5) * t27;
-  const Scalar t49 = g.d4 * t31;
-  const Scalar t50 = g.a5 * t48 + (((inertia.I4xz - inertia.c4z * t31) - t49) + t49);
-  const Scalar t51 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t52 = g.a5 * t30 - ((inertia.I4xx - t51) - inertia.c4x * t31);
-  const Scalar t53 = sin(g.alpha5) * t45;
-  const Scalar t54 = inertia.m4 + t26;
-  const Scalar t55 = inertia.c4z * inertia.m4;
-  const Scalar t56 = g.d4 * inertia.m4;
-  const Scalar t57 = t55 + t56;
-  const Scalar t58 = t57 - t56;
-  const Scalar t59 = t58 - t48;
-  const Scalar t60 = g.d4 * t54 + t59;
-  const Scalar t61 = sin(g.alpha4) * t60;
-  const Scalar t62 = inertia.c3y * inertia.m3;
-  const Scalar t63 = g.a4 * t54;
-  const Scalar t64 = inertia.c3x * inertia.m3;
-  const Scalar t65 = cos(g.alpha4) * t60;
-  const Scalar t66 = g.d3 * inertia.m3;
-  const Scalar t67 = inertia.c3z * inertia.m3;
-  const Scalar t68 = t67 + t66;
-  const Scalar t69 = t66 - t68;
-  const Scalar t70 = t65 - t69;
-  const Scalar t71 = inertia.m3 + t54;
-  const Scalar t72 = t70 + g.d3 * t71;
-  const Scalar t73 = sin(g.alpha3) * t72;
-  const Scalar t74 = inertia.c2y * inertia.m2;
-  const Scalar t75 = ((inertia.I4zz - t51) - inertia.c4z * t55) - g.d4 * (t57 + t55);
-  const Scalar t76 = (g.d4 * (t58 + t57) + t75) - (t53 - t44);
-  const Scalar t77 = t76 - g.d4 * (t59 + t60);
-  const Scalar t78 = sin(g.alpha4) * t77;
-  const Scalar t79 = g.d3 * t62;
-  const Scalar t80 = cos(g.alpha4) * t78 - (t79 - (t79 - (inertia.I3yz - inertia.c3z * t62)));
-  const Scalar t81 = g.d3 * t64;
-  const Scalar t82 = g.a4 * t65 - (t81 - (t81 - (inertia.I3xz - inertia.c3z * t64)));
-  const Scalar t83 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t84 = g.a4 * t63 + (inertia.c3x * t64 - (inertia.I3xx - t83));
-  const Scalar t85 = sin(g.alpha4) * t78;
-  const Scalar t86 = g.d2 * t74;
-  const Scalar t87 = g.d3 * (t67 + t68) - ((inertia.I3zz - t83) - inertia.c3z * t67);
-  const Scalar t88 = (t85 - t77) + (t87 - g.d3 * (t68 - t69));
-  const Scalar t89 = t88 + g.d3 * (t70 + t72);
-  const Scalar t90 = sin(g.alpha3) * t89;
-  const Scalar t91 = ((t86 - (inertia.I2yz - inertia.c2z * t74)) - t86) - cos(g.alpha3) * t90;
-  const Scalar t92 = cos(g.alpha3) * t72;
-  const Scalar t93 = inertia.c2x * inertia.m2;
-  const Scalar t94 = g.d2 * t93;
-  const Scalar t95 = g.a3 * t92 - (((inertia.I2xz - inertia.c2z * t93) - t94) + t94);
-  const Scalar t96 = g.a3 * t71;
-  const Scalar t97 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t98 = sin(g.alpha3) * t90;
-  const Scalar t99 = ((inertia.I2yy - t97) - inertia.c2y * t74) - t98;
-  const Scalar t100 = g.a3 * t96 + (inertia.c2x * t93 - (inertia.I2xx - t97));
-  const Scalar t101 = g.a3 * t73 + (inertia.I2xy - inertia.c2y * t93);
-  const Scalar t102 = g.d2 * inertia.m2;
-  const Scalar t103 = inertia.c2z * inertia.m2;
-  const Scalar t104 = t102 + t103;
-  const Scalar t105 = t102 - t104;
-  const Scalar t106 = g.d2 * (t104 + t103) - ((inertia.I2zz - t97) - inertia.c2z * t103);
-  const Scalar t107 = (g.d2 * (t104 - t105) - t106) + (t98 - t89);
-  const Scalar t108 = t92 - t105;
-  const Scalar t109 = inertia.m2 + t71;
-  const Scalar t110 = g.d2 * t109 + t108;
-  const Scalar t111 = sin(g.alpha2) * sin(g.alpha2) * (t107 - g.d2 * (t108 + t110));
-  const Scalar t112 = inertia.c1y * inertia.m1;
-  const Scalar t113 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t114 = g.a2 * t109;
+  const Scalar t2 = g.a6 * inertia.m6;
+  const Scalar t3 = inertia.c5x * inertia.m5;
+  const Scalar t4 = inertia.c5y * inertia.m5;
+  const Scalar t5 = inertia.c6z * inertia.m6;
+  const Scalar t6 = g.d6 * inertia.m6 + t5;
+  const Scalar t7 = sin(g.alpha6) * t6;
+  const Scalar t8 = inertia.m5 + inertia.m6;
+  const Scalar t9 = g.a5 * t8;
+  const Scalar t10 = inertia.c4x * inertia.m4;
+  const Scalar t11 = g.d5 * inertia.m5;
+  const Scalar t12 = inertia.c5z * inertia.m5;
+  const Scalar t13 = t12 + t11;
+  const Scalar t14 = t11 - t13;
+  const Scalar t15 = cos(g.alpha6) * t6;
+  const Scalar t16 = t14 - t15;
+  const Scalar t17 = t16 - g.d5 * t8;
+  const Scalar t18 = sin(g.alpha5) * t17;
+  const Scalar t19 = inertia.c4y * inertia.m4;
+  const Scalar t20 = inertia.m4 + t8;
+  const Scalar t21 = g.a4 * t20;
+  const Scalar t22 = inertia.c3x * inertia.m3;
+  const Scalar t23 = inertia.c4z * inertia.m4;
+  const Scalar t24 = g.d4 * inertia.m4;
+  const Scalar t25 = t23 + t24;
+  const Scalar t26 = t25 - t24;
+  const Scalar t27 = cos(g.alpha5) * t17;
+  const Scalar t28 = t26 - t27;
+  const Scalar t29 = g.d4 * t20 + t28;
+  const Scalar t30 = sin(g.alpha4) * t29;
+  const Scalar t31 = inertia.c3y * inertia.m3;
+  const Scalar t32 = g.a3 / g.d2;
+  const Scalar t33 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t34 = (inertia.I6xx - t33) - inertia.c6x * t0;
+  const Scalar t35 = (inertia.I6yy - t33) - inertia.c6y * t1;
+  const Scalar t36 = inertia.I6xy - inertia.c6y * t0;
+  const Scalar t37 = g.d5 / g.d2;
+  const Scalar t38 = t34 + t35;
+  const Scalar t39 = g.a6 / g.d2;
+  const Scalar t40 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t41 = (inertia.c5x * t3 - (inertia.I5xx - t40)) + g.a6 * t2;
+  const Scalar t42 = (inertia.c6z * t5 - (inertia.I6zz - t33)) + g.d6 * (t6 + t5);
+  const Scalar t43 = sin(g.alpha6) * t42;
+  const Scalar t44 = sin(g.alpha6) * t43;
+  const Scalar t45 = g.d5 * t4;
+  const Scalar t46 = (t45 + ((inertia.I5yz - inertia.c5z * t4) - t45)) + cos(g.alpha6) * t43;
+  const Scalar t47 = g.d5 * t3;
+  const Scalar t48 = (t47 - (t47 - (inertia.I5xz - inertia.c5z * t3))) - g.a6 * t15;
+  const Scalar t49 = (inertia.c5z * t12 - (inertia.I5zz - t40)) + g.d5 * (t12 + t13);
+  const Scalar t50 = (g.d5 * (t14 - t13) + t49) + (t42 - t44);
+  const Scalar t51 = g.d5 * (t16 + t17) - t50;
+  const Scalar t52 = sin(g.alpha5) * t51;
+  const Scalar t53 = g.d4 * t19;
+  const Scalar t54 = cos(g.alpha5) * t52 - (t53 - (t53 - (inertia.I4yz - inertia.c4z * t19)));
+  const Scalar t55 = g.d4 / g.d2;
+  const Scalar t56 = g.a5 / g.d2;
+  const Scalar t57 = g.d4 * t10;
+  const Scalar t58 = g.a5 * t27 + (((inertia.I4xz - inertia.c4z * t10) - t57) + t57);
+  const Scalar t59 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t60 = g.a5 * t9 - ((inertia.I4xx - t59) - inertia.c4x * t10);
+  const Scalar t61 = sin(g.alpha5) * t52;
+  const Scalar t62 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t63 = ((inertia.I4zz - t59) - inertia.c4z * t23) - g.d4 * (t25 + t23);
+  const Scalar t64 = (g.d4 * (t26 + t25) + t63) - (t61 - t51);
+  const Scalar t65 = t64 - g.d4 * (t28 + t29);
+  const Scalar t66 = sin(g.alpha4) * t65;
+  const Scalar t67 = sin(g.alpha4) * t66;
+  const Scalar t68 = g.a4 / g.d2;
+  const Scalar t69 = g.a4 * t21 + (inertia.c3x * t22 - (inertia.I3xx - t62));
+  const Scalar t70 = inertia.m3 + t20;
+  const Scalar t71 = g.a3 * t70;
+  const Scalar t72 = inertia.c2x * inertia.m2;
+  const Scalar t73 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t74 = g.a3 * t71 + (inertia.c2x * t72 - (inertia.I2xx - t73));
+  const Scalar t75 = g.d3 / g.d2;
+  const Scalar t76 = cos(g.alpha4) * t29;
+  const Scalar t77 = g.d3 * t22;
+  const Scalar t78 = g.a4 * t76 - (t77 - (t77 - (inertia.I3xz - inertia.c3z * t22)));
+  const Scalar t79 = g.d3 * t31;
+  const Scalar t80 = cos(g.alpha4) * t66 - (t79 - (t79 - (inertia.I3yz - inertia.c3z * t31)));
+  const Scalar t81 = inertia.c2y * inertia.m2;
+  const Scalar t82 = inertia.c3z * inertia.m3;
+  const Scalar t83 = g.d3 * inertia.m3;
+  const Scalar t84 = t82 + t83;
+  const Scalar t85 = g.d3 * (t82 + t84) - ((inertia.I3zz - t62) - inertia.c3z * t82);
+  const Scalar t86 = t83 - t84;
+  const Scalar t87 = (t67 - t65) + (t85 - g.d3 * (t84 - t86));
+  const Scalar t88 = t76 - t86;
+  const Scalar t89 = t88 + g.d3 * t70;
+  const Scalar t90 = t87 + g.d3 * (t88 + t89);
+  const Scalar t91 = sin(g.alpha3) * t90;
+  const Scalar t92 = sin(g.alpha3) * t91;
+  const Scalar t93 = ((inertia.I2yy - t73) - inertia.c2y * t81) - t92;
+  const Scalar t94 = sin(g.alpha3) * t89;
+  const Scalar t95 = g.a3 * t94 + (inertia.I2xy - inertia.c2y * t72);
+  const Scalar t96 = g.d2 * t81;
+  const Scalar t97 = ((t96 - (inertia.I2yz - inertia.c2z * t81)) - t96) - cos(g.alpha3) * t91;
+  const Scalar t98 = cos(g.alpha3) * t89;
+  const Scalar t99 = g.d2 * t72;
+  const Scalar t100 = g.a3 * t98 - (((inertia.I2xz - inertia.c2z * t72) - t99) + t99);
+  const Scalar t101 = g.d2 * inertia.m2;
+  const Scalar t102 = inertia.c2z * inertia.m2;
+  const Scalar t103 = t101 + t102;
+  const Scalar t104 = t101 - t103;
+  const Scalar t105 = g.d2 * (t103 + t102) - ((inertia.I2zz - t73) - inertia.c2z * t102);
+  const Scalar t106 = (g.d2 * (t103 - t104) - t105) + (t92 - t90);
+  const Scalar t107 = t98 - t104;
+  const Scalar t108 = inertia.m2 + t70;
+  const Scalar t109 = g.d2 * t108 + t107;
+  const Scalar t110 = sin(g.alpha2) * sin(g.alpha2) * (t106 - g.d2 * (t107 + t109));
+  const Scalar t111 = inertia.c1y * inertia.m1;
+  const Scalar t112 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t113 = g.a2 / g.d2;
+  const Scalar t114 = g.a2 * t108;
   const Scalar t115 = inertia.c1x * inertia.m1;
-  const Scalar t116 = g.a2 * t114 + (inertia.c1x * t115 - (inertia.I1xx - t113));
+  const Scalar t116 = g.a2 * t114 + (inertia.c1x * t115 - (inertia.I1xx - t112));
   const Scalar t117 = gravity[2] / g.d2;
+  const Scalar t118 = g.d6 / g.d2;
   return { g.d2 * t0,
            g.d2 * t1,
+           g.d2 * (t2 + t3),
            cos(g.alpha6),
+           g.d2 * (t4 - t7),
+           g.d2 * (t9 + t10),
            cos(g.alpha5),
-           sin(g.alpha5) * sin(g.alpha6),
-           t2,
-           cos(g.alpha6) * t3,
-           (inertia.I6xz - inertia.c6z * t0) - g.d6 * t0,
-           g.d6 * t1 - (inertia.I6yz - inertia.c6z * t1),
-           t3,
-           sin(g.alpha6) * t4,
-           sin(g.alpha6) * t8,
-           sin(g.alpha5),
            sin(g.alpha6),
-           cos(g.alpha6) * t8,
-           cos(g.alpha6) * t4,
-           cos(g.alpha5) * sin(g.alpha6),
+           sin(g.alpha5),
+           g.d2 * (t18 + t19),
+           g.d2 * (t21 + t22),
            sin(g.alpha4),
            cos(g.alpha4),
-           cos(g.alpha3),
+           g.d2 * (t30 - t31),
+           Scalar(2) * t32,
+           (inertia.I6xz - inertia.c6z * t0) - g.d6 * t0,
+           g.d6 * t1 - (inertia.I6yz - inertia.c6z * t1),
+           Scalar(2) * cos(g.alpha6),
+           t34 - t35,
+           Scalar(2) * t36,
+           t35,
+           Scalar(2) * t37,
+           t38,
+           Scalar(2) * t39,
+           t41,
+           (inertia.c5y * t4 - (inertia.I5yy - t40)) + t44,
+           t36,
+           cos(g.alpha6) * t39,
+           (inertia.I5xy - inertia.c5y * t3) + g.a6 * t7,
+           t37,
+           t46,
+           sin(g.alpha6) * t39,
+           t48,
+           Scalar(2) * cos(g.alpha5),
+           t54,
+           t55,
+           t56,
+           t58,
+           Scalar(2) * t55,
+           Scalar(2) * t56,
+           t60,
+           t61 + ((inertia.I4yy - t59) - inertia.c4y * t19),
+           g.a5 * t18 - (inertia.I4xy - inertia.c4y * t10),
+           ((inertia.I3yy - t62) - inertia.c3y * t31) + t67,
+           Scalar(2) * t68,
+           t69,
+           t68,
+           (inertia.I3xy - inertia.c3y * t22) + g.a4 * t30,
+           t74,
+           Scalar(2) * t75,
            sin(g.alpha3),
-           t9,
-           t10,
-           t11,
-           t12,
-           cos(g.alpha2),
+           t78,
+           t80,
+           t75,
+           cos(g.alpha3),
+           t93,
+           t32,
+           t95,
+           g.d2 * (t94 - t81),
+           t97,
+           g.d2 * (t71 + t72),
+           t100,
            sin(g.alpha2),
-           sin(g.alpha2) * t13,
-           cos(g.alpha2) * t13,
-           Scalar(1) / t8,
-           g.d2 * (t14 + t15),
-           g.d2 * (t16 - t19),
-           g.d2 * (t28 + t29),
-           g.d2 * (t30 + t31),
+           Scalar(2) * cos(g.alpha2),
+           sin(g.alpha2) * sin(g.alpha2),
+           t110 - (inertia.c1y * t111 - (inertia.I1yy - t112)),
+           Scalar(2) * t113,
+           t116,
+           cos(g.alpha5) * sin(g.alpha6),
+           sin(g.alpha5) * sin(g.alpha6),
+           sin(g.alpha6) * t38,
+           cos(g.alpha6) * t38,
+           cos(g.alpha2),
+           sin(g.alpha2) * t113,
+           cos(g.alpha2) * t113,
+           Scalar(1) / t38,
+           cos(g.alpha4) * sin(g.alpha5),
+           sin(g.alpha4) * sin(g.alpha5),
+           sin(g.alpha5) * t56,
+           cos(g.alpha5) * t56,
            cos(g.alpha3) * sin(g.alpha4),
            sin(g.alpha3) * sin(g.alpha4),
-           t6 - t7,
-           Scalar(2) * t32,
-           t32,
-           t34,
-           t6,
-           t8,
-           t38,
-           Scalar(2) * t4,
-           t40,
-           (inertia.c5y * t16 - (inertia.I5yy - t39)) + t41,
-           t4,
-           (inertia.I5xy - inertia.c5y * t15) + g.a6 * t19,
-           Scalar(2) * sin(g.alpha6),
-           t47,
-           t50,
-           sin(g.alpha4) * t11,
-           Scalar(2) * t2,
-           t52,
-           t53 + ((inertia.I4yy - t51) - inertia.c4y * t29),
-           sin(g.alpha4) * sin(g.alpha5),
-           cos(g.alpha4) * sin(g.alpha5),
-           sin(g.alpha5) * t2,
-           g.d2 * (t61 - t62),
-           g.d2 * (t63 + t64),
-           g.d2 * (t73 - t74),
-           g.a5 * t28 - (inertia.I4xy - inertia.c4y * t31),
-           Scalar(2) * t10,
-           t80,
-           t82,
-           Scalar(2) * t12,
-           Scalar(2) * t11,
-           t84,
-           ((inertia.I3yy - t83) - inertia.c3y * t62) + t85,
-           (inertia.I3xy - inertia.c3y * t64) + g.a4 * t61,
-           Scalar(2) * cos(g.alpha3),
-           t91,
-           t95,
-           g.d2 * (t96 + t93),
-           Scalar(2) * cos(g.alpha2),
-           t99,
-           Scalar(2) * t9,
-           t100,
-           t101,
-           sin(g.alpha2) * sin(g.alpha2),
-           t111 - (inertia.c1y * t112 - (inertia.I1yy - t113)),
-           Scalar(2) * t13,
-           t116,
-           cos(g.alpha3) * t9,
-           gravity[1] / g.d2,
+           cos(g.alpha4) * t68,
+           sin(g.alpha4) * t68,
+           sin(g.alpha3) * t32,
+           cos(g.alpha3) * t32,
+           sin(g.alpha2) * sin(g.alpha3),
+           t113,
+           cos(g.alpha2) * sin(g.alpha2),
+           cos(g.alpha4) * sin(g.alpha3),
            gravity[0] / g.d2,
-           t13,
+           gravity[1] / g.d2,
            sin(g.alpha2) * t117,
            cos(g.alpha2) * t117,
-           g.d2 * sin(g.alpha6),
            g.d2 * cos(g.alpha6),
+           g.d2 * sin(g.alpha6),
+           t39,
+           g.d2 * t118,
            g.d2,
-           g.d6 / g.d2,
+           t118,
            g.d2 * (t114 + t115),
-           g.d2 * (sin(g.alpha2) * t110 - t112),
-           Scalar(2) * t101,
-           t100 + t99 };
+           g.d2 * (sin(g.alpha2) * t109 - t111),
+           Scalar(2) * t95,
+           t74 + t93 };
 }
 
 namespace detail {
@@ -2124,492 +2130,504 @@ inline JointVector<Scalar> forward_dynamics_with_wrench([[maybe_unused]] const J
   const Scalar& c5 = angles.cosine[4];
   const Scalar& s6 = angles.sine[5];
   const Scalar& c6 = angles.cosine[5];
-  const Scalar t0 = k[26] * qd[0];
-  const Scalar t1 = s2 * t0;
-  const Scalar t2 = k[25] * qd[0];
-  const Scalar t3 = qd[1] + t2;
-  const Scalar t4 = c2 * t0;
-  const Scalar t5 = k[20] * t3 + k[19] * t4;
-  const Scalar t6 = s3 * t1 - c3 * t5;
-  const Scalar t7 = k[19] * t3 - k[20] * t4;
-  const Scalar t8 = qd[2] + t7;
-  const Scalar t9 = k[18] * t6 - k[17] * t8;
-  const Scalar t10 = c3 * t1 + s3 * t5;
-  const Scalar t11 = s4 * t9 - c4 * t10;
-  const Scalar t12 = c4 * t9 + s4 * t10;
-  const Scalar t13 = k[18] * t8 + k[17] * t6;
-  const Scalar t14 = qd[3] + t13;
-  const Scalar t15 = k[3] * t12 - k[12] * t14;
-  const Scalar t16 = s5 * t11 - c5 * t15;
-  const Scalar t17 = c5 * t11 + s5 * t15;
-  const Scalar t18 = t16 * t17;
-  const Scalar t19 = k[20] * qd[1] * t1;
-  const Scalar t20 = t8 * t10;
-  const Scalar t21 = t1 * t4;
-  const Scalar t22 = k[19] * t1 * t2 - k[20] * t21;
-  const Scalar t23 = qd[1] * t0;
-  const Scalar t24 = c2 * t23 - t7 * t5;
-  const Scalar t25 = c3 * t22 - s3 * t24;
-  const Scalar t26 = t20 - t25;
-  const Scalar t27 = k[18] * t19 + k[17] * t26;
-  const Scalar t28 = c3 * t24 + s3 * t22;
-  const Scalar t29 = t6 * t8;
-  const Scalar t30 = t28 - t29;
-  const Scalar t31 = t9 * t13 + t30;
-  const Scalar t32 = t6 * t10;
-  const Scalar t33 = t19 + t32;
-  const Scalar t34 = k[18] * t25 + k[17] * t33;
-  const Scalar t35 = s4 * t31 - c4 * t34;
-  const Scalar t36 = t14 * t11;
-  const Scalar t37 = t35 - t36;
-  const Scalar t38 = k[3] * t27 + k[12] * t37;
-  const Scalar t39 = t18 - t38;
-  const Scalar t40 = t12 * t11;
-  const Scalar t41 = t40 - t27;
-  const Scalar t42 = k[3] * t35 + k[12] * t41;
-  const Scalar t43 = k[12] * t12 + k[3] * t14;
-  const Scalar t44 = t12 * t14;
-  const Scalar t45 = c4 * t31 + s4 * t34;
-  const Scalar t46 = t44 - t45;
-  const Scalar t47 = t15 * t43 - t46;
-  const Scalar t48 = s5 * t42 - c5 * t47;
-  const Scalar t49 = t3 * t3;
-  const Scalar t50 = k[85] * s1 - k[84] * c1;
-  const Scalar t51 = t0 * t2;
-  const Scalar t52 = (k[87] - k[25] * t50) - t51;
-  const Scalar t53 = k[84] * s1 + k[85] * c1;
-  const Scalar t54 = t53 + k[86] * qd[0] * qd[0];
-  const Scalar t55 = s2 * t52 + c2 * t54;
-  const Scalar t56 = k[24] * t22 - (k[21] * (t49 + t4 * t4) + t55);
-  const Scalar t57 = c2 * t52 - s2 * t54;
-  const Scalar t58 = t57 - k[21] * t21;
-  const Scalar t59 = t0 * t0;
-  const Scalar t60 = t59 + (k[88] + k[26] * t50);
-  const Scalar t61 = t0 * t3 + t23;
-  const Scalar t62 = t60 - k[21] * s2 * t61;
-  const Scalar t63 = k[24] * t24 + (k[19] * t58 + k[20] * t62);
-  const Scalar t64 = s3 * t56 + c3 * t63;
-  const Scalar t65 = t19 - t32;
-  const Scalar t66 = t64 - k[23] * t65;
-  const Scalar t67 = t6 * t6;
-  const Scalar t68 = t8 * t8;
-  const Scalar t69 = t67 + t68;
-  const Scalar t70 = t67 - t68;
-  const Scalar t71 = t68 + t10 * t10;
-  const Scalar t72 = t71 - t69;
-  const Scalar t73 = t70 + t72;
-  const Scalar t74 = (k[20] * t58 - k[19] * t62) - k[24] * (t69 + t73);
-  const Scalar t75 = t20 + t26;
-  const Scalar t76 = t74 + k[23] * t75;
-  const Scalar t77 = t12 * t12;
-  const Scalar t78 = t14 * t14;
-  const Scalar t79 = t77 + t78;
-  const Scalar t80 = t11 * t11;
-  const Scalar t81 = t80 - t78;
-  const Scalar t82 = t79 + t81;
-  const Scalar t83 = (k[17] * t66 + k[18] * t76) - k[22] * t82;
-  const Scalar t84 = t37 - t36;
-  const Scalar t85 = t83 + k[5] * t84;
-  const Scalar t86 = c3 * t56 - s3 * t63;
-  const Scalar t87 = k[22] * t34 + (t86 - k[23] * t69);
-  const Scalar t88 = (k[17] * t76 - k[18] * t66) - k[22] * t31;
-  const Scalar t89 = s4 * t87 - c4 * t88;
-  const Scalar t90 = t40 + t27;
-  const Scalar t91 = t89 - k[5] * t90;
-  const Scalar t92 = k[12] * t85 - k[3] * t91;
-  const Scalar t93 = c4 * t87 + s4 * t88;
-  const Scalar t94 = t93 - k[5] * t79;
-  const Scalar t95 = k[9] * t48 + (c5 * t92 - s5 * t94);
-  const Scalar t96 = k[46] * t39 - t95;
-  const Scalar t97 = c5 * t42 + s5 * t47;
-  const Scalar t98 = qd[4] + t43;
-  const Scalar t99 = t98 * t17;
-  const Scalar t100 = t97 - t99;
-  const Scalar t101 = t100 - t99;
-  const Scalar t102 = t17 * t17;
-  const Scalar t103 = t16 * t16;
-  const Scalar t104 = t102 + t103;
-  const Scalar t105 = (k[12] * t91 + k[3] * t85) - k[9] * t104;
-  const Scalar t106 = k[46] * t101 + t105;
-  const Scalar t107 = k[0] * c6 - k[1] * s6;
-  const Scalar t108 = k[0] * s6 + k[1] * c6;
-  const Scalar t109 = k[9] * t97 - (c5 * t94 + s5 * t92);
-  const Scalar t110 = t98 * t98 - t103;
-  const Scalar t111 = t110 + t104;
-  const Scalar t112 = t102 - t103;
-  const Scalar t113 = t111 - t112;
-  const Scalar t114 = (k[2] * t96 - k[13] * t106) * t107 - t108 * (t109 + k[46] * t113);
-  const Scalar t115 = k[37] * c6 + k[36] * s6;
-  const Scalar t116 = k[40] - s6 * t115;
-  const Scalar t117 = k[13] * t100 + k[2] * t38;
-  const Scalar t118 = k[13] * t98 + k[2] * t16;
-  const Scalar t119 = t118 * t17;
-  const Scalar t120 = t117 - t119;
-  const Scalar t121 = k[41] - t116;
-  const Scalar t122 = t117 + t119;
-  const Scalar t123 = k[38] - c6 * t115;
-  const Scalar t124 = t118 * t118 - t102;
-  const Scalar t125 = (t116 * t120 + t121 * t122) - t123 * t124;
-  const Scalar t126 = k[7] * c6 + k[8] * s6;
-  const Scalar t127 = t16 * t98;
-  const Scalar t128 = t48 - t127;
-  const Scalar t129 = k[13] * t16 - k[2] * t98;
-  const Scalar t130 = t128 - t118 * t129;
-  const Scalar t131 = t18 + t38;
-  const Scalar t132 = k[2] * t97 - k[13] * t131;
-  const Scalar t133 = k[8] * c6 - k[7] * s6;
-  const Scalar t134 = t114 + (t125 + (t126 * t130 - t132 * t133));
-  const Scalar t135 = wrench[3] * c1 + wrench[4] * s1;
-  const Scalar t136 = wrench[3] * s1 - wrench[4] * c1;
-  const Scalar t137 = k[26] * wrench[5] - k[25] * t136;
-  const Scalar t138 = s2 * t135 - c2 * t137;
-  const Scalar t139 = k[25] * wrench[5] + k[26] * t136;
-  const Scalar t140 = k[19] * t138 - k[20] * t139;
-  const Scalar t141 = s2 * t137 + c2 * t135;
-  const Scalar t142 = s3 * t140 - c3 * t141;
-  const Scalar t143 = s3 * t141 + c3 * t140;
-  const Scalar t144 = k[20] * t138 + k[19] * t139;
-  const Scalar t145 = k[18] * t143 - k[17] * t144;
-  const Scalar t146 = s4 * t142 - c4 * t145;
-  const Scalar t147 = k[18] * t144 + k[17] * t143;
-  const Scalar t148 = k[3] * t146 + k[12] * t147;
-  const Scalar t149 = s4 * t145 + c4 * t142;
-  const Scalar t150 = c5 * t148 + s5 * t149;
-  const Scalar t151 = k[3] * t147 - k[12] * t146;
-  const Scalar t152 = t134 - (k[13] * t150 - k[2] * t151);
-  const Scalar t153 = torque[5] + t152;
-  const Scalar t154 = k[2] * t107;
-  const Scalar t155 = s5 * t154 + c5 * t108;
-  const Scalar t156 = s5 * t108 - c5 * t154;
-  const Scalar t157 = k[3] * t156 + k[4] * t107;
-  const Scalar t158 = c4 * t155 - s4 * t157;
-  const Scalar t159 = k[16] * t107 - k[12] * t156;
-  const Scalar t160 = c4 * t157 + s4 * t155;
-  const Scalar t161 = k[17] * t159 + k[18] * t160;
-  const Scalar t162 = s3 * t158 + c3 * t161;
-  const Scalar t163 = k[18] * t159 - k[17] * t160;
-  const Scalar t164 = k[19] * t162 + k[20] * t163;
-  const Scalar t165 = t126 - k[6] * t107;
-  const Scalar t166 = k[2] * t133;
-  const Scalar t167 = k[9] * t108;
-  const Scalar t168 = ((k[11] - t166) - k[10] * t107) - t167;
-  const Scalar t169 = (c5 * t165 - s5 * t168) + k[22] * t157;
-  const Scalar t170 = c5 * t168 + s5 * t165;
-  const Scalar t171 = (k[14] + k[13] * t133) - k[15] * t107;
-  const Scalar t172 = k[5] * t159 - (k[3] * t170 + k[12] * t171);
-  const Scalar t173 = t172 + k[22] * t155;
-  const Scalar t174 = s4 * t169 - c4 * t173;
-  const Scalar t175 = (k[3] * t171 - k[12] * t170) + k[5] * t157;
-  const Scalar t176 = k[23] * t161 - (k[17] * t174 - k[18] * t175);
-  const Scalar t177 = s3 * t161 - c3 * t158;
-  const Scalar t178 = c4 * t169 + s4 * t173;
-  const Scalar t179 = (k[18] * t174 + k[17] * t175) - k[23] * t163;
-  const Scalar t180 = k[24] * t177 + (s3 * t178 + c3 * t179);
-  const Scalar t181 = k[21] * t164 + (k[19] * t176 - k[20] * t180);
-  const Scalar t182 = (s3 * t179 - c3 * t178) - k[24] * t162;
-  const Scalar t183 = k[20] * t162 - k[19] * t163;
-  const Scalar t184 = (k[19] * t180 + k[20] * t176) + k[21] * t183;
-  const Scalar t185 = s2 * (t164 - t182) + c2 * (t177 + t184);
-  const Scalar t186 = k[27] * t183 + k[28] * (s2 * t177 - c2 * t164);
-  const Scalar t187 = (k[25] * t181 - k[26] * t185) - t186;
-  const Scalar t188 = k[29] * t187;
-  const Scalar t189 = t80 + t78;
-  const Scalar t190 = qd[5] - t129;
-  const Scalar t191 = Scalar(2) * t118 * t190 - t130;
-  const Scalar t192 = t190 * t17;
-  const Scalar t193 = t192 - (t132 - t192);
-  const Scalar t194 = wrench[0] * s1 - wrench[1] * c1;
-  const Scalar t195 = k[26] * t194 + k[25] * wrench[2];
-  const Scalar t196 = k[26] * wrench[2] - k[25] * t194;
-  const Scalar t197 = wrench[0] * c1 + wrench[1] * s1;
-  const Scalar t198 = c2 * t196 - s2 * t197;
-  const Scalar t199 = k[20] * t195 + k[19] * t198;
-  const Scalar t200 = c2 * t197 + s2 * t196;
-  const Scalar t201 = s3 * t199 + c3 * t200;
-  const Scalar t202 = k[19] * t195 - k[20] * t198;
-  const Scalar t203 = s3 * t200 - c3 * t199;
-  const Scalar t204 = k[17] * t202 - k[18] * t203;
-  const Scalar t205 = c4 * t201 + s4 * t204;
-  const Scalar t206 = k[18] * t202 + k[17] * t203;
-  const Scalar t207 = c4 * t204 - s4 * t201;
-  const Scalar t208 = k[12] * t206 + k[3] * t207;
-  const Scalar t209 = s5 * t205 - c5 * t208;
-  const Scalar t210 = k[12] * t207 - k[3] * t206;
-  const Scalar t211 = (t108 * t191 - t107 * t193) - (k[89] * t209 - k[90] * t210);
-  const Scalar t212 = t190 * t190;
-  const Scalar t213 = t212 + t102;
-  const Scalar t214 = k[90] * t209 + k[89] * t210;
-  const Scalar t215 = (t108 * t213 - t120 * t107) - t214;
-  const Scalar t216 = k[13] * t211 + k[2] * t215;
-  const Scalar t217 = t216 + (k[31] * t111 + k[30] * t39);
-  const Scalar t218 = k[91] * (s5 * t208 + c5 * t205);
-  const Scalar t219 = ((t213 + t124) * t107 + t108 * t122) + t218;
-  const Scalar t220 = (k[30] * t113 + k[31] * t131) + t219;
-  const Scalar t221 = c5 * t217 + s5 * t220;
-  const Scalar t222 = k[2] * t211 - k[13] * t215;
-  const Scalar t223 = t127 - t128;
-  const Scalar t224 = t222 + (k[31] * t223 + k[30] * t101);
-  const Scalar t225 = k[3] * t221 + k[12] * t224;
-  const Scalar t226 = (k[32] * t189 - k[33] * t90) + t225;
-  const Scalar t227 = (k[33] * t79 - k[32] * t41) + (c5 * t220 - s5 * t217);
-  const Scalar t228 = s4 * t226 - c4 * t227;
-  const Scalar t229 = t228 + (k[58] * t33 - k[59] * t69);
-  const Scalar t230 = c4 * t226 + s4 * t227;
-  const Scalar t231 = t44 + t46;
-  const Scalar t232 = k[3] * t224 - k[12] * t221;
-  const Scalar t233 = (k[32] * t231 - k[33] * t84) - t232;
-  const Scalar t234 = k[18] * t230 - k[17] * t233;
-  const Scalar t235 = (k[59] * t65 + k[58] * t71) - t234;
-  const Scalar t236 = s3 * t229 + c3 * t235;
-  const Scalar t237 = t30 - t29;
-  const Scalar t238 = k[18] * t233 + k[17] * t230;
-  const Scalar t239 = (k[59] * t75 - k[58] * t237) - t238;
-  const Scalar t240 = k[19] * t236 - k[20] * t239;
-  const Scalar t241 = c3 * t229 - s3 * t235;
-  const Scalar t242 = k[60] * c2 - k[73] * s2;
-  const Scalar t243 = (c2 * t240 + s2 * t241) + t242 * t49;
-  const Scalar t244 = k[20] * t236 + k[19] * t239;
-  const Scalar t245 = k[28] * t243 - k[27] * (t244 - t242 * t61);
-  const Scalar t246 = k[72] * c2 - k[71] * s2;
-  const Scalar t247 = k[78] - c2 * (k[95] * c2 - k[96] * s2);
-  const Scalar t248 = (k[73] * t57 + k[60] * t55) - (t51 * t246 + t247 * t59);
-  const Scalar t249 = k[61] * (t77 - t80) + (k[54] * t41 + k[53] * t90);
-  const Scalar t250 = (k[33] * t89 + k[32] * t93) - ((k[50] * t45 + k[49] * t35) + t249);
-  const Scalar t251 = k[42] * t110 - (k[45] * t223 - k[47] * t101);
-  const Scalar t252 = (s5 * t148 - c5 * t149) + k[92] * t214;
-  const Scalar t253 = k[2] * t106 + k[13] * t96;
-  const Scalar t254 = t212 - t102;
-  const Scalar t255 = (t124 - t254) * t133 + (t191 * t121 + t123 * t193);
-  const Scalar t256 = t252 - (t108 * t253 + (t126 * t120 - t255));
-  const Scalar t257 = ((k[39] * t39 + t251) - k[31] * t105) + t256;
-  const Scalar t258 = t257 - k[9] * t217;
-  const Scalar t259 = (k[42] * t131 + k[39] * (t113 - t104)) - (k[44] * t101 - k[47] * t223);
-  const Scalar t260 = (t191 * t123 + t116 * t193) + (t122 * t133 - t126 * t254);
-  const Scalar t261 = (k[13] * t151 + k[2] * t150) + k[92] * t218;
-  const Scalar t262 = (t260 + t107 * t253) + t261;
-  const Scalar t263 = k[46] * t222 - (k[13] * t152 - k[2] * t262);
-  const Scalar t264 = ((t259 - k[30] * t105) - t263) - k[9] * t220;
-  const Scalar t265 = s5 * t258 - c5 * t264;
-  const Scalar t266 = (k[45] * t131 - k[44] * t39) + k[47] * t112;
-  const Scalar t267 = (k[31] * t109 + k[30] * t95) + (t266 - (k[39] * t48 + k[42] * t97));
-  const Scalar t268 = k[46] * t216 + (k[13] * t262 + k[2] * t152);
-  const Scalar t269 = t267 - t268;
-  const Scalar t270 = (k[12] * t265 - k[3] * t269) + k[5] * t225;
-  const Scalar t271 = t250 + t270;
-  const Scalar t272 = (k[53] * t84 - k[61] * t231) - (k[49] * t41 - k[50] * t81);
-  const Scalar t273 = k[5] * t232 + (k[12] * t269 + k[3] * t265);
-  const Scalar t274 = (k[33] * t83 + t272) + t273;
-  const Scalar t275 = k[49] * (t82 - t189) - (k[61] * t84 + k[54] * t231);
-  const Scalar t276 = (k[32] * t83 - (t275 - k[50] * t90)) - (c5 * t258 + s5 * t264);
-  const Scalar t277 = k[22] * t228 - (c4 * t274 - s4 * t276);
-  const Scalar t278 = (k[17] * t271 + k[18] * t277) + k[23] * t238;
-  const Scalar t279 = (k[67] * t75 - k[69] * t237) + (k[63] * t33 - k[64] * t73);
-  const Scalar t280 = t278 - (k[59] * t74 + t279);
-  const Scalar t281 = (k[68] * t237 + k[69] * t75) + k[63] * t70;
-  const Scalar t282 = k[22] * t230 + (c4 * t276 + s4 * t274);
-  const Scalar t283 = ((t281 + k[64] * t65) + k[58] * t74) - t282;
-  const Scalar t284 = (c3 * t280 - s3 * t283) + k[24] * t241;
-  const Scalar t285 = k[69] * t72 + (k[67] * t65 - k[68] * t33);
-  const Scalar t286 = ((k[64] * t28 + k[63] * t25) - t285) + (k[59] * t64 - k[58] * t86);
-  const Scalar t287 = k[23] * t234 - (k[17] * t277 - k[18] * t271);
-  const Scalar t288 = t286 + t287;
-  const Scalar t289 = (k[20] * t284 - k[19] * t288) + k[21] * t240;
-  const Scalar t290 = t248 - t289;
-  const Scalar t291 = k[60] * s2 + k[73] * c2;
-  const Scalar t292 = (t247 * t61 + t49 * t246) - t291 * t60;
-  const Scalar t293 = k[24] * t236 + (s3 * t280 + c3 * t283);
-  const Scalar t294 = (k[20] * t288 + k[19] * t284) - k[21] * t244;
-  const Scalar t295 = s2 * (t240 + t293) - c2 * (t241 + t294);
-  const Scalar t296 = k[26] * (t291 * (t49 + t59) + (t292 + t295));
-  const Scalar t297 = (k[93] * t50 - k[94] * t53) + (t245 - (k[25] * t290 + t296));
-  const Scalar t298 = k[29] * t171;
-  const Scalar t299 = t153 * t298 - (torque[4] - t269);
-  const Scalar t300 = k[44] - (t116 - k[43] * t107);
-  const Scalar t301 = (t166 + t166) - k[13] * t121;
-  const Scalar t302 = k[13] * t301;
-  const Scalar t303 = k[45] - (t121 + t302);
-  const Scalar t304 = t300 + t303;
-  const Scalar t305 = Scalar(1) / (t171 * t298 + t304);
-  const Scalar t306 = t299 * t305;
-  const Scalar t307 = k[2] * t108;
-  const Scalar t308 = k[31] + t307;
-  const Scalar t309 = k[30] + t107;
-  const Scalar t310 = s5 * t308 - c5 * t309;
-  const Scalar t311 = k[3] * t310;
-  const Scalar t312 = c5 * t308 + s5 * t309;
-  const Scalar t313 = c4 * t311 + s4 * t312;
-  const Scalar t314 = k[56] * t310 + k[17] * t313;
-  const Scalar t315 = k[55] * t310 - k[18] * t313;
-  const Scalar t316 = s4 * t311 - c4 * t312;
-  const Scalar t317 = c3 * t315 + s3 * t316;
-  const Scalar t318 = k[19] * t314 - k[20] * t317;
-  const Scalar t319 = c3 * t316 - s3 * t315;
-  const Scalar t320 = k[20] * t314 + k[19] * t317;
-  const Scalar t321 = k[27] * t318 + k[28] * (s2 * t319 + c2 * t320);
-  const Scalar t322 = (k[42] - (k[2] * t301 - t133)) - k[9] * t308;
-  const Scalar t323 = (k[13] * t123 - k[2] * t126) + k[10] * t108;
-  const Scalar t324 = k[9] * t309 - (k[39] - t323);
-  const Scalar t325 = c5 * t322 - s5 * t324;
-  const Scalar t326 = k[3] * t325;
-  const Scalar t327 = k[57] * t310 + (t326 - k[12] * t304);
-  const Scalar t328 = s5 * t322 + c5 * t324;
-  const Scalar t329 = (c4 * t327 - s4 * t328) + k[22] * t316;
-  const Scalar t330 = k[5] * t311 - (k[3] * t304 + k[12] * t325);
-  const Scalar t331 = k[23] * t314 + (k[18] * t329 + k[17] * t330);
-  const Scalar t332 = (c4 * t328 + s4 * t327) - k[22] * t313;
-  const Scalar t333 = (c3 * t331 - s3 * t332) + k[24] * t319;
-  const Scalar t334 = (k[17] * t329 - k[18] * t330) + k[23] * t315;
-  const Scalar t335 = (k[19] * t333 - k[20] * t334) + k[21] * t318;
-  const Scalar t336 = k[24] * t317 + (c3 * t332 + s3 * t331);
-  const Scalar t337 = c2 * (t319 + t335) - s2 * (t336 + t320);
-  const Scalar t338 = k[21] * t320 + (k[19] * t334 + k[20] * t333);
-  const Scalar t339 = t171 * t188 + (t321 + (k[26] * t337 + k[25] * t338));
-  const Scalar t340 = (t153 * t188 - (torque[0] - t297)) - t306 * t339;
-  const Scalar t341 = k[4] * t108 - k[3] * t312;
-  const Scalar t342 = k[32] - t341;
-  const Scalar t343 = k[33] - t310;
-  const Scalar t344 = c4 * t342 + s4 * t343;
-  const Scalar t345 = c4 * t343 - s4 * t342;
-  const Scalar t346 = k[18] * t345;
-  const Scalar t347 = c3 * t344 + s3 * t346;
-  const Scalar t348 = s3 * t344 - c3 * t346;
-  const Scalar t349 = k[35] * t345 + k[19] * t348;
-  const Scalar t350 = k[20] * t348 - k[34] * t345;
-  const Scalar t351 = k[28] * (s2 * t347 + c2 * t349) - k[27] * t350;
-  const Scalar t352 = k[12] * t312 + k[16] * t108;
-  const Scalar t353 = (k[2] * t123 + k[13] * t126) + k[46] * t307;
-  const Scalar t354 = k[47] - t353;
-  const Scalar t355 = c5 * t354;
-  const Scalar t356 = s5 * (t300 - t303) - (t355 + t355);
-  const Scalar t357 = t354 + c5 * t356;
-  const Scalar t358 = k[5] * t352 + (k[3] * t328 + k[12] * t357);
-  const Scalar t359 = k[50] - t358;
-  const Scalar t360 = s5 * t356 + t303;
-  const Scalar t361 = t302 + k[48] * t167;
-  const Scalar t362 = k[12] * (t360 - t361) - (t326 + t326);
-  const Scalar t363 = k[49] + (k[3] * t362 + t325);
-  const Scalar t364 = (s4 * t359 - c4 * t363) - k[22] * t344;
-  const Scalar t365 = k[12] * t362;
-  const Scalar t366 = k[54] - (t360 - t365);
-  const Scalar t367 = k[53] + ((t304 - t360) - k[52] * t310);
-  const Scalar t368 = t366 - t367;
-  const Scalar t369 = (k[17] * t364 - k[18] * t368) + k[23] * t346;
-  const Scalar t370 = k[22] * t345 - (c4 * t359 + s4 * t363);
-  const Scalar t371 = t370 + k[24] * t346;
-  const Scalar t372 = k[18] * t364;
-  const Scalar t373 = (k[51] * t345 - (t372 + k[17] * t368)) + k[24] * t344;
-  const Scalar t374 = s3 * t371 + c3 * t373;
-  const Scalar t375 = k[21] * t350 - (k[20] * t369 + k[19] * t374);
-  const Scalar t376 = s2 * (t349 + (s3 * t373 - c3 * t371));
-  const Scalar t377 = k[21] * t349 + (k[20] * t374 - k[19] * t369);
-  const Scalar t378 = k[26] * (c2 * (t347 - t375) - t376) + k[25] * t377;
-  const Scalar t379 = t305 * t339;
-  const Scalar t380 = t175 * t298 - t330;
-  const Scalar t381 = ((t351 + t378) - t175 * t188) + t379 * t380;
-  const Scalar t382 = t305 * t380;
-  const Scalar t383 = k[29] * t175;
-  const Scalar t384 = Scalar(1) / (t382 * t380 + (t368 - t175 * t383));
-  const Scalar t385 = t381 * t384;
-  const Scalar t386 = k[29] * t153;
-  const Scalar t387 = ((torque[3] + t271) - t175 * t386) + t306 * t380;
-  const Scalar t388 = k[29] * t176;
-  const Scalar t389 = t334 + t171 * t388;
-  const Scalar t390 = (t369 + t175 * t388) - t389 * t382;
-  const Scalar t391 = t390 * t384;
-  const Scalar t392 = (k[3] * t357 - k[12] * t328) - k[5] * t341;
-  const Scalar t393 = k[61] + t392;
-  const Scalar t394 = Scalar(2) * c4 * t393 + s4 * (t366 + t367);
-  const Scalar t395 = s4 * t394;
-  const Scalar t396 = k[67] + (k[66] * t345 - (t395 - t367));
-  const Scalar t397 = k[62] * t352 + (t365 + t361);
-  const Scalar t398 = t395 - t366;
-  const Scalar t399 = k[17] * (t397 - t398) + Scalar(2) * t372;
-  const Scalar t400 = k[17] * t399;
-  const Scalar t401 = k[68] - (t400 + t398);
-  const Scalar t402 = t396 - t401;
-  const Scalar t403 = t389 * t305;
-  const Scalar t404 = t391 * t390 + ((t176 * t388 + t402) - t403 * t389);
-  const Scalar t405 = Scalar(1) / t404;
-  const Scalar t406 = t387 * t384;
-  const Scalar t407 = (t176 * t386 - (torque[2] + t288)) - t403 * t299;
-  const Scalar t408 = t405 * (t390 * t406 - t407);
-  const Scalar t409 = k[17] * t352 - k[18] * t344;
-  const Scalar t410 = k[58] + t409;
-  const Scalar t411 = k[59] + t345;
-  const Scalar t412 = c3 * t410 - s3 * t411;
-  const Scalar t413 = c3 * t411 + s3 * t410;
-  const Scalar t414 = k[19] * t413;
-  const Scalar t415 = k[20] * t413;
-  const Scalar t416 = k[28] * (s2 * t412 + c2 * t414) - k[27] * t415;
-  const Scalar t417 = c4 * t394 - t393;
-  const Scalar t418 = k[17] * t344 + k[18] * t352;
-  const Scalar t419 = (k[17] * t417 + k[18] * t370) + k[23] * t418;
-  const Scalar t420 = k[64] + t419;
-  const Scalar t421 = k[63] + (t364 - k[18] * t399);
-  const Scalar t422 = k[24] * t412 - (s3 * t420 + c3 * t421);
-  const Scalar t423 = k[83] * t413 + (k[20] * t422 + k[19] * t402);
-  const Scalar t424 = (c3 * t420 - s3 * t421) + k[24] * t413;
-  const Scalar t425 = (k[20] * t402 - k[19] * t422) + k[21] * t415;
-  const Scalar t426 = s2 * (t424 + t414) - c2 * (t412 - t425);
-  const Scalar t427 = (t416 + (k[25] * t423 - k[26] * t426)) + t187 * t388;
-  const Scalar t428 = t390 * t385 + (t389 * t379 - t427);
-  const Scalar t429 = k[29] * t181;
-  const Scalar t430 = t338 + t171 * t429;
-  const Scalar t431 = t305 * t430;
-  const Scalar t432 = t431 * t380 + (t377 - t181 * t383);
-  const Scalar t433 = t432 * t384;
-  const Scalar t434 = t390 * t433 - ((t423 + t181 * t388) - t389 * t431);
-  const Scalar t435 = (t181 * t386 - (torque[1] + t290)) - t306 * t430;
-  const Scalar t436 = t408 * t434 - (t435 + t432 * t406);
-  const Scalar t437 = k[73] + t413;
-  const Scalar t438 = k[19] * t412 + k[20] * t418;
-  const Scalar t439 = k[60] + t438;
-  const Scalar t440 = c2 * t437 + s2 * t439;
-  const Scalar t441 = k[23] * t409 + (k[17] * t370 - k[18] * t417);
-  const Scalar t442 = k[69] + t441;
-  const Scalar t443 = s3 * (t396 + t401) - Scalar(2) * c3 * t442;
-  const Scalar t444 = t396 - s3 * t443;
-  const Scalar t445 = t444 - t402;
-  const Scalar t446 = (t397 - t400) + k[65] * t418;
-  const Scalar t447 = k[70] * t422 + k[20] * (t445 + t446);
-  const Scalar t448 = k[20] * t447;
-  const Scalar t449 = k[75] - (t448 - t445);
-  const Scalar t450 = k[77] + (t444 + k[76] * t413);
-  const Scalar t451 = t449 - t450;
-  const Scalar t452 = c3 * t443 + t442;
-  const Scalar t453 = k[20] * t412 - k[19] * t418;
-  const Scalar t454 = (k[20] * t452 + k[19] * t424) - k[21] * t453;
-  const Scalar t455 = c2 * (t439 - (k[71] + (t422 - k[19] * t447)));
-  const Scalar t456 = k[26] * (s2 * (t437 + (k[72] + t454)) - t455);
-  const Scalar t457 = (k[28] * t440 - (k[25] * t451 + t456)) + t181 * t188;
-  const Scalar t458 = t405 * t428;
-  const Scalar t459 = ((t457 - t379 * t430) + t385 * t432) - t434 * t458;
-  const Scalar t460 = t432 * t433 + ((t181 * t429 - t451) - t431 * t430);
-  const Scalar t461 = t405 * t434;
-  const Scalar t462 = Scalar(1) / (t460 - t434 * t461);
-  const Scalar t463 = t459 * t462;
-  const Scalar t464 = ((t340 + t385 * t387) - t408 * t428) + t436 * t463;
-  const Scalar t465 = k[21] * t438 - (k[19] * t452 - k[20] * t424);
-  const Scalar t466 = Scalar(2) * c2 * (k[78] + t465) - s2 * (t449 + t450);
-  const Scalar t467 = s2 * t466 + t449;
-  const Scalar t468 = k[79] * (((t453 + t453) + (t448 - t446)) - t467);
-  const Scalar t469 = (k[82] + (k[81] * t440 + (t467 - t451))) - (k[80] + ((k[74] * t456 + t468) + t467));
-  const Scalar t470 = t381 * t385 - (t379 * t339 - (t469 + t188 * t187));
-  const Scalar t471 = Scalar(1) / (t459 * t463 + (t458 * t428 - t470));
-  const Scalar t472 = t464 * t471;
-  const Scalar t473 = t462 * t436 - t472 * t463;
-  const Scalar t474 = t461 * t473 + (t408 + t472 * t458);
-  const Scalar t475 = t391 * t474 - (t433 * t473 + (t406 + t385 * t472));
-  const Scalar t476 = t474 * t403 + (t431 * t473 + (t306 + t472 * t379));
-  const Scalar t477 = t475 * t382 + t476;
-  const Scalar t478 = t474 * t388 + ((t386 + t472 * t188) + t429 * t473);
+  const Scalar t0 = k[0] * s6 + k[1] * c6;
+  const Scalar t1 = k[4] + k[3] * t0;
+  const Scalar t2 = k[0] * c6 - k[1] * s6;
+  const Scalar t3 = k[2] + t2;
+  const Scalar t4 = s5 * t1 - c5 * t3;
+  const Scalar t5 = k[18] * s6 + k[19] * c6;
+  const Scalar t6 = k[20] + s6 * t5;
+  const Scalar t7 = k[16] * c6 - k[15] * s6;
+  const Scalar t8 = k[7] * t6 - k[17] * t7;
+  const Scalar t9 = k[7] * t8;
+  const Scalar t10 = k[25] - (t6 - t9);
+  const Scalar t11 = k[22] - t6;
+  const Scalar t12 = k[24] + (k[23] * t2 - t11);
+  const Scalar t13 = k[26] - c6 * t5;
+  const Scalar t14 = k[16] * s6 + k[15] * c6;
+  const Scalar t15 = (k[3] * t13 + k[7] * t14) + k[27] * t0;
+  const Scalar t16 = k[28] - t15;
+  const Scalar t17 = c5 * t16;
+  const Scalar t18 = s5 * (t10 - t12) + (t17 + t17);
+  const Scalar t19 = s5 * t18 + t12;
+  const Scalar t20 = k[40] - (k[39] * t4 - t19);
+  const Scalar t21 = t10 + t12;
+  const Scalar t22 = t21 - t19;
+  const Scalar t23 = s5 * t3 + c5 * t1;
+  const Scalar t24 = (k[3] * t14 - k[7] * t13) - k[31] * t0;
+  const Scalar t25 = k[32] + t24;
+  const Scalar t26 = k[30] + (t7 + k[3] * t8);
+  const Scalar t27 = k[29] * t23 - (s5 * t25 + c5 * t26);
+  const Scalar t28 = k[7] * t0;
+  const Scalar t29 = k[21] * t28 - t9;
+  const Scalar t30 = k[33] * t27 + k[8] * (t22 - t29);
+  const Scalar t31 = k[8] * t30;
+  const Scalar t32 = k[41] - (t22 - t31);
+  const Scalar t33 = t20 - t32;
+  const Scalar t34 = k[3] * t2;
+  const Scalar t35 = s5 * t0 - c5 * t34;
+  const Scalar t36 = k[69] * t2 + k[6] * t35;
+  const Scalar t37 = (k[71] + k[7] * t7) - k[27] * t2;
+  const Scalar t38 = s5 * t34 + c5 * t0;
+  const Scalar t39 = k[31] * t2 - (k[70] - k[3] * t7);
+  const Scalar t40 = k[29] * t38 + (c5 * t39 - s5 * t14);
+  const Scalar t41 = k[36] * t36 + (k[6] * t37 + k[8] * t40);
+  const Scalar t42 = k[75] * t41;
+  const Scalar t43 = k[79] * t4 + (k[8] * t27 - k[6] * t21);
+  const Scalar t44 = t37 * t42 - t43;
+  const Scalar t45 = k[75] * t37;
+  const Scalar t46 = Scalar(1) / (t45 * t37 + t21);
+  const Scalar t47 = t44 * t46;
+  const Scalar t48 = Scalar(1) / ((t33 + t41 * t42) - t44 * t47);
+  const Scalar t49 = qd[1] + k[72] * qd[0];
+  const Scalar t50 = k[62] * qd[0];
+  const Scalar t51 = c2 * t50;
+  const Scalar t52 = k[50] * t51;
+  const Scalar t53 = k[54] * t49 - t52;
+  const Scalar t54 = qd[2] + t53;
+  const Scalar t55 = k[54] * t51 + k[50] * t49;
+  const Scalar t56 = s2 * t50;
+  const Scalar t57 = c3 * t55 - s3 * t56;
+  const Scalar t58 = k[12] * t54 - k[11] * t57;
+  const Scalar t59 = qd[3] + t58;
+  const Scalar t60 = k[12] * t57 + k[11] * t54;
+  const Scalar t61 = s3 * t55 + c3 * t56;
+  const Scalar t62 = c4 * t60 - s4 * t61;
+  const Scalar t63 = k[8] * t59 + k[6] * t62;
+  const Scalar t64 = c4 * t61 + s4 * t60;
+  const Scalar t65 = c5 * t63 - s5 * t64;
+  const Scalar t66 = c5 * t64 + s5 * t63;
+  const Scalar t67 = t65 * t66;
+  const Scalar t68 = t64 * t59;
+  const Scalar t69 = qd[1] * t51 - t53 * t55;
+  const Scalar t70 = qd[0] * qd[0];
+  const Scalar t71 = k[88] * t70;
+  const Scalar t72 = k[54] * s2 * t71 - t52 * t56;
+  const Scalar t73 = c3 * t69 + s3 * t72;
+  const Scalar t74 = t57 * t54;
+  const Scalar t75 = t73 + t74;
+  const Scalar t76 = t58 * t60 - t75;
+  const Scalar t77 = c3 * t72 - s3 * t69;
+  const Scalar t78 = qd[1] * t56;
+  const Scalar t79 = k[50] * t78;
+  const Scalar t80 = t57 * t61;
+  const Scalar t81 = t79 - t80;
+  const Scalar t82 = k[12] * t77 + k[11] * t81;
+  const Scalar t83 = s4 * t76 + c4 * t82;
+  const Scalar t84 = t68 - t83;
+  const Scalar t85 = t61 * t54;
+  const Scalar t86 = t77 - t85;
+  const Scalar t87 = k[89] * t78 - k[11] * t86;
+  const Scalar t88 = k[8] * t84 + k[6] * t87;
+  const Scalar t89 = t67 + t88;
+  const Scalar t90 = t65 * t65;
+  const Scalar t91 = t66 * t66;
+  const Scalar t92 = t90 + t91;
+  const Scalar t93 = k[6] * t59 - k[8] * t62;
+  const Scalar t94 = qd[4] + t93;
+  const Scalar t95 = t94 * t94;
+  const Scalar t96 = t90 - t95;
+  const Scalar t97 = t92 - t96;
+  const Scalar t98 = t67 - t88;
+  const Scalar t99 = t64 * t62;
+  const Scalar t100 = t87 - t99;
+  const Scalar t101 = k[6] * t83 + k[8] * t100;
+  const Scalar t102 = t62 * t59;
+  const Scalar t103 = c4 * t76 - s4 * t82;
+  const Scalar t104 = t102 - t103;
+  const Scalar t105 = t93 * t63 - t104;
+  const Scalar t106 = c5 * t101 + s5 * t105;
+  const Scalar t107 = k[7] * t98 - k[3] * t106;
+  const Scalar t108 = k[7] * t65 - k[3] * t94;
+  const Scalar t109 = qd[5] - t108;
+  const Scalar t110 = t109 * t66;
+  const Scalar t111 = (t107 + t110) + t110;
+  const Scalar t112 = k[7] * t94 + k[3] * t65;
+  const Scalar t113 = t94 * t65;
+  const Scalar t114 = s5 * t101 - c5 * t105;
+  const Scalar t115 = t113 + t114;
+  const Scalar t116 = t108 * t112 + t115;
+  const Scalar t117 = t109 * t112;
+  const Scalar t118 = t116 + (t117 + t117);
+  const Scalar t119 = wrench[0] * s1 - wrench[1] * c1;
+  const Scalar t120 = k[72] * t119 - k[62] * wrench[2];
+  const Scalar t121 = wrench[0] * c1 + wrench[1] * s1;
+  const Scalar t122 = s2 * t120 - c2 * t121;
+  const Scalar t123 = c2 * t120 + s2 * t121;
+  const Scalar t124 = k[62] * t119 + k[72] * wrench[2];
+  const Scalar t125 = k[54] * t123 - k[50] * t124;
+  const Scalar t126 = s3 * t122 - c3 * t125;
+  const Scalar t127 = k[50] * t123 + k[54] * t124;
+  const Scalar t128 = k[11] * t126 - k[12] * t127;
+  const Scalar t129 = c3 * t122 + s3 * t125;
+  const Scalar t130 = k[11] * t127 + k[12] * t126;
+  const Scalar t131 = s4 * t129 + c4 * t130;
+  const Scalar t132 = k[6] * t128 + k[8] * t131;
+  const Scalar t133 = k[8] * t128 - k[6] * t131;
+  const Scalar t134 = s4 * t130 - c4 * t129;
+  const Scalar t135 = c5 * t133 + s5 * t134;
+  const Scalar t136 = (t2 * t111 + t0 * t118) + (k[94] * t132 - k[95] * t135);
+  const Scalar t137 = t109 * t109;
+  const Scalar t138 = t137 + t91;
+  const Scalar t139 = t66 * t112;
+  const Scalar t140 = t94 * t66;
+  const Scalar t141 = t140 - t106;
+  const Scalar t142 = k[7] * t141 + k[3] * t88;
+  const Scalar t143 = t139 + t142;
+  const Scalar t144 = k[95] * t132 + k[94] * t135;
+  const Scalar t145 = (t0 * t138 - t2 * t143) - t144;
+  const Scalar t146 = k[7] * t136 + k[3] * t145;
+  const Scalar t147 = (k[2] * t89 - k[4] * t97) - t146;
+  const Scalar t148 = t91 - t95;
+  const Scalar t149 = t148 - t96;
+  const Scalar t150 = t97 - t149;
+  const Scalar t151 = c5 * t134 - s5 * t133;
+  const Scalar t152 = t139 - t142;
+  const Scalar t153 = t112 * t112;
+  const Scalar t154 = t137 + t153;
+  const Scalar t155 = k[98] * t151 - (t0 * t152 - t154 * t2);
+  const Scalar t156 = (k[2] * t150 - k[4] * t98) + t155;
+  const Scalar t157 = c5 * t147 - s5 * t156;
+  const Scalar t158 = k[3] * t136 - k[7] * t145;
+  const Scalar t159 = t113 + t115;
+  const Scalar t160 = t140 + t141;
+  const Scalar t161 = t158 + (k[4] * t159 + k[2] * t160);
+  const Scalar t162 = k[6] * t157 - k[8] * t161;
+  const Scalar t163 = t54 * t54;
+  const Scalar t164 = t57 * t57;
+  const Scalar t165 = t163 + t164;
+  const Scalar t166 = k[90] * c1 + k[91] * s1;
+  const Scalar t167 = t166 + k[87] * t70;
+  const Scalar t168 = k[91] * c1 - k[90] * s1;
+  const Scalar t169 = (k[92] + k[72] * t168) - t71;
+  const Scalar t170 = t50 * t50;
+  const Scalar t171 = t49 * t49;
+  const Scalar t172 = t170 + t171;
+  const Scalar t173 = (c2 * t167 + s2 * t169) + k[56] * (t172 - t56 * t56);
+  const Scalar t174 = k[53] * t72 - t173;
+  const Scalar t175 = k[56] * t56 * t51 - (c2 * t169 - s2 * t167);
+  const Scalar t176 = (k[93] - k[62] * t168) + t170;
+  const Scalar t177 = Scalar(2) * t49 * t50 - t71;
+  const Scalar t178 = t176 - k[56] * s2 * t177;
+  const Scalar t179 = k[53] * t69 - (k[54] * t175 - k[50] * t178);
+  const Scalar t180 = c3 * t174 - s3 * t179;
+  const Scalar t181 = (k[46] * t165 - t180) - k[35] * t82;
+  const Scalar t182 = c3 * t179 + s3 * t174;
+  const Scalar t183 = t79 + t80;
+  const Scalar t184 = t182 - k[46] * t183;
+  const Scalar t185 = t86 - t85;
+  const Scalar t186 = t61 * t61;
+  const Scalar t187 = t186 + t164;
+  const Scalar t188 = (k[54] * t178 + k[50] * t175) + k[53] * t187;
+  const Scalar t189 = k[46] * t185 + t188;
+  const Scalar t190 = k[35] * t76 - (k[12] * t184 + k[11] * t189);
+  const Scalar t191 = c4 * t181 - s4 * t190;
+  const Scalar t192 = t59 * t59;
+  const Scalar t193 = t62 * t62;
+  const Scalar t194 = t192 + t193;
+  const Scalar t195 = (t191 + k[36] * t194) - k[29] * t101;
+  const Scalar t196 = c4 * t190 + s4 * t181;
+  const Scalar t197 = t87 + t99;
+  const Scalar t198 = t196 + k[36] * t197;
+  const Scalar t199 = t68 + t84;
+  const Scalar t200 = t64 * t64;
+  const Scalar t201 = t200 + t193;
+  const Scalar t202 = (k[11] * t184 - k[12] * t189) - k[35] * t201;
+  const Scalar t203 = k[36] * t199 + t202;
+  const Scalar t204 = (k[6] * t198 + k[8] * t203) + k[29] * t105;
+  const Scalar t205 = c5 * t195 - s5 * t204;
+  const Scalar t206 = s5 * t195 + c5 * t204;
+  const Scalar t207 = (k[25] * t98 - k[24] * t89) - k[28] * t149;
+  const Scalar t208 = (k[4] * t205 + k[2] * t206) - (t207 - (k[32] * t114 + k[30] * t106));
+  const Scalar t209 = wrench[3] * c1 + wrench[4] * s1;
+  const Scalar t210 = wrench[3] * s1 - wrench[4] * c1;
+  const Scalar t211 = k[62] * wrench[5] - k[72] * t210;
+  const Scalar t212 = c2 * t209 + s2 * t211;
+  const Scalar t213 = s2 * t209 - c2 * t211;
+  const Scalar t214 = k[72] * wrench[5] + k[62] * t210;
+  const Scalar t215 = k[54] * t213 - k[50] * t214;
+  const Scalar t216 = c3 * t212 - s3 * t215;
+  const Scalar t217 = c3 * t215 + s3 * t212;
+  const Scalar t218 = k[50] * t213 + k[54] * t214;
+  const Scalar t219 = k[12] * t217 - k[11] * t218;
+  const Scalar t220 = c4 * t216 - s4 * t219;
+  const Scalar t221 = s4 * t216 + c4 * t219;
+  const Scalar t222 = k[11] * t217 + k[12] * t218;
+  const Scalar t223 = k[6] * t221 - k[8] * t222;
+  const Scalar t224 = s5 * t220 + c5 * t223;
+  const Scalar t225 = k[6] * t222 + k[8] * t221;
+  const Scalar t226 = k[97] * t151 - (k[3] * t224 - k[7] * t225);
+  const Scalar t227 = t154 - t138;
+  const Scalar t228 = t137 - t153;
+  const Scalar t229 = ((t227 + t228) * t14 + t152 * t7) - (t13 * t118 - t11 * t111);
+  const Scalar t230 = t206 + k[96] * t89;
+  const Scalar t231 = k[29] * t92 - (k[6] * t203 - k[8] * t198);
+  const Scalar t232 = t231 - k[96] * t160;
+  const Scalar t233 = k[7] * t230 + k[3] * t232;
+  const Scalar t234 = t226 - (t229 + t233 * t2);
+  const Scalar t235 = t0 * (k[96] * t150 + t205) - t2 * (k[7] * t232 - k[3] * t230);
+  const Scalar t236 = (t11 * t143 - t6 * t152) - t227 * t13;
+  const Scalar t237 = t235 - (t236 - (t107 * t7 + t116 * t14));
+  const Scalar t238 = (k[3] * t225 + k[7] * t224) - t237;
+  const Scalar t239 = (k[7] * t234 + k[3] * t238) + k[96] * t146;
+  const Scalar t240 = t208 - t239;
+  const Scalar t241 = k[99] * t144 - (s5 * t223 - c5 * t220);
+  const Scalar t242 = t228 * t7 + (t13 * t111 - t6 * t118);
+  const Scalar t243 = t241 - ((t242 + t14 * t143) - t0 * t233);
+  const Scalar t244 = (k[25] * t159 - k[28] * t160) + k[30] * t96;
+  const Scalar t245 = t243 + (k[4] * t231 - (k[32] * t89 + t244));
+  const Scalar t246 = (k[7] * t238 - k[3] * t234) - k[96] * t158;
+  const Scalar t247 = (k[32] * t148 + k[30] * t98) - (k[28] * t159 - k[24] * t160);
+  const Scalar t248 = t246 + (k[2] * t231 - t247);
+  const Scalar t249 = s5 * t147 + c5 * t156;
+  const Scalar t250 = (s5 * t245 - c5 * t248) + k[29] * t249;
+  const Scalar t251 = k[36] * t162 + (k[6] * t240 - k[8] * t250);
+  const Scalar t252 = t192 + t200;
+  const Scalar t253 = t252 - t194;
+  const Scalar t254 = k[42] * t253 - (k[40] * t197 - k[41] * t100);
+  const Scalar t255 = (k[9] * t191 + k[5] * t196) - ((k[34] * t83 + k[37] * t103) + t254);
+  const Scalar t256 = t251 + t255;
+  const Scalar t257 = torque[5] + t238;
+  const Scalar t258 = k[75] * t257;
+  const Scalar t259 = t45 * t257 - (torque[4] - t240);
+  const Scalar t260 = ((torque[3] - t256) - t41 * t258) + t47 * t259;
+  const Scalar t261 = t48 * t260;
+  const Scalar t262 = k[78] * t4 - (k[6] * t27 + k[8] * t21);
+  const Scalar t263 = k[35] * t23 - t262;
+  const Scalar t264 = (c5 * t25 - s5 * t26) + k[29] * t4;
+  const Scalar t265 = k[6] * t4;
+  const Scalar t266 = t264 + k[35] * t265;
+  const Scalar t267 = c4 * t263 - s4 * t266;
+  const Scalar t268 = s4 * t23 + c4 * t265;
+  const Scalar t269 = k[12] * t268 - k[77] * t4;
+  const Scalar t270 = (k[12] * t43 + k[11] * t267) + k[46] * t269;
+  const Scalar t271 = (c4 * t266 + s4 * t263) + k[53] * t269;
+  const Scalar t272 = k[11] * t268 + k[76] * t4;
+  const Scalar t273 = (k[12] * t267 - k[11] * t43) - k[46] * t272;
+  const Scalar t274 = c4 * t23 - s4 * t265;
+  const Scalar t275 = t273 + k[53] * t274;
+  const Scalar t276 = s3 * t271 - c3 * t275;
+  const Scalar t277 = s3 * t274 + c3 * t269;
+  const Scalar t278 = k[50] * t272 - k[54] * t277;
+  const Scalar t279 = (k[54] * t270 - k[50] * t276) - k[56] * t278;
+  const Scalar t280 = s4 * t36 - c4 * t38;
+  const Scalar t281 = s4 * t38 + c4 * t36;
+  const Scalar t282 = k[68] * t2 - k[8] * t35;
+  const Scalar t283 = k[12] * t281 + k[11] * t282;
+  const Scalar t284 = s3 * t280 - c3 * t283;
+  const Scalar t285 = k[11] * t281 - k[12] * t282;
+  const Scalar t286 = k[54] * t284 + k[50] * t285;
+  const Scalar t287 = (s5 * t39 + c5 * t14) + k[29] * t35;
+  const Scalar t288 = k[35] * t36 + t287;
+  const Scalar t289 = k[36] * t282 + (k[6] * t40 - k[8] * t37);
+  const Scalar t290 = t289 + k[35] * t38;
+  const Scalar t291 = k[53] * t283 + (c4 * t288 + s4 * t290);
+  const Scalar t292 = c4 * t290 - s4 * t288;
+  const Scalar t293 = k[46] * t285 + (k[11] * t41 - k[12] * t292);
+  const Scalar t294 = k[53] * t280 + t293;
+  const Scalar t295 = s3 * t291 + c3 * t294;
+  const Scalar t296 = (k[11] * t292 + k[12] * t41) + k[46] * t283;
+  const Scalar t297 = k[56] * t286 + (k[50] * t295 - k[54] * t296);
+  const Scalar t298 = k[75] * t297;
+  const Scalar t299 = t279 + t37 * t298;
+  const Scalar t300 = k[5] - t4;
+  const Scalar t301 = k[8] * t28 - k[6] * t23;
+  const Scalar t302 = k[9] - t301;
+  const Scalar t303 = c4 * t300 - s4 * t302;
+  const Scalar t304 = k[12] * t303;
+  const Scalar t305 = c4 * t302 + s4 * t300;
+  const Scalar t306 = c3 * t304 - s3 * t305;
+  const Scalar t307 = k[81] * t303 - k[54] * t306;
+  const Scalar t308 = k[35] * t302 + (k[34] - (t27 - k[6] * t30));
+  const Scalar t309 = c5 * t18 - t16;
+  const Scalar t310 = k[6] * t28 + k[8] * t23;
+  const Scalar t311 = (k[6] * t264 + k[8] * t309) - k[36] * t310;
+  const Scalar t312 = k[35] * t300 - (k[37] + t311);
+  const Scalar t313 = c4 * t308 + s4 * t312;
+  const Scalar t314 = k[12] * t313;
+  const Scalar t315 = ((t314 + k[11] * t33) + k[83] * t303) + k[53] * t305;
+  const Scalar t316 = c4 * t312 - s4 * t308;
+  const Scalar t317 = k[53] * t304 + t316;
+  const Scalar t318 = c3 * t315 + s3 * t317;
+  const Scalar t319 = (k[12] * t33 - k[11] * t313) + k[82] * t303;
+  const Scalar t320 = k[56] * t307 + (k[50] * t318 - k[54] * t319);
+  const Scalar t321 = t47 * t299 - (t41 * t298 + t320);
+  const Scalar t322 = (k[5] * t197 - k[9] * t252) + t162;
+  const Scalar t323 = t252 - t201;
+  const Scalar t324 = t102 + t104;
+  const Scalar t325 = k[34] * t323 + (k[42] * t199 - k[41] * t324);
+  const Scalar t326 = (s5 * t248 + c5 * t245) + k[29] * t157;
+  const Scalar t327 = ((t325 + k[37] * t197) + k[9] * t202) - t326;
+  const Scalar t328 = k[35] * t322 - t327;
+  const Scalar t329 = t249 + (k[5] * t194 + k[9] * t100);
+  const Scalar t330 = k[8] * t157 + k[6] * t161;
+  const Scalar t331 = k[36] * t330 + (k[6] * t250 + k[8] * t240);
+  const Scalar t332 = (k[40] * t199 + k[42] * t324) + (k[34] * t100 - k[37] * (t323 - t253));
+  const Scalar t333 = k[35] * t329 + (t331 + (t332 + k[5] * t202));
+  const Scalar t334 = s4 * t328 + c4 * t333;
+  const Scalar t335 = t330 + (k[5] * t199 + k[9] * t324);
+  const Scalar t336 = c4 * t322 - s4 * t329;
+  const Scalar t337 = k[12] * t335 + k[11] * t336;
+  const Scalar t338 = (k[11] * t256 + k[12] * t334) + k[46] * t337;
+  const Scalar t339 = t74 + t75;
+  const Scalar t340 = (k[52] * t81 + k[51] * (t163 - t186)) - (k[45] * t185 + k[47] * t339);
+  const Scalar t341 = t338 - (k[10] * t188 - t340);
+  const Scalar t342 = t186 - t164;
+  const Scalar t343 = t342 + t165;
+  const Scalar t344 = (k[43] * t339 - k[47] * t185) - k[52] * (t343 - t187);
+  const Scalar t345 = (c4 * t328 - s4 * t333) + ((t344 + k[51] * t183) - k[13] * t188);
+  const Scalar t346 = k[12] * t336 - k[11] * t335;
+  const Scalar t347 = t346 + (k[13] * t343 + k[10] * t183);
+  const Scalar t348 = (k[10] * t165 - k[13] * t81) + (s4 * t322 + c4 * t329);
+  const Scalar t349 = s3 * t347 + c3 * t348;
+  const Scalar t350 = (c3 * t341 + s3 * t345) + k[53] * t349;
+  const Scalar t351 = k[46] * t346 + (k[12] * t256 - k[11] * t334);
+  const Scalar t352 = k[47] * t342 - (k[43] * t81 - k[45] * t183);
+  const Scalar t353 = ((k[52] * t77 + k[51] * t73) - t352) + (k[10] * t182 - k[13] * t180);
+  const Scalar t354 = t351 - t353;
+  const Scalar t355 = s3 * t348 - c3 * t347;
+  const Scalar t356 = (k[13] * t339 + k[10] * t185) - t337;
+  const Scalar t357 = k[54] * t355 - k[50] * t356;
+  const Scalar t358 = (k[50] * t350 - k[54] * t354) + k[56] * t357;
+  const Scalar t359 = k[60] * c2 + k[58] * s2;
+  const Scalar t360 = k[58] * c2 - k[60] * s2;
+  const Scalar t361 = k[57] + c2 * (k[103] * s2 - k[102] * c2);
+  const Scalar t362 = k[59] * s2 - k[61] * c2;
+  const Scalar t363 = (t359 * t169 + t360 * t167) - (t361 * t170 - t362 * t71);
+  const Scalar t364 = t358 + t363;
+  const Scalar t365 = t46 * t299;
+  const Scalar t366 = ((torque[1] + t364) + t257 * t298) - t365 * t259;
+  const Scalar t367 = k[75] * t296;
+  const Scalar t368 = t37 * t367 - t270;
+  const Scalar t369 = k[10] + t303;
+  const Scalar t370 = k[12] * t305 - k[11] * t310;
+  const Scalar t371 = k[13] - t370;
+  const Scalar t372 = c3 * t369 + s3 * t371;
+  const Scalar t373 = (k[8] * t264 - k[6] * t309) - k[36] * t301;
+  const Scalar t374 = k[42] + t373;
+  const Scalar t375 = c4 * t374;
+  const Scalar t376 = (t375 + t375) + s4 * (t20 + t32);
+  const Scalar t377 = s4 * t376;
+  const Scalar t378 = k[45] + ((t20 - t377) + k[44] * t303);
+  const Scalar t379 = t32 - t377;
+  const Scalar t380 = (t31 + t29) + k[38] * t310;
+  const Scalar t381 = (t314 + t314) - k[11] * (t379 + t380);
+  const Scalar t382 = k[11] * t381;
+  const Scalar t383 = k[43] + (t379 + t382);
+  const Scalar t384 = t378 - t383;
+  const Scalar t385 = s3 * t369 - c3 * t371;
+  const Scalar t386 = k[52] - (t313 - k[12] * t381);
+  const Scalar t387 = k[12] * t310 + k[11] * t305;
+  const Scalar t388 = t374 - c4 * t376;
+  const Scalar t389 = k[46] * t387 + (k[12] * t316 - k[11] * t388);
+  const Scalar t390 = k[51] + t389;
+  const Scalar t391 = k[53] * t385 + (c3 * t386 + s3 * t390);
+  const Scalar t392 = k[85] * t372 + (k[54] * t384 - k[50] * t391);
+  const Scalar t393 = t47 * t368 - (t319 + t296 * t42);
+  const Scalar t394 = t48 * t393;
+  const Scalar t395 = (t365 * t368 + (t392 - t296 * t298)) + t394 * t321;
+  const Scalar t396 = t46 * t368;
+  const Scalar t397 = t393 * t394 + (t396 * t368 - (t296 * t367 + t384));
+  const Scalar t398 = Scalar(1) / t397;
+  const Scalar t399 = t395 * t398;
+  const Scalar t400 = t46 * t259;
+  const Scalar t401 = t400 * t368 - (t296 * t258 - (torque[2] - t354));
+  const Scalar t402 = t401 + t393 * t261;
+  const Scalar t403 = (t261 * t321 - t366) - t399 * t402;
+  const Scalar t404 = k[60] + t372;
+  const Scalar t405 = k[54] * t385 - k[50] * t387;
+  const Scalar t406 = k[58] - t405;
+  const Scalar t407 = c2 * t404 + s2 * t406;
+  const Scalar t408 = k[46] * t370 - (k[12] * t388 + k[11] * t316);
+  const Scalar t409 = k[47] - t408;
+  const Scalar t410 = s3 * (t378 + t383) - Scalar(2) * c3 * t409;
+  const Scalar t411 = s3 * t410;
+  const Scalar t412 = k[48] + ((t378 - t411) + k[14] * t372);
+  const Scalar t413 = k[49] * t387 + (t380 + t382);
+  const Scalar t414 = t411 - t383;
+  const Scalar t415 = k[54] * t391;
+  const Scalar t416 = k[50] * (t413 - t414) - (t415 + t415);
+  const Scalar t417 = k[50] * t416;
+  const Scalar t418 = k[55] - (t417 + t414);
+  const Scalar t419 = t412 - t418;
+  const Scalar t420 = k[50] * t385 + k[54] * t387;
+  const Scalar t421 = (c3 * t390 - s3 * t386) + k[53] * t372;
+  const Scalar t422 = t409 + c3 * t410;
+  const Scalar t423 = k[56] * t420 + (k[54] * t421 + k[50] * t422);
+  const Scalar t424 = c2 * ((k[59] - (t391 + k[54] * t416)) - t406);
+  const Scalar t425 = k[62] * (s2 * ((k[61] + t423) + t404) + t424);
+  const Scalar t426 = c3 * t280 + s3 * t283;
+  const Scalar t427 = k[50] * t284 - k[54] * t285;
+  const Scalar t428 = (k[50] * t296 + k[54] * t295) - k[56] * t427;
+  const Scalar t429 = s2 * (t286 + (s3 * t294 - c3 * t291));
+  const Scalar t430 = k[62] * (c2 * (t426 + t428) - t429) + k[72] * t297;
+  const Scalar t431 = k[74] * (c2 * t286 + s2 * t426) - k[73] * t427;
+  const Scalar t432 = t430 + t431;
+  const Scalar t433 = k[75] * t432;
+  const Scalar t434 = (k[74] * t407 + (k[72] * t419 - t425)) + t433 * t297;
+  const Scalar t435 = s2 * (t278 - (s3 * t275 + c3 * t271));
+  const Scalar t436 = s3 * t269 - c3 * t274;
+  const Scalar t437 = k[50] * t277 + k[54] * t272;
+  const Scalar t438 = k[56] * t437 + (k[54] * t276 + k[50] * t270);
+  const Scalar t439 = k[62] * (t435 - c2 * (t436 + t438)) + k[72] * t279;
+  const Scalar t440 = k[74] * (s2 * t436 + c2 * t278) + k[73] * t437;
+  const Scalar t441 = t433 * t37 + (t439 - t440);
+  const Scalar t442 = t441 * t46;
+  const Scalar t443 = s3 * t304 + c3 * t305;
+  const Scalar t444 = k[50] * t306 + k[80] * t303;
+  const Scalar t445 = k[74] * (c2 * t307 + s2 * t443) + k[73] * t444;
+  const Scalar t446 = s2 * (t307 - (c3 * t317 - s3 * t315));
+  const Scalar t447 = k[56] * t444 + (k[54] * t318 + k[50] * t319);
+  const Scalar t448 = k[72] * t320 - k[62] * (t446 - c2 * (t443 + t447));
+  const Scalar t449 = ((t445 + t448) + t433 * t41) - t441 * t47;
+  const Scalar t450 = t48 * t449;
+  const Scalar t451 = k[54] * t372;
+  const Scalar t452 = k[72] * (c2 * t451 - s2 * t385) - k[86] * t372;
+  const Scalar t453 = t385 + ((t415 + k[50] * t384) + k[84] * t372);
+  const Scalar t454 = k[62] * (s2 * (t421 + t451) + c2 * t453);
+  const Scalar t455 = (k[87] * t452 - (t454 - k[72] * t392)) - t296 * t433;
+  const Scalar t456 = t393 * t450 - (t368 * t442 + t455);
+  const Scalar t457 = ((t434 - t442 * t299) + t450 * t321) - t399 * t456;
+  const Scalar t458 = t48 * t321;
+  const Scalar t459 = (t365 * t299 - (t419 + t297 * t298)) + t458 * t321;
+  const Scalar t460 = Scalar(1) / (t399 * t395 - t459);
+  const Scalar t461 = t457 * t460;
+  const Scalar t462 = t359 * t176 + (t362 * t171 - t361 * t177);
+  const Scalar t463 = k[50] * t355 + k[54] * t356;
+  const Scalar t464 = k[56] * t463 - (k[54] * t350 + k[50] * t354);
+  const Scalar t465 = (s3 * t341 - c3 * t345) + k[53] * t355;
+  const Scalar t466 = c2 * (t349 - t464) - s2 * (t465 + t357);
+  const Scalar t467 = k[62] * (t172 * t359 - (t462 - t466)) + k[72] * t364;
+  const Scalar t468 = (s2 * t349 + c2 * t357) - t360 * t171;
+  const Scalar t469 = k[73] * (t360 * t177 + t463) - k[74] * t468;
+  const Scalar t470 = (k[101] * t166 + k[100] * t168) + (t467 - t469);
+  const Scalar t471 = ((torque[0] + t470) + t433 * t257) - t259 * t442;
+  const Scalar t472 = t402 * t398;
+  const Scalar t473 = t403 * t461 + ((t471 + t450 * t260) - t472 * t456);
+  const Scalar t474 = t456 * t398;
+  const Scalar t475 = (k[50] * t421 - k[54] * t422) - k[56] * t405;
+  const Scalar t476 = c2 * (k[57] + t475);
+  const Scalar t477 = s2 * (s2 * (t412 + t418) - (t476 + t476));
+  const Scalar t478 = t412 - t477;
+  const Scalar t479 = t478 - t419;
+  const Scalar t480 = k[64] * (t479 + ((t420 + t420) - (t417 - t413)));
+  const Scalar t481 = (k[65] - ((t480 - k[63] * t425) - t479)) - (k[67] + (t478 + k[66] * t407));
+  const Scalar t482 = t449 * t450 + (t441 * t442 + (t481 - t433 * t432));
+  const Scalar t483 = Scalar(1) / ((t456 * t474 - t482) - t457 * t461);
+  const Scalar t484 = t473 * t483;
+  const Scalar t485 = t403 * t460 + t484 * t461;
+  const Scalar t486 = (t472 + t484 * t474) + t485 * t399;
+  const Scalar t487 = ((t261 + t484 * t450) + t458 * t485) - t486 * t394;
+  const Scalar t488 = t486 * t396 - ((t400 - t484 * t442) + t365 * t485);
+  const Scalar t489 = t488 - t47 * t487;
+  const Scalar t490 = (t485 * t298 + (t258 - t484 * t433)) - t486 * t367;
   JointVector<Scalar> result;
-  result[0] = t472;
-  result[1] = t473;
-  result[2] = t474;
-  result[3] = t475;
-  result[4] = -t477;
-  result[5] = t477 * t298 - (t478 + t475 * t383);
+  result[0] = t484;
+  result[1] = -t485;
+  result[2] = -t486;
+  result[3] = t487;
+  result[4] = t489;
+  result[5] = -(t487 * t42 + t490) - t489 * t45;
   return result;
 }
 

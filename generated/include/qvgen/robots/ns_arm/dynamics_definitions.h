@@ -33,11 +33,11 @@ InverseDynamicsConstants<Scalar> inverse_dynamics_constants(const BasicGeometry<
   const Scalar t3 = (inertia.Ixx2 - t0) + (inertia.Ixx3 - t1);
   const Scalar t4 = Scalar(0.5) * (inertia.Izz1 + (inertia.Ixx1 + inertia.Iyy1));
   const Scalar t5 = (Scalar(0.25) * g.d2 * g.d2 * inertia.m2 - (inertia.Izz2 - t0)) - (inertia.Iyy3 - t1);
-  return { t2,
-           Scalar(0.5) * g.d2 * inertia.l3 * inertia.m3,
+  return { Scalar(0.5) * g.d2 * inertia.l3 * inertia.m3,
            gravity / g.d2,
            Scalar(1) / g.d2,
            g.d2 * g.d2 * inertia.m3,
+           t2,
            t3,
            (inertia.Ixx1 - t4) - (t5 - (inertia.Iyy1 - t4)),
            t2 - t3,
@@ -52,31 +52,32 @@ inline JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const 
     const InverseDynamicsConstants<Scalar>& k) {
   const Scalar& s2 = angles.sine[0];
   const Scalar& c2 = angles.cosine[0];
-  const Scalar t0 = qdd[0] * c2;
-  const Scalar t1 = qd[0] * s2;
-  const Scalar t2 = qd[1] * t1;
-  const Scalar t3 = k[3] * qd[2];
-  const Scalar t4 = k[3] * q[2];
-  const Scalar t5 = qd[0] * c2;
-  const Scalar t6 = t1 * t5;
-  const Scalar t7 = qdd[1] - t6;
-  const Scalar t8 = Scalar(2) * qd[1] * t3 + (t4 * t7 - (k[2] * s2 + t0));
-  const Scalar t9 = k[4] * t8 - k[1] * t7;
-  const Scalar t10 = c2 * (k[5] * ((t0 - t2) - t2) + t9);
-  const Scalar t11 = qd[1] * t5;
-  const Scalar t12 = qdd[0] * s2;
-  const Scalar t13 = t11 + (t12 + t11);
-  const Scalar t14 = qd[1] * qd[1] + t1 * t1;
-  const Scalar t15 = ((t12 - k[2] * c2) + t4 * t14) - k[3] * qdd[2];
-  const Scalar t16 = k[1] * t14 - k[4] * t15;
-  const Scalar t17 = (qd[0] * qd[0] - t4 * t13) - Scalar(2) * t3 * t1;
-  const Scalar t18 = t4 * (k[4] * t17 + k[1] * t13) - k[1] * t17;
-  const Scalar t19 = t10 + s2 * (k[0] * t13 + (t16 + t18));
-  const Scalar t20 = (k[7] * t6 - k[8] * qdd[1]) - (k[1] * t8 - t4 * t9);
+  const Scalar t0 = qd[0] * c2;
+  const Scalar t1 = qd[1] * t0;
+  const Scalar t2 = qdd[0] * s2;
+  const Scalar t3 = t1 + (t2 + t1);
+  const Scalar t4 = k[2] * q[2];
+  const Scalar t5 = k[2] * qd[2];
+  const Scalar t6 = qd[0] * s2;
+  const Scalar t7 = t5 * t6;
+  const Scalar t8 = (qd[0] * qd[0] - t4 * t3) - (t7 + t7);
+  const Scalar t9 = k[0] * t8 - (k[0] * t3 + k[3] * t8) * t4;
+  const Scalar t10 = qd[1] * qd[1] + t6 * t6;
+  const Scalar t11 = k[2] * qdd[2] - (t4 * t10 + (t2 - k[1] * c2));
+  const Scalar t12 = k[3] * t11 + k[0] * t10;
+  const Scalar t13 = qdd[0] * c2;
+  const Scalar t14 = qd[1] * t6;
+  const Scalar t15 = t6 * t0;
+  const Scalar t16 = qdd[1] - t15;
+  const Scalar t17 = Scalar(2) * qd[1] * t5 + (t16 * t4 - (k[1] * s2 + t13));
+  const Scalar t18 = k[0] * t16 - k[3] * t17;
+  const Scalar t19 = c2 * (k[5] * ((t13 - t14) - t14) - t18);
+  const Scalar t20 = s2 * ((k[4] * t3 - t9) + t12) + t19;
+  const Scalar t21 = (k[0] * t17 + t4 * t18) - (k[7] * t15 - k[8] * qdd[1]);
   JointVector<Scalar> result;
-  result[0] = -t19 - k[6] * qdd[0];
-  result[1] = t20;
-  result[2] = k[3] * t16;
+  result[0] = -t20 - k[6] * qdd[0];
+  result[1] = -t21;
+  result[2] = k[2] * t12;
   return result;
 }
 
@@ -149,9 +150,10 @@ CoriolisTorqueConstants<Scalar> coriolis_torque_constants(const BasicGeometry<Sc
   const Scalar t1 = Scalar(0.5) * (inertia.Izz3 + (inertia.Ixx3 + inertia.Iyy3));
   const Scalar t2 = (inertia.Iyy2 - t0) - (Scalar(0.25) * inertia.l3 * inertia.l3 * inertia.m3 - (inertia.Izz3 - t1));
   return { t2 - ((inertia.Ixx2 - t0) + (inertia.Ixx3 - t1)),
-           Scalar(0.5) * inertia.l3 * inertia.m3,
+           g.d2,
            inertia.m3,
-           g.d2 };
+           inertia.l3 * inertia.m3,
+           Scalar(0.5) * inertia.l3 * inertia.m3 };
 }
 
 namespace detail {
@@ -162,23 +164,24 @@ inline JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const J
     const CoriolisTorqueConstants<Scalar>& k) {
   const Scalar& s2 = angles.sine[0];
   const Scalar& c2 = angles.cosine[0];
-  const Scalar t0 = qd[0] * s2;
-  const Scalar t1 = qd[0] * c2;
-  const Scalar t2 = t0 * t1;
-  const Scalar t3 = Scalar(2) * qd[2] * qd[1] - q[2] * t2;
-  const Scalar t4 = k[1] * t2 + k[2] * t3;
-  const Scalar t5 = qd[1] * qd[1] + t0 * t0;
-  const Scalar t6 = k[1] * t5 - k[2] * q[2] * t5;
-  const Scalar t7 = qd[2] * t0;
-  const Scalar t8 = Scalar(2) * qd[1] * t1;
-  const Scalar t9 = (t7 + t7) - (k[3] * qd[0] * qd[0] - q[2] * t8);
-  const Scalar t10 = k[1] * t9 - q[2] * (k[2] * t9 - k[1] * t8);
-  const Scalar t11 = k[3] * c2 * t4 + s2 * (k[3] * t6 + t10);
-  const Scalar t12 = (q[2] * t4 - k[1] * t3) + k[0] * t2;
+  const Scalar t0 = qd[0] * c2;
+  const Scalar t1 = qd[1] * t0;
+  const Scalar t2 = t1 + t1;
+  const Scalar t3 = qd[0] * s2;
+  const Scalar t4 = qd[1] * qd[1] + t3 * t3;
+  const Scalar t5 = k[2] * q[2] * t4 - k[4] * t4;
+  const Scalar t6 = qd[2] * t3;
+  const Scalar t7 = (t6 + t6) - (k[1] * qd[0] * qd[0] - q[2] * t2);
+  const Scalar t8 = q[2] * (k[2] * t7 - k[3] * t1) - k[4] * t7;
+  const Scalar t9 = t3 * t0;
+  const Scalar t10 = Scalar(2) * qd[2] * qd[1] - q[2] * t9;
+  const Scalar t11 = k[4] * t9 + k[2] * t10;
+  const Scalar t12 = s2 * (k[1] * t5 + t8) - c2 * k[1] * t11;
+  const Scalar t13 = (q[2] * t11 - k[4] * t10) + k[0] * t9;
   JointVector<Scalar> result;
-  result[0] = -t11 - k[0] * s2 * t8;
-  result[1] = t12;
-  result[2] = t6;
+  result[0] = t12 - t2 * k[0] * s2;
+  result[1] = t13;
+  result[2] = -t5;
   return result;
 }
 
@@ -263,13 +266,12 @@ CoriolisMatrixConstants<Scalar> coriolis_matrix_constants(const BasicGeometry<Sc
   const Scalar t0 = Scalar(0.5) * (inertia.Iyy2 + (inertia.Ixx2 + inertia.Izz2));
   const Scalar t1 = Scalar(0.5) * (inertia.Izz3 + (inertia.Ixx3 + inertia.Iyy3));
   const Scalar t2 = (inertia.Iyy2 - t0) - (Scalar(0.25) * inertia.l3 * inertia.l3 * inertia.m3 - (inertia.Izz3 - t1));
-  return { (inertia.Ixx2 - t0) + (inertia.Ixx3 - t1),
-           inertia.m3,
-           inertia.l3 * inertia.m3,
-           t2,
+  return { inertia.m3,
            Scalar(0.5) * inertia.l3 * inertia.m3,
-           g.d2 * inertia.m3,
-           g.d2 };
+           t2,
+           (inertia.Ixx2 - t0) + (inertia.Ixx3 - t1),
+           g.d2,
+           g.d2 * inertia.m3 };
 }
 
 namespace detail {
@@ -280,26 +282,26 @@ inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>
     const CoriolisMatrixConstants<Scalar>& k) {
   const Scalar& s2 = angles.sine[0];
   const Scalar& c2 = angles.cosine[0];
-  const Scalar t0 = k[1] * q[2];
-  const Scalar t1 = k[3] + q[2] * (k[2] - t0);
-  const Scalar t2 = k[4] - t0;
-  const Scalar t3 = qd[2] * t2;
-  const Scalar t4 = s2 * (c2 * qd[1] * t1 + s2 * t3);
-  const Scalar t5 = c2 * s2;
+  const Scalar t0 = k[1] - k[0] * q[2];
+  const Scalar t1 = k[2] + q[2] * (k[1] + t0);
+  const Scalar t2 = qd[2] * t0;
+  const Scalar t3 = s2 * (c2 * qd[1] * t1 + s2 * t2);
+  const Scalar t4 = c2 * s2;
+  const Scalar t5 = qd[0] * (k[3] - t1) * t4;
   const Scalar t6 = k[5] * c2;
-  const Scalar t7 = qd[1] * t2;
-  const Scalar t8 = qd[0] * (k[0] - t1) * t5;
-  const Scalar t9 = (qd[2] * t6 + s2 * k[6] * t7) - t8;
-  const Scalar t10 = qd[0] * s2 * s2 * t2;
+  const Scalar t7 = s2 * t0;
+  const Scalar t8 = t5 - (qd[2] * t6 + k[4] * qd[1] * t7);
+  const Scalar t9 = qd[0] * s2 * t7;
+  const Scalar t10 = qd[1] * t0;
   Eigen::Matrix<Scalar, dof, dof> result;
-  result(0, 0) = k[0] * qd[1] * t5 - t4;
-  result(0, 1) = -t9;
-  result(0, 2) = -qd[1] * t6 - t10;
-  result(1, 0) = -t8;
-  result(1, 1) = -t3;
-  result(1, 2) = -t7;
-  result(2, 0) = t10;
-  result(2, 1) = t7;
+  result(0, 0) = k[3] * qd[1] * t4 - t3;
+  result(0, 1) = t8;
+  result(0, 2) = -t9 - qd[1] * t6;
+  result(1, 0) = -t5;
+  result(1, 1) = -t2;
+  result(1, 2) = -t10;
+  result(2, 0) = t9;
+  result(2, 1) = t10;
   result(2, 2) = Scalar(0);
   return result;
 }
@@ -334,17 +336,18 @@ ForwardDynamicsConstants<Scalar> forward_dynamics_constants(const BasicGeometry<
   const Scalar t4 = Scalar(0.5) * (inertia.Izz1 + (inertia.Ixx1 + inertia.Iyy1));
   const Scalar t5 = g.d2 * g.d2 * inertia.m3;
   const Scalar t6 = (Scalar(0.25) * g.d2 * g.d2 * inertia.m2 - (inertia.Izz2 - t0)) - (inertia.Iyy3 - t1);
-  return { inertia.m3,
-           Scalar(0.5) * inertia.l3 * inertia.m3,
+  return { Scalar(0.5) * inertia.l3 * inertia.m3,
+           gravity,
+           inertia.m3,
            t2 - t3,
+           Scalar(2) * t3,
+           g.d2,
+           gravity * inertia.m3,
+           inertia.l3 * inertia.m3,
            t3,
            inertia.Ixx1 - t4,
            t5 + (t6 - (inertia.Iyy1 - t4)),
            t5,
-           g.d2,
-           Scalar(2) * t3,
-           gravity * inertia.m3,
-           gravity,
            Scalar(1) / inertia.m3 };
 }
 
@@ -356,38 +359,37 @@ inline JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const 
     const ForwardDynamicsConstants<Scalar>& k) {
   const Scalar& s2 = angles.sine[0];
   const Scalar& c2 = angles.cosine[0];
-  const Scalar t0 = k[0] * q[2];
-  const Scalar t1 = k[1] - t0;
-  const Scalar t2 = c2 * k[7] * t1;
-  const Scalar t3 = k[2] + q[2] * (k[1] + t1);
-  const Scalar t4 = Scalar(1) / (k[8] + t3);
-  const Scalar t5 = t4 * t2;
-  const Scalar t6 = s2 * s2;
-  const Scalar t7 = (k[5] - (k[4] + (k[3] + t3 * t6))) - k[6] * t6;
-  const Scalar t8 = qd[0] * s2;
-  const Scalar t9 = qd[0] * c2;
-  const Scalar t10 = t8 * t9;
-  const Scalar t11 = qd[2] * qd[1];
-  const Scalar t12 = (k[10] * s2 + q[2] * t10) - (t11 + t11);
-  const Scalar t13 = k[0] * t12 - k[1] * t10;
-  const Scalar t14 = k[2] * t10 - (q[2] * t13 - k[1] * t12);
-  const Scalar t15 = torque[1] - t14;
-  const Scalar t16 = qd[0] * qd[0];
-  const Scalar t17 = qd[1] * qd[1] + t16 * t6;
-  const Scalar t18 = k[1] * t17 - (t0 * t17 - k[9] * c2);
-  const Scalar t19 = torque[2] - t18;
-  const Scalar t20 = k[7] * s2;
-  const Scalar t21 = Scalar(2) * qd[1] * t9;
-  const Scalar t22 = qd[2] * t8;
-  const Scalar t23 = (q[2] * t21 - k[7] * t16) + (t22 + t22);
-  const Scalar t24 = q[2] * (k[0] * t23 - k[1] * t21) - k[1] * t23;
-  const Scalar t25 = s2 * (k[7] * t18 - t24) - c2 * k[7] * t13;
-  const Scalar t26 = t19 * t20 + (torque[0] + (k[2] * s2 * t21 + t25));
-  const Scalar t27 = Scalar(1) / (t2 * t5 + t7) * (t15 * t5 + t26);
+  const Scalar t0 = k[5] * s2;
+  const Scalar t1 = qd[0] * qd[0];
+  const Scalar t2 = s2 * s2;
+  const Scalar t3 = qd[1] * qd[1] + t1 * t2;
+  const Scalar t4 = k[2] * q[2];
+  const Scalar t5 = k[0] * t3 - (t4 * t3 - k[6] * c2);
+  const Scalar t6 = torque[2] - t5;
+  const Scalar t7 = qd[0] * s2;
+  const Scalar t8 = qd[0] * c2;
+  const Scalar t9 = t7 * t8;
+  const Scalar t10 = Scalar(2) * qd[2] * qd[1] - (k[1] * s2 + q[2] * t9);
+  const Scalar t11 = k[2] * t10 + k[0] * t9;
+  const Scalar t12 = qd[1] * t8;
+  const Scalar t13 = Scalar(2) * t12;
+  const Scalar t14 = (k[5] * t1 - q[2] * t13) - Scalar(2) * qd[2] * t7;
+  const Scalar t15 = q[2] * (k[7] * t12 + k[2] * t14) - k[0] * t14;
+  const Scalar t16 = k[5] * c2 * t11 + s2 * (k[5] * t5 + t15);
+  const Scalar t17 = t0 * t6 + (torque[0] + (t16 + k[3] * s2 * t13));
+  const Scalar t18 = k[0] - t4;
+  const Scalar t19 = k[5] * c2 * t18;
+  const Scalar t20 = k[3] * t9 - (k[0] * t10 - q[2] * t11);
+  const Scalar t21 = k[3] + q[2] * (k[0] + t18);
+  const Scalar t22 = Scalar(1) / (k[4] + t21);
+  const Scalar t23 = (torque[1] - t20) * t22;
+  const Scalar t24 = t19 * t22;
+  const Scalar t25 = k[11] * t2 - (k[10] - (k[9] + (k[8] + t21 * t2)));
+  const Scalar t26 = (t17 + t19 * t23) * Scalar(1) / (t19 * t24 - t25);
   JointVector<Scalar> result;
-  result[0] = t27;
-  result[1] = t27 * t5 - t15 * t4;
-  result[2] = k[11] * t19 + t27 * t20;
+  result[0] = t26;
+  result[1] = t26 * t24 - t23;
+  result[2] = k[12] * t6 + t0 * t26;
   return result;
 }
 

@@ -57,33 +57,34 @@ inline JointVector<Scalar> inverse_dynamics_with_gravity_vector(const JointVecto
   const Scalar& c1 = angles.cosine[0];
   const Scalar& s2 = angles.sine[1];
   const Scalar& c2 = angles.cosine[1];
-  const Scalar t0 = k[8] * s2;
-  const Scalar t1 = qd[0] * c2;
-  const Scalar t2 = Scalar(2) * qd[1] * t1;
-  const Scalar t3 = t0 * t2 + qdd[0] * (k[9] + s2 * t0);
-  const Scalar t4 = qd[0] * s2;
-  const Scalar t5 = t4 * t1;
-  const Scalar t6 = qdd[1] - t5;
-  const Scalar t7 = k[5] * qd[2];
-  const Scalar t8 = k[0] * s1 + k[1] * c1;
-  const Scalar t9 = qdd[0] - t8;
-  const Scalar t10 = k[5] * q[2];
-  const Scalar t11 = (k[6] * s2 - c2 * t9) + t10 * t6;
-  const Scalar t12 = Scalar(2) * qd[1] * t7 + t11;
-  const Scalar t13 = k[4] * t6 - k[7] * t12;
-  const Scalar t14 = qd[0] * qd[0] + (k[1] * s1 - k[0] * c1);
-  const Scalar t15 = qdd[0] * s2 + t2;
-  const Scalar t16 = (t14 - t10 * t15) - Scalar(2) * t4 * t7;
-  const Scalar t17 = t10 * (k[7] * t16 + k[4] * t15) - k[4] * t16;
-  const Scalar t18 = qd[1] * qd[1] + t4 * t4;
-  const Scalar t19 = t10 * t18 + (s2 * t9 + k[6] * c2);
-  const Scalar t20 = k[7] * (k[5] * qdd[2] - t19) + k[4] * t18;
-  const Scalar t21 = t3 - (c2 * t13 - s2 * (t17 + t20));
-  const Scalar t22 = (k[8] * t5 - k[10] * qdd[1]) - (t10 * t13 + k[4] * t12);
+  const Scalar t0 = k[5] * q[2];
+  const Scalar t1 = qd[0] * qd[0] + (k[1] * s1 - k[0] * c1);
+  const Scalar t2 = qd[0] * c2;
+  const Scalar t3 = Scalar(2) * qd[1] * t2;
+  const Scalar t4 = qdd[0] * s2 + t3;
+  const Scalar t5 = qd[0] * s2;
+  const Scalar t6 = k[5] * qd[2];
+  const Scalar t7 = (t1 - t0 * t4) - Scalar(2) * t5 * t6;
+  const Scalar t8 = t0 * (k[7] * t7 + k[4] * t4) - k[4] * t7;
+  const Scalar t9 = qd[1] * qd[1] + t5 * t5;
+  const Scalar t10 = k[0] * s1 + k[1] * c1;
+  const Scalar t11 = qdd[0] - t10;
+  const Scalar t12 = t0 * t9 + (s2 * t11 + k[6] * c2);
+  const Scalar t13 = k[7] * (k[5] * qdd[2] - t12) + k[4] * t9;
+  const Scalar t14 = t5 * t2;
+  const Scalar t15 = qdd[1] - t14;
+  const Scalar t16 = (k[6] * s2 - c2 * t11) + t0 * t15;
+  const Scalar t17 = qd[1] * t6;
+  const Scalar t18 = t16 + (t17 + t17);
+  const Scalar t19 = k[7] * t18 - k[4] * t15;
+  const Scalar t20 = k[8] * s2;
+  const Scalar t21 = t20 * t3 + qdd[0] * (k[9] + s2 * t20);
+  const Scalar t22 = (s2 * (t8 + t13) + c2 * t19) + t21;
+  const Scalar t23 = (k[8] * t14 - k[10] * qdd[1]) - (k[4] * t18 - t0 * t19);
   JointVector<Scalar> result;
-  result[0] = -t21 - (k[3] * qdd[0] + k[2] * t8);
-  result[1] = t22;
-  result[2] = k[5] * t20;
+  result[0] = -t22 - (k[3] * qdd[0] + k[2] * t10);
+  result[1] = t23;
+  result[2] = k[5] * t13;
   return result;
 }
 
@@ -111,24 +112,24 @@ InverseDynamicsWithWrenchConstants<Scalar> inverse_dynamics_with_wrench_constant
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = Scalar(0.5) * (inertia.Izz1 + (inertia.Ixx1 + inertia.Iyy1));
-  const Scalar t1 = Scalar(0.5) * (inertia.Iyy2 + (inertia.Ixx2 + inertia.Izz2));
-  const Scalar t2 = Scalar(0.5) * (inertia.Izz3 + (inertia.Ixx3 + inertia.Iyy3));
-  const Scalar t3 = (Scalar(0.25) * g.d2 * g.d2 * inertia.m2 - (inertia.Izz2 - t1)) - (inertia.Iyy3 - t2);
-  const Scalar t4 = (inertia.Iyy2 - t1) - (Scalar(0.25) * inertia.l3 * inertia.l3 * inertia.m3 - (inertia.Izz3 - t2));
-  const Scalar t5 = (inertia.Ixx2 - t1) + (inertia.Ixx3 - t2);
-  return { gravity[1] / g.d2,
-           gravity[0] / g.d2,
-           Scalar(0.5) * g.d2 * g.d2 * inertia.m2,
-           (inertia.Ixx1 - t0) - (t3 - (inertia.Iyy1 - t0)),
-           t4 - t5,
-           t5,
+  const Scalar t0 = Scalar(0.5) * (inertia.Iyy2 + (inertia.Ixx2 + inertia.Izz2));
+  const Scalar t1 = Scalar(0.5) * (inertia.Izz3 + (inertia.Ixx3 + inertia.Iyy3));
+  const Scalar t2 = (inertia.Iyy2 - t0) - (Scalar(0.25) * inertia.l3 * inertia.l3 * inertia.m3 - (inertia.Izz3 - t1));
+  const Scalar t3 = (inertia.Ixx2 - t0) + (inertia.Ixx3 - t1);
+  const Scalar t4 = Scalar(0.5) * (inertia.Izz1 + (inertia.Ixx1 + inertia.Iyy1));
+  const Scalar t5 = (Scalar(0.25) * g.d2 * g.d2 * inertia.m2 - (inertia.Izz2 - t0)) - (inertia.Iyy3 - t1);
+  return { t2 - t3,
+           t3,
+           g.d2,
            Scalar(0.5) * g.d2 * inertia.l3 * inertia.m3,
            Scalar(1) / g.d2,
            gravity[2] / g.d2,
+           gravity[1] / g.d2,
+           gravity[0] / g.d2,
            g.d2 * g.d2 * inertia.m3,
-           g.d2,
-           t4 + t5 };
+           Scalar(0.5) * g.d2 * g.d2 * inertia.m2,
+           (inertia.Ixx1 - t4) - (t5 - (inertia.Iyy1 - t4)),
+           t2 + t3 };
 }
 
 namespace detail {
@@ -141,42 +142,43 @@ inline JointVector<Scalar> inverse_dynamics_with_wrench(const JointVector<Scalar
   const Scalar& c1 = angles.cosine[0];
   const Scalar& s2 = angles.sine[1];
   const Scalar& c2 = angles.cosine[1];
-  const Scalar t0 = k[4] * s2;
+  const Scalar t0 = k[6] * s1 + k[7] * c1;
   const Scalar t1 = qd[0] * c2;
   const Scalar t2 = qd[1] * t1;
   const Scalar t3 = t2 + t2;
-  const Scalar t4 = qdd[0] * (k[5] + s2 * t0) + t3 * t0;
-  const Scalar t5 = t3 + qdd[0] * s2;
-  const Scalar t6 = k[7] * q[2];
-  const Scalar t7 = qd[0] * qd[0] + (k[1] * s1 - k[0] * c1);
-  const Scalar t8 = qd[0] * s2;
-  const Scalar t9 = k[7] * qd[2];
-  const Scalar t10 = t8 * t9;
-  const Scalar t11 = (t6 * t5 - t7) + (t10 + t10);
-  const Scalar t12 = (k[6] * t5 - k[9] * t11) + k[10] * (wrench[0] * s1 - wrench[1] * c1);
-  const Scalar t13 = wrench[3] * c1 + wrench[4] * s1;
-  const Scalar t14 = k[6] * t11 + (c2 * t13 + wrench[5] * s2);
-  const Scalar t15 = qd[1] * qd[1] + t8 * t8;
-  const Scalar t16 = k[0] * s1 + k[1] * c1;
-  const Scalar t17 = qdd[0] - t16;
-  const Scalar t18 = t6 * t15 + (k[8] * c2 + s2 * t17);
-  const Scalar t19 = k[6] * t15 - k[9] * (t18 - k[7] * qdd[2]);
-  const Scalar t20 = wrench[0] * c1 + wrench[1] * s1;
-  const Scalar t21 = t19 - k[10] * (wrench[2] * c2 - s2 * t20);
-  const Scalar t22 = t8 * t1;
-  const Scalar t23 = qdd[1] - t22;
-  const Scalar t24 = (c2 * t17 - k[8] * s2) - t23 * t6;
-  const Scalar t25 = Scalar(2) * qd[1] * t9 - t24;
-  const Scalar t26 = k[10] * (c2 * t20 + wrench[2] * s2) + (k[9] * t25 - k[6] * t23);
-  const Scalar t27 = c2 * ((s2 * t13 - wrench[5] * c2) - t26);
-  const Scalar t28 = s2 * ((t12 * t6 + t14) + t21) - t27;
-  const Scalar t29 = (t4 + t28) + (k[3] * qdd[0] + k[2] * t16);
-  const Scalar t30 = (wrench[3] * s1 - wrench[4] * c1) + k[6] * t25;
-  const Scalar t31 = (k[4] * t22 - k[11] * qdd[1]) + (t6 * t26 - t30);
+  const Scalar t4 = k[0] * s2;
+  const Scalar t5 = t3 * t4 + qdd[0] * (k[1] + s2 * t4);
+  const Scalar t6 = wrench[3] * c1 + wrench[4] * s1;
+  const Scalar t7 = qd[0] * s2;
+  const Scalar t8 = t7 * t1;
+  const Scalar t9 = qdd[1] - t8;
+  const Scalar t10 = k[4] * q[2];
+  const Scalar t11 = qdd[0] - t0;
+  const Scalar t12 = t9 * t10 + (k[5] * s2 - c2 * t11);
+  const Scalar t13 = k[4] * qd[2];
+  const Scalar t14 = qd[1] * t13;
+  const Scalar t15 = t12 + (t14 + t14);
+  const Scalar t16 = wrench[0] * c1 + wrench[1] * s1;
+  const Scalar t17 = (k[3] * t9 - k[8] * t15) - k[2] * (c2 * t16 + wrench[2] * s2);
+  const Scalar t18 = c2 * ((s2 * t6 - wrench[5] * c2) + t17);
+  const Scalar t19 = t3 + qdd[0] * s2;
+  const Scalar t20 = qd[0] * qd[0] + (k[7] * s1 - k[6] * c1);
+  const Scalar t21 = t7 * t13;
+  const Scalar t22 = (t10 * t19 - t20) + (t21 + t21);
+  const Scalar t23 = (k[3] * t19 - k[8] * t22) + k[2] * (wrench[0] * s1 - wrench[1] * c1);
+  const Scalar t24 = k[3] * t22 + (c2 * t6 + wrench[5] * s2);
+  const Scalar t25 = qd[1] * qd[1] + t7 * t7;
+  const Scalar t26 = t10 * t25 + (s2 * t11 + k[5] * c2);
+  const Scalar t27 = k[3] * t25 + k[8] * (k[4] * qdd[2] - t26);
+  const Scalar t28 = k[2] * (wrench[2] * c2 - s2 * t16) - t27;
+  const Scalar t29 = t18 - s2 * ((t23 * t10 + t24) - t28);
+  const Scalar t30 = (k[9] * t0 + k[10] * qdd[0]) + (t5 - t29);
+  const Scalar t31 = (wrench[3] * s1 - wrench[4] * c1) + k[3] * t15;
+  const Scalar t32 = (t31 + t10 * t17) + (k[11] * qdd[1] - k[0] * t8);
   JointVector<Scalar> result;
-  result[0] = -t29;
-  result[1] = t31;
-  result[2] = k[7] * t21;
+  result[0] = -t30;
+  result[1] = -t32;
+  result[2] = -k[4] * t28;
   return result;
 }
 
@@ -262,23 +264,26 @@ ForwardDynamicsWithGravityVectorConstants<Scalar> forward_dynamics_with_gravity_
   const Scalar t1 = Scalar(0.5) * (inertia.Izz3 + (inertia.Ixx3 + inertia.Iyy3));
   const Scalar t2 = (inertia.Iyy2 - t0) - (Scalar(0.25) * inertia.l3 * inertia.l3 * inertia.m3 - (inertia.Izz3 - t1));
   const Scalar t3 = (inertia.Ixx2 - t0) + (inertia.Ixx3 - t1);
-  const Scalar t4 = g.d2 * g.d2 * inertia.m3;
-  const Scalar t5 = Scalar(0.5) * (inertia.Izz1 + (inertia.Ixx1 + inertia.Iyy1));
-  const Scalar t6 = (Scalar(0.25) * g.d2 * g.d2 * inertia.m2 - (inertia.Izz2 - t0)) - (inertia.Iyy3 - t1);
-  return { Scalar(0.5) * inertia.l3 * inertia.m3,
-           gravity[2],
+  const Scalar t4 = g.d2 * inertia.m3;
+  const Scalar t5 = g.d2 * t4;
+  const Scalar t6 = Scalar(0.5) * (inertia.Izz1 + (inertia.Ixx1 + inertia.Iyy1));
+  const Scalar t7 = (Scalar(0.25) * g.d2 * g.d2 * inertia.m2 - (inertia.Izz2 - t0)) - (inertia.Iyy3 - t1);
+  return { gravity[2],
            gravity[1],
            gravity[0],
            inertia.m3,
-           t2 - t3,
+           Scalar(0.5) * inertia.l3 * inertia.m3,
            g.d2,
-           Scalar(2) * t3,
            Scalar(0.5) * g.d2 * inertia.m2,
            inertia.l3 * inertia.m3,
+           t2 - t3,
            t4,
+           Scalar(0.5) * g.d2 * inertia.l3 * inertia.m3,
+           Scalar(2) * t3,
+           t5,
            t3,
-           inertia.Ixx1 - t5,
-           t4 + (t6 - (inertia.Iyy1 - t5)),
+           inertia.Ixx1 - t6,
+           t5 + (t7 - (inertia.Iyy1 - t6)),
            Scalar(1) / inertia.m3 };
 }
 
@@ -292,40 +297,41 @@ inline JointVector<Scalar> forward_dynamics_with_gravity_vector(const JointVecto
   const Scalar& c1 = angles.cosine[0];
   const Scalar& s2 = angles.sine[1];
   const Scalar& c2 = angles.cosine[1];
-  const Scalar t0 = k[0] - k[4] * q[2];
-  const Scalar t1 = k[5] + q[2] * (k[0] + t0);
-  const Scalar t2 = s2 * s2;
-  const Scalar t3 = (k[13] - (k[12] + (k[11] + t1 * t2))) - k[10] * t2;
-  const Scalar t4 = k[6] * c2 * t0;
-  const Scalar t5 = Scalar(1) / (k[7] + t1);
-  const Scalar t6 = t4 * t5;
-  const Scalar t7 = k[2] * s1 + k[3] * c1;
-  const Scalar t8 = qd[0] * s2;
-  const Scalar t9 = qd[1] * qd[1] + t8 * t8;
-  const Scalar t10 = q[2] * t9 - (s2 * t7 - k[1] * c2);
-  const Scalar t11 = k[0] * t9 - k[4] * t10;
-  const Scalar t12 = qd[0] * c2;
-  const Scalar t13 = qd[1] * t12;
-  const Scalar t14 = Scalar(2) * t13;
-  const Scalar t15 = k[6] * qd[0] * qd[0] - (k[2] * c1 - k[3] * s1);
-  const Scalar t16 = (q[2] * t14 - t15) + Scalar(2) * qd[2] * t8;
-  const Scalar t17 = k[0] * t16 + q[2] * (k[9] * t13 - k[4] * t16);
-  const Scalar t18 = t8 * t12;
-  const Scalar t19 = (k[1] * s2 + c2 * t7) - q[2] * t18;
-  const Scalar t20 = Scalar(2) * qd[2] * qd[1] + t19;
-  const Scalar t21 = k[4] * t20 + k[0] * t18;
-  const Scalar t22 = s2 * (k[6] * t11 + t17) + c2 * k[6] * t21;
-  const Scalar t23 = k[8] * t7 + (t22 + k[5] * s2 * t14);
-  const Scalar t24 = torque[2] - t11;
-  const Scalar t25 = k[6] * s2;
-  const Scalar t26 = k[5] * t18 - (k[0] * t20 - q[2] * t21);
-  const Scalar t27 = torque[1] - t26;
-  const Scalar t28 = ((torque[0] + t23) + t24 * t25) + t6 * t27;
-  const Scalar t29 = Scalar(1) / (t3 + t4 * t6) * t28;
+  const Scalar t0 = k[8] + q[2] * (k[7] - k[3] * q[2]);
+  const Scalar t1 = s2 * s2;
+  const Scalar t2 = (k[15] - (k[14] + (k[13] + t0 * t1))) - k[12] * t1;
+  const Scalar t3 = Scalar(1) / (k[11] + t0);
+  const Scalar t4 = c2 * (k[10] - k[9] * q[2]);
+  const Scalar t5 = t3 * t4;
+  const Scalar t6 = qd[0] * s2;
+  const Scalar t7 = qd[0] * c2;
+  const Scalar t8 = t6 * t7;
+  const Scalar t9 = qd[2] * qd[1];
+  const Scalar t10 = k[1] * s1 + k[2] * c1;
+  const Scalar t11 = (k[0] * s2 + c2 * t10) - q[2] * t8;
+  const Scalar t12 = (t9 + t9) + t11;
+  const Scalar t13 = k[4] * t8 + k[3] * t12;
+  const Scalar t14 = k[8] * t8 - (k[4] * t12 - q[2] * t13);
+  const Scalar t15 = torque[1] - t14;
+  const Scalar t16 = k[5] * s2;
+  const Scalar t17 = qd[1] * qd[1] + t6 * t6;
+  const Scalar t18 = q[2] * t17 + (k[0] * c2 - s2 * t10);
+  const Scalar t19 = k[3] * t18 - k[4] * t17;
+  const Scalar t20 = torque[2] + t19;
+  const Scalar t21 = k[5] * qd[0] * qd[0] + (k[2] * s1 - k[1] * c1);
+  const Scalar t22 = qd[1] * t7;
+  const Scalar t23 = t22 + t22;
+  const Scalar t24 = qd[2] * t6;
+  const Scalar t25 = (t21 - q[2] * t23) - (t24 + t24);
+  const Scalar t26 = k[4] * t25 - q[2] * (k[7] * t22 + k[3] * t25);
+  const Scalar t27 = s2 * (t26 + k[5] * t19) - k[5] * c2 * t13;
+  const Scalar t28 = k[6] * t10 - (t27 - t23 * k[8] * s2);
+  const Scalar t29 = t15 * t5 + (t16 * t20 + (torque[0] + t28));
+  const Scalar t30 = Scalar(1) / (t2 + t5 * t4) * t29;
   JointVector<Scalar> result;
-  result[0] = t29;
-  result[1] = t6 * t29 - t27 * t5;
-  result[2] = k[14] * t24 + t25 * t29;
+  result[0] = t30;
+  result[1] = t30 * t5 - t3 * t15;
+  result[2] = t16 * t30 + k[16] * t20;
   return result;
 }
 
@@ -353,30 +359,27 @@ ForwardDynamicsWithWrenchConstants<Scalar> forward_dynamics_with_wrench_constant
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = g.d2 * inertia.m3;
-  const Scalar t1 = Scalar(0.5) * (inertia.Iyy2 + (inertia.Ixx2 + inertia.Izz2));
-  const Scalar t2 = Scalar(0.5) * (inertia.Izz3 + (inertia.Ixx3 + inertia.Iyy3));
-  const Scalar t3 = (inertia.Iyy2 - t1) - (Scalar(0.25) * inertia.l3 * inertia.l3 * inertia.m3 - (inertia.Izz3 - t2));
-  const Scalar t4 = (inertia.Ixx2 - t1) + (inertia.Ixx3 - t2);
-  const Scalar t5 = g.d2 * t0;
-  const Scalar t6 = Scalar(0.5) * (inertia.Izz1 + (inertia.Ixx1 + inertia.Iyy1));
-  const Scalar t7 = (Scalar(0.25) * g.d2 * g.d2 * inertia.m2 - (inertia.Izz2 - t1)) - (inertia.Iyy3 - t2);
-  return { t0,
-           Scalar(0.5) * g.d2 * inertia.l3 * inertia.m3,
-           inertia.m3,
-           inertia.l3 * inertia.m3,
-           t3 - t4,
-           Scalar(2) * t4,
-           t5,
-           t4,
-           inertia.Ixx1 - t6,
-           t5 + (t7 - (inertia.Iyy1 - t6)),
-           gravity[2],
+  const Scalar t0 = Scalar(0.5) * (inertia.Iyy2 + (inertia.Ixx2 + inertia.Izz2));
+  const Scalar t1 = Scalar(0.5) * (inertia.Izz3 + (inertia.Ixx3 + inertia.Iyy3));
+  const Scalar t2 = (inertia.Iyy2 - t0) - (Scalar(0.25) * inertia.l3 * inertia.l3 * inertia.m3 - (inertia.Izz3 - t1));
+  const Scalar t3 = (inertia.Ixx2 - t0) + (inertia.Ixx3 - t1);
+  const Scalar t4 = g.d2 * g.d2 * inertia.m3;
+  const Scalar t5 = Scalar(0.5) * (inertia.Izz1 + (inertia.Ixx1 + inertia.Iyy1));
+  const Scalar t6 = (Scalar(0.25) * g.d2 * g.d2 * inertia.m2 - (inertia.Izz2 - t0)) - (inertia.Iyy3 - t1);
+  return { gravity[2],
            gravity[1],
            gravity[0],
+           inertia.m3,
            Scalar(0.5) * inertia.l3 * inertia.m3,
            g.d2,
            Scalar(0.5) * g.d2 * inertia.m2,
+           t2 - t3,
+           inertia.l3 * inertia.m3,
+           Scalar(2) * t3,
+           t4,
+           t3,
+           inertia.Ixx1 - t5,
+           t4 + (t6 - (inertia.Iyy1 - t5)),
            Scalar(1) / inertia.m3 };
 }
 
@@ -390,44 +393,44 @@ inline JointVector<Scalar> forward_dynamics_with_wrench(const JointVector<Scalar
   const Scalar& c1 = angles.cosine[0];
   const Scalar& s2 = angles.sine[1];
   const Scalar& c2 = angles.cosine[1];
-  const Scalar t0 = c2 * (k[1] - k[0] * q[2]);
-  const Scalar t1 = k[4] + q[2] * (k[3] - k[2] * q[2]);
-  const Scalar t2 = Scalar(1) / (k[5] + t1);
-  const Scalar t3 = t0 * t2;
-  const Scalar t4 = qd[0] * s2;
-  const Scalar t5 = qd[0] * c2;
-  const Scalar t6 = t4 * t5;
-  const Scalar t7 = k[12] * c1 + k[11] * s1;
-  const Scalar t8 = q[2] * t6 - (c2 * t7 + k[10] * s2);
-  const Scalar t9 = Scalar(2) * qd[2] * qd[1] - t8;
-  const Scalar t10 = (wrench[3] * s1 - wrench[4] * c1) + k[13] * t9;
-  const Scalar t11 = wrench[0] * c1 + wrench[1] * s1;
-  const Scalar t12 = (k[2] * t9 + k[13] * t6) + (c2 * t11 + wrench[2] * s2);
-  const Scalar t13 = torque[1] - (k[4] * t6 - (t10 - q[2] * t12));
-  const Scalar t14 = qd[1] * qd[1] + t4 * t4;
-  const Scalar t15 = q[2] * t14 - (s2 * t7 - k[10] * c2);
-  const Scalar t16 = (wrench[2] * c2 - s2 * t11) - (k[13] * t14 - k[2] * t15);
-  const Scalar t17 = torque[2] + t16;
-  const Scalar t18 = k[14] * s2;
-  const Scalar t19 = wrench[3] * c1 + wrench[4] * s1;
-  const Scalar t20 = (s2 * t19 - wrench[5] * c2) - k[14] * t12;
-  const Scalar t21 = qd[2] * t4;
-  const Scalar t22 = k[14] * qd[0] * qd[0] + (k[12] * s1 - k[11] * c1);
-  const Scalar t23 = qd[1] * t5;
-  const Scalar t24 = Scalar(2) * t23;
-  const Scalar t25 = (t21 + t21) - (t22 - q[2] * t24);
-  const Scalar t26 = (k[2] * t25 - k[3] * t23) - (wrench[0] * s1 - wrench[1] * c1);
-  const Scalar t27 = k[13] * t25 + (c2 * t19 + wrench[5] * s2);
-  const Scalar t28 = s2 * ((q[2] * t26 - t27) + k[14] * t16);
-  const Scalar t29 = (c2 * t20 + t28) - k[4] * s2 * t24;
-  const Scalar t30 = t17 * t18 + (torque[0] + (k[15] * t7 - t29));
+  const Scalar t0 = qd[0] * s2;
+  const Scalar t1 = qd[1] * qd[1] + t0 * t0;
+  const Scalar t2 = k[1] * s1 + k[2] * c1;
+  const Scalar t3 = q[2] * t1 + (k[0] * c2 - s2 * t2);
+  const Scalar t4 = wrench[0] * c1 + wrench[1] * s1;
+  const Scalar t5 = (k[3] * t3 - k[4] * t1) + (wrench[2] * c2 - s2 * t4);
+  const Scalar t6 = torque[2] + t5;
+  const Scalar t7 = k[5] * s2;
+  const Scalar t8 = qd[0] * c2;
+  const Scalar t9 = t0 * t8;
+  const Scalar t10 = (k[0] * s2 + c2 * t2) - q[2] * t9;
+  const Scalar t11 = Scalar(2) * qd[2] * qd[1] + t10;
+  const Scalar t12 = (c2 * t4 + wrench[2] * s2) + (k[3] * t11 + k[4] * t9);
+  const Scalar t13 = wrench[3] * c1 + wrench[4] * s1;
+  const Scalar t14 = k[5] * t12 - (s2 * t13 - wrench[5] * c2);
+  const Scalar t15 = k[5] * qd[0] * qd[0] + (k[2] * s1 - k[1] * c1);
+  const Scalar t16 = qd[1] * t8;
+  const Scalar t17 = t16 + t16;
+  const Scalar t18 = (t15 - q[2] * t17) - Scalar(2) * qd[2] * t0;
+  const Scalar t19 = k[4] * t18 - (c2 * t13 + wrench[5] * s2);
+  const Scalar t20 = (k[8] * t16 + k[3] * t18) + (wrench[0] * s1 - wrench[1] * c1);
+  const Scalar t21 = s2 * (k[5] * t5 + (t19 - q[2] * t20));
+  const Scalar t22 = (c2 * t14 - t21) + t17 * k[7] * s2;
+  const Scalar t23 = t6 * t7 + (torque[0] + (t22 + k[6] * t2));
+  const Scalar t24 = k[3] * q[2];
+  const Scalar t25 = k[7] + q[2] * (k[8] - t24);
+  const Scalar t26 = Scalar(1) / (k[9] + t25);
+  const Scalar t27 = k[5] * c2 * (k[4] - t24);
+  const Scalar t28 = t26 * t27;
+  const Scalar t29 = k[4] * t11 + (wrench[3] * s1 - wrench[4] * c1);
+  const Scalar t30 = torque[1] - (k[7] * t9 + (q[2] * t12 - t29));
   const Scalar t31 = s2 * s2;
-  const Scalar t32 = (k[9] - (k[8] + (k[7] + t1 * t31))) - k[6] * t31;
-  const Scalar t33 = (t3 * t13 + t30) * Scalar(1) / (t32 + t3 * t0);
+  const Scalar t32 = k[10] * t31 - (k[13] - (k[12] + (k[11] + t25 * t31)));
+  const Scalar t33 = (t23 + t28 * t30) * Scalar(1) / (t28 * t27 - t32);
   JointVector<Scalar> result;
   result[0] = t33;
-  result[1] = t3 * t33 - t13 * t2;
-  result[2] = k[16] * t17 + t33 * t18;
+  result[1] = t28 * t33 - t26 * t30;
+  result[2] = k[14] * t6 + t7 * t33;
   return result;
 }
 

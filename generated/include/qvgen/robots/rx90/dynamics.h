@@ -132,7 +132,7 @@ JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const DynamicsA
 
 /// Joint forces that come from the joint rates alone, C(q, qd) qd, without friction.
 ///
-/// 197 multiplications, 166 additions, 5 sine/cosine pairs. Set-up: 73 multiplications, 80 additions, 2 divisions.
+/// 196 multiplications, 167 additions, 5 sine/cosine pairs. Set-up: 73 multiplications, 80 additions, 2 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is D3, which must not be zero.
 template <class Scalar>
@@ -151,14 +151,14 @@ JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const JointVec
 
 /// Symmetric, positive definite M(q), by composite bodies in base parameters; rotors included.
 ///
-/// 100 multiplications, 106 additions, 5 sine/cosine pairs. Set-up: 74 multiplications, 89 additions, 1 division.
+/// 100 multiplications, 106 additions, 5 sine/cosine pairs. Set-up: 75 multiplications, 89 additions, 1 division.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is D3, which must not be zero.
 template <class Scalar>
 Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
 template <class Scalar>
-using MassMatrixConstants = std::array<Scalar, 39>;
+using MassMatrixConstants = std::array<Scalar, 40>;
 template <class Scalar>
 MassMatrixConstants<Scalar> mass_matrix_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
@@ -168,7 +168,7 @@ Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q, const 
 
 /// C(q, qd) of Christoffel's symbols: C qd is coriolis_torque, dM/dt - 2 C is skew-symmetric.
 ///
-/// 397 multiplications, 337 additions, 5 sine/cosine pairs. Set-up: 66 multiplications, 77 additions, 1 division.
+/// 400 multiplications, 333 additions, 5 sine/cosine pairs. Set-up: 67 multiplications, 77 additions, 1 division.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is D3, which must not be zero.
 template <class Scalar>
@@ -176,7 +176,7 @@ Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, co
     const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
 template <class Scalar>
-using CoriolisMatrixConstants = std::array<Scalar, 37>;
+using CoriolisMatrixConstants = std::array<Scalar, 38>;
 template <class Scalar>
 CoriolisMatrixConstants<Scalar> coriolis_matrix_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
@@ -187,7 +187,7 @@ Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, co
 
 /// Joint accelerations for given joint forces: M qdd = torque - C qd - gravity, by M = U D U^T.
 ///
-/// 369 multiplications, 340 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 85 multiplications, 95 additions, 4
+/// 368 multiplications, 341 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 87 multiplications, 95 additions, 4
 /// divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is D3, which must not be zero.
@@ -196,7 +196,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
     const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
-using ForwardDynamicsConstants = std::array<Scalar, 49>;
+using ForwardDynamicsConstants = std::array<Scalar, 52>;
 template <class Scalar>
 ForwardDynamicsConstants<Scalar> forward_dynamics_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
@@ -207,7 +207,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// qd^T M qd / 2, J.
 ///
-/// 133 multiplications, 126 additions, 5 sine/cosine pairs. Set-up: 75 multiplications, 89 additions, 1 division.
+/// 132 multiplications, 127 additions, 5 sine/cosine pairs. Set-up: 75 multiplications, 89 additions, 1 division.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is D3, which must not be zero.
 template <class Scalar>
