@@ -46,6 +46,13 @@ void apply(const Budget& budget) {
 #endif
 }
 
+/// Of a limit that is set, else of the default.
+std::uint64_t limit_of(decltype(RLIMIT_CPU) what, std::uint64_t otherwise) {
+  rlimit bounds{};
+  const bool known = ::getrlimit(what, &bounds) == 0 && bounds.rlim_cur != RLIM_INFINITY;
+  return known ? bounds.rlim_cur : otherwise;
+}
+
 [[noreturn]] void run_worker(int file, std::size_t index, const Budget& budget,
                              const std::function<std::string(std::size_t)>& work) {
   apply(budget);
@@ -129,6 +136,11 @@ struct Workers {
 };
 
 }  // namespace
+
+Budget own_budget() {
+  const Budget usual;
+  return {limit_of(RLIMIT_CPU, usual.seconds), limit_of(RLIMIT_AS, usual.megabytes << 20U) >> 20U};
+}
 
 std::vector<Outcome> in_processes(std::size_t count, const std::function<std::string(std::size_t)>& work,
                                   const Budget& budget, const std::function<void(std::size_t)>& progress) {

@@ -14,6 +14,9 @@ struct Budget {
   std::uint64_t megabytes = 4096;  ///< of address space
 };
 
+/// The budget that a worker itself has, for workers of its own.
+Budget own_budget();
+
 /// What became of a piece of work.
 struct Outcome {
   bool done = false;

@@ -169,8 +169,10 @@ std::vector<RobotOutput> generate(const std::vector<model::Robot>& robots, const
                                   const std::function<void(const std::string&)>& progress,
                                   Language language) {
   const std::vector<Product> products = wanted_products(parts);
+  // The last products take longest and begin first, so that no core waits for one of them at the end.
+  const auto product_at = [&](std::size_t i) { return products.size() - 1 - i % products.size(); };
   const auto work = [&](std::size_t i) {
-    return to_text(generate_product(robots[i / products.size()], products[i % products.size()], language));
+    return to_text(generate_product(robots[i / products.size()], products[product_at(i)], language));
   };
   std::vector<std::size_t> open(robots.size(), products.size());
   const auto done = [&](std::size_t i) {
@@ -182,7 +184,7 @@ std::vector<RobotOutput> generate(const std::vector<model::Robot>& robots, const
   for (std::size_t robot = 0; robot < robots.size(); ++robot) {
     RobotOutput output{robots[robot].name};
     for (std::size_t i = 0; i < products.size(); ++i) {
-      const Outcome& outcome = outcomes[robot * products.size() + i];
+      const Outcome& outcome = outcomes[robot * products.size() + product_at(i)];
       if (outcome.done)
         append(output, robot_output_from_text(outcome.text));
       else

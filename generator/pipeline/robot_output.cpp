@@ -4,6 +4,7 @@
 #include <new>
 
 #include "emit/cpp/template_values.h"
+#include "pipeline/parallel.h"
 #include "verify/certificate.h"
 
 namespace qvgen::pipeline {
@@ -32,6 +33,20 @@ void attempt(const std::string& part, RobotOutput& output,
   } catch (const std::exception& error) {
     leave_out(Missing::Kind::not_derived, error.what());
   }
+}
+
+void attempt_all(const std::vector<PartOfOutput>& parts, RobotOutput& output) {
+  const auto work = [&](std::size_t i) {
+    RobotOutput made{output.robot};
+    attempt(parts[i].part, made, parts[i].generate);
+    return to_text(made);
+  };
+  const std::vector<Outcome> outcomes = in_processes(parts.size(), work, own_budget());
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (outcomes[i].done)
+      append(output, robot_output_from_text(outcomes[i].text));
+    else
+      output.missing.push_back({parts[i].part, Missing::Kind::not_finished, outcomes[i].text});
 }
 
 std::vector<std::string> lines_of_missing(const RobotOutput& output) {

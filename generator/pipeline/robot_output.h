@@ -40,6 +40,13 @@ struct RobotOutput {
 /// Lets `generate` add a part to the output. If it throws, nothing of the part is left but the reason.
 void attempt(const std::string& part, RobotOutput& output, const std::function<void(RobotOutput&)>& generate);
 
+/// The same for several parts that do not need one another, each in a process of its own.
+struct PartOfOutput {
+  std::string part;
+  std::function<void(RobotOutput&)> generate;
+};
+void attempt_all(const std::vector<PartOfOutput>& parts, RobotOutput& output);
+
 /// What operation_counts.json says of the missing parts, and back.
 nlohmann::ordered_json missing_to_json(const std::vector<Missing>& missing);
 std::vector<Missing> missing_from_json(const nlohmann::ordered_json& json);

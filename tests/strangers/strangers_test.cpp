@@ -180,6 +180,7 @@ class Strangers : public testing::Test {
   void each(std::uint32_t every, const Check& check) {
     int accepted = 0;
     int tried = 0;
+    std::vector<double> times;
     for (std::uint32_t seed = 0; seed < count(); seed += every) {
       const bool heavy = every > 1;
       const auto arm =
@@ -193,6 +194,7 @@ class Strangers : public testing::Test {
         check(*arm, random);
         const double seconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        times.push_back(seconds);
         if (seconds > slow_)
           std::printf("arm %u: %zu joints, %.1f s\n", seed, arm->robot.joints.size(), seconds);
       } catch (const std::exception& error) {
@@ -202,6 +204,10 @@ class Strangers : public testing::Test {
     }
     EXPECT_GT(accepted, tried / 2);
     RecordProperty("accepted", accepted);
+    std::sort(times.begin(), times.end());
+    if (!times.empty())
+      std::printf("%zu arms: median %.2f s, longest %.2f s\n", times.size(), times[times.size() / 2],
+                  times.back());
   }
 
  private:
@@ -248,10 +254,11 @@ link = [0.3, 0, 0]
   EXPECT_EQ(output.missing.front().reason, "joint 2 moves no mass: the mass matrix has no inverse");
 }
 
-/// All files, with the effort of a real run. Only what no derivation covers may be missing.
+/// All files, with the effort of a real run. Only what no derivation covers may be missing, and no part may
+/// take more than 20 s of processor time or 1 GB.
 TEST_F(Strangers, EverythingIsGenerated) {
   each(75, [](const Case& arm, std::mt19937&) {
-    const pipeline::RobotOutput output = pipeline::generate({arm.robot}, {}).front();
+    const pipeline::RobotOutput output = pipeline::generate({arm.robot}, {}, {20, 1024}).front();
     for (const char* part : {"model", "kinematics", "jacobian", "dynamics"})
       EXPECT_TRUE(pipeline::has_part(output.missing, part)) << part << "\n" << arm.text;
     for (const pipeline::Missing& missing : output.missing) {

@@ -183,14 +183,16 @@ void generate_dynamics_product(const model::Robot& described, RobotOutput& outpu
                      {"has_parameters", !robot.inertia_parameters.empty()},
                      {"has_defaults", has_defaults(robot)}};
   add_functions(robot, functions, "dynamics", inertia, output);
-  attempt("dynamics_derivatives", output, [&](RobotOutput& made) {
+  const auto derivatives = [&](RobotOutput& made) {
     add_function(robot, inverse_dynamics_derivatives(robot, functions.front()), "dynamics_derivatives",
                  emit::angles_of(functions), json::object(), made);
-  });
-  attempt("dynamics_loads", output, [&](RobotOutput& made) {
+  };
+  const auto loads = [&](RobotOutput& made) {
     add_functions(robot, loaded_functions(robot, functions, made), "dynamics_loads", json::object(), made);
-  });
-  attempt("regressor", output, [&](RobotOutput& made) { add_regressor(robot, made); });
+  };
+  const auto regressor = [&](RobotOutput& made) { add_regressor(robot, made); };
+  attempt_all({{"dynamics_derivatives", derivatives}, {"dynamics_loads", loads}, {"regressor", regressor}},
+              output);
 }
 
 void generate_dynamics_c(const model::Robot& described, RobotOutput& output) {
@@ -204,20 +206,22 @@ void generate_dynamics_c(const model::Robot& described, RobotOutput& output) {
   const std::vector<optimise::DynamicsFunction> functions = all_functions(robot, output);
   add_c_part(output, emit::c::inertia(robot, constants_of(robot, robot.inertia_parameters)));
   add(functions, output);
-  attempt("dynamics_derivatives", output, [&](RobotOutput& made) {
+  const auto derivatives = [&](RobotOutput& made) {
     optimise::DynamicsFunction function = inverse_dynamics_derivatives(robot, functions.front());
     measure(robot, function);
     add({function}, made);
-  });
-  attempt("dynamics_loads", output,
-          [&](RobotOutput& made) { add(loaded_functions(robot, functions, made), made); });
-  attempt("regressor", output, [&](RobotOutput& made) {
+  };
+  const auto loads = [&](RobotOutput& made) { add(loaded_functions(robot, functions, made), made); };
+  const auto with_regressor = [&](RobotOutput& made) {
     const derive::dynamics::Regressor regressor = derive::dynamics::regressor(robot);
     optimise::DynamicsFunction function = optimise::regressor_function(robot, regressor);
     measure(robot, function);
     add_c_part(made, emit::c::regressor(robot, regressor, function));
     made.counts[function.name] = entry_of(robot, function);
-  });
+  };
+  attempt_all(
+      {{"dynamics_derivatives", derivatives}, {"dynamics_loads", loads}, {"regressor", with_regressor}},
+      output);
 }
 
 }  // namespace qvgen::pipeline
