@@ -24,6 +24,7 @@ const char* const compare_examples = R"(
   qvgen compare                               all known robots, and a summary by their workspaces
   qvgen compare my_arm.toml --level textbook  as a library multiplies that does not know the robot
   qvgen compare ns --formulations pairs,dh    two of them
+  qvgen compare rx90 --what dynamics          Newton-Euler by matrices and by quaternions
   qvgen compare --format csv > compared.csv   for other programs
 )";
 
@@ -166,6 +167,9 @@ void add_compare(CommandLine& line) {
       .add_option("ROBOTS", line.compared,
                   "robot descriptions or names of known robots; all known ones without")
       ->type_name("ROBOT");
+  command.add_option("--what", line.what, "forward kinematics, the jacobian, or inverse dynamics")
+      ->check(CLI::IsMember(compare::what_names()))
+      ->capture_default_str();
   command
       .add_option("--formulations", line.compare.request.formulations,
                   "some of them by name: pairs,dh,...; all without")

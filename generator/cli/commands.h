@@ -55,6 +55,7 @@ struct ShowArguments {
 struct CompareArguments {
   std::vector<std::filesystem::path> descriptions;
   description::ReadOptions read;
+  bool all_known = false;  ///< no robot was named: those without inertia are left out of dynamics
   compare::Request request;
   ReportFormat format = ReportFormat::table;
 };

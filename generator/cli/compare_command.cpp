@@ -5,6 +5,7 @@
 #include "cli/compare_report.h"
 #include "cli/progress_line.h"
 #include "compare/thesis_times.h"
+#include "optimise/dynamics_function.h"
 #include "pipeline/parallel.h"
 
 namespace qvgen::cli {
@@ -24,8 +25,10 @@ std::string compared(const model::Robot& robot, const compare::Request& request)
 }  // namespace
 
 int run_compare(const CompareArguments& arguments) {
-  const auto robots = read_robots(arguments.descriptions, arguments.read);
+  auto robots = read_robots(arguments.descriptions, arguments.read);
   if (!robots) return bad_description;
+  if (arguments.all_known && arguments.request.what == compare::What::dynamics)
+    std::erase_if(*robots, [](const model::Robot& robot) { return !optimise::has_inertia(robot); });
   std::vector<pipeline::Outcome> outcomes;
   {
     ProgressLine progress(robots->size());

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "compare/published_counts.h"
 #include "compare/summary.h"
 #include "compare/thesis_times.h"
 #include "verify/counts_json.h"
@@ -81,6 +82,21 @@ Table class_table(const std::vector<compare::ClassSummary>& summaries, const std
   return table;
 }
 
+/// Those of other sources beside what the generator emits.
+Table published_table(const std::vector<compare::Row>& rows) {
+  Table table{{{"robot", "inertias", "published mul", "add", "generated mul", "add"}}, 2};
+  for (const compare::PublishedCounts& published : compare::published_counts()) {
+    const auto ours = std::find_if(rows.begin(), rows.end(), [&](const compare::Row& row) {
+      return row.robot == published.robot && row.formulation == "emitted" && row.result == "forces";
+    });
+    if (ours == rows.end()) continue;
+    table.rows.push_back({published.robot, published.inertias, std::to_string(published.multiplications),
+                          std::to_string(published.additions), std::to_string(ours->counts.multiplications),
+                          std::to_string(ours->counts.additions)});
+  }
+  return table;
+}
+
 void append_section(std::string& text, const std::string& heading, const Table& table, ReportFormat format) {
   if (table.rows.size() < 2) return;
   text += "\n" + heading + (format == ReportFormat::markdown ? "\n\n" : "\n") + text_of(table, format);
@@ -144,6 +160,9 @@ std::string comparison_report(const std::vector<compare::Row>& rows,
                  "Cost of pairs divided by that of Denavit-Hartenberg matrices, and the times of table 3.18:",
                  thesis_table(ratios, levels), format);
   append_section(text, "By workspace, median (least to most):", class_table(summaries, levels), format);
+  append_section(text,
+                 "The fewest published, or made by other generators, of the same arm:", published_table(rows),
+                 format);
   return text;
 }
 

@@ -76,11 +76,15 @@ void check_formulations(const compare::Request& request) {
 
 CompareArguments compare_arguments(CommandLine& line, const Installation& here) {
   CompareArguments arguments = line.compare;
+  const auto& whats = compare::what_names();
+  arguments.request.what =
+      static_cast<compare::What>(std::find(whats.begin(), whats.end(), line.what) - whats.begin());
   const auto& levels = compare::level_names();
   for (const std::string& name : line.levels)
     arguments.request.levels.push_back(
         static_cast<compare::Level>(std::find(levels.begin(), levels.end(), name) - levels.begin()));
   check_formulations(arguments.request);
+  arguments.all_known = line.compared.empty();
   arguments.descriptions =
       line.compared.empty() ? descriptions_in(here.robots) : descriptions_of(line.compared, here.robots);
   return arguments;

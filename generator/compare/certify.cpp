@@ -6,18 +6,20 @@
 
 #include "dag/evaluate.h"
 #include "dag/rebuild.h"
+#include "derive/dynamics/formulation.h"
+#include "derive/dynamics/plain_recursion.h"
+#include "derive/jacobian/quantities.h"
 #include "derive/kinematics/forward_kinematics.h"
 #include "exact/constant_angle.h"
 #include "exact/named_constant.h"
 #include "exact/point.h"
-#include "optimise/dynamics_function.h"
 #include "symbolic/evaluate.h"
 #include "verify/certificate.h"
 
 namespace qvgen::compare {
 namespace {
 
-constexpr std::uint64_t points = 3;
+constexpr std::uint64_t points = 2;
 
 /// The outputs w x y z px py pz as r11 ... r33 px py pz (thesis 1.3).
 dag::Function as_transform(dag::Function pose) {
@@ -78,8 +80,6 @@ constexpr double tolerance = 1e-34;
 
 }  // namespace
 
-dag::IsFree free_symbols(const model::Robot& robot) { return optimise::free_symbols(robot); }
-
 dag::Function with_entries(const dag::Function& function, const dag::Function& entries) {
   if (entries.outputs.empty()) return function;
   // The meanings stand in the function's own graph: each symbol becomes its meaning, which is free of such
@@ -104,14 +104,34 @@ dag::Function with_entries(const dag::Function& function, const dag::Function& e
   return result;
 }
 
-Definition definition_of(What what, const model::Robot& robot) {
+namespace {
+
+Definition values_of(const symbolic::Program& program) {
   Definition definition;
-  if (what != What::forward) return definition;
-  const symbolic::Program program = derive::plain_transform(robot);
   for (const auto& output : program.outputs()) definition.outputs.push_back(output.name);
   for (std::uint64_t k = 1; k <= points; ++k)
     definition.values.push_back(symbolic::evaluate(program, exact::ExactPoint(k)));
   return definition;
+}
+
+Definition plain_recursion(const model::Robot& robot) {
+  Definition definition;
+  for (std::size_t i = 1; i <= robot.joints.size(); ++i)
+    definition.outputs.push_back("tau" + std::to_string(i));
+  for (std::uint64_t k = 1; k <= points; ++k) {
+    const exact::ExactPoint point(k);
+    const derive::dynamics::PlainRecursion plain(robot, point);
+    definition.values.push_back(plain.inverse_dynamics(plain.rates(), plain.accelerations(),
+                                                       point.symbol(derive::dynamics::gravity_symbol)));
+  }
+  return definition;
+}
+
+}  // namespace
+
+Definition definition_of(What what, const model::Robot& robot) {
+  if (what == What::forward) return values_of(derive::plain_transform(robot));
+  return what == What::jacobian ? values_of(derive::jacobian_definition(robot)) : plain_recursion(robot);
 }
 
 void certify(const dag::Function& function, const Definition& definition, const std::string& name) {

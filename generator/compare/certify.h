@@ -12,9 +12,6 @@
 
 namespace qvgen::compare {
 
-/// What arithmetic is free on: all but joint variables, their rates and accelerations.
-dag::IsFree free_symbols(const model::Robot& robot);
-
 /// The function with what its unknown entries are.
 dag::Function with_entries(const dag::Function& function, const dag::Function& entries);
 

@@ -100,10 +100,14 @@ ParallelArm parallel_arm(const model::Robot& robot, dag::Graph& graph) {
   walk.step(robot.base);
   for (const model::Joint& joint : robot.joints) {
     walk.step(joint.before);
-    arm.joints.push_back({joint.type == model::JointType::revolute, joint.variable, walk.offset,
-                          turned(walk.orientation, exact(joint.axis, graph), graph)});
+    arm.joints.push_back({joint.type == model::JointType::revolute,
+                          joint.variable,
+                          walk.offset,
+                          turned(walk.orientation, exact(joint.axis, graph), graph),
+                          {}});
     walk.offset = {};
     walk.step(joint.after);
+    arm.joints.back().link = {walk.orientation, walk.offset};
   }
   walk.step(robot.tool);
   arm.tool = walk.offset;

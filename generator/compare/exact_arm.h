@@ -31,6 +31,13 @@ Exact dot(const ExactVector& a, const ExactVector& b);
 /// Of a number without symbols of the description; 0 for others, and for zero.
 int sign(const Exact& number, const dag::Graph& graph);
 
+/// A constant displacement.
+struct ExactFrame {
+  derive::dynamics::RotationSequence turns;
+  ExactVector offset;
+  [[nodiscard]] bool is_identity() const;
+};
+
 /// The arm with all frames parallel to the world's when its joints are at zero, each at its joint:
 /// frame(i) = frame(i-1) * translation by offset * motion about or along axis; tool = frame(n) * (home,
 /// tool).
@@ -39,6 +46,7 @@ struct ParallelArm {
     bool revolute = true;
     std::string variable;
     ExactVector offset, axis;
+    ExactFrame link;  ///< of the described link in this frame, at zero
   };
   std::vector<Joint> joints;
   ExactVector tool;
@@ -48,13 +56,6 @@ struct ParallelArm {
   [[nodiscard]] bool ends_in_tool() const;
 };
 ParallelArm parallel_arm(const model::Robot& robot, dag::Graph& graph);
-
-/// A constant displacement.
-struct ExactFrame {
-  derive::dynamics::RotationSequence turns;
-  ExactVector offset;
-  [[nodiscard]] bool is_identity() const;
-};
 
 /// A row of a Denavit-Hartenberg table, Rz(theta) Tz(d) Tx(a) Rx(alpha), the variable added to theta or d.
 struct Row {

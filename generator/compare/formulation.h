@@ -6,13 +6,14 @@
 #include <vector>
 
 #include "compare/recorder.h"
-#include "derive/form.h"
 #include "model/robot.h"
 
 namespace qvgen::compare {
 
 /// The quantity that formulations compute.
 enum class What { forward, jacobian, dynamics };
+/// "forward", ...
+const std::vector<std::string>& what_names();
 
 /// A named result of an algorithm.
 struct Result {
@@ -31,14 +32,23 @@ struct Formulation {
   std::function<Results(Recorder&, const model::Robot&)> run;
   /// Whether it wants its frames on the common normals of the axes (canonical::along_normals).
   bool along_normals = false;
-  std::function<derive::Quantity(const model::Robot&)> emitted = {};
+  /// The certified function of the generator, for formulations without an algorithm.
+  std::function<dag::Function(const model::Robot&)> emitted = {};
 };
 
 /// The formulations of a quantity in the order of the sources that name them (SOURCES.md: thesis,
 /// section 1.3).
 const std::vector<Formulation>& formulations(What what);
 
+/// What arithmetic is free on: all but joint variables, their rates and accelerations.
+dag::IsFree free_symbols(const model::Robot& robot);
+
 /// Forward kinematics: outputs w x y z px py pz or r11 ... r33 px py pz, the tool in the world.
 std::vector<Formulation> forward_formulations();
+/// Outputs v1_1 ... w3_n, the twist's rows in the base frame at the tool point.
+std::vector<Formulation> jacobian_formulations();
+/// Inverse dynamics under gravity along -z: outputs tau1 ... taun. Throws std::domain_error for an arm
+/// without inertia.
+std::vector<Formulation> dynamics_formulations();
 
 }  // namespace qvgen::compare

@@ -1,34 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Forward kinematics joint by joint, from the base to the tool. A base or tool frame that is the identity is
 // not multiplied: whoever writes such a program knows that there is none.
-#include <optional>
-
+#include "compare/chain.h"
 #include "compare/exact_arm.h"
 #include "compare/formulation.h"
 #include "derive/dynamics/chain.h"
 #include "derive/kinematics/forward_kinematics.h"
+#include "optimise/optimise.h"
 
 namespace qvgen::compare {
 namespace {
-
-dag::Angle variable(const std::string& name) { return {{{name, 1}}, 0}; }
-dag::Angle half(const std::string& name) { return cln::cl_RA(1) / 2 * variable(name); }
-
-/// The product so far; the first factor is taken as it is.
-template <class Motion>
-class Chain {
- public:
-  void append(const Motion& motion) {
-    if (product_)
-      product_.emplace(*product_ * motion);
-    else
-      product_.emplace(motion);
-  }
-  [[nodiscard]] const Motion& value() const { return product_.value(); }
-
- private:
-  std::optional<Motion> product_;
-};
 
 Results results(const Quaternion& q, const Vector& p) {
   return {{"w", q.w}, {"x", q.v[0]}, {"y", q.v[1]}, {"z", q.v[2]}, {"px", p[0]}, {"py", p[1]}, {"pz", p[2]}};
@@ -43,19 +24,6 @@ Results results(const Transform& t) {
   list.push_back({"py", t.p[1]});
   list.push_back({"pz", t.p[2]});
   return list;
-}
-
-Quaternion identity_quaternion(Recorder& recorder) {
-  return {recorder.entry(1), {recorder.entry(0), recorder.entry(0), recorder.entry(0)}};
-}
-
-Vector zero(Recorder& recorder) { return {recorder.entry(0), recorder.entry(0), recorder.entry(0)}; }
-
-Matrix identity(Recorder& recorder) {
-  const auto row = [&](long x, long y, long z) {
-    return Vector{recorder.entry(x), recorder.entry(y), recorder.entry(z)};
-  };
-  return {row(1, 0, 0), row(0, 1, 0), row(0, 0, 1)};
 }
 
 /// Thesis 1.9, 1.10, 1.12: Q_i = ([cos, sin axis], offset), or (1, offset + axis d).
@@ -255,6 +223,21 @@ Results complete_and_continuous(Recorder& recorder, const model::Robot& robot) {
 
 }  // namespace
 
+namespace {
+
+using QuantityOf = derive::Quantity (*)(const model::Robot&);
+
+/// All forms of a quantity together.
+template <QuantityOf quantity>
+dag::Function emitted(const model::Robot& robot) {
+  optimise::OptimiseOptions options;
+  options.also_fewest = false;
+  options.search.is_free_symbol = free_symbols(robot);
+  return optimise::optimise(quantity(robot), options).function;
+}
+
+}  // namespace
+
 std::vector<Formulation> forward_formulations() {
   return {{"pairs", "quaternion/vector pairs", pairs},
           {"dh", "Denavit-Hartenberg matrices", denavit_hartenberg_matrices, true},
@@ -263,8 +246,8 @@ std::vector<Formulation> forward_formulations() {
           {"pieper_roth", "Pieper-Roth matrices", pieper_roth, true},
           {"cpc", "complete and parametrically continuous", complete_and_continuous},
           {"dual_quaternions", "dual quaternions", dual_quaternions},
-          {"emitted_pose", "as generated, quaternion", {}, false, derive::forward_kinematics},
-          {"emitted_matrix", "as generated, matrix", {}, false, derive::homogeneous_transform}};
+          {"emitted_pose", "as generated, quaternion", {}, false, emitted<derive::forward_kinematics>},
+          {"emitted_matrix", "as generated, matrix", {}, false, emitted<derive::homogeneous_transform>}};
 }
 
 }  // namespace qvgen::compare

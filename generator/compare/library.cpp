@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "compare/library.h"
 
+#include "compare/chain.h"
+
 namespace qvgen::compare {
 
 Vector operator+(const Vector& a, const Vector& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
@@ -52,6 +54,19 @@ Transform operator*(const Transform& a, const Transform& b) { return {a.r * b.r,
 
 DualQuaternion operator*(const DualQuaternion& a, const DualQuaternion& b) {
   return {a.real * b.real, a.real * b.dual + a.dual * b.real};
+}
+
+Quaternion identity_quaternion(Recorder& recorder) {
+  return {recorder.entry(1), {recorder.entry(0), recorder.entry(0), recorder.entry(0)}};
+}
+
+Vector zero(Recorder& recorder) { return {recorder.entry(0), recorder.entry(0), recorder.entry(0)}; }
+
+Matrix identity(Recorder& recorder) {
+  const auto row = [&](long x, long y, long z) {
+    return Vector{recorder.entry(x), recorder.entry(y), recorder.entry(z)};
+  };
+  return {row(1, 0, 0), row(0, 1, 0), row(0, 0, 1)};
 }
 
 }  // namespace qvgen::compare

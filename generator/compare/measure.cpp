@@ -6,7 +6,6 @@
 #include "compare/certify.h"
 #include "compare/storage.h"
 #include "dag/rebuild.h"
-#include "optimise/optimise.h"
 #include "passes/constants.h"
 #include "passes/pass.h"
 #include "passes/search/search.h"
@@ -65,14 +64,6 @@ dag::Function searched(const dag::Function& specialised, What what, const dag::I
   return passes::search({passes::simplify(specialised), specialised}, {}, options);
 }
 
-/// What the generator emits, all forms together.
-Measured emitted(const derive::Quantity& quantity, const dag::IsFree& is_free) {
-  optimise::OptimiseOptions options;
-  options.also_fewest = false;
-  options.search.is_free_symbol = is_free;
-  return counted(passes::fold_constants(optimise::optimise(quantity, options).function), is_free);
-}
-
 }  // namespace
 
 const std::vector<std::string>& level_names() {
@@ -94,32 +85,41 @@ Subject::View view_of(What what, const model::Robot& described, canonical::Arm a
   return {arm, definition_of(what, arm.robot)};
 }
 
+/// Inertias belong to the described links.
+canonical::Arm with_own_links(const model::Robot& described) {
+  return {canonical::for_dynamics(described), std::vector<exact::Angle>(described.joints.size())};
+}
+
 }  // namespace
 
 Subject::Subject(const model::Robot& described, What wanted)
     : what(wanted),
-      plain(view_of(what, described, canonical::for_kinematics(described))),
-      along_normals(view_of(what, described, canonical::along_normals(described))) {}
+      plain(
+          view_of(what, described,
+                  what == What::dynamics ? with_own_links(described) : canonical::for_kinematics(described))),
+      along_normals(what == What::forward ? view_of(what, described, canonical::along_normals(described))
+                                          : plain) {}
 
 Measured measure(const Subject& subject, const Formulation& formulation, Level level) {
   const auto& [arm, definition] = subject.of(formulation);
   const dag::IsFree is_free = free_symbols(arm.robot);
-  if (formulation.emitted) return emitted(formulation.emitted(arm.robot), is_free);
+  if (formulation.emitted) return counted(passes::fold_constants(formulation.emitted(arm.robot)), is_free);
   const Recorded recorded =
       record(formulation, arm.robot, level == Level::textbook ? Entries::unknown : Entries::known);
   if (level == Level::textbook) {
     certify(with_entries(recorded.function, recorded.kept), definition, formulation.name);
     return textbook(recorded);
   }
-  // Exactly, as long as named constants are symbols; what is folded after that in decimals.
-  certify(recorded.function, definition, formulation.name);
   const dag::Function specialised = passes::fold_constants(recorded.function);
   Measured measured = counted(
       level == Level::specialised ? specialised : searched(specialised, subject.what, is_free), is_free);
-  if (has_named_constants(recorded.function))
+  if (has_named_constants(recorded.function)) {
+    // Exactly, as long as named constants are symbols; what is folded after that in decimals.
+    certify(recorded.function, definition, formulation.name);
     certify_same(measured.function, recorded.function, formulation.name);
-  else
+  } else {
     certify(measured.function, definition, formulation.name);
+  }
   return measured;
 }
 

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "compare/recorder.h"
 
+#include <optional>
+#include <utility>
+#include <vector>
+
 namespace qvgen::compare {
 namespace {
 
@@ -36,8 +40,29 @@ Recorder::Circle Recorder::circle(const dag::Angle& angle) {
   return {{*this, graph_.cosine(angle)}, {*this, graph_.sine(angle)}};
 }
 
+namespace {
+
+/// What is left of a sum to which one of its own terms is added with the other sign: (1 - c) + c, as
+/// Rodrigues' formula has it about a coordinate axis.
+std::optional<dag::Edge> without_cancelled(dag::Graph& graph, dag::Edge sum, dag::Edge added) {
+  const dag::Node node = graph.node(sum);
+  if (node.op != dag::Op::sum) return std::nullopt;
+  std::vector<dag::Edge> rest;
+  for (const dag::Edge operand : node.operands) {
+    const dag::Edge term = sum.negative ? -operand : operand;
+    if (!(term == -added)) rest.push_back(term);
+  }
+  if (rest.size() == node.operands.size()) return std::nullopt;
+  return graph.sum(rest);
+}
+
+}  // namespace
+
 Value Recorder::sum(const Value& a, const Value& b) {
   ++asked_.additions;
+  if (entries_ == Entries::known)
+    for (const auto& [sum, added] : {std::pair{a.edge(), b.edge()}, {b.edge(), a.edge()}})
+      if (const auto rest = without_cancelled(graph_, sum, added)) return {*this, *rest};
   return {*this, graph_.sum({a.edge(), b.edge()})};
 }
 

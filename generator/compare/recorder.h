@@ -30,7 +30,7 @@ class Value {
 /// What an algorithm knows of the robot's numbers while it runs.
 enum class Entries {
   unknown,  ///< nothing, as a library: each is a number in memory, and no operation is left out
-  known     ///< everything: zeros and ones vanish as they come, numbers are folded
+  known     ///< everything: zeros, ones and what cancels vanish as they come, numbers are folded
 };
 
 /// Runs an algorithm once and keeps what it did: the operations it asked for, and its result as a graph.

@@ -73,6 +73,56 @@ TEST(Textbook, CountsAreTheFormula) {
     }
 }
 
+/// n turns without a slide, the tool away from the last one.
+TEST(Textbook, CountsOfTheJacobianAreTheFormula) {
+  for (const int n : {1, 2, 3, 6, 7}) {
+    const Subject subject(test::robot_of(arm(n, 0, true)), What::jacobian);
+    const int before = n * (n - 1) / 2;
+    const auto count = [&](const Formulation& formulation) {
+      if (formulation.name == "cross_products")
+        return n * rodrigues + (n - 1) * (matrix + Count{9, 6}) + Count{9, 9} + n * Count{6, 6};
+      // each column: a step through every joint behind it, the way to the tool, two vectors to the base
+      if (formulation.name == "propagation")
+        return n * rodrigues + (n - 1) * Count{27, 18} + before * Count{24, 18} + n * Count{24, 18};
+      // products of pairs before and behind each joint; five to seven quaternion products a column
+      return n * Count{3, 0} + (n - 1) * pair + std::max(n - 2, 0) * pair + n * Count{91, 60} +
+             (n - 1) * Count{47, 39};
+    };
+    for (const Formulation& formulation : formulations(What::jacobian)) {
+      if (!formulation.run) continue;
+      const auto counts = measure(subject, formulation, Level::textbook).counts;
+      SCOPED_TRACE(formulation.name + " " + std::to_string(n));
+      EXPECT_EQ(counts.multiplications, count(formulation).multiplications);
+      EXPECT_EQ(counts.additions, count(formulation).additions);
+      EXPECT_EQ(counts.sine_cosines, n);
+    }
+  }
+}
+
+/// 147 n - 66 and 120 n - 63 by matrices (of Luh, Walker and Paul's recursion, in other frames); a quaternion
+/// is made with nine fewer multiplications and ten fewer additions, and a vector turned with six and nine
+/// more, five a joint.
+TEST(Textbook, CountsOfTheDynamicsAreTheFormula) {
+  for (const int n : {1, 2, 3, 6, 7}) {
+    std::string text = arm(n, 0, false);
+    text.insert(text.find("[[dh]]"), "inertia = \"free\"\n");
+    const Subject subject(test::robot_of(text), What::dynamics);
+    const Count matrices{147 * n - 66, 120 * n - 63};
+    const int turned = 1 + 5 * (n - 1);
+    const Count quaternions{matrices.multiplications - 9 * n + 6 * turned,
+                            matrices.additions - 10 * n + 9 * turned};
+    for (const auto& [name, formula] :
+         {std::pair{"newton_euler_matrices", matrices}, {"newton_euler_quaternions", quaternions}})
+      for (const Formulation& formulation : formulations(What::dynamics)) {
+        if (formulation.name != name) continue;
+        const auto counts = measure(subject, formulation, Level::textbook).counts;
+        SCOPED_TRACE(formulation.name + " " + std::to_string(n));
+        EXPECT_EQ(counts.multiplications, formula.multiplications);
+        EXPECT_EQ(counts.additions, formula.additions);
+      }
+  }
+}
+
 /// The robot's numbers never enter: any arm with as many joints takes as much.
 TEST(Textbook, DoesNotKnowTheRobot) {
   const auto counts = [](const char* robot, const char* name) {

@@ -144,9 +144,14 @@ std::vector<Form> forms_with_orientation(const model::Robot& robot, const std::s
 
 }  // namespace
 
+Program jacobian_definition(const model::Robot& robot) {
+  Program program;
+  output(program, plain_columns(robot, program));
+  return program;
+}
+
 Quantity jacobian(const model::Robot& robot) {
-  Quantity quantity{"jacobian", {}, {}};
-  output(quantity.definition, plain_columns(robot, quantity.definition));
+  Quantity quantity{"jacobian", {}, jacobian_definition(robot)};
   quantity.forms = forms_with_orientation(robot, "?");
   return quantity;
 }

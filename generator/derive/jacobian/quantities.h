@@ -13,6 +13,8 @@ std::string twist_entry(std::size_t row);
 
 /// 6 x n Jacobian in the base frame at the tool point.
 Quantity jacobian(const model::Robot& robot);
+/// The definition of the latter: `plain_jacobian`.
+symbolic::Program jacobian_definition(const model::Robot& robot);
 /// The lecture's three methods, each computing what `jacobian` computes; for comparison.
 std::vector<Form> jacobian_methods(const model::Robot& robot);
 /// The Jacobian in the tool frame.
