@@ -17,6 +17,8 @@ const char* const examples = R"(
   qvgen show my_arm.toml --latex              the same typeset
   qvgen show puma560 --singularities          where the arm is singular, factor by factor
   qvgen counts --format markdown              operation counts of everything generated
+  qvgen counts ur5 --functions jacobian       of one function of one robot
+  qvgen counts --against before.json          what a change has made cheaper or dearer
   qvgen compare puma560 ns                    formulations by their operations: pairs, Denavit-Hartenberg, ...
 )";
 
@@ -152,8 +154,21 @@ void add_counts(CommandLine& line) {
   CLI::App& command =
       *line.app.add_subcommand("counts", "print the operation counts of the generated functions");
   line.counts_command = &command;
-  add_format(command, line.format);
-  command.add_flag("--forms", line.forms, "also the forms that competed for each function");
+  command.add_option("ROBOTS", line.counts.filter.robots, "names of robots; all without")->type_name("ROBOT");
+  command.add_option("--functions", line.counts.filter.functions, "some of them by name; all without")
+      ->type_name("NAMES")
+      ->allow_extra_args(false)
+      ->delimiter(',');
+  command.add_option("--columns", line.counts.filter.columns, "some of them; all without")
+      ->check(CLI::IsMember(counts_columns()))
+      ->allow_extra_args(false)
+      ->delimiter(',');
+  command
+      .add_option("--against", line.counts.against,
+                  "an earlier operation_counts.json: print what has changed since, and nothing else")
+      ->type_name("FILE");
+  add_format(command, line.counts.format);
+  command.add_flag("--forms", line.counts.forms, "also the forms that competed for each function");
   add_output(line, command, "folder that was generated");
 }
 

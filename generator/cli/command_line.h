@@ -31,8 +31,7 @@ struct CommandLine {
   bool functions = false;
 
   CLI::App* counts_command = nullptr;
-  ReportFormat format = ReportFormat::table;
-  bool forms = false;
+  CountsArguments counts;
 
   CLI::App* compare_command = nullptr;
   std::vector<std::string> compared, levels;

@@ -175,13 +175,25 @@ int run_show_functions(const std::string& robot, const fs::path& folder) {
   return success;
 }
 
-int run_counts(const fs::path& folder, ReportFormat format, bool forms) {
-  const auto counts = pipeline::counts_in(folder);
+int run_counts(const CountsArguments& arguments) {
+  const auto counts = pipeline::counts_in(arguments.folder);
   if (counts.empty()) {
-    fmt::print(stderr, "qvgen: no operation counts in {}: run `qvgen generate` first\n", folder.string());
+    fmt::print(stderr, "qvgen: no operation counts in {}: run `qvgen generate` first\n",
+               arguments.folder.string());
     return failure;
   }
-  fmt::print("{}", report(counts, format, forms));
+  const CountsFilter& filter = arguments.filter;
+  if (arguments.against.empty()) {
+    check(filter, counts);
+    fmt::print("{}", report(filtered(counts, filter), arguments.format, arguments.forms, filter.columns));
+    return success;
+  }
+  const auto before = pipeline::counts_of(arguments.against);
+  nlohmann::ordered_json both = before;  // what is named may be in one of the two alone
+  for (const auto& [robot, functions] : counts.items()) both[robot].update(functions);
+  check(filter, both);
+  fmt::print("{}",
+             changes(filtered(before, filter), filtered(counts, filter), arguments.format, filter.columns));
   return success;
 }
 

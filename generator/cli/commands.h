@@ -52,6 +52,14 @@ struct ShowArguments {
   bool inverse = false;   ///< the derivation of inverse kinematics instead of the closed form of the pose
 };
 
+struct CountsArguments {
+  std::filesystem::path folder;
+  std::filesystem::path against;  ///< an operation_counts.json of before; may be empty
+  CountsFilter filter;
+  ReportFormat format = ReportFormat::table;
+  bool forms = false;
+};
+
 struct CompareArguments {
   std::vector<std::filesystem::path> descriptions;
   description::ReadOptions read;
@@ -67,7 +75,7 @@ int run_remove(const std::vector<std::string>& robots, const std::filesystem::pa
 int run_show(const ShowArguments& arguments);
 /// The functions that a folder has of a robot, and why any is missing.
 int run_show_functions(const std::string& robot, const std::filesystem::path& folder);
-int run_counts(const std::filesystem::path& folder, ReportFormat format, bool forms);
+int run_counts(const CountsArguments& arguments);
 /// Operation counts of competing formulations, each robot in a process of its own.
 int run_compare(const CompareArguments& arguments);
 /// `thorough`: derives and certifies everything as run_generate does.

@@ -6,7 +6,7 @@
 #include "cli/command_line.h"
 #include "cli/documents.h"
 #include "cli/installation.h"
-#include "description/names.h"
+#include "cli/suggestion.h"
 #include "pipeline/pipeline.h"
 
 namespace {
@@ -15,20 +15,6 @@ namespace fs = std::filesystem;
 using namespace qvgen::cli;
 using namespace qvgen::pipeline;
 namespace compare = qvgen::compare;
-
-/// Wrong arguments that CLI11 cannot see.
-class UsageError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
-std::string with_suggestion(const std::string& message, const std::string& name,
-                            const std::vector<std::string>& known) {
-  const std::string near = qvgen::description::nearest(name, known);
-  std::string list;
-  for (const std::string& each : known) list += (list.empty() ? "" : ", ") + each;
-  return message + (near.empty() ? "; there are " + list : "; did you mean '" + near + "'?");
-}
 
 std::vector<std::string> names_in(const fs::path& robots) {
   std::vector<std::string> names;
@@ -62,16 +48,7 @@ bool has(const std::vector<std::string>& list, const std::string& name) {
 
 void check_parts(const std::string& option, const std::vector<std::string>& parts,
                  const std::vector<std::string>& known) {
-  for (const std::string& part : parts)
-    if (!has(known, part))
-      throw UsageError(with_suggestion(option + ": there is no part '" + part + "'", part, known));
-}
-
-void check_formulations(const compare::Request& request) {
-  const auto known = compare::formulation_names(request.what);
-  for (const std::string& name : request.formulations)
-    if (!has(known, name))
-      throw UsageError(with_suggestion("--formulations: there is no '" + name + "'", name, known));
+  check_names(option + ": there is no part", parts, known);
 }
 
 CompareArguments compare_arguments(CommandLine& line, const Installation& here) {
@@ -83,7 +60,8 @@ CompareArguments compare_arguments(CommandLine& line, const Installation& here) 
   for (const std::string& name : line.levels)
     arguments.request.levels.push_back(
         static_cast<compare::Level>(std::find(levels.begin(), levels.end(), name) - levels.begin()));
-  check_formulations(arguments.request);
+  check_names("--formulations: there is no", arguments.request.formulations,
+              compare::formulation_names(arguments.request.what));
   arguments.all_known = line.compared.empty();
   arguments.descriptions =
       line.compared.empty() ? descriptions_in(here.robots) : descriptions_of(line.compared, here.robots);
@@ -150,7 +128,10 @@ int run(int argc, char** argv) {
     line.show.description = description_of(line.shown, here.robots);
     return run_show(line.show);
   }
-  if (*line.counts_command) return run_counts(folder({}), line.format, line.forms);
+  if (*line.counts_command) {
+    line.counts.folder = folder({});
+    return run_counts(line.counts);
+  }
   if (*line.compare_command) return run_compare(compare_arguments(line, here));
   if (*line.import_command) return run_import(line.imported, line.import);
   if (*line.new_command) return run_new(line.letters, line.name, line.wrist == "euler", here.robots);

@@ -245,8 +245,12 @@ FolderChange update_folder(const fs::path& folder, const FolderUpdate& update) {
 
 ordered_json counts_in(const fs::path& folder) {
   const fs::path path = folder / counts_name;
+  return fs::exists(path) ? counts_of(path) : ordered_json::object();
+}
+
+ordered_json counts_of(const fs::path& path) {
   const auto text = content_of(path);
-  if (!text) return ordered_json::object();
+  if (!text) throw std::runtime_error(path.string() + " cannot be read");
   try {
     ordered_json counts = ordered_json::parse(*text);
     if (counts.is_object()) return counts;

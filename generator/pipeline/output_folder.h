@@ -59,5 +59,7 @@ FolderChange update_folder(const std::filesystem::path& folder, const FolderUpda
 /// The content of a folder's operation_counts.json. Throws std::runtime_error that names the file if it is
 /// none.
 nlohmann::ordered_json counts_in(const std::filesystem::path& folder);
+/// The same of a file, which must be there.
+nlohmann::ordered_json counts_of(const std::filesystem::path& path);
 
 }  // namespace qvgen::pipeline

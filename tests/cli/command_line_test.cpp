@@ -57,6 +57,32 @@ TEST_F(CommandLine, BothLanguagesShareAFolder) {
   EXPECT_EQ(run("generate " + file + " --language fortran --output " + out()).code, 2);
 }
 
+TEST_F(CommandLine, ComparesFormulations) {
+  const ToolRun table = run("compare ns --level textbook --formulations pairs,dh");
+  EXPECT_EQ(table.code, 0) << table.output;
+  EXPECT_TRUE(has(table, "0.656")) << "the thesis's ratio: " << table.output;
+  EXPECT_FALSE(has(table, "specialised"));
+  EXPECT_TRUE(has(run("compare " + write("my_arm.toml", good_arm) + " --level textbook --format csv"),
+                  "my_arm,textbook,pairs,quaternion,"));
+  EXPECT_TRUE(has(run("compare ns --formulations pears"), "did you mean 'pairs'?"));
+  EXPECT_EQ(run("compare ns --formulations pears").code, 2);
+  EXPECT_EQ(run("compare ns --level expert").code, 2);
+  EXPECT_EQ(run("compare nss").code, 2);
+  const ToolRun massless = run("compare ns --what dynamics");
+  EXPECT_EQ(massless.code, 1);
+  EXPECT_TRUE(has(massless, "it has no inertia")) << massless.output;
+}
+
+TEST_F(CommandLine, CountsOfSomeAndSinceBefore) {
+  const std::string generated = std::string("--output ") + QVGEN_SOURCE_DIR + "/generated";
+  const ToolRun some = run("counts ur5 --functions jacobian --columns mul --format csv " + generated);
+  EXPECT_TRUE(has(some, "robot,function,mul\nur5,jacobian,")) << some.output;
+  EXPECT_EQ(run("counts ur6 " + generated).code, 2);
+  const std::string same = std::string(QVGEN_SOURCE_DIR) + "/generated/operation_counts.json";
+  EXPECT_TRUE(has(run("counts --against " + same + " " + generated), "0 functions differ"));
+  EXPECT_EQ(run("counts --against no_such.json " + generated).code, 1);
+}
+
 TEST_F(CommandLine, MakesAPluginOnlyForWhoAsksForIt) {
   const std::string file = write("my_arm.toml", good_arm);
   const std::string plugin = " --only moveit_plugin --output " + out();
