@@ -49,8 +49,9 @@ double expanded_terms(const ex& value) {
   return 1;
 }
 
-ex value_at(const ex& value, const GiNaC::exmap& point) {
-  return value.subs(point, GiNaC::subs_options::no_pattern).evalf();
+ex value_at(const ex& value, const SamplePoint& point) {
+  const auto known = point.value(value);
+  return known ? ex(*known).evalf() : value;
 }
 
 }  // namespace
@@ -71,10 +72,10 @@ Scope::Scope(const model::Robot& robot, const std::string& held) {
   if (held.empty()) return;
   held_.emplace(held);
   const Digits digits;
-  for (GiNaC::exmap& sample : samples_) {
+  for (SamplePoint& sample : samples_) {
     const ex cosine = value_at(held_->cosine_value, sample), sine = value_at(held_->sine_value, sample);
-    sample[held_->cosine] = cosine;
-    sample[held_->sine] = sine;
+    sample.set(held_->cosine, cosine);
+    sample.set(held_->sine, sine);
   }
 }
 
@@ -87,7 +88,7 @@ numeric Scope::random() {
 
 ex Scope::add(const std::string& name, const std::array<ex, points>& values) {
   const GiNaC::symbol symbol = symbolic::symbol(name);
-  for (std::size_t i = 0; i < points; ++i) samples_[i][symbol] = values[i];
+  for (std::size_t i = 0; i < points; ++i) samples_[i].set(symbol, values[i]);
   return symbol;
 }
 
@@ -143,7 +144,7 @@ bool Scope::is_zero(const ex& value) const {
   if (value.is_zero()) return true;
   if (GiNaC::is_a<numeric>(value)) return false;
   const Digits digits;
-  for (const GiNaC::exmap& point : samples_) {
+  for (const SamplePoint& point : samples_) {
     const ex number = value_at(value, point);
     if (!GiNaC::is_a<numeric>(number)) return false;
     if (GiNaC::abs(GiNaC::ex_to<numeric>(number)) > GiNaC::pow(numeric(10), numeric(-45))) return false;

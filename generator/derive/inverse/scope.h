@@ -7,6 +7,7 @@
 #include <string>
 
 #include "derive/inverse/held_angle.h"
+#include "derive/inverse/sample_point.h"
 #include "model/robot.h"
 #include "symbolic/program.h"
 
@@ -69,7 +70,7 @@ class Scope {
 
  private:
   static constexpr std::size_t points = 3;
-  using Samples = std::array<GiNaC::exmap, points>;
+  using Samples = std::array<SamplePoint, points>;
   GiNaC::ex add(const std::string& name, const std::array<GiNaC::ex, points>& values);
   GiNaC::numeric random();
 
