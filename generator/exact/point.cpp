@@ -28,13 +28,26 @@ Number ExactPoint::symbol(const std::string& name) const {
   return small_rational(combine(seed_, hash(name)));
 }
 
-CosineSine ExactPoint::quarter_of(const std::string& name) const {
-  // tan(angle/8) within +-tan(pi/8), so that the angle covers (-pi, pi)
+/// Between -45 and 45 degrees.
+CosineSine ExactPoint::small_turn(const std::string& name) const {
+  // its half has a tangent within +-tan(pi/8)
   const std::uint64_t bits = combine(seed_, hash("tan(" + name + "/8)"));
   const cln::cl_RA t =
       cln::cl_RA(static_cast<long>(bits % 835) - 417) / (1009 + static_cast<long>((bits >> 20) % 61));
   const cln::cl_RA n = 1 + t * t;
   return {Number((1 - t * t) / n), Number(2 * t / n)};
+}
+
+/// Four small turns cover the circle; so does a small one after a number of quarters of it.
+CosineSine ExactPoint::turn_of(const std::string& name, const cln::cl_RA& coefficient) const {
+  const bool whole = whole_.contains(name);
+  const cln::cl_RA count = whole ? coefficient : coefficient * 4;
+  if (cln::denominator(count) != 1)
+    throw std::domain_error("angle of " + name + " is no multiple of " + (whole ? "the whole" : "a quarter"));
+  CosineSine base = small_turn(name);
+  if (whole)
+    base = then(base, times({0, 1}, static_cast<long>(combine(seed_, hash("quarters of " + name)) % 4)));
+  return times(base, cln::cl_I_to_long(cln::numerator(count)));
 }
 
 const CosineSine& ExactPoint::turn(const Angle& angle) const {
@@ -50,10 +63,7 @@ CosineSine ExactPoint::compute(const Angle& angle) const {
       result = then(result, times(*known, cln::cl_I_to_long(cln::numerator(coefficient))));
       continue;
     }
-    const cln::cl_RA quarters = coefficient * 4;
-    if (cln::denominator(quarters) != 1)
-      throw std::domain_error("angle " + to_string(angle) + " is no multiple of a quarter");
-    result = then(result, times(quarter_of(name), cln::cl_I_to_long(cln::numerator(quarters))));
+    result = then(result, turn_of(name, coefficient));
   }
   if (const auto sine = exact_sine(angle.pi))
     return then(result, {*exact_sine(angle.pi + cln::cl_RA(1) / 2), *sine});

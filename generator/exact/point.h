@@ -3,7 +3,9 @@
 
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
+#include <utility>
 
 #include "exact/angle.h"
 #include "exact/constant_angle.h"
@@ -22,6 +24,9 @@ namespace qvgen::exact {
 class ExactPoint {
  public:
   explicit ExactPoint(std::uint64_t seed) : seed_(seed) {}
+  /// Symbols in `whole` stand in angles with whole coefficients only: the random point is that of the angle
+  /// itself, a number of a quarter of the digits.
+  ExactPoint(std::uint64_t seed, std::set<std::string> whole) : seed_(seed), whole_(std::move(whole)) {}
 
   Number constant(const Number& value) const { return value; }
   Number symbol(const std::string& name) const;
@@ -32,11 +37,13 @@ class ExactPoint {
   Number arctangent(const Number& y, const Number& x) const;
 
  private:
-  CosineSine quarter_of(const std::string& name) const;
+  CosineSine small_turn(const std::string& name) const;
+  CosineSine turn_of(const std::string& name, const cln::cl_RA& coefficient) const;
   const CosineSine& turn(const Angle& angle) const;
   CosineSine compute(const Angle& angle) const;
 
   std::uint64_t seed_;
+  std::set<std::string> whole_;
   /// By the angle's text: functions ask for the same few angles again and again.
   mutable std::map<std::string, CosineSine> turns_;
 };

@@ -112,7 +112,7 @@ DynamicsFunction regressor_function(const model::Robot& robot, const derive::dyn
   const dag::IsFree is_free = free_symbols(robot);
   DynamicsFunction result =
       searched("regressor", regressor.formulation.function, regressor.formulation.constants, is_free, effort);
-  certify(result, effort.certificate_points, [&](const ExactPoint& point, const Values& values) {
+  certify(robot, result, effort.certificate_points, [&](const ExactPoint& point, const Values& values) {
     return regressor_residuals(robot, regressor, point, values);
   });
   return result;
@@ -131,7 +131,7 @@ DynamicsFunction inverse_dynamics_derivatives(const model::Robot& robot,
   DynamicsFunction result = searched("inverse_dynamics_derivatives", form, inverse_dynamics.constants,
                                      derive::dynamics::is_constant_symbol, effort);
   result.chosen = inverse_dynamics.chosen;
-  certify(result, effort.certificate_points, [&](const ExactPoint& point, const Values& values) {
+  certify(robot, result, effort.certificate_points, [&](const ExactPoint& point, const Values& values) {
     return combined(1, values, -1, expected(robot, point));
   });
   return result;

@@ -116,11 +116,14 @@ dag::IsFree free_symbols(const model::Robot& robot) {
   return [moving](const std::string& name) { return !moving.contains(name); };
 }
 
-void certify(DynamicsFunction& function, int points,
+void certify(const model::Robot& robot, DynamicsFunction& function, int points,
              const std::function<std::vector<Number>(const exact::ExactPoint&, const std::vector<Number>&)>&
                  residuals) {
+  // Dynamics knows no half angles of joints.
+  std::set<std::string> turns;
+  for (const model::Joint& joint : robot.joints) turns.insert(joint.variable);
   for (int k = 0; k < points; ++k) {
-    const exact::ExactPoint point(static_cast<std::uint64_t>(k) + 1);
+    const exact::ExactPoint point(static_cast<std::uint64_t>(k) + 1, turns);
     WithConstants leaves{point, {}};
     const auto constants = dag::evaluate<Number>(function.constants, point);
     for (std::size_t i = 0; i < constants.size(); ++i)
@@ -189,7 +192,7 @@ DynamicsFunction generate_dynamics(const model::Robot& robot, const DynamicsQuan
   result.counts = best.counts;
   result.constant_counts = dag::count(parts.constants);
   result.chosen = best.choices;
-  certify(result, effort.certificate_points,
+  certify(robot, result, effort.certificate_points,
           [&](const exact::ExactPoint& point, const std::vector<Number>& values) {
             return quantity.residuals(derive::dynamics::PlainRecursion(robot, point), point, values);
           });

@@ -69,7 +69,7 @@ dag::IsFree free_symbols(const model::Robot& robot);
 
 /// Evaluates the function at exact points; `residuals(point, values)` must be zero there. Throws
 /// CertificateError, else records the points in the function.
-void certify(DynamicsFunction& function, int points,
+void certify(const model::Robot& robot, DynamicsFunction& function, int points,
              const std::function<std::vector<exact::Number>(const exact::ExactPoint&,
                                                             const std::vector<exact::Number>&)>& residuals);
 
