@@ -133,6 +133,13 @@ struct Plan {
       if (step.is_quartic()) return true;
     return false;
   }
+  /// Whether near singular poses branches are looked for as for a quartic: also where a pose may leave a
+  /// slide free that the joints behind it have to follow.
+  [[nodiscard]] bool searches_nearby() const {
+    for (const Step& step : steps)
+      if (step.kind == Kind::slides || (step.kind == Kind::line && step.has_input("inner"))) return true;
+    return quartic();
+  }
 };
 
 /// The steps in the order of a first pass, which leaves out Newton steps, or of a careful one: what may wait

@@ -118,14 +118,6 @@ std::size_t polished_joints(const derive::inverse::Plan& plan) {
   return 0;
 }
 
-/// Whether a pose may leave a slide free that the joints behind it have to follow.
-bool chooses_slide(const derive::inverse::Plan& plan) {
-  using derive::inverse::Kind;
-  return std::any_of(plan.steps.begin(), plan.steps.end(), [](const derive::inverse::Step& step) {
-    return step.kind == Kind::slides || (step.kind == Kind::line && step.has_input("inner"));
-  });
-}
-
 /// Branches up to where the joints are polished: all but those of a wrist that ends the plan.
 int polished_branches(const derive::inverse::Plan& plan) {
   int branches = plan.capacity;
@@ -140,12 +132,13 @@ json effort_values(const qvgen::inverse::Budget& budget) {
 
 /// What follows one branch: the first pass, if there is one, and the careful one. Of arms that take every
 /// pose.
-json seed_branch(const derive::inverse::Problem& problem, const derive::inverse::LoweredPlan& plan) {
+json seed_branch(const derive::inverse::Problem& problem, const derive::inverse::LoweredPlan& plan,
+                 const emit::Dialect& dialect) {
   const bool takes_poses = problem.task == model::Task::pose || problem.task == model::Task::position;
   const bool has_virtual_joints = problem.row_size > problem.own_joints + (problem.given >= 0 ? 1 : 0);
   if (!takes_poses || problem.filter != derive::inverse::Filter::none || has_virtual_joints) return false;
   const auto lines = [&](emit::Pass pass) {
-    return emit::lines_of(emit::seed_branch_lines(problem.robot, plan, pass));
+    return emit::lines_of(emit::seed_branch_lines(problem.robot, plan, pass, dialect));
   };
   return {{"first", plan.plan.quartic() ? json(false) : json{{"lines", lines(emit::Pass::first)}}},
           {"careful", lines(emit::Pass::careful)}};
@@ -153,7 +146,7 @@ json seed_branch(const derive::inverse::Problem& problem, const derive::inverse:
 
 /// `described` has the names of the description, the problem its own.
 json variant(const model::Robot& described, const derive::inverse::Derivation& derivation,
-             nlohmann::ordered_json& all_counts) {
+             const emit::Dialect& dialect, nlohmann::ordered_json& all_counts) {
   const derive::inverse::Problem& problem = derivation.problem;
   const model::Robot& robot = problem.robot;
   const std::string farthest = reach(problem);
@@ -172,7 +165,7 @@ json variant(const model::Robot& described, const derive::inverse::Derivation& d
   const int branches = polished_branches(derived);
   const qvgen::inverse::Budget most = qvgen::inverse::most_effort(static_cast<int>(joints), branches);
   const json divisors = emit::divisor_values(robot, plan);
-  const json near = seed_branch(problem, plan);
+  const json near = seed_branch(problem, plan, dialect);
   json values{
       {"space", locked ? "given_" + given : "all"},
       {"function", function},
@@ -196,7 +189,7 @@ json variant(const model::Robot& described, const derive::inverse::Derivation& d
       {"given_last_parameter", locked ? ", double given_" + given : ""},
       {"given_last_argument", locked ? ", given_" + given : ""},
       {"given_meaning", locked ? "; " + given + ", " + unit_of(derivation) + ", is given" : ""},
-      {"quartic", derived.quartic() || chooses_slide(derived)},
+      {"quartic", derived.searches_nearby()},
       {"stable_branches", derived.quartic() ? "false" : "true"},
       {"counts_roots", derived.quartic()},
       {"reach", farthest.empty() ? "1e50" : farthest},
@@ -207,24 +200,23 @@ json variant(const model::Robot& described, const derive::inverse::Derivation& d
       {"certificate", certificate.text()},
       {"target_fields", fields_of(derived.target_kept)},
       {"work_fields", fields_of(emit::work_fields(plan))},
-      {"target", emit::target_values(robot, plan)},
-      {"range_test", emit::range_test_values(robot, plan)},
-      {"steps", emit::step_values(robot, plan)},
+      {"target", emit::target_values(robot, plan, dialect)},
+      {"range_test", emit::range_test_values(robot, plan, dialect)},
+      {"steps", emit::step_values(robot, plan, dialect)},
       {"divisors", divisors},
       {"divides", !divisors.empty()},
       {"row_size", problem.row_size},
       {"has_geometry", !geometry.empty()},
       {"geometry", geometry},
-      {"first_pass",
-       derived.quartic()
-           ? json(false)
-           : json{{"lines", emit::lines_of(emit::scalar_loop_lines(robot, plan, emit::Pass::first))}}},
+      {"first_pass", derived.quartic() ? json(false)
+                                       : json{{"lines", emit::lines_of(emit::scalar_loop_lines(
+                                                            robot, plan, emit::Pass::first, dialect))}}},
       {"polished_joints", std::to_string(joints)},
       {"polished_branches", std::to_string(branches)},
       {"most_of_rows", effort_values(most)},
       {"most_of_reaching",
        effort_values(qvgen::inverse::most_effort_of_reaching(problem.own_joints, derived.capacity, most))},
-      {"careful_pass", emit::lines_of(emit::scalar_loop_lines(robot, plan, emit::Pass::careful))},
+      {"careful_pass", emit::lines_of(emit::scalar_loop_lines(robot, plan, emit::Pass::careful, dialect))},
       {"has_lanes", lanes ? "true" : "false"},
       {"lanes", lanes ? json{{"lines", emit::lines_of(emit::simd_loop_lines(robot, plan))}} : json(false)}};
   add_change_of_arm(problem, given, values);
@@ -257,7 +249,7 @@ void generate_inverse(const model::Robot& described, RobotOutput& output) {
   json values{{"name", described.name}, {"variants", json::array()}};
   nlohmann::ordered_json targets;
   for (const derive::inverse::Derivation& form : derivation.closed_forms) {
-    values["variants"].push_back(variant(described, form, output.counts));
+    values["variants"].push_back(variant(described, form, emit::cpp_dialect(), output.counts));
     add_targets(form.problem.task, values["variants"].back(), targets);
   }
   output.counts["targets"] = targets;

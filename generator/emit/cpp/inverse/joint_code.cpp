@@ -10,9 +10,9 @@ namespace {
 
 /// How long the pair is that a joint's angle is taken of, unless it is 1.
 std::string length_argument(const LoweredPlan& plan, const derive::inverse::JointValue& value,
-                            const std::string& work) {
+                            const std::string& work, const Dialect& d) {
   for (const derive::inverse::Step& step : plan.plan.steps)
-    if (!step.unit && value.cosine == "cos_" + step.unknown) return ", " + work + ".length_" + step.unknown;
+    if (!step.unit && value.cosine == "cos_" + step.unknown) return d.member(work, "length_" + step.unknown);
   return {};
 }
 
@@ -23,15 +23,16 @@ std::string joint_place(const derive::inverse::Plan& plan, int joint) {
 }
 
 std::vector<std::string> joint_lines(const model::Robot& robot, const LoweredPlan& plan,
-                                     const derive::inverse::Step& step, const std::string& work) {
+                                     const derive::inverse::Step& step, const std::string& work,
+                                     const Dialect& d) {
   std::vector<std::string> lines;
   const auto add = [&](int joint) {
     const auto& value = plan.plan.joints[static_cast<std::size_t>(joint)];
-    const std::string pair =
-        work + "." + value.cosine + ", " + work + "." + value.sine + length_argument(plan, value, work);
-    lines.push_back(joint_place(plan.plan, joint) + " = " +
-                    (value.revolute ? "inverse::output_angle(" + pair + ")" : work + "." + value.cosine) +
-                    ";");
+    const std::string cosine = d.member(work, value.cosine);
+    const std::string angle = value.revolute ? d.output_angle(cosine, d.member(work, value.sine),
+                                                              length_argument(plan, value, work, d))
+                                             : cosine;
+    lines.push_back(joint_place(plan.plan, joint) + " = " + angle + ";");
   };
   if (step.turns.empty() && step.joint >= 0) add(step.joint);
   for (const std::string& turn : step.turns)
@@ -40,10 +41,22 @@ std::vector<std::string> joint_lines(const model::Robot& robot, const LoweredPla
   return lines;
 }
 
+std::string quartic_roots(const LoweredPlan& plan, std::size_t index, const Dialect& d) {
+  const bool slides = plan.plan.steps[index].kind == derive::inverse::Kind::slide_turn;
+  return d.constant(slides ? "SlideTurns" : "CircleRoots", "roots",
+                    d.function("roots_" + step_name(plan, index)) + "(t, w)");
+}
+
+std::string take_root(const LoweredPlan& plan, std::size_t index, const std::string& root,
+                      const std::string& work, const Dialect& d) {
+  return d.function("take_" + step_name(plan, index)) + "(t, " + d.entry("roots.root", root) + ", " + work +
+         ");";
+}
+
 std::string step_call(const LoweredPlan& plan, std::size_t index, const std::string& sign,
-                      const std::string& work, const std::string& target) {
-  return "solve_" + step_name(plan, index) + "(" + target + ", " + sign + (sign.empty() ? "" : ", ") + work +
-         ")";
+                      const std::string& work, const std::string& target, const Dialect& d) {
+  return d.function("solve_" + step_name(plan, index)) + "(" + target + ", " + sign +
+         (sign.empty() ? "" : ", ") + work + ")";
 }
 
 }  // namespace qvgen::emit

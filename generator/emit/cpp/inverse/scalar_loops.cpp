@@ -14,20 +14,21 @@ using derive::inverse::Step;
 
 class ScalarLoops {
  public:
-  ScalarLoops(const model::Robot& robot, const LoweredPlan& plan, Pass pass)
-      : robot_(robot), plan_(plan), careful_(pass == Pass::careful) {}
+  ScalarLoops(const model::Robot& robot, const LoweredPlan& plan, Pass pass, const Dialect& dialect)
+      : robot_(robot), plan_(plan), careful_(pass == Pass::careful), dialect_(dialect) {}
 
   std::vector<std::string> write() {
-    line("Work<double> w;");
-    line("qvgen::Joints<" + std::to_string(plan_.plan.row_size) + "> q;");
+    lines(dialect_.new_work("w", false));
+    line(dialect_.new_row(plan_.plan.row_size, false));
     // What starts near the goal may hold the given joint next to its value.
     const std::string asked = careful_ && plan_.plan.quartic() ? "goal" : "t";
     if (plan_.plan.given >= 0)
-      line("q[" + std::to_string(plan_.plan.given) + "] = " + asked + ".geometry.given_;");
+      line("q[" + std::to_string(plan_.plan.given) + "] = " + dialect_.member(asked, "geometry.given_") +
+           ";");
     for (const std::size_t i : derive::inverse::order(plan_.plan, careful_)) step(i);
     if (!ended_) {
       flush();
-      append("q", label());
+      append(label());
     }
     while (depth_ > 0) {
       --depth_;
@@ -39,15 +40,18 @@ class ScalarLoops {
 
  private:
   [[nodiscard]] std::string call(std::size_t i, const std::string& sign = "") const {
-    return step_call(plan_, i, sign, work_, target_);
+    return step_call(plan_, i, sign, work_, target_, dialect_);
   }
-  [[nodiscard]] std::string branch() const { return work_ + ".branch"; }
+  [[nodiscard]] std::string exists() const { return dialect_.member(work_, "branch.exists"); }
   [[nodiscard]] std::string leave() const {
-    return careful_ ? "return w.branch.doubtful;" : "return !w.branch.doubtful;";
+    return std::string("return ") + (careful_ ? "" : "!") + dialect_.member("w", "branch.doubtful") + ";";
   }
   [[nodiscard]] std::string label() const { return labels_.empty() ? "0" : labels_; }
   void line(const std::string& text) {
     lines_.push_back(std::string(static_cast<std::size_t>(2 * depth_), ' ') + text);
+  }
+  void lines(const std::vector<std::string>& texts) {
+    for (const std::string& text : texts) line(text);
   }
 
   void leave_unless(const std::string& condition) {
@@ -59,10 +63,10 @@ class ScalarLoops {
   std::string open(const Step& step, const std::string& count) {
     const std::string k = "k" + std::to_string(loops_);
     const std::string above = "above" + std::to_string(loops_++);
-    line("const inverse::Branch<double> " + above + " = " + branch() + ";");
+    line(dialect_.save_branch(above, work_));
     line("for (int " + k + " = 0; " + k + " < " + count + "; ++" + k + ") {");
     ++depth_;
-    line(branch() + ".resume(" + above + ");");
+    line(dialect_.resume_branch(work_, above));
     const bool simple = labels_.find(' ') == std::string::npos;
     const std::string outer = simple ? labels_ : "(" + labels_ + ")";
     labels_ = labels_.empty() ? k : std::to_string(step.branches) + " * " + outer + " + " + k;
@@ -78,13 +82,13 @@ class ScalarLoops {
     if (step.branches == 1) {
       if (derive::inverse::reads_halves(plan_.plan, step)) flush();
       line(call(i) + ";");
-      if (step.kind == Kind::require) leave_unless(branch() + ".exists");
+      if (step.kind == Kind::require) leave_unless(exists());
       return angles(step);
     }
     if (step.is_wrist()) flush();
     const std::string k = open(step, "2");
     line(call(i, k + " == 0 ? 1.0 : -1.0") + ";");
-    line("if (!" + branch() + ".exists) break;");
+    line("if (!" + exists() + ") break;");
     flush_once(k);
     angles(step);
   }
@@ -92,11 +96,11 @@ class ScalarLoops {
   /// From here on the joints are those of a copy, for the goal: the next branch starts from what the closed
   /// form has found.
   void polished(std::size_t i) {
-    line("if (tracker.settled(" + label() + ")) " + (depth_ == 0 ? leave() : "continue;"));
-    line("Work<double> p = w;");
+    line("if (" + dialect_.is_settled(label(), visits_) + ") " + (depth_ == 0 ? leave() : "continue;"));
+    lines(dialect_.copied_work("p", "w"));
     work_ = "p";
     target_ = "goal";
-    leave_unless(call(i, label() + ", tracker"));
+    leave_unless(dialect_.polishes(step_name(plan_, i), target_, label(), work_, false));
     for (const std::size_t earlier : derive::inverse::order(plan_.plan, careful_)) {
       if (earlier == i) break;
       angles(plan_.plan.steps[earlier]);
@@ -105,17 +109,18 @@ class ScalarLoops {
 
   void quartic(std::size_t i) {
     const Step& step = plan_.plan.steps[i];
-    line("const auto roots = roots_" + step_name(plan_, i) + "(t, w);");
+    line(quartic_roots(plan_, i, dialect_));
     const std::string k = open(step, "roots.count");
-    line("take_" + step_name(plan_, i) + "(t, roots.root[static_cast<std::size_t>(" + k + ")], w);");
+    line(take_root(plan_, i, k, "w", dialect_));
     // Its roots carry nine to eleven digits.
-    if (careful_) line("w.branch.unsure = true;");
+    if (careful_) line(dialect_.member("w", "branch.unsure") + " = true;");
   }
 
   /// The joints whose values a step leaves: their angles are taken when they are sure to be needed.
   void angles(const Step& step) {
     if (careful_ && work_ == "w") return;
-    for (const std::string& text : joint_lines(robot_, plan_, step, work_)) deferred_.push_back(text);
+    for (const std::string& text : joint_lines(robot_, plan_, step, work_, dialect_))
+      deferred_.push_back(text);
   }
 
   void flush() {
@@ -132,16 +137,14 @@ class ScalarLoops {
     line("}");
   }
 
-  void append(const std::string& values, const std::string& label) {
-    line("inverse::append(found, " + values + ", " + label + ", " + branch() + ".continuum);");
-  }
+  void append(const std::string& label) { line(dialect_.append(label, work_)); }
 
   void wrist(std::size_t i) {
     const Step& step = plan_.plan.steps[i];
     const auto& joints = plan_.plan.wrist.joints;
     ended_ = true;
     const bool alone = careful_ && work_ == "w";
-    if (alone) line("if (tracker.settled(0)) " + leave());
+    if (alone) line("if (" + dialect_.is_settled("0", visits_) + ") " + leave());
     flush();
     const auto set = [&](const std::string& first, const std::string& middle, const std::string& last) {
       line(joint_place(plan_.plan, joints[0]) + " = " + first + ";");
@@ -150,31 +153,33 @@ class ScalarLoops {
     };
     if (step.kind == Kind::oblique_wrist) {
       const std::string arm = label();
-      if (careful_) line("const int before = found.size();");
+      if (careful_) line("const int before = " + dialect_.rows_found() + ";");
       const std::string k = open(step, "2");
-      line("const auto angles = " + call(i, k + " == 0 ? 1.0 : -1.0") + ";");
-      line("if (!" + branch() + ".exists) break;");
+      line(dialect_.constant("WristAngles", "angles", call(i, k + " == 0 ? 1.0 : -1.0")));
+      line("if (!" + exists() + ") break;");
       set("angles.first", "angles.middle", "angles.last");
-      append("q", label());
+      append(label());
       --depth_;
       line("}");
-      if (alone) line("if (found.size() > before) tracker.close(0);");
+      if (alone) line("if (" + dialect_.rows_found() + " > before) " + dialect_.close("0"));
       if (careful_ && !alone)
-        line("if (found.size() == before) tracker.reopen(" + arm + ", " + branch() + ".continuum);");
+        line("if (" + dialect_.rows_found() + " == before) " + dialect_.reopen(arm, work_, visits_));
       return;
     }
-    line("const auto angles = " + call(i) + ";");
+    line(dialect_.constant("WristBranches", "angles", call(i)));
     const std::string both = labels_.empty() ? "" : "2 * (" + labels_ + ")";
     set("angles.one.first", "angles.one.middle", "angles.one.last");
-    append("q", both.empty() ? "0" : both);
+    append(both.empty() ? "0" : both);
     set("angles.other.first", "angles.other.middle", "angles.other.last");
-    append("q", both.empty() ? "1" : both + " + 1");
-    if (alone) line("tracker.close(0);");
+    append(both.empty() ? "1" : both + " + 1");
+    if (alone) line(dialect_.close("0"));
   }
 
   const model::Robot& robot_;
   const LoweredPlan& plan_;
   bool careful_;
+  const Dialect& dialect_;
+  bool visits_ = plan_.plan.searches_nearby();
   std::string work_ = "w";
   std::string target_ = "t";
   std::vector<std::string> lines_;
@@ -187,8 +192,9 @@ class ScalarLoops {
 
 }  // namespace
 
-std::vector<std::string> scalar_loop_lines(const model::Robot& robot, const LoweredPlan& plan, Pass pass) {
-  return ScalarLoops(robot, plan, pass).write();
+std::vector<std::string> scalar_loop_lines(const model::Robot& robot, const LoweredPlan& plan, Pass pass,
+                                           const Dialect& dialect) {
+  return ScalarLoops(robot, plan, pass, dialect).write();
 }
 
 }  // namespace qvgen::emit

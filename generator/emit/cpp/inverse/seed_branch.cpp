@@ -28,19 +28,21 @@ bool chooses(const Step& step) { return step.is_quartic() || step.branches > 1; 
 
 class SeedBranch {
  public:
-  SeedBranch(const model::Robot& robot, const LoweredPlan& plan, Pass pass)
-      : robot_(robot), plan_(plan), careful_(pass == Pass::careful) {}
+  SeedBranch(const model::Robot& robot, const LoweredPlan& plan, Pass pass, const Dialect& dialect)
+      : robot_(robot), plan_(plan), careful_(pass == Pass::careful), dialect_(dialect) {}
 
   std::vector<std::string> write() {
-    line("Work<double> w{};");
-    line("JointVector<double> q;");
-    if (plan_.plan.given >= 0) line("q[" + std::to_string(plan_.plan.given) + "] = t.geometry.given_;");
+    lines(dialect_.new_work("w", true));
+    line(dialect_.new_row(plan_.plan.row_size, true));
+    if (plan_.plan.given >= 0)
+      line("q[" + std::to_string(plan_.plan.given) + "] = " + dialect_.member("t", "geometry.given_") + ";");
     const auto order = derive::inverse::order(plan_.plan, careful_);
     for (const std::size_t i : order) step(i);
     for (const std::size_t i : order)
       if (!ends(plan_.plan.steps[i]) && plan_.plan.steps[i].kind != Kind::polish)
-        for (const std::string& text : joint_lines(robot_, plan_, plan_.plan.steps[i], work_)) line(text);
-    line("inverse::append(found, q, forks.label, " + work_ + ".branch.continuum);");
+        for (const std::string& text : joint_lines(robot_, plan_, plan_.plan.steps[i], work_, dialect_))
+          line(text);
+    line(dialect_.append_nearest(work_));
     line(leave());
     return std::move(lines_);
   }
@@ -50,14 +52,24 @@ class SeedBranch {
     return step.is_wrist() && plan_.plan.wrist.ends_the_plan;
   }
   [[nodiscard]] std::string call(std::size_t i, const std::string& sign, const std::string& work) const {
-    return step_call(plan_, i, sign, work, target_);
+    return step_call(plan_, i, sign, work, target_, dialect_);
   }
   [[nodiscard]] std::string leave() const {
-    return careful_ ? "return;" : "return !" + work_ + ".branch.doubtful;";
+    return careful_ ? "return;" : "return !" + dialect_.member(work_, "branch.doubtful") + ";";
   }
   void line(const std::string& text) { lines_.push_back(text); }
+  void lines(const std::vector<std::string>& texts) {
+    lines_.insert(lines_.end(), texts.begin(), texts.end());
+  }
   [[nodiscard]] std::string place(int joint) const {
     return std::to_string(plan_.plan.places[static_cast<std::size_t>(joint)]);
+  }
+
+  [[nodiscard]] std::string seed(const std::string& what, int joint) const {
+    return dialect_.member("t", "preference->" + what + "[" + place(joint) + "]");
+  }
+  [[nodiscard]] std::string branch_of(const std::string& work) const {
+    return dialect_.reference(dialect_.member(work, "branch"));
   }
 
   /// Squared distance of a step's joints from the seed's.
@@ -65,11 +77,10 @@ class SeedBranch {
     std::string sum;
     for (const int joint : joints_of(robot_, step)) {
       const auto& value = plan_.plan.joints[static_cast<std::size_t>(joint)];
-      const std::string cosine = work + "." + value.cosine;
+      const std::string cosine = dialect_.member(work, value.cosine);
       const std::string term =
-          value.revolute ? "inverse::apart({" + cosine + ", " + work + "." + value.sine +
-                               "}, t.preference->turn[" + place(joint) + "])"
-                         : "inverse::apart(" + cosine + ", t.preference->slide[" + place(joint) + "])";
+          value.revolute ? dialect_.turn_apart(cosine, dialect_.member(work, value.sine), seed("turn", joint))
+                         : dialect_.slide_apart(cosine, seed("slide", joint));
       sum += (sum.empty() ? "" : " + ") + term;
     }
     return sum;
@@ -86,61 +97,57 @@ class SeedBranch {
       return;
     }
     const std::string other = "other" + std::to_string(choices_++);
-    line("Work<double> " + other + " = w;");
+    lines(dialect_.copied_work(other, "w"));
     line(call(i, "1.0", "w") + ";");
     line(call(i, "-1.0", other) + ";");
-    line("inverse::take_nearer(" + other + ", " + apart(step, other) + ", w, " + apart(step, "w") +
-         ", forks);");
+    line(dialect_.take_nearer(other, apart(step, other), "w", apart(step, "w")));
     leave_without_branch();
   }
 
-  void leave_without_branch() { line("if (!" + work_ + ".branch.exists) " + leave()); }
+  void leave_without_branch() { line("if (!" + dialect_.member(work_, "branch.exists") + ") " + leave()); }
 
   void quartic(std::size_t i) {
     const Step& step = plan_.plan.steps[i];
-    const std::string k = "k" + std::to_string(choices_);
-    const std::string each = "each" + std::to_string(choices_);
-    const std::string nearest = "nearest" + std::to_string(choices_++);
-    line("const auto roots = roots_" + step_name(plan_, i) + "(t, w);");
-    line("inverse::NearestRoot<Work<double>> " + nearest + "(w);");
-    line("for (int " + k + " = 0; " + k + " < roots.count; ++" + k + ") {");
-    line("  Work<double> " + each + " = w;");
-    line("  take_" + step_name(plan_, i) + "(t, roots.root[static_cast<std::size_t>(" + k + ")], " + each +
-         ");");
-    line("  " + nearest + ".add(" + each + ", " + apart(step, each) + ", " + k + ");");
-    line("}");
-    line("forks.label = " + std::to_string(step.branches) + " * forks.label + " + nearest + ".index;");
-    line("w = " + nearest + ".work;");
+    const std::string number = std::to_string(choices_++);
+    const std::string each = "each" + number;
+    line(quartic_roots(plan_, i, dialect_));
+    lines(dialect_.nearest_root(number, take_root(plan_, i, "k" + number, each, dialect_), apart(step, each),
+                                step.branches));
     leave_without_branch();
-    line("w.branch.unsure = true;");
+    line(dialect_.member("w", "branch.unsure") + " = true;");
   }
 
   void polished(std::size_t i) {
-    line("Work<double> p = w;");
+    lines(dialect_.copied_work("p", "w"));
     work_ = "p";
     target_ = "goal";
-    line("if (!" + call(i, "0, tracker", "p") + ") return;");
+    line("if (!" + dialect_.polishes(step_name(plan_, i), target_, "0", "p", true) + ") return;");
   }
 
   void wrist(std::size_t i) {
     const Step& step = plan_.plan.steps[i];
     const auto& joints = plan_.plan.wrist.joints;
-    const auto angle = [&](std::size_t k) { return "t.preference->angle[" + place(joints[k]) + "]"; };
-    const std::string seed = "{" + angle(0) + ", " + angle(1) + ", " + angle(2) + "}";
+    const Dialect::Arguments seeds{seed("angle", joints[0]), seed("angle", joints[1]),
+                                   seed("angle", joints[2])};
+    const auto takes_other = [&](const std::string& other_work, const std::string& other,
+                                 const std::string& one) {
+      return "const bool is_other = " +
+             dialect_.takes_other(branch_of(other_work), dialect_.wrist_apart(other, seeds), branch_of(work_),
+                                  dialect_.wrist_apart(one, seeds)) +
+             ";";
+    };
     if (step.kind == Kind::oblique_wrist) {
-      line("Work<double> other = " + work_ + ";");
-      line("auto angles = " + call(i, "1.0", work_) + ";");
-      line("const auto others = " + call(i, "-1.0", "other") + ";");
-      line("const bool is_other = forks.takes_other(other.branch, inverse::apart(others, " + seed + "), " +
-           work_ + ".branch, inverse::apart(angles, " + seed + "));");
+      lines(dialect_.copied_work("other", work_));
+      line(dialect_.variable("WristAngles", "angles", call(i, "1.0", work_)));
+      line(dialect_.constant("WristAngles", "others", call(i, "-1.0", "other")));
+      line(takes_other("other", "others", "angles"));
       line("if (is_other) angles = others;");
-      line("if (is_other) " + work_ + " = other;");
+      line("if (is_other) " + dialect_.assign_work(work_, "other"));
       leave_without_branch();
     } else {
-      line("const auto both = " + call(i, "", work_) + ";");
-      line("const bool is_other = forks.takes_other(" + work_ + ".branch, inverse::apart(both.other, " +
-           seed + "), " + work_ + ".branch, inverse::apart(both.one, " + seed + "));");
-      line("const auto& angles = is_other ? both.other : both.one;");
+      line(dialect_.constant("WristBranches", "both", call(i, "", work_)));
+      line(takes_other(work_, "both.other", "both.one"));
+      line(dialect_.chosen("WristAngles", "angles", "is_other ? both.other : both.one"));
     }
     line(joint_place(plan_.plan, joints[0]) + " = angles.first;");
     line(joint_place(plan_.plan, joints[1]) + " = angles.middle;");
@@ -150,6 +157,7 @@ class SeedBranch {
   const model::Robot& robot_;
   const LoweredPlan& plan_;
   bool careful_;
+  const Dialect& dialect_;
   std::string work_ = "w";
   std::string target_ = "t";
   std::vector<std::string> lines_;
@@ -158,8 +166,9 @@ class SeedBranch {
 
 }  // namespace
 
-std::vector<std::string> seed_branch_lines(const model::Robot& robot, const LoweredPlan& plan, Pass pass) {
-  return SeedBranch(robot, plan, pass).write();
+std::vector<std::string> seed_branch_lines(const model::Robot& robot, const LoweredPlan& plan, Pass pass,
+                                           const Dialect& dialect) {
+  return SeedBranch(robot, plan, pass, dialect).write();
 }
 
 bool has_seed_branch(const model::Robot& robot, const LoweredPlan& plan) {

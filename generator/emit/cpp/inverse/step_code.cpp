@@ -28,176 +28,197 @@ bool ends(const LoweredPlan& plan, const Step& step) {
   return step.is_wrist() && plan.plan.wrist.ends_the_plan;
 }
 
-std::string length_place(const std::string& unknown) { return "w.length_" + unknown; }
+std::string length_place(const Dialect& d, const std::string& unknown) {
+  return d.member("w", "length_" + unknown);
+}
 
 /// Symbols of a step: geometry and the target's values from t, what earlier steps left from w, the block's
 /// results.
-SymbolTable names_of(const model::Robot& robot, const LoweredPlan& plan, const Step& step) {
+SymbolTable names_of(const model::Robot& robot, const LoweredPlan& plan, const Step& step, const Dialect& d) {
   const std::map<std::string, std::string> fields = geometry_fields(robot);
   const std::vector<std::string> target = plan.plan.target_kept;
-  const std::string result = step.unit ? "result" : "(sign * " + length_place(step.unknown) + ")";
+  const std::string result = step.unit ? "result" : "(sign * " + length_place(d, step.unknown) + ")";
   const bool slides = step.kind == Kind::slide_turn;
-  const auto symbol = [fields, target, result, slides](const std::string& name) -> std::string {
+  const auto symbol = [fields, target, result, slides, &d](const std::string& name) -> std::string {
     if (const auto constant = exact::named_value(name))
-      return "Scalar(" + literal(exact::Number(*constant)) + ")";
+      return d.spelling().number(literal(exact::Number(*constant)));
     if (const auto field = fields.find(name); field != fields.end())
-      return "Scalar(t.geometry." + field->second + ")";
+      return d.scalar(d.member("t", "geometry." + field->second));
     if (slides && name == "result") return "result.slide";
     if (slides && name == "cos_result") return "result.turn.cosine";
     if (slides && name == "sin_result") return "result.turn.sine";
     if (name == "cos_result" || name == "result_1") return "result.cosine";
     if (name == "sin_result" || name == "result_2") return "result.sine";
     if (name == "result") return result;
-    if (std::find(target.begin(), target.end(), name) != target.end()) return "Scalar(t." + name + ")";
-    return "w." + name;
+    if (std::find(target.begin(), target.end(), name) != target.end()) return d.scalar(d.member("t", name));
+    return d.member("w", name);
   };
   const auto refuse = [](const dag::Angle& angle) -> std::string {
     throw std::logic_error("inverse kinematics: angle " + to_string(angle));
   };
-  return {symbol, refuse, refuse};
+  return {symbol, refuse, refuse, d.spelling()};
 }
 
 json to_json(const Code& code) {
   return {{"temporaries", values_of(code.temporaries)}, {"outputs", values_of(code.outputs)}};
 }
 
-std::string rotor(const std::string& x, const std::string& y) {
-  return "inverse::Rotor<Scalar>{" + x + ", " + y + "}";
+std::string preferred(const Dialect& d, const std::string& what) {
+  return d.scalar(d.member("t", "preference->" + what));
 }
 
-std::string preferred_angle(int joint) {
-  return "Scalar(t.preference->angle[" + std::to_string(joint) + "])";
+std::string preferred_angle(const Dialect& d, int joint) {
+  return preferred(d, "angle[" + std::to_string(joint) + "]");
 }
 
-std::string preferred_slide(int joint) {
-  return "Scalar(t.preference->slide[" + std::to_string(joint) + "])";
+std::string preferred_slide(const Dialect& d, int joint) {
+  return preferred(d, "slide[" + std::to_string(joint) + "]");
+}
+
+std::string preferred_rotor(const Dialect& d, const std::string& name) {
+  return d.rotor(preferred(d, name + ".cosine"), preferred(d, name + ".sine"));
 }
 
 /// A joint's seed; what a sum of angles shall be is worked out before.
-std::string choice(int joint, const std::string& kind = "turn") {
-  const std::string turn = "t.preference->" + kind + "[" + std::to_string(joint) + "]";
-  return rotor("Scalar(" + turn + ".cosine)", "Scalar(" + turn + ".sine)");
+std::string choice(const Dialect& d, int joint, const std::string& kind = "turn") {
+  return preferred_rotor(d, kind + "[" + std::to_string(joint) + "]");
 }
 /// The row's place of the joint that a step determines.
 int place(const LoweredPlan& plan, int joint) { return plan.plan.places[static_cast<std::size_t>(joint)]; }
 
-std::string spread() {
-  return rotor("Scalar(t.preference->spread.cosine)", "Scalar(t.preference->spread.sine)");
-}
+std::string spread(const Dialect& d) { return preferred_rotor(d, "spread"); }
+
+std::string of_target(const Dialect& d, const std::string& name) { return d.scalar(d.member("t", name)); }
+
+std::string boundary(const Dialect& d) { return d.reference(d.member("t", "boundary")); }
+std::string branch(const Dialect& d) { return d.reference(d.member("w", "branch")); }
 
 /// A slide's seed, or what is nearest to it with the joint after it in reach.
-std::string slide_choice(const LoweredPlan& plan, const Step& step) {
-  const std::string value = preferred_slide(place(plan, step.joint));
+std::string slide_choice(const LoweredPlan& plan, const Step& step, const Dialect& d) {
+  const std::string value = preferred_slide(d, place(plan, step.joint));
   if (!step.has_input("inner")) return value;
   const bool between = step.has_input("outer");
-  return std::string("inverse::") + (between ? "slide_between" : "slide_beyond") + "<Scalar>(" +
-         rotor("point_x", "point_y") + ", " + rotor("along_x", "along_y") + ", inner, " +
-         (between ? "outer" : "Scalar(t.size_square)") + ", " + value + ", " + spread() + ")";
+  return d.block(between ? "slide_between" : "slide_beyond",
+                 {d.rotor("point_x", "point_y"), d.rotor("along_x", "along_y"), "inner",
+                  between ? "outer" : of_target(d, "size_square"), value, spread(d)});
 }
 
 /// The turn that the seed's angles add up to.
-std::string seeds(const LoweredPlan& plan, const Step& step) {
+std::string seeds(const LoweredPlan& plan, const Step& step, const Dialect& d) {
   std::string product;
   for (const Step::Seed& seed : step.seeds) {
-    const std::string turn = choice(place(plan, seed.joint));
-    product += (product.empty() ? "" : " * ") + (seed.sense > 0 ? turn : "inverse::inverse(" + turn + ")");
+    const std::string turn = choice(d, place(plan, seed.joint));
+    const std::string factor = seed.sense > 0 ? turn : d.inverse(turn);
+    product = product.empty() ? factor : d.product(product, factor);
   }
   return product;
 }
 
-std::string tiny(const Step& step) { return "Scalar(t.tiny" + std::to_string(step.degree) + ")"; }
-
-std::string direction(const LoweredPlan& plan, const Step& step) {
-  // What a sum of angles shall be is worked out before.
-  if (step.joint < 0)
-    return "inverse::chosen_direction<Scalar>(" + rotor("x", "y") + ", " + rotor("choice_x", "choice_y") +
-           ", t.boundary, w.branch)";
-  const std::string block = step.unit ? "direction" : step.length_known ? "span_of_length" : "span";
-  const std::string types = step.kind == Kind::opposite ? "<Scalar, true>(" : "<Scalar>(";
-  return "inverse::" + block + types + rotor("x", "y") + (step.length_known ? ", length, " : ", ") +
-         tiny(step) + ", " + choice(place(plan, step.joint), step.unit ? "turn" : "brief") + ", " +
-         (step.unit ? "" : length_place(step.unknown) + ", ") + "w.branch)";
+std::string tiny(const Step& step, const Dialect& d) {
+  return of_target(d, "tiny" + std::to_string(step.degree));
 }
 
-std::string half(const LoweredPlan& plan, const Step& step) {
-  if (!plan.plan.wrist.right) return "inverse::half<Scalar>(" + rotor("cosine", "sine") + ")";
+std::string direction(const LoweredPlan& plan, const Step& step, const Dialect& d) {
+  const std::string v = d.rotor("x", "y");
+  // What a sum of angles shall be is worked out before.
+  if (step.joint < 0)
+    return d.block("chosen_direction", {v, d.rotor("choice_x", "choice_y"), boundary(d), branch(d)});
+  const std::string block = step.unit ? "direction" : step.length_known ? "span_of_length" : "span";
+  return d.direction_block(block, step.kind == Kind::opposite,
+                           {v, step.length_known ? "length" : "", tiny(step, d),
+                            choice(d, place(plan, step.joint), step.unit ? "turn" : "brief"),
+                            step.unit ? "" : d.reference(length_place(d, step.unknown)), branch(d)});
+}
+
+std::string half(const LoweredPlan& plan, const Step& step, const Dialect& d) {
+  const std::string turn = d.rotor("cosine", "sine");
+  if (!plan.plan.wrist.right) return d.block("half", {turn});
   std::string length;
   for (const std::string& unknown : step.lengths)
-    length += (length.empty() ? "" : " * ") + length_place(unknown);
-  return "inverse::half_direction<Scalar>(" + rotor("cosine", "sine") + ", " +
-         (length.empty() ? "Scalar(1)" : length) + ")";
+    length += (length.empty() ? "" : " * ") + length_place(d, unknown);
+  return d.block("half_direction", {turn, length.empty() ? d.spelling().number("1") : length});
 }
 
 /// The declaration of `result` and the block's call.
-std::pair<std::string, std::string> block(const LoweredPlan& plan, const Step& step) {
-  const std::string turn = "inverse::Rotor<Scalar>";
-  const std::string tolerance = "Scalar(t.tolerance)";
+std::pair<std::string, std::string> block(const LoweredPlan& plan, const Step& step, const Dialect& d) {
+  const std::string turn = d.type("Rotor");
+  const auto is_of = [&](const std::string& name, const Dialect::Arguments& arguments) {
+    return std::pair{turn, d.block(name, arguments)};
+  };
   switch (step.kind) {
     case Kind::circle:
-      return {turn, "inverse::circle_angle<Scalar>(low, high, scale, sign, t.boundary, w.branch)"};
+      return is_of("circle_angle", {"low", "high", "scale", "sign", boundary(d), branch(d)});
     case Kind::free_circle:
-      return {turn, "inverse::free_circle_angle<Scalar>(low, high, " + rotor("x", "y") + ", " + tiny(step) +
-                        ", " + choice(place(plan, step.joint)) + ", sign, t.boundary, w.branch)"};
+      return is_of("free_circle_angle", {"low", "high", d.rotor("x", "y"), tiny(step, d),
+                                         choice(d, place(plan, step.joint)), "sign", boundary(d), branch(d)});
     case Kind::factored:
-      return {turn, "inverse::factored_line_angle<Scalar>(" + rotor("x", "y") + ", rhs, low, high, " +
-                        tiny(step) + ", " + choice(place(plan, step.joint)) +
-                        ", sign, t.boundary, w.branch)"};
+      return is_of("factored_line_angle",
+                   {d.rotor("x", "y"), "rhs", "low", "high", tiny(step, d),
+                    choice(d, place(plan, step.joint)), "sign", boundary(d), branch(d)});
     case Kind::reach:
-      return {turn, "inverse::reachable_direction<Scalar>(" + rotor("point_x", "point_y") + ", " +
-                        rotor("offset_x", "offset_y") + ", inner, outer, " + seeds(plan, step) + ")"};
+      return is_of("reachable_direction", {d.rotor("point_x", "point_y"), d.rotor("offset_x", "offset_y"),
+                                           "inner", "outer", seeds(plan, step, d)});
     case Kind::opposite:
-      return {turn, "sign * " + direction(plan, step)};
+      return {turn, d.scaled("sign", direction(plan, step, d))};
     case Kind::pair:
-      return {turn, direction(plan, step)};
+      return {turn, direction(plan, step, d)};
     case Kind::half:
-      return {turn, half(plan, step)};
+      return {turn, half(plan, step, d)};
     case Kind::root:
-      return {"Scalar",
-              "inverse::signed_root<Scalar>(square, scale, Scalar(t.tiny1), sign, t.boundary, w.branch)"};
-    case Kind::line:
-      return {"Scalar", "inverse::slide_on_line<Scalar>(" +
-                            (step.has_input("divisor")
-                                 ? rotor("divisor", "Scalar(0)") + ", " + rotor("rhs", "Scalar(0)")
-                                 : rotor("x", "y") + ", " + rotor("rhs_x", "rhs_y")) +
-                            ", Scalar(t.tiny1), " + slide_choice(plan, step) + ", t.boundary, w.branch)"};
+      return {d.number_type(), d.block("signed_root", {"square", "scale", of_target(d, "tiny1"), "sign",
+                                                       boundary(d), branch(d)})};
+    case Kind::line: {
+      const bool one = step.has_input("divisor");
+      const std::string zero = d.spelling().number("0");
+      return {d.number_type(),
+              d.block("slide_on_line",
+                      {one ? d.rotor("divisor", zero) : d.rotor("x", "y"),
+                       one ? d.rotor("rhs", zero) : d.rotor("rhs_x", "rhs_y"), of_target(d, "tiny1"),
+                       slide_choice(plan, step, d), boundary(d), branch(d)})};
+    }
     case Kind::slides:
-      return {turn, "inverse::two_slides<Scalar>(" + rotor("a", "b") + ", k, " + rotor("g", "f") +
-                        ", gap, Scalar(t.tiny1), Scalar(t.size_square), " +
-                        preferred_slide(place(plan, step.joint)) + ", " + spread() + ", " +
-                        (step.branches == 1 ? "Scalar(0)" : "sign") + ", t.boundary, w.branch)"};
+      return is_of("two_slides",
+                   {d.rotor("a", "b"), "k", d.rotor("g", "f"), "gap", of_target(d, "tiny1"),
+                    of_target(d, "size_square"), preferred_slide(d, place(plan, step.joint)), spread(d),
+                    step.branches == 1 ? d.spelling().number("0") : "sign", boundary(d), branch(d)});
     case Kind::require:
-      return {"", "inverse::require_zero<Scalar>(residual, scale, " + tolerance + ", w.branch)"};
+      return {"", d.block("require_zero", {"residual", "scale", of_target(d, "tolerance"), branch(d)})};
     case Kind::conic:
-      return {"inverse::CircleRoots<Scalar>",
-              "inverse::conic_circle<Scalar>({xx, xy, yy, x, y, one}, t.boundary, inverse::pi<Scalar>())"};
+      return {d.type("CircleRoots"),
+              d.block("conic_circle",
+                      {d.braces("Conic", {"xx", "xy", "yy", "x", "y", "one"}), boundary(d), d.pi()})};
     case Kind::slide_turn:
-      return {"inverse::SlideTurns<Scalar>",
-              "inverse::slide_and_turn<Scalar>({divisor, h, level, {l_x, l_y}, mean, {m_x, m_y}}, "
-              "Scalar(t.tiny1), Scalar(t.size_square), " +
-                  preferred_slide(place(plan, step.slide)) + ", " + spread() +
-                  ", t.boundary, inverse::pi<Scalar>())"};
+      return {
+          d.type("SlideTurns"),
+          d.block("slide_and_turn",
+                  {d.braces("SlideAndTurn", {"divisor", "h", "level", "{l_x, l_y}", "mean", "{m_x, m_y}"}),
+                   of_target(d, "tiny1"), of_target(d, "size_square"),
+                   preferred_slide(d, place(plan, step.slide)), spread(d), boundary(d), d.pi()})};
     case Kind::right_wrist: {
       const std::string swapped = plan.plan.wrist.middle_swapped ? "true" : "false";
-      const std::string uv = rotor("u_x", "u_y") + ", " + rotor("v_x", "v_y") + ", " + swapped + ", ";
+      const std::string u = d.rotor("u_x", "u_y"), v = d.rotor("v_x", "v_y");
       if (ends(plan, step))
-        return {"inverse::WristBranches<Scalar>",
-                "inverse::right_wrist<Scalar>(" + uv +
-                    preferred_angle(place(plan, plan.plan.wrist.joints[0])) +
-                    ", inverse::pi<Scalar>(), w.branch)"};
-      return {"inverse::WristTurns<Scalar>", "inverse::right_wrist_turns<Scalar>(" + uv +
-                                                 rotor("choice_x", "choice_y") +
-                                                 ", sign, t.boundary, w.branch)"};
+        return {
+            d.type("WristBranches"),
+            d.block("right_wrist", {u, v, swapped, preferred_angle(d, place(plan, plan.plan.wrist.joints[0])),
+                                    d.pi(), branch(d)})};
+      return {d.type("WristTurns"),
+              d.block("right_wrist_turns",
+                      {u, v, swapped, d.rotor("choice_x", "choice_y"), "sign", boundary(d), branch(d)})};
     }
     case Kind::oblique_wrist: {
-      const std::string uv = rotor("u_x", "u_y") + ", " + rotor("v_x", "v_y") +
-                             ", {cosine_sum, sine_sum, cosine_difference, sine_difference, product}, ";
+      const std::string u = d.rotor("u_x", "u_y"), v = d.rotor("v_x", "v_y");
+      const std::string shape = d.braces(
+          "WristShape", {"cosine_sum", "sine_sum", "cosine_difference", "sine_difference", "product"});
       if (!ends(plan, step))
-        return {"inverse::WristTurns<Scalar>",
-                "inverse::oblique_wrist_turns<Scalar>(" + uv + rotor("cosine_delta", "sine_delta") + ", " +
-                    rotor("choice_x", "choice_y") + ", sign, t.boundary, w.branch)"};
-      return {"inverse::WristAngles<Scalar>", "inverse::oblique_wrist<Scalar>(" + uv + "sign, " +
-                                                  preferred_angle(place(plan, plan.plan.wrist.joints[0])) +
-                                                  ", t.boundary, inverse::pi<Scalar>(), w.branch)"};
+        return {d.type("WristTurns"),
+                d.block("oblique_wrist_turns",
+                        {u, v, shape, d.rotor("cosine_delta", "sine_delta"), d.rotor("choice_x", "choice_y"),
+                         "sign", boundary(d), branch(d)})};
+      return {d.type("WristAngles"),
+              d.block("oblique_wrist",
+                      {u, v, shape, "sign", preferred_angle(d, place(plan, plan.plan.wrist.joints[0])),
+                       boundary(d), d.pi(), branch(d)})};
     }
     case Kind::polish:
     case Kind::linear:
@@ -212,60 +233,46 @@ int joint_of(const model::Robot& robot, const std::string& variable) {
   return joint;
 }
 
-std::string triple(const std::string& name, std::size_t i) {
-  const std::string full = name + std::to_string(i + 1);
-  return "{" + full + "_x, " + full + "_y, " + full + "_z}";
-}
-
-std::string joined(const std::vector<std::string>& parts) {
-  std::string text;
-  for (const std::string& part : parts) text += (text.empty() ? "" : ", ") + part;
-  return "{{" + text + "}}";
+std::vector<std::string> triples(const std::string& name, std::size_t count) {
+  std::vector<std::string> list;
+  for (std::size_t i = 1; i <= count; ++i) list.push_back(name + std::to_string(i));
+  return list;
 }
 
 /// A polish step's task, and the values it changes in place.
-std::vector<std::string> polish_lines(const model::Robot& robot, const LoweredPlan& plan, const Step& step) {
-  std::vector<std::string> arm, from, seed, start, goal, back;
+PolishTask polish_task(const model::Robot& robot, const LoweredPlan& plan, const Step& step,
+                       const Dialect& d) {
+  PolishTask task;
   for (std::size_t i = 0; i < step.turns.size(); ++i) {
     const int index = joint_of(robot, step.turns[i]);
     const auto& joint = plan.plan.joints[static_cast<std::size_t>(index)];
-    arm.push_back(std::string("inverse::Screw<Scalar>{") + (joint.revolute ? "true" : "false") + ", " +
-                  triple("axis", i) + ", " + triple("point", i) + "}");
-    from.push_back(rotor("w." + joint.cosine, joint.revolute ? "w." + joint.sine : "Scalar(0)"));
-    seed.push_back(joint.revolute ? choice(place(plan, index))
-                                  : rotor(preferred_slide(place(plan, index)), "Scalar(0)"));
-    const std::string value = "values[" + std::to_string(i) + "].";
-    back.push_back("w." + joint.cosine + " = " + value + "cosine;");
-    if (joint.revolute) back.push_back("w." + joint.sine + " = " + value + "sine;");
+    const std::string zero = d.spelling().number("0");
+    const std::string cosine = d.member("w", joint.cosine);
+    task.revolute.push_back(joint.revolute);
+    task.from.push_back(d.rotor(cosine, joint.revolute ? d.member("w", joint.sine) : zero));
+    task.seed.push_back(joint.revolute ? choice(d, place(plan, index))
+                                       : d.rotor(preferred_slide(d, place(plan, index)), zero));
+    const std::string value = d.joint_value(i);
+    task.back.push_back(cosine + " = " + value + ".cosine;");
+    if (joint.revolute) task.back.push_back(d.member("w", joint.sine) + " = " + value + ".sine;");
     for (const Step& other : plan.plan.steps)
       if (!other.unit && other.unknown == step.turns[i])
-        back.push_back(length_place(other.unknown) + " = Scalar(1);");
+        task.back.push_back(length_place(d, other.unknown) + " = " + d.spelling().number("1") + ";");
   }
-  for (std::size_t i = 0; i < static_cast<std::size_t>(step.points); ++i) {
-    start.push_back("inverse::Triple<Scalar>" + triple("start", i));
-    goal.push_back("inverse::Triple<Scalar>" + triple("goal", i));
-  }
-  const std::string type = "inverse::JointValues<Scalar, " + std::to_string(arm.size()) + ">";
-  std::vector<std::string> lines = {type + " values" + joined(from) + ";",
-                                    "const " + type + " seed" + joined(seed) + ";",
-                                    "const inverse::PointMatching<Scalar, " + std::to_string(arm.size()) +
-                                        ", " + std::to_string(start.size()) + "> task{",
-                                    "    " + joined(arm) + ",",
-                                    "    " + joined(start) + ",",
-                                    "    " + joined(goal) + ", Scalar(t.size_square)};",
-                                    "if (!tracker.settle(label, task, t.boundary, t.preference->seeded ? "
-                                    "&seed : nullptr, values, w.branch)) return false;"};
-  lines.insert(lines.end(), back.begin(), back.end());
-  lines.emplace_back("return true;");
-  return lines;
+  task.axes = triples("axis", step.turns.size());
+  task.points = triples("point", step.turns.size());
+  task.start = triples("start", static_cast<std::size_t>(step.points));
+  task.goal = triples("goal", static_cast<std::size_t>(step.points));
+  task.size_square = of_target(d, "size_square");
+  return task;
 }
 
-std::vector<std::string> wrist_turn_lines(const Step& step) {
+std::vector<std::string> wrist_turn_lines(const Step& step, const Dialect& d) {
   std::vector<std::string> lines;
   const std::array<const char*, 3> parts = {"first", "middle", "last"};
   for (std::size_t i = 0; i < 3; ++i) {
-    lines.push_back("w.cos_" + step.turns[i] + " = result." + parts[i] + ".cosine;");
-    lines.push_back("w.sin_" + step.turns[i] + " = result." + parts[i] + ".sine;");
+    lines.push_back(d.member("w", "cos_" + step.turns[i]) + " = result." + parts[i] + ".cosine;");
+    lines.push_back(d.member("w", "sin_" + step.turns[i]) + " = result." + parts[i] + ".sine;");
   }
   return lines;
 }
@@ -305,15 +312,15 @@ bool mentions(const json& code, const std::string& name) {
 
 }  // namespace
 
-json target_values(const model::Robot& robot, const LoweredPlan& plan) {
+json target_values(const model::Robot& robot, const LoweredPlan& plan, const Dialect& d) {
   const std::map<std::string, std::string> fields = geometry_fields(robot);
   const auto symbol = [&](const std::string& name) {
     if (const auto constant = exact::named_value(name)) return literal(exact::Number(*constant));
     const auto field = fields.find(name);
-    return field != fields.end() ? "t.geometry." + field->second : name;
+    return field != fields.end() ? d.member("t", "geometry." + field->second) : name;
   };
   // Sines of twists that are symbols, and of a joint that is held.
-  const SymbolTable plain{symbol, {}, {}};
+  const SymbolTable plain{symbol, {}, {}, d.spelling()};
   const std::vector<dag::Angle> angles = angles_of(plan.target);
   const auto name = [&](const std::string& letter, const dag::Angle& angle) {
     const auto place =
@@ -325,25 +332,24 @@ json target_values(const model::Robot& robot, const LoweredPlan& plan) {
   const auto named = [&](const std::string& letter) {
     return [&, letter](const dag::Angle& angle) { return name(letter, angle); };
   };
-  json code = to_json(straight_code(plan.target, {symbol, named("sin"), named("cos")}));
+  json code = to_json(straight_code(plan.target, {symbol, named("sin"), named("cos"), d.spelling()}));
   json sines = json::array();
   for (const dag::Angle& angle : angles)
     for (const char* function : {"sin", "cos"})
       if (mentions(code, name(function, angle)))
-        sines.push_back(
-            {{"name", name(function, angle)},
-             {"expression", std::string("std::") + function + "(" + angle_code(angle, plain) + ")"}});
+        sines.push_back({{"name", name(function, angle)},
+                         {"expression", d.mathematical(function) + "(" + angle_code(angle, plain) + ")"}});
   sines.insert(sines.end(), code["temporaries"].begin(), code["temporaries"].end());
   code["temporaries"] = sines;
   return code;
 }
 
-json range_test_values(const model::Robot& robot, const LoweredPlan& plan) {
+json range_test_values(const model::Robot& robot, const LoweredPlan& plan, const Dialect& d) {
   const derive::inverse::RangeTest& test = plan.plan.range_test;
   if (!test.exists()) return false;
   return {{"unknown", test.unknown},
           {"equation", test.equation},
-          {"values", to_json(straight_code(plan.range_test, names_of(robot, plan, {})))}};
+          {"values", to_json(straight_code(plan.range_test, names_of(robot, plan, {}, d)))}};
 }
 
 json divisor_values(const model::Robot& robot, const LoweredPlan& plan) {
@@ -360,22 +366,24 @@ json divisor_values(const model::Robot& robot, const LoweredPlan& plan) {
   return divisors;
 }
 
-json step_values(const model::Robot& robot, const LoweredPlan& plan) {
+json step_values(const model::Robot& robot, const LoweredPlan& plan, const Dialect& d) {
   json steps = json::array();
   for (std::size_t i = 0; i < plan.steps.size(); ++i) {
     const Step& step = plan.plan.steps[i];
-    const SymbolTable names = names_of(robot, plan, step);
+    const SymbolTable names = names_of(robot, plan, step, d);
     const Code before = straight_code(plan.steps[i].before, names);
     const Code after = straight_code(plan.steps[i].after, names);
-    const auto [type, call] = block(plan, step);
+    const auto [type, call] = block(plan, step, d);
     std::vector<std::string> extra;
     const bool polish = step.kind == Kind::polish;
-    if (polish) extra = polish_lines(robot, plan, step);
-    if (step.is_wrist() && !ends(plan, step)) extra = wrist_turn_lines(step);
+    if (polish) extra = d.polish_lines(polish_task(robot, plan, step, d));
+    if (step.is_wrist() && !ends(plan, step)) extra = wrist_turn_lines(step, d);
     const bool split = step.is_quartic();
     const bool slides = step.kind == Kind::slide_turn;
-    if (plan.plan.chooses_for_others(step)) extra = {"w.branch.doubt(w.branch.continuum);"};
-    if (slides) extra = {"if (result.chosen) w.branch.continuum = w.branch.doubtful = true;"};
+    if (plan.plan.chooses_for_others(step)) extra = {d.doubt(d.member("w", "branch.continuum"))};
+    if (slides)
+      extra = {"if (result.chosen) " + d.member("w", "branch.continuum") + " = " +
+               d.member("w", "branch.doubtful") + " = true;"};
     const bool returns = split || ends(plan, step);
     const bool oblique = step.kind == Kind::oblique_wrist;
     steps.push_back({{"name", step_name(plan, i)},
@@ -383,7 +391,7 @@ json step_values(const model::Robot& robot, const LoweredPlan& plan) {
                      {"sign", step.branches == 2 && !(ends(plan, step) && !oblique)},
                      {"returns", returns},
                      {"split", split},
-                     {"root", std::string("inverse::") + (slides ? "SlideTurn" : "Rotor") + "<Scalar>"},
+                     {"root", d.type(slides ? "SlideTurn" : "Rotor")},
                      {"polish", polish ? json{{"joints", step.turns.size()}} : json(false)},
                      {"regular", !split && !polish},
                      {"type", type},

@@ -1,0 +1,125 @@
+/// One solution or none.
+typedef struct Nearest {
+  int status;
+  int count;
+  Effort effort;
+  Solution row;
+} Nearest;
+
+static void start_nearest(Nearest* found) {
+  found->status = status_unreachable;
+  found->count = 0;
+  found->effort.passes = found->effort.steps = found->effort.used_up = 0;
+}
+
+static void conclude_nearest(Nearest* found) {
+  found->status = found->effort.used_up    ? status_incomplete
+                  : found->count == 0      ? status_unreachable
+                  : found->row.continuum != 0 ? status_singular
+                                           : status_solved;
+}
+
+static inline void take_row(Nearest* found, const double* q, int branch, bool continuum) {
+  found->count = 1;
+  memcpy(found->row.q, q, sizeof found->row.q);
+  found->row.branch = branch;
+  found->row.continuum = continuum;
+}
+
+// Squared distances from the seed's values: of an angle that of the pairs, near zero its square.
+
+static inline double turn_apart(double cosine, double sine, Rotor seed) {
+  const double x = cosine - seed.cosine;
+  const double y = sine - seed.sine;
+  return x * x + y * y;
+}
+
+static inline double slide_apart(double slide, double seed) { return (slide - seed) * (slide - seed); }
+
+static inline double wrist_apart(WristAngles angles, double first, double middle, double last) {
+  const double x = without_turns(angles.first - first);
+  const double y = without_turns(angles.middle - middle);
+  const double z = without_turns(angles.last - last);
+  return x * x + y * y + z * z;
+}
+
+/// Of a row; infinite if there is none.
+static double nearest_apart(const Nearest* found, const Preference* seed) {
+  if (found->count == 0) return HUGE_VAL;
+  double sum = 0;
+  for (int i = 0; i < dof; ++i) {
+    const double q = found->row.q[i];
+    const double off = is_revolute[i] ? without_turns(q - seed->angle[i]) : q - seed->slide[i];
+    sum += off * off;
+  }
+  return sum;
+}
+
+/// The choices between two solutions of an equation on the way along a branch.
+typedef struct Forks {
+  unsigned flipped;  // bit i: at the i-th the farther one is taken
+  int count;
+  double left[6];  // squared distance from the seed of what was not taken, infinite if it is nothing
+  int label;
+} Forks;
+
+static const Forks no_forks = {0, 0, {0}, 0};
+
+/// Whether the other of two solutions is to be taken.
+static bool takes_other(Forks* forks, const Branch* other, double other_apart, const Branch* branch, double apart) {
+  const bool is_nearer = other->exists && (!branch->exists || other_apart < apart);
+  const bool is_other = is_nearer != ((forks->flipped >> forks->count & 1U) != 0);
+  const bool has_rest = is_other ? branch->exists : other->exists;
+  forks->left[forks->count++] = has_rest ? (is_other ? apart : other_apart) : HUGE_VAL;
+  forks->label = 2 * forks->label + (is_other ? 1 : 0);
+  return is_other;
+}
+
+/// The forks at which another choice may lead nearer to the seed, a bit each.
+static unsigned open_forks(const Forks* forks, double least) {
+  unsigned open = 0;
+  for (int i = 0; i < forks->count; ++i)
+    if (forks->left[i] < 400 * least) open |= 1U << i;
+  return open;
+}
+
+/// Whether a row is so near to the seed that no other needs to be asked for: 10 mrad, or 2 mrad on a continuum, on which
+/// rounding may have moved it along.
+static bool is_next_to(const Nearest* found, const Preference* seed) {
+  return found->count > 0 && nearest_apart(found, seed) < (found->row.continuum ? 4e-6 : 1e-4);
+}
+
+/// Keeps the row that is nearer to the seed, and counts what both have cost.
+static void take_nearer(const Nearest* row, const Preference* seed, Nearest* found) {
+  Effort effort;
+  effort.passes = found->effort.passes + row->effort.passes;
+  effort.steps = found->effort.steps + row->effort.steps;
+  effort.used_up = 0;
+  if (nearest_apart(row, seed) < nearest_apart(found, seed)) *found = *row;
+  found->effort = effort;
+}
+
+/// The first of all solutions, which stand by their distance from the seed, or why there is none.
+static void take_nearest(const Solutions* all, Nearest* found) {
+  found->effort.passes += all->effort.passes;
+  found->effort.steps += all->effort.steps;
+  found->effort.used_up = all->count == 0 && all->effort.used_up;
+  found->count = all->count > 0 ? 1 : 0;
+  if (all->count > 0) found->row = all->rows[0];
+  conclude_nearest(found);
+  if (all->count == 0) found->status = all->status;
+}
+
+/// Whole turns added until each angle is within half a turn of the seed's.
+static void unwind(Nearest* found, const double* seed) {
+  for (int i = 0; i < dof; ++i)
+    if (found->count > 0 && is_revolute[i]) found->row.q[i] = seed[i] + without_turns(found->row.q[i] - seed[i]);
+}
+
+static int as_solutions(const Nearest* nearest, Solutions* found) {
+  found->status = nearest->status;
+  found->effort = nearest->effort;
+  found->count = nearest->count;
+  if (nearest->count > 0) found->rows[0] = nearest->row;
+  return found->count;
+}

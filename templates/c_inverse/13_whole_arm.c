@@ -1,0 +1,159 @@
+/// Joints and tool with all joints at zero.
+typedef struct Arm {
+  int joints;
+  Screw of[most_joints];
+  Pose tool;
+} Arm;
+
+static void set_screw(Arm* arm, int joint, bool revolute, double axis_x, double axis_y, double axis_z, double x, double y,
+                      double z) {
+  arm->of[joint].revolute = revolute;
+  set_triple(arm->of[joint].axis, axis_x, axis_y, axis_z);
+  set_triple(arm->of[joint].point, x, y, z);
+}
+
+static Pose carried_by(const Screw* joint, double q, Pose tool) {
+  if (!joint->revolute) {
+    for (int k = 0; k < 3; ++k) tool.position[k] += q * joint->axis[k];
+    return tool;
+  }
+  const Quaternion turn = turn_about(joint->axis, q);
+  double from[3];
+  difference(tool.position, joint->point, from);
+  turn_vector(turn, from, tool.position);
+  for (int k = 0; k < 3; ++k) tool.position[k] += joint->point[k];
+  tool.orientation = turn_after(turn, tool.orientation);
+  return tool;
+}
+
+static Pose tool_of(const Arm* arm, const double* q) {
+  Pose tool = arm->tool;
+  for (int i = arm->joints; i-- > 0;) tool = carried_by(&arm->of[i], q[i], tool);
+  return tool;
+}
+
+/// The tool's point (`points` 1) or its whole pose (3) at the zero pose, and where it is to be.
+static void set_matching(const Arm* arm, const Pose* pose, int points, Matching* task) {
+  const Pose back = inverse_pose(&arm->tool);
+  const Pose unit = with_unit_quaternion(pose);
+  const Pose moved = pose_after(&unit, &back);
+  const double square = dot(pose->position, pose->position) + dot(arm->tool.position, arm->tool.position);
+  // Of an arm without size: any length serves to measure turns by.
+  const double size = square > 0 ? sqrt(square) : 1;
+  task->joints = arm->joints;
+  task->points = points;
+  memcpy(task->arm, arm->of, sizeof task->arm);
+  task->size_square = size * size;
+  for (int i = 0; i < points; ++i) {
+    memcpy(task->start[i], arm->tool.position, sizeof task->start[i]);
+    if (i > 0) task->start[i][i - 1] += size;
+    if (points == 1) {
+      memcpy(task->goal[i], pose->position, sizeof task->goal[i]);
+      continue;
+    }
+    turn_vector(moved.orientation, task->start[i], task->goal[i]);
+    for (int k = 0; k < 3; ++k) task->goal[i][k] += moved.position[k];
+  }
+}
+
+/// An arm one of whose joints stands still: the others of it.
+static Arm without_joint(const Arm* arm, int still, double value) {
+  const Screw* screw = &arm->of[still];
+  const Rotor turn = screw->revolute ? rotor(cos(value), sin(value)) : rotor(value, 0);
+  Arm rest = *arm;
+  rest.joints = arm->joints - 1;
+  for (int i = still; i < rest.joints; ++i) {
+    rest.of[i] = arm->of[i + 1];
+    if (screw->revolute) turn_direction(screw, turn, rest.of[i].axis);
+    move_point(screw, turn, rest.of[i].point);
+  }
+  rest.tool = carried_by(screw, value, arm->tool);
+  return rest;
+}
+
+/// Whether the seed misses the pose by much less than its way to a row lets expect: something between them is nearly free.
+static bool is_nearly_free(const Matching* task, const JointValues* seed, double row_apart, Budget* budget) {
+  if (!may_step(budget)) return false;
+  Reached at;
+  reach(task, seed, &at);
+  return at.error < 0.05 * 0.05 * row_apart * task->size_square;
+}
+
+/// The row to which Newton's steps of the whole arm lead from the seed, if they lead to the pose; one joint where it is
+/// given, none for -1. What is nearly free stays where the seed has it. `row_apart`: how far what has been found is from the
+/// seed, squared; where that `is_sure` steps are taken only next to what turns out to be singular.
+static void row_from_seed(const Arm* whole, int points, const Pose* pose, const Preference* seed, int given, double value,
+                          double tolerance, bool is_sure, double row_apart, Nearest* row) {
+  const Arm arm = given >= 0 ? without_joint(whole, given, value) : *whole;
+  Matching task;
+  JointValues start;
+  set_matching(&arm, pose, points, &task);
+  for (int i = 0; i < arm.joints; ++i) {
+    const int joint = given >= 0 && i >= given ? i + 1 : i;
+    start.of[i] = arm.of[i].revolute ? seed->turn[joint] : rotor(seed->slide[joint], 0);
+  }
+  SeedTracker tracker = new_seed_tracker();
+  tracker.start = from_seed;
+  const bool is_wanted =
+      !is_sure || (row_apart < HUGE_VAL && is_nearly_free(&task, &start, row_apart, &tracker.budget));
+  JointValues values = start;
+  Branch branch = new_branch;
+  branch.unsure = true;
+  const Boundary boundary = ends_boundary(tolerance);
+  if (is_wanted && settle_near_seed(&tracker, &task, &boundary, &start, &values, &branch)) {
+    double q[dof];
+    for (int i = 0; i < arm.joints; ++i)
+      q[given >= 0 && i >= given ? i + 1 : i] =
+          arm.of[i].revolute ? output_angle(values.of[i].cosine, values.of[i].sine, 1) : values.of[i].cosine;
+    if (given >= 0) q[given] = value;
+    take_row(row, q, -1, branch.continuum);
+  }
+  row->effort = tracker.budget.spent;
+}
+
+/// Takes that row if it is nearer to the seed than what has been found.
+static void follow_whole_arm(const Arm* arm, int points, const Pose* pose, const Preference* seed, int given, double value,
+                             double tolerance, bool is_sure, Nearest* found) {
+  Nearest row;
+  start_nearest(&row);
+  row_from_seed(arm, points, pose, seed, given, value, tolerance, is_sure, nearest_apart(found, seed), &row);
+  take_nearer(&row, seed, found);
+}
+
+/// The first number that no row has.
+static int free_branch(const Solutions* rows) {
+  for (int branch = 0;; ++branch) {
+    bool has_it = false;
+    for (int i = 0; i < rows->count; ++i) has_it = has_it || rows->rows[i].branch == branch;
+    if (!has_it) return branch;
+  }
+}
+
+/// Puts a row next to the seed in front of all solutions, which stand by their distance from it, if there is one that these
+/// do not have: in place of the nearest one where a joint is free or nearly free, and else as one that has been missed, as
+/// others may be, with a number that no other has.
+static void add_row_at_seed(const Arm* arm, int points, const Pose* pose, const Preference* seed, int given, double value,
+                            double tolerance, int most_rows_of_set, Solutions* found) {
+  Nearest nearest;
+  start_nearest(&nearest);
+  nearest.count = found->count > 0 ? 1 : 0;
+  if (found->count > 0) nearest.row = found->rows[0];
+  if (found->status == status_invalid) return;
+  const bool is_sure = found->effort.passes == 0;
+  const double row_apart = nearest_apart(&nearest, seed);
+  // Steps that rounding makes on a continuum would add up.
+  if (is_sure ? is_next_to(&nearest, seed) : row_apart < 1e-12) return;
+  follow_whole_arm(arm, points, pose, seed, given, value, tolerance, is_sure, &nearest);
+  found->effort.steps += nearest.effort.steps;
+  if (!(nearest_apart(&nearest, seed) < row_apart)) return;
+  const bool is_joined = found->count > 0 && (is_sure || found->rows[0].continuum || nearest.row.continuum);
+  const bool replaces = is_joined || found->count == most_rows_of_set;
+  const int branch = replaces ? found->rows[0].branch : free_branch(found);
+  if (!replaces) {
+    for (int i = found->count++; i > 0; --i) found->rows[i] = found->rows[i - 1];
+  }
+  found->rows[0] = nearest.row;
+  found->rows[0].branch = branch;
+  conclude_solutions(found);
+  if (!replaces) found->status = status_incomplete;
+}

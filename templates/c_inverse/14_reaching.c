@@ -1,0 +1,89 @@
+/// Of rows that solve less than is asked those which reach the tool's point (`points` 1) or the whole pose (3).
+typedef struct Reaching {
+  Matching task;
+  double tolerance;
+  bool is_incomplete;
+  int capacity;
+  Budget budget;
+  Solutions* found;
+  JointValues known[capacity];
+} Reaching;
+
+static void start_reaching(Reaching* kept, const Arm* arm, const Pose* pose, int points, double tolerance, int rows,
+                           int steps, Solutions* found) {
+  const Budget budget = {0, steps, {0, 0, 0}};
+  set_matching(arm, pose, points, &kept->task);
+  kept->tolerance = tolerance;
+  kept->is_incomplete = false;
+  kept->capacity = rows;
+  kept->budget = budget;
+  kept->found = found;
+  start_solutions(found);
+}
+
+static void add_effort(const Effort* more, Effort* effort) {
+  effort->passes += more->passes;
+  effort->steps += more->steps;
+  effort->used_up = effort->used_up || more->used_up;
+}
+
+static void keep_reaching(Reaching* kept, const double* q, const JointValues* values, int branch, bool continuum) {
+  Solutions* found = kept->found;
+  if (found->count == kept->capacity) return;
+  for (int k = 0; k < found->count; ++k)
+    if (!are_apart(kept->task.joints, &kept->known[k], values)) return;
+  // Two places of one continuum have its branch; each row has its own.
+  for (int k = 0; k < found->count; ++k) {
+    if (found->rows[k].branch != branch) continue;
+    branch = (branch + 1) % kept->capacity;
+    k = -1;
+  }
+  kept->known[found->count] = *values;
+  Solution* row = &found->rows[found->count++];
+  memcpy(row->q, q, sizeof row->q);
+  row->branch = branch;
+  row->continuum = continuum;
+}
+
+static void look_at_row(Reaching* kept, const Row* from, bool once_more) {
+  const Matching* task = &kept->task;
+  const double exact = 4 * DBL_EPSILON;
+  double q[dof];
+  JointValues values;
+  memcpy(q, from->q, sizeof q);
+  for (int i = 0; i < dof; ++i) values.of[i] = task->arm[i].revolute ? rotor(cos(q[i]), sin(q[i])) : rotor(q[i], 0);
+  if (!may_step(&kept->budget)) return;
+  Reached at;
+  reach(task, &values, &at);
+  const double off = at.error / task->size_square;
+  if (!(from->continuum || off < 1e-4 * 1e-4)) return;
+  if (!(off < exact * exact)) {
+    if (!polish(task, patience(kept->tolerance), &values, &at, &kept->budget, &nothing_held)) return;
+    for (int i = 0; i < dof; ++i)
+      q[i] = task->arm[i].revolute ? output_angle(values.of[i].cosine, values.of[i].sine, 1) : values.of[i].cosine;
+  }
+  const bool continuum = from->continuum && is_continuum(task, &values, &at, &kept->budget);
+  if (continuum && once_more) return;
+  keep_reaching(kept, q, &values, from->branch, continuum);
+}
+
+/// Looks at every row, all on continua from wherever they are; `once_more`: at other places of these.
+static void look_at_rows(Reaching* kept, const Rows* rows, bool once_more) {
+  add_effort(&rows->effort, &kept->found->effort);
+  kept->is_incomplete = kept->is_incomplete || rows->status == status_incomplete;
+  for (int i = 0; i < rows->count; ++i)
+    if (!once_more || rows->rows[i].continuum) look_at_row(kept, &rows->rows[i], once_more);
+}
+
+static void conclude_reaching(Reaching* kept) {
+  Solutions* found = kept->found;
+  add_effort(&kept->budget.spent, &found->effort);
+  for (int i = 1; i < found->count; ++i) {
+    const Solution row = found->rows[i];
+    int at = i;
+    for (; at > 0 && row.branch < found->rows[at - 1].branch; --at) found->rows[at] = found->rows[at - 1];
+    found->rows[at] = row;
+  }
+  conclude_solutions(found);
+  if (kept->is_incomplete) found->status = status_incomplete;
+}
