@@ -10,6 +10,15 @@ foreach(path IN LISTS paths)
   file(READ "${path}" text)
   string(APPEND entries "      {\"${name}\", R\"~template~(${text})~template~\"},\n")
 endforeach()
+# What generated C has in common, not to be filled in.
+file(GLOB paths "${FOLDER}/c_inverse/*.c")
+list(SORT paths)
+string(APPEND entries "      {\"c_inverse_blocks\",\n")
+foreach(path IN LISTS paths)
+  file(READ "${path}" text)
+  string(APPEND entries "       R\"~template~(${text}\n)~template~\"\n")
+endforeach()
+string(APPEND entries "      },\n")
 file(WRITE "${OUTPUT}.new" "#include \"emit/builtin_templates.h\"
 
 namespace qvgen::emit {

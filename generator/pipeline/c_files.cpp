@@ -16,11 +16,18 @@ void add_c_part(RobotOutput& output, const emit::c::Part& part) {
 
 RobotOutput with_c_files(RobotOutput output) {
   emit::c::Part all;
-  for (const OutputFile& file : output.files)
-    all += file.path == header_of(output.robot) ? emit::c::Part{file.content, ""}
-                                                : emit::c::Part{"", file.content};
+  std::vector<OutputFile> others;
+  for (const OutputFile& file : output.files) {
+    if (file.path == header_of(output.robot))
+      all += {file.content, ""};
+    else if (file.path == source_of(output.robot))
+      all += {"", file.content};
+    else
+      others.push_back(file);
+  }
   const emit::c::Part text = emit::c::file(output.robot, all, lines_of_missing(output));
   output.files = {{header_of(output.robot), text.header}, {source_of(output.robot), text.source}};
+  output.files.insert(output.files.end(), others.begin(), others.end());
   return output;
 }
 

@@ -86,10 +86,7 @@ std::vector<Product> wanted_products(const Parts& parts) {
 RobotOutput generate_product(const model::Robot& robot, const Product& product, Language language) {
   RobotOutput output{robot.name};
   const auto make = language == Language::c ? product.generate_c : product.generate;
-  if (make == nullptr)
-    output.missing.push_back({product.part, Missing::Kind::not_in_language, product.why_not_in_c});
-  else
-    attempt(product.part, output, [&](RobotOutput& made) { make(robot, made); });
+  attempt(product.part, output, [&](RobotOutput& made) { make(robot, made); });
   return output;
 }
 

@@ -1,5 +1,5 @@
-// What is known of a branch, and how equations treat the ends of their ranges: scalar.h and target.h of the C++ library
-// say more of each.
+// What is known of a branch, and how equations treat the ends of their ranges: scalar.h and target.h of the
+// C++ library say more of each.
 
 typedef struct Branch {
   bool exists;     // false: no such solution
@@ -103,8 +103,8 @@ static inline void doubt(Branch* branch, bool condition) {
   branch->unsure = branch->unsure || condition;
 }
 
-/// Where an angle is free it has been chosen, if the equation holds; elsewhere the branch is what a regular block has
-/// found.
+/// Where an angle is free it has been chosen, if the equation holds; elsewhere the branch is what a regular
+/// block has found.
 static inline void take(Branch* branch, bool is_free, bool holds, const Branch* regular) {
   branch->doubtful = branch->doubtful || (branch->exists && is_free) || regular->doubtful;
   branch->unsure = branch->unsure || is_free || regular->unsure;

@@ -42,7 +42,8 @@ static inline double arctangent_series(double z) {
   return low + z4 * (middle + z4 * high);
 }
 
-/// The angle of (width, height), neither negative, as base plus or minus atan(rise / run), |rise / run| <= 0.45.
+/// The angle of (width, height), neither negative, as base plus or minus atan(rise / run), |rise / run| <=
+/// 0.45.
 typedef struct Octant {
   double rise, run, base;
   bool steep;  // minus
@@ -61,8 +62,8 @@ static Octant octant(double height, double width) {
   return found;
 }
 
-/// base + atan(t), base a multiple of pi/4 without the digits that it has beyond a double. What the sum of base and t
-/// loses is put back.
+/// base + atan(t), base a multiple of pi/4 without the digits that it has beyond a double. What the sum of
+/// base and t loses is put back.
 static inline double turned_by_arctangent(double base, double t) {
   const double z = t * t;
   const double sum = base + t;
@@ -100,8 +101,8 @@ static inline double short_series(double z) {
   return ((c01 + z2 * c23) + (z4 * z4) * c89) + z4 * (c45 + z2 * c67);
 }
 
-/// The arctangent of a pair of known length: `axis` and twice the arctangent of t, |t| <= tan(pi/8), with the signs that
-/// are to be, and what that is short of.
+/// The arctangent of a pair of known length: `axis` and twice the arctangent of t, |t| <= tan(pi/8), with the
+/// signs that are to be, and what that is short of.
 typedef struct Tangent {
   double axis, twice, rest;
 } Tangent;
@@ -125,7 +126,8 @@ static inline double arctangent_of_length(double y, double x, double length) {
   return (found.axis + found.twice) + found.rest;
 }
 
-/// Angle in (-pi, pi], rad, of a pair of the given length: -pi, which a negative zero or a rounded sine would give, is pi.
+/// Angle in (-pi, pi], rad, of a pair of the given length: -pi, which a negative zero or a rounded sine would
+/// give, is pi.
 static inline double output_angle(double cosine, double sine, double length) {
   const double value = arctangent_of_length(sine, cosine, length);
   return value <= -pi ? pi : value;
@@ -144,9 +146,9 @@ static inline Opposites output_angles(double cosine, double sine, double length)
   return both;
 }
 
-/// Of all directions that a vector known but for rounding may have, its end within a disc, the one nearest to the
-/// preferred one. `unit` is the vector's direction, the squares are those of its length and of the disc's radius.
-/// `opposites`: the opposite direction is another branch.
+/// Of all directions that a vector known but for rounding may have, its end within a disc, the one nearest to
+/// the preferred one. `unit` is the vector's direction, the squares are those of its length and of the disc's
+/// radius. `opposites`: the opposite direction is another branch.
 static Rotor turned_to(Rotor preferred, Rotor unit, double square, double disc, bool opposites) {
   Rotor choice = preferred;
   Rotor off = product(choice, inverse(unit));
@@ -165,7 +167,8 @@ static inline bool is_blurred(double square, double noise) { return square <= 1e
 
 static const double widest_blur = 64;
 
-/// A pair brought to length one. Where its squared length is below `tiny` it is the choice, and the branch is marked.
+/// A pair brought to length one. Where its squared length is below `tiny` it is the choice, and the branch is
+/// marked.
 static Rotor direction(Rotor v, double tiny, Rotor choice, bool opposites, Branch* branch) {
   const double square = square_of(v);
   const bool is_free = square <= tiny;
@@ -180,8 +183,8 @@ static Rotor direction(Rotor v, double tiny, Rotor choice, bool opposites, Branc
 static const double brief_length = 0x1p-100;
 
 /// A pair left as long as it is; a free one is the caller's choice, of `brief_length`.
-static Rotor chosen_if_free(Rotor v, double square, double tiny, Rotor brief_choice, bool opposites, double* length,
-                            Branch* branch) {
+static Rotor chosen_if_free(Rotor v, double square, double tiny, Rotor brief_choice, bool opposites,
+                            double* length, Branch* branch) {
   if (!is_blurred(square, tiny)) return v;
   const bool is_free = square <= tiny;
   branch->continuum = branch->continuum || (branch->exists && is_free);
@@ -194,13 +197,15 @@ static Rotor chosen_if_free(Rotor v, double square, double tiny, Rotor brief_cho
 }
 
 /// The same, and its length.
-static inline Rotor span(Rotor v, double tiny, Rotor brief_choice, bool opposites, double* length, Branch* branch) {
+static inline Rotor span(Rotor v, double tiny, Rotor brief_choice, bool opposites, double* length,
+                         Branch* branch) {
   const double square = square_of(v);
   *length = sqrt(square);
   return chosen_if_free(v, square, tiny, brief_choice, opposites, length, branch);
 }
 
-/// The same where the length is known but for rounding: a Newton step makes it good without waiting for a root.
+/// The same where the length is known but for rounding: a Newton step makes it good without waiting for a
+/// root.
 static inline Rotor span_of_length(Rotor v, double about, double tiny, Rotor brief_choice, bool opposites,
                                    double* length, Branch* branch) {
   const double square = square_of(v);
@@ -215,8 +220,8 @@ static inline Rotor half(Rotor r) {
   return r.cosine >= 0 ? rotor(longer, other) : rotor(fabs(other), with_sign(longer, r.sine));
 }
 
-/// The direction of half the angle of a pair of the given length, for wrists: its squared length is between 2 and 4 times
-/// the pair's.
+/// The direction of half the angle of a pair of the given length, for wrists: its squared length is between 2
+/// and 4 times the pair's.
 static inline Rotor half_direction(Rotor r, double length) {
   const double longer = length + fabs(r.cosine);
   return r.cosine >= 0 ? rotor(longer, r.sine) : rotor(fabs(r.sine), with_sign(longer, r.sine));

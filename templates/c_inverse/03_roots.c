@@ -5,7 +5,8 @@ typedef struct Limits {
 } Limits;
 
 static inline Limits limits_of(const Boundary* boundary) {
-  const Limits limits = {boundary->doubt, -boundary->beyond, -boundary->accept, boundary->unsure, boundary->wide};
+  const Limits limits = {boundary->doubt, -boundary->beyond, -boundary->accept, boundary->unsure,
+                         boundary->wide};
   return limits;
 }
 
@@ -37,24 +38,25 @@ static inline Rotor circle_from(double low, double high, double scale, double si
   return rotor(larger(cosine2, least) - larger(sine2, least), (2 * sign * fabs(scale)) * height);
 }
 
-/// cos phi = (high - low) / (high + low), the two angles +-phi at which a line or circle meets a circle; scale =
-/// 1 / (low + high).
+/// cos phi = (high - low) / (high + low), the two angles +-phi at which a line or circle meets a circle;
+/// scale = 1 / (low + high).
 static inline Rotor circle_angle(double low, double high, double scale, double sign, const Boundary* boundary,
                                  Branch* branch) {
   return circle_from(low, high, scale, sign, boundary, false, branch);
 }
 
-/// Whether a direction of the given square is nearly free, or the nearer end of its range so near that earlier equations
-/// may have moved it across.
-static inline bool nearly_free(double square, double low, double high, double tiny, const Boundary* boundary) {
+/// Whether a direction of the given square is nearly free, or the nearer end of its range so near that
+/// earlier equations may have moved it across.
+static inline bool nearly_free(double square, double low, double high, double tiny,
+                               const Boundary* boundary) {
   const double end = smaller(fabs(low), fabs(high));
   return square <= boundary->near * tiny || end * end <= 1e8 * tiny;
 }
 
-/// The angle +-phi from a direction that the pose gives, low and high as for `circle_angle`. Where the direction's
-/// squared length is below `tiny` the angle is free if high - low is as small.
-static inline Rotor free_circle_angle(double low, double high, Rotor from, double tiny, Rotor choice, double sign,
-                                      const Boundary* boundary, Branch* branch) {
+/// The angle +-phi from a direction that the pose gives, low and high as for `circle_angle`. Where the
+/// direction's squared length is below `tiny` the angle is free if high - low is as small.
+static inline Rotor free_circle_angle(double low, double high, Rotor from, double tiny, Rotor choice,
+                                      double sign, const Boundary* boundary, Branch* branch) {
   const double square = square_of(from);
   const double gap = high - low;
   const bool is_free = square <= tiny;
@@ -66,10 +68,10 @@ static inline Rotor free_circle_angle(double low, double high, Rotor from, doubl
   return product(turn, scaled(1 / sqrt(square), from));
 }
 
-/// The angle +-phi from a direction v that the pose gives, with v.u = rhs for the unit vector u; |v|^2 - rhs^2 is known as
-/// the product low * high.
-static Rotor factored_line_angle(Rotor v, double rhs, double low, double high, double tiny, Rotor choice, double sign,
-                                 const Boundary* boundary, Branch* branch) {
+/// The angle +-phi from a direction v that the pose gives, with v.u = rhs for the unit vector u; |v|^2 -
+/// rhs^2 is known as the product low * high.
+static Rotor factored_line_angle(Rotor v, double rhs, double low, double high, double tiny, Rotor choice,
+                                 double sign, const Boundary* boundary, Branch* branch) {
   const double square = square_of(v);
   const bool is_free = square <= tiny;
   const double range = low + high;
@@ -88,8 +90,8 @@ static Rotor factored_line_angle(Rotor v, double rhs, double low, double high, d
   return product(rotor(rhs * unit, height * unit), v);
 }
 
-/// Of the directions u with inner <= |point + u offset|^2 <= outer, `choice` or one near it: what a free angle may be if
-/// the joints after it are to stay in reach.
+/// Of the directions u with inner <= |point + u offset|^2 <= outer, `choice` or one near it: what a free
+/// angle may be if the joints after it are to stay in reach.
 static Rotor reachable_direction(Rotor point, Rotor offset, double inner, double outer, Rotor choice) {
   const Rotor both = product(inverse(point), offset);
   const double square = square_of(both);
@@ -109,7 +111,8 @@ static Rotor reachable_direction(Rotor point, Rotor offset, double inner, double
   return product(moved, inverse(along));
 }
 
-/// The direction of v, a product of two vectors that are at most unit vectors and vanish together: then it is free.
+/// The direction of v, a product of two vectors that are at most unit vectors and vanish together: then it is
+/// free.
 static Rotor chosen_direction(Rotor v, Rotor choice, const Boundary* boundary, Branch* branch) {
   const double noise = 16 * DBL_EPSILON;
   const double little = 1e-20;
@@ -117,9 +120,10 @@ static Rotor chosen_direction(Rotor v, Rotor choice, const Boundary* boundary, B
   return direction(v, boundary->choose ? little : noise * noise * noise * noise, choice, false, branch);
 }
 
-/// +-sqrt(square), where `square` = r^2 - m^2 may be negative by rounding, `scale` = m^2 telling how much that is.
-static inline double signed_root(double square, double scale, double tiny, double sign, const Boundary* boundary,
-                                 Branch* branch) {
+/// +-sqrt(square), where `square` = r^2 - m^2 may be negative by rounding, `scale` = m^2 telling how much
+/// that is.
+static inline double signed_root(double square, double scale, double tiny, double sign,
+                                 const Boundary* boundary, Branch* branch) {
   const bool close = fabs(square) <= boundary->near * tiny;
   const Limits limits = limits_in_range(boundary, larger(scale, fabs(square)));
   admit(square, &limits, close, branch);
@@ -131,8 +135,8 @@ static inline void require_zero(double residual, double scale, double tolerance,
   branch->exists = branch->exists && residual <= tolerance * scale && residual >= -tolerance * scale;
 }
 
-/// Whether a `circle_angle` that comes before all other branches, or behind one of two signs, has no solution whatever the
-/// sign: its share low / (low + high) is `middle` +- sqrt(`swing`). Told without a root.
+/// Whether a `circle_angle` that comes before all other branches, or behind one of two signs, has no solution
+/// whatever the sign: its share low / (low + high) is `middle` +- sqrt(`swing`). Told without a root.
 static inline bool is_out_of_range(double middle, double swing, const Boundary* boundary) {
   const double off = fabs(middle - 0.5);
   const double to_end = 0.5 + boundary->beyond;

@@ -24,7 +24,8 @@ static inline Vanishing vanishing(double u_square, double v_square) {
 }
 
 /// The same before further joints: nearly free, what the angles are is for those to say.
-static Vanishing vanishing_before_joints(double u_square, double v_square, const Boundary* boundary, Branch* branch) {
+static Vanishing vanishing_before_joints(double u_square, double v_square, const Boundary* boundary,
+                                         Branch* branch) {
   Vanishing is_free = vanishing(u_square, v_square);
   const double little = boundary->near * is_free.noise;
   const double choosable = branch->unsure || boundary->wide ? 1e14 : 1e5;
@@ -38,8 +39,9 @@ static Vanishing vanishing_before_joints(double u_square, double v_square, const
   return is_free;
 }
 
-/// How far the argument of the smaller number, whose square is `least`, is to be turned: next to where it is free the first
-/// angle comes as near to the choice as rounding allows, or to the opposite direction. Zero elsewhere.
+/// How far the argument of the smaller number, whose square is `least`, is to be turned: next to where it is
+/// free the first angle comes as near to the choice as rounding allows, or to the opposite direction. Zero
+/// elsewhere.
 static double turn_to_choice(double first, double choice, double least, double noise) {
   if (!is_blurred(least, noise)) return 0;
   const double quarter = 0.5 * pi;
@@ -55,12 +57,15 @@ typedef struct WristBranches {
 } WristBranches;
 
 static inline WristBranches wrist_branches(Opposites first, double middle, Opposites last) {
-  const WristBranches both = {{first.one, middle, last.one}, {first.other, middle >= pi ? pi : -middle, last.other}};
+  const WristBranches both = {{first.one, middle, last.one},
+                              {first.other, middle >= pi ? pi : -middle, last.other}};
   return both;
 }
 
-/// Where u or v vanishes first is the choice, what is left follows from the other number, the middle angle is 0 or pi.
-static WristBranches aligned_wrist(WristBranches regular, Rotor u, Rotor v, Vanishing is_free, bool swapped, double choice) {
+/// Where u or v vanishes first is the choice, what is left follows from the other number, the middle angle is
+/// 0 or pi.
+static WristBranches aligned_wrist(WristBranches regular, Rotor u, Rotor v, Vanishing is_free, bool swapped,
+                                   double choice) {
   if (!is_free.u && !is_free.v) return regular;
   const double rest = 2 * (is_free.u ? arctangent(v.sine, v.cosine) : arctangent(u.sine, u.cosine)) - choice;
   Opposites first, last;
@@ -82,9 +87,9 @@ static WristBranches turned_wrist(WristBranches regular, double turn, bool is_u)
   return wrist_branches(first, regular.one.middle, last);
 }
 
-/// Wrist with right angles between neighbouring axes. u, v: the entries of the wrist's SU(2) matrix, of any length, turned
-/// so that first = arg u + arg v, last = arg u - arg v and middle = 2 atan2(|v|, |u|), in [0, pi] (with `swapped` the other
-/// way round).
+/// Wrist with right angles between neighbouring axes. u, v: the entries of the wrist's SU(2) matrix, of any
+/// length, turned so that first = arg u + arg v, last = arg u - arg v and middle = 2 atan2(|v|, |u|), in [0,
+/// pi] (with `swapped` the other way round).
 static WristBranches right_wrist(Rotor u, Rotor v, bool swapped, double seed, Branch* branch) {
   const double u_square = square_of(u);
   const double v_square = square_of(v);
@@ -113,7 +118,8 @@ typedef struct WristTurns {
   Rotor first, middle, last;
 } WristTurns;
 
-/// The directions of the two numbers. One of them vanishes at most: what it leaves free makes the first angle the choice.
+/// The directions of the two numbers. One of them vanishes at most: what it leaves free makes the first angle
+/// the choice.
 static void turns(Rotor u, Rotor v, Vanishing is_free, Rotor choice, Rotor* along_u, Rotor* along_v) {
   const Rotor unit_u = scaled(1 / sqrt(is_free.u ? 1 : square_of(u)), u);
   const Rotor unit_v = scaled(1 / sqrt(is_free.v ? 1 : square_of(v)), v);
@@ -122,8 +128,8 @@ static void turns(Rotor u, Rotor v, Vanishing is_free, Rotor choice, Rotor* alon
 }
 
 /// Both branches of `right_wrist`, by sign, without any arctangent.
-static WristTurns right_wrist_turns(Rotor u, Rotor v, bool swapped, Rotor choice, double sign, const Boundary* boundary,
-                                    Branch* branch) {
+static WristTurns right_wrist_turns(Rotor u, Rotor v, bool swapped, Rotor choice, double sign,
+                                    const Boundary* boundary, Branch* branch) {
   const double u_square = square_of(u);
   const double v_square = square_of(v);
   const double sum = u_square + v_square;
@@ -140,7 +146,8 @@ static WristTurns right_wrist_turns(Rotor u, Rotor v, bool swapped, Rotor choice
   return found;
 }
 
-/// Constants of a wrist with any angles a, a' between its axes: cosine and sine of (a+a')/2 and (a-a')/2, sin a sin a'.
+/// Constants of a wrist with any angles a, a' between its axes: cosine and sine of (a+a')/2 and (a-a')/2, sin
+/// a sin a'.
 typedef struct WristShape {
   double cosine_sum, sine_sum, cosine_difference, sine_difference, product;
 } WristShape;
@@ -149,7 +156,8 @@ typedef struct WristShape {
 typedef struct ObliqueSquares {
   double u11, u12;
   double sine, cosine;
-  bool right_sum, right_difference;  // then sine or cosine vanishes where an angle is free, else at a double root
+  bool right_sum,
+      right_difference;  // then sine or cosine vanishes where an angle is free, else at a double root
 } ObliqueSquares;
 
 static ObliqueSquares oblique_squares(Rotor first, Rotor second, const WristShape* shape) {
@@ -163,9 +171,10 @@ static ObliqueSquares oblique_squares(Rotor first, Rotor second, const WristShap
   return square;
 }
 
-/// Two complex numbers from sine and cosine of half the middle angle: first = arg z1 + arg z2, last = arg z1 - arg z2.
-static void oblique_products(Rotor u11, Rotor u12, const WristShape* shape, const ObliqueSquares* square, double s, double c,
-                             double sign, Rotor* one, Rotor* two) {
+/// Two complex numbers from sine and cosine of half the middle angle: first = arg z1 + arg z2, last = arg z1
+/// - arg z2.
+static void oblique_products(Rotor u11, Rotor u12, const WristShape* shape, const ObliqueSquares* square,
+                             double s, double c, double sign, Rotor* one, Rotor* two) {
   const double m11_real = shape->cosine_sum * c;
   const double m11_imaginary = -sign * (square->right_sum ? 1 : shape->cosine_difference * s);
   const double m12_real = -sign * (shape->sine_difference * s);
@@ -183,14 +192,16 @@ static void arguments(Rotor u, Rotor v, double u_square, double v_square, Vanish
   *v_argument = is_free.v ? first - u_angle : v_angle;
   const double least = smaller(u_square, v_square);
   if (!is_blurred(least, is_free.noise)) return;
-  const double turn = is_free.u || is_free.v ? 0 : turn_to_choice(wrapped(u_angle + v_angle), first, least, is_free.noise);
+  const double turn =
+      is_free.u || is_free.v ? 0 : turn_to_choice(wrapped(u_angle + v_angle), first, least, is_free.noise);
   *(u_square < v_square ? u_argument : v_argument) += turn;
   branch->continuum = branch->continuum || (branch->exists && least <= widest_wrist_noise * is_free.noise);
 }
 
-/// Beyond the end of its range by less than the boundary's `fold` it is folded; by less than `beyond` doubtful.
-static WristAngles oblique_wrist(Rotor u11, Rotor u12, WristShape shape, double sign, double seed, const Boundary* boundary,
-                                 Branch* branch) {
+/// Beyond the end of its range by less than the boundary's `fold` it is folded; by less than `beyond`
+/// doubtful.
+static WristAngles oblique_wrist(Rotor u11, Rotor u12, WristShape shape, double sign, double seed,
+                                 const Boundary* boundary, Branch* branch) {
   // Two roots closer than this share of their range are one double root.
   const double merge_share = 18 * DBL_EPSILON;
   const ObliqueSquares square = oblique_squares(u11, u12, &shape);
@@ -212,11 +223,12 @@ static WristAngles oblique_wrist(Rotor u11, Rotor u12, WristShape shape, double 
 }
 
 /// The same as cosines and sines, `delta` the angle between the normals.
-static WristTurns oblique_wrist_turns(Rotor u11, Rotor u12, WristShape shape, Rotor delta, Rotor choice, double sign,
-                                      const Boundary* boundary, Branch* branch) {
+static WristTurns oblique_wrist_turns(Rotor u11, Rotor u12, WristShape shape, Rotor delta, Rotor choice,
+                                      double sign, const Boundary* boundary, Branch* branch) {
   const ObliqueSquares square = oblique_squares(u11, u12, &shape);
   const Vanishing is_free = vanishing_before_joints(square.u11, square.u12, boundary, branch);
-  const double margin = smaller(square.right_sum ? 1 : square.sine, square.right_difference ? 1 : square.cosine);
+  const double margin =
+      smaller(square.right_sum ? 1 : square.sine, square.right_difference ? 1 : square.cosine);
   const Limits limits = limits_of(boundary);
   admit(margin, &limits, false, branch);
   const double s = is_free.u ? 0 : sqrt(larger(square.sine, square.right_sum ? 0 : boundary->floor));

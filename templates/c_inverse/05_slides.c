@@ -27,9 +27,10 @@ static Chord chord(Rotor point, Rotor along, double square) {
   return found;
 }
 
-/// A free slide t with inner <= |point + t along|^2 <= outer, so that the joints after it stay in reach: nearest to
-/// `value`, or, if `spread` is turned, that share of the way from the foot of the perpendicular.
-static double slide_between(Rotor point, Rotor along, double inner, double outer, double value, Rotor spread) {
+/// A free slide t with inner <= |point + t along|^2 <= outer, so that the joints after it stay in reach:
+/// nearest to `value`, or, if `spread` is turned, that share of the way from the foot of the perpendicular.
+static double slide_between(Rotor point, Rotor along, double inner, double outer, double value,
+                            Rotor spread) {
   const Chord inside = chord(point, along, inner);
   const double most = chord(point, along, outer).half;
   const double shared = inside.half + fabs(spread.cosine) * (most - inside.half);
@@ -40,8 +41,10 @@ static double slide_between(Rotor point, Rotor along, double inner, double outer
   return inside.is_point ? value : inside.foot + off;
 }
 
-/// The same without an outer end: the turned `spread` is the direction of the slide as seen from beside its foot.
-static double slide_beyond(Rotor point, Rotor along, double inner, double size_square, double value, Rotor spread) {
+/// The same without an outer end: the turned `spread` is the direction of the slide as seen from beside its
+/// foot.
+static double slide_beyond(Rotor point, Rotor along, double inner, double size_square, double value,
+                           Rotor spread) {
   const Chord inside = chord(point, along, inner);
   const bool is_spread = spread.sine != 0;
   const double shared = sqrt(size_square) * (spread.cosine / (is_spread ? spread.sine : 1));
@@ -50,9 +53,11 @@ static double slide_beyond(Rotor point, Rotor along, double inner, double size_s
   return inside.is_point ? value : inside.foot + off;
 }
 
-/// t with t along = rhs in a plane. Where the pose makes `along` vanish t is free if rhs vanishes too: then it is the
-/// choice; where `along` is so small that rounding decides about t, it is as near to the choice as the equation lets it.
-static double slide_on_line(Rotor along, Rotor rhs, double tiny, double choice, const Boundary* boundary, Branch* branch) {
+/// t with t along = rhs in a plane. Where the pose makes `along` vanish t is free if rhs vanishes too: then
+/// it is the choice; where `along` is so small that rounding decides about t, it is as near to the choice as
+/// the equation lets it.
+static double slide_on_line(Rotor along, Rotor rhs, double tiny, double choice, const Boundary* boundary,
+                            Branch* branch) {
   const double square = square_of(along);
   const double gap = square_of(rhs);
   const bool is_free = square <= blind_square(boundary);
@@ -67,8 +72,8 @@ static double slide_on_line(Rotor along, Rotor rhs, double tiny, double choice, 
   return clamped(choice, middle - width, middle + width);
 }
 
-/// The root t of a t^2 + 2 b t + c = 0, a length, at which a t + b has the sign given. Where a vanishes one root lies at
-/// infinity: there is no such branch. For sign 0 it is the root nearer to 0.
+/// The root t of a t^2 + 2 b t + c = 0, a length, at which a t + b has the sign given. Where a vanishes one
+/// root lies at infinity: there is no such branch. For sign 0 it is the root nearer to 0.
 static double quadratic_root(double a, double b, double c, double tiny, double size_square, double sign,
                              const Boundary* boundary, Branch* branch) {
   const double scale = b * b + fabs(a * c);
@@ -86,10 +91,11 @@ static double quadratic_root(double a, double b, double c, double tiny, double s
   return divisor == 0 ? 0 : -(wants_large ? sum : c) / divisor;
 }
 
-/// Two slides (s, t) that an equation binds and a quadratic one: a s - b t = k, s^2 + 2 g s - t^2 - 2 f t + gap = 0, (a, b)
-/// parts of unit vectors. Where both vanish one is free, if k vanishes too: s is what is chosen, as far as t can follow.
-static Rotor two_slides(Rotor ab, double k, Rotor gf, double gap, double tiny, double size_square, double choice,
-                        Rotor spread, double sign, const Boundary* boundary, Branch* branch) {
+/// Two slides (s, t) that an equation binds and a quadratic one: a s - b t = k, s^2 + 2 g s - t^2 - 2 f t +
+/// gap = 0, (a, b) parts of unit vectors. Where both vanish one is free, if k vanishes too: s is what is
+/// chosen, as far as t can follow.
+static Rotor two_slides(Rotor ab, double k, Rotor gf, double gap, double tiny, double size_square,
+                        double choice, Rotor spread, double sign, const Boundary* boundary, Branch* branch) {
   const double g = gf.cosine;
   const double f = gf.sine;
   const double square = square_of(ab);

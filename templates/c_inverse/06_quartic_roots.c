@@ -49,7 +49,8 @@ typedef struct CircleRoots {
   Rotor root[4];
 } CircleRoots;
 
-/// g (c^2 - s^2) + 2 p c + 2 q s + k on the unit circle: the conic turned to its axes, its trace moved into k.
+/// g (c^2 - s^2) + 2 p c + 2 q s + k on the unit circle: the conic turned to its axes, its trace moved into
+/// k.
 typedef struct Aligned {
   double g, p, q, k;
 } Aligned;
@@ -66,8 +67,8 @@ static double conic_curvature(const Aligned* f, Rotor u) {
   return -4 * f->g * (u.cosine - u.sine) * (u.cosine + u.sine) - 2 * (f->p * u.cosine + f->q * u.sine);
 }
 
-/// The degenerate member of the pencil conic + x (circle - 1) that splits into two real lines, as the symmetric matrix of
-/// the pair of lines plus the skew matrix of their common point: a matrix of rank one.
+/// The degenerate member of the pencil conic + x (circle - 1) that splits into two real lines, as the
+/// symmetric matrix of the pair of lines plus the skew matrix of their common point: a matrix of rank one.
 static void line_pair(const Aligned* f, double m[3][3]) {
   const double square = f->p * f->p + f->q * f->q;
   const CubicRoots roots =
@@ -87,8 +88,7 @@ static void line_pair(const Aligned* f, double m[3][3]) {
       }
     }
   }
-  const double pair[3][3] = {
-      {f->g + lambda, 0, f->p}, {0, lambda - f->g, f->q}, {f->p, f->q, f->k - lambda}};
+  const double pair[3][3] = {{f->g + lambda, 0, f->p}, {0, lambda - f->g, f->q}, {f->p, f->q, f->k - lambda}};
   memcpy(m, pair, sizeof pair);
   if (!(best > 0)) return;
   double point[3];
@@ -192,8 +192,9 @@ static void intersect_lines(RootSearch* search, double lines[3][3]) {
   intersect_line(search, lines[0][column], lines[1][column], lines[2][column]);
 }
 
-/// The up to four angles of a conic on the unit circle, by the pencil of the two conics: a real root of one cubic, then two
-/// lines. Ordered by angle. Nearly double roots count as two: Newton steps on the joints are to decide.
+/// The up to four angles of a conic on the unit circle, by the pencil of the two conics: a real root of one
+/// cubic, then two lines. Ordered by angle. Nearly double roots count as two: Newton steps on the joints are
+/// to decide.
 static CircleRoots conic_circle(Conic conic, const Boundary* boundary) {
   RootSearch search = {{0, 0, 0, 0}, 1e-2 * boundary->accept, boundary->floor, {0, {{0, 0}}}, {{0, 0}}, 0};
   const double difference = (conic.xx - conic.yy) / 2;
@@ -230,8 +231,8 @@ static CircleRoots conic_circle(Conic conic, const Boundary* boundary) {
   return *found;
 }
 
-/// A slide t and a unit vector u that a linear equation and a distance bind: divisor t = l(u) and t^2 + 2 h t + m(u) = 0
-/// with l(u) = level + l.u, m(u) = mean + m.u; divisor is a part of a unit vector.
+/// A slide t and a unit vector u that a linear equation and a distance bind: divisor t = l(u) and t^2 + 2 h t
+/// + m(u) = 0 with l(u) = level + l.u, m(u) = mean + m.u; divisor is a part of a unit vector.
 typedef struct SlideAndTurn {
   double divisor, h;
   double level;
@@ -301,7 +302,8 @@ static void turn_then_slide(const SlideAndTurn* e, double tiny, const Boundary* 
 }
 
 /// Without a linear equation the slide is free: chosen, as far as the turn can follow.
-static void slide_chosen(const SlideAndTurn* e, double choice, Rotor spread, const Boundary* boundary, SlideTurns* found) {
+static void slide_chosen(const SlideAndTurn* e, double choice, Rotor spread, const Boundary* boundary,
+                         SlideTurns* found) {
   const double most = sqrt(square_of(e->m));
   const double middle = e->h * e->h - e->mean;
   const double t = slide_between(rotor(e->h, 0), rotor(1, 0), middle - most, middle + most, choice, spread);
@@ -309,8 +311,8 @@ static void slide_chosen(const SlideAndTurn* e, double choice, Rotor spread, con
   for (int i = 0; i < roots.count; ++i) add_slide_turn(found, roots.root[i], t, true);
 }
 
-/// All solutions. Where the divisor vanishes the quartic falls apart into double roots that do not tell the slide; there
-/// the starts that lack no more than the divisor's share are as good, for Newton's steps.
+/// All solutions. Where the divisor vanishes the quartic falls apart into double roots that do not tell the
+/// slide; there the starts that lack no more than the divisor's share are as good, for Newton's steps.
 static SlideTurns slide_and_turn(SlideAndTurn e, double tiny, double size_square, double choice, Rotor spread,
                                  const Boundary* boundary) {
   const double little = 1e-6;

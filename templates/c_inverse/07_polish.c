@@ -12,9 +12,13 @@ static bool take_of_budget(int* spent, int most, Effort* effort) {
   return allowed;
 }
 
-static bool may_pass(Budget* budget) { return take_of_budget(&budget->spent.passes, budget->passes, &budget->spent); }
+static bool may_pass(Budget* budget) {
+  return take_of_budget(&budget->spent.passes, budget->passes, &budget->spent);
+}
 
-static bool may_step(Budget* budget) { return take_of_budget(&budget->spent.steps, budget->steps, &budget->spent); }
+static bool may_step(Budget* budget) {
+  return take_of_budget(&budget->spent.steps, budget->steps, &budget->spent);
+}
 
 static inline void cross(const double* a, const double* b, double* result) {
   const double x = a[1] * b[2] - a[2] * b[1], y = a[2] * b[0] - a[0] * b[2];
@@ -49,7 +53,8 @@ static void turn_direction(const Screw* screw, Rotor value, double* v) {
   for (int k = 0; k < 3; ++k) v[k] = value.cosine * v[k] + value.sine * side[k] + along * screw->axis[k];
 }
 
-/// A point carried by a joint, in place. Value of a joint: an angle as its pair, a length in the cosine's place.
+/// A point carried by a joint, in place. Value of a joint: an angle as its pair, a length in the cosine's
+/// place.
 static void move_point(const Screw* screw, Rotor value, double* x) {
   if (screw->revolute) {
     difference(x, screw->point, x);
@@ -58,8 +63,8 @@ static void move_point(const Screw* screw, Rotor value, double* x) {
   for (int k = 0; k < 3; ++k) x[k] += screw->revolute ? screw->point[k] : screw->axis[k] * value.cosine;
 }
 
-/// Joints that are to carry points to their goals: one point is a position, three that are no line a whole pose, the second
-/// and third in two directions at right angles from the first, the arm's size away.
+/// Joints that are to carry points to their goals: one point is a position, three that are no line a whole
+/// pose, the second and third in two directions at right angles from the first, the arm's size away.
 typedef struct Matching {
   int joints, points;
   Screw arm[most_joints];
@@ -131,15 +136,16 @@ static double sum_of_products(const double* a, const double* b, int size) {
   return sum;
 }
 
-/// Takes a column's direction out of v and returns how much of the column that was; `scale` is 1 / its square.
+/// Takes a column's direction out of v and returns how much of the column that was; `scale` is 1 / its
+/// square.
 static double take_out(const double* column, double scale, double* v, int rows) {
   const double share = sum_of_products(column, v, rows) * scale;
   for (int i = 0; i < rows; ++i) v[i] += -share * column[i];
   return share;
 }
 
-/// The x for which the columns' combination comes nearest to b, by modified Gram-Schmidt. A column that adds less than
-/// `nothing`, as a share of the longest, is left out: a free joint stays. Uses up columns and b.
+/// The x for which the columns' combination comes nearest to b, by modified Gram-Schmidt. A column that adds
+/// less than `nothing`, as a share of the longest, is left out: a free joint stays. Uses up columns and b.
 static Steps least_squares(Columns* a, double* b, double nothing) {
   double longest = 0;
   for (int i = 0; i < a->count; ++i) longest = larger(longest, sum_of_products(a->of[i], a->of[i], a->rows));
@@ -196,8 +202,8 @@ static Dependent dependent(Columns* a) {
   return result;
 }
 
-/// What joint values reach, to first order. Rows: the position; of a whole pose also the orientation, as a rotation vector
-/// times the size.
+/// What joint values reach, to first order. Rows: the position; of a whole pose also the orientation, as a
+/// rotation vector times the size.
 typedef struct Reached {
   double jacobian[most_joints][6];
   double off[6];  // goal - reached
@@ -246,8 +252,10 @@ static void turn_frame(const double* a, Rotor turn, Frame* frame) {
   turn_by_frame(&before, zx + side[1], yz - side[0], turn.cosine + along * a[2] * a[2], frame->of[2]);
 }
 
-/// The directions from the first point to the others, and at right angles to both, against those of the goals.
-static void set_miss(const Matching* task, const Frame* frame, const double* x, double size, Reached* result) {
+/// The directions from the first point to the others, and at right angles to both, against those of the
+/// goals.
+static void set_miss(const Matching* task, const Frame* frame, const double* x, double size,
+                     Reached* result) {
   const double scale = 1 / size;
   double now[3][3], then[3][3], away[3], turn[3] = {0, 0, 0};
   for (int p = 0; p < 2; ++p) {
@@ -337,8 +345,8 @@ static Dependent idle_joints(const Matching* task, const Reached* at) {
 }
 
 /// The least squares of J step = off and, damped, lambda step = 0, some joints held.
-static Steps least_squares_of(const Matching* task, const Reached* at, const double* off, bool damped, double lambda,
-                              double nothing, const Held* held) {
+static Steps least_squares_of(const Matching* task, const Reached* at, const double* off, bool damped,
+                              double lambda, double nothing, const Held* held) {
   const int rows = rows_of_task(task);
   Columns a;
   double b[most_rows] = {0};
@@ -354,7 +362,8 @@ static Steps least_squares_of(const Matching* task, const Reached* at, const dou
   return least_squares(&a, b, nothing);
 }
 
-static Steps newton_step(const Matching* task, const Reached* at, double lambda, double nothing, const Held* held) {
+static Steps newton_step(const Matching* task, const Reached* at, double lambda, double nothing,
+                         const Held* held) {
   const bool is_near = at->error < 1e-12 * task->size_square;
   return least_squares_of(task, at, at->off, !is_near, lambda, nothing, held);
 }
@@ -382,9 +391,10 @@ static Patience patience(double allowed) {
   return usual;
 }
 
-/// Brings joint values to where they carry the points to their goals, by damped Newton steps (Levenberg, Marquardt). Returns
-/// whether what the best of them miss is no more than is allowed or than rounding; NaN is not. At a double root a step
-/// halves what is left, and is doubled then; it may have to step aside first: hence the patience.
+/// Brings joint values to where they carry the points to their goals, by damped Newton steps (Levenberg,
+/// Marquardt). Returns whether what the best of them miss is no more than is allowed or than rounding; NaN is
+/// not. At a double root a step halves what is left, and is doubled then; it may have to step aside first:
+/// hence the patience.
 static bool polish(const Matching* task, Patience until, JointValues* values, Reached* best, Budget* budget,
                    const Held* held) {
   normalise(task, values);

@@ -29,7 +29,8 @@ static bool is_continuum(const Matching* task, const JointValues* values, const 
 }
 
 /// Whether between two values that reach the goals, near each other, there are such values too.
-static bool are_joined(const Matching* task, const JointValues* a, const Reached* at, const JointValues* b, Budget* budget) {
+static bool are_joined(const Matching* task, const JointValues* a, const Reached* at, const JointValues* b,
+                       Budget* budget) {
   const Dependent idle = idle_joints(task, at);
   if (idle.least == task->joints) return false;
   JointValues middle = *a;
@@ -62,11 +63,12 @@ static bool is_known(const Known* known, int joints, const JointValues* values) 
 
 static const Known nothing_known = {0, {{{{0, 0}}}}};
 
-/// Where steps end short of the goals two solutions may meet, or would beyond the boundary of reach: to first order nothing
-/// leads on. To second order a step to either side along the idle joint tells, and from there steps lead to the solutions
-/// if there are any. Returns whether they do; one that is known already is not enough.
-static bool leave_double_root(const Matching* task, Patience until, const Known* known, JointValues* values, Reached* at,
-                              Budget* budget) {
+/// Where steps end short of the goals two solutions may meet, or would beyond the boundary of reach: to first
+/// order nothing leads on. To second order a step to either side along the idle joint tells, and from there
+/// steps lead to the solutions if there are any. Returns whether they do; one that is known already is not
+/// enough.
+static bool leave_double_root(const Matching* task, Patience until, const Known* known, JointValues* values,
+                              Reached* at, Budget* budget) {
   const double share = at->error / task->size_square;
   if (!(share < 1e-8)) return false;
   const Dependent idle = idle_joints(task, at);
@@ -81,7 +83,8 @@ static bool leave_double_root(const Matching* task, Patience until, const Known*
     move_along(task, &there_at, idle.least, side * aside, &beside);
     if (!may_step(budget)) return found;
     reach(task, &beside, &there);
-    if (!(there.error < there_at.error) || !polish(task, until, &beside, &there, budget, &nothing_held)) continue;
+    if (!(there.error < there_at.error) || !polish(task, until, &beside, &there, budget, &nothing_held))
+      continue;
     *values = beside;
     *at = there;
     found = true;
@@ -90,12 +93,12 @@ static bool leave_double_root(const Matching* task, Patience until, const Known*
   return found;
 }
 
-/// What has come of a branch so far: no pass has followed it to its end; no Newton steps lead from its end to the pose; a
-/// wrist cannot follow to what has been chosen on a continuum; it has led to a solution.
+/// What has come of a branch so far: no pass has followed it to its end; no Newton steps lead from its end to
+/// the pose; a wrist cannot follow to what has been chosen on a continuum; it has led to a solution.
 typedef enum BranchState { unseen, missed, turned_back, settled } BranchState;
 
-/// The branches' states, and the solutions so far: the closed form may come to one from two branches, and polishing brings
-/// two together where they are one.
+/// The branches' states, and the solutions so far: the closed form may come to one from two branches, and
+/// polishing brings two together where they are one.
 typedef struct Tracker {
   int branches;
   BranchState states[most_branches];
@@ -134,22 +137,27 @@ static void reopen_branch(Tracker* tracker, int label, bool continuum) {
   --tracker->known.count;
 }
 
-static bool is_joined_to_known(Tracker* tracker, const Matching* task, const JointValues* values, const Reached* at) {
+static bool is_joined_to_known(Tracker* tracker, const Matching* task, const JointValues* values,
+                               const Reached* at) {
   for (int k = 0; k < tracker->known.count; ++k) {
     const JointValues* other = &tracker->known.of[k];
-    if (values_apart(task->joints, other, values) < 1e-2 && are_joined(task, values, at, other, &tracker->budget))
+    if (values_apart(task->joints, other, values) < 1e-2 &&
+        are_joined(task, values, at, other, &tracker->budget))
       return true;
   }
   return false;
 }
 
-/// Newton steps from where a branch has led. Where two solutions meet they may come to the one that another branch has
-/// found, or stand still: then to the side of the other.
-static bool lead_to_goal(Tracker* tracker, Patience until, const Matching* task, JointValues* values, Reached* reached) {
+/// Newton steps from where a branch has led. Where two solutions meet they may come to the one that another
+/// branch has found, or stand still: then to the side of the other.
+static bool lead_to_goal(Tracker* tracker, Patience until, const Matching* task, JointValues* values,
+                         Reached* reached) {
   Budget* budget = &tracker->budget;
   const JointValues start = *values;
   const bool reaches = polish(task, until, values, reached, budget, &nothing_held);
-  if (reaches && !(is_known(&tracker->known, task->joints, values) && are_apart(task->joints, &start, values))) return true;
+  if (reaches &&
+      !(is_known(&tracker->known, task->joints, values) && are_apart(task->joints, &start, values)))
+    return true;
   if (!reaches) return leave_double_root(task, until, &tracker->known, values, reached, budget);
   JointValues beside = start;
   if (!may_step(budget)) return true;
@@ -165,7 +173,8 @@ static bool lead_to_goal(Tracker* tracker, Patience until, const Matching* task,
 }
 
 /// The place on the continuum to which Newton steps from the seed lead, if no branch has come there yet.
-static void take_place_near_seed(Tracker* tracker, const Matching* task, const JointValues* seed, JointValues* values) {
+static void take_place_near_seed(Tracker* tracker, const Matching* task, const JointValues* seed,
+                                 JointValues* values) {
   JointValues at = *seed;
   Reached there;
   if (!polish(task, patience(0), &at, &there, &tracker->budget, &nothing_held) ||
@@ -175,8 +184,8 @@ static void take_place_near_seed(Tracker* tracker, const Matching* task, const J
   *values = at;
 }
 
-/// Polishes where a branch has led; true if that is a solution and a new one, to half the digits. On a continuum the place
-/// is the one next to the seed, if there is one.
+/// Polishes where a branch has led; true if that is a solution and a new one, to half the digits. On a
+/// continuum the place is the one next to the seed, if there is one.
 static bool settle_branch(Tracker* tracker, int label, const Matching* task, const Boundary* boundary,
                           const JointValues* seed, JointValues* values, Branch* branch) {
   BranchState* state = &tracker->states[label];
@@ -196,7 +205,8 @@ static bool settle_branch(Tracker* tracker, int label, const Matching* task, con
     return false;
   }
   *state = settled;
-  if (is_known(known, task->joints, values) || is_joined_to_known(tracker, task, values, &reached)) return false;
+  if (is_known(known, task->joints, values) || is_joined_to_known(tracker, task, values, &reached))
+    return false;
   if (branch->continuum || is_continuum(task, values, &reached, &tracker->budget)) {
     branch->continuum = true;
     if (seed != NULL) take_place_near_seed(tracker, task, seed, values);
@@ -205,8 +215,8 @@ static bool settle_branch(Tracker* tracker, int label, const Matching* task, con
   return true;
 }
 
-/// From where Newton's steps start: from where the equations lead; from there, with what is idle put back to where the seed
-/// has it, and held; from the seed.
+/// From where Newton's steps start: from where the equations lead; from there, with what is idle put back to
+/// where the seed has it, and held; from the seed.
 typedef enum Start { from_form, from_held, from_seed } Start;
 
 /// Polishes the one branch's joints.
@@ -221,8 +231,8 @@ static SeedTracker new_seed_tracker(void) {
 }
 
 /// Whether from the seed steps lead to the pose of which the joints that are idle there take no part.
-static bool moves_without_idle(SeedTracker* tracker, const Matching* task, Patience until, JointValues* values,
-                               Reached* reached) {
+static bool moves_without_idle(SeedTracker* tracker, const Matching* task, Patience until,
+                               JointValues* values, Reached* reached) {
   if (!may_step(&tracker->budget)) return false;
   Reached at;
   reach(task, values, &at);
@@ -231,8 +241,8 @@ static bool moves_without_idle(SeedTracker* tracker, const Matching* task, Patie
 }
 
 /// Whether the joints that are idle can be where the seed has them.
-static bool holds(SeedTracker* tracker, const Matching* task, Patience until, const JointValues* seed, JointValues* values,
-                  Reached* reached) {
+static bool holds(SeedTracker* tracker, const Matching* task, Patience until, const JointValues* seed,
+                  JointValues* values, Reached* reached) {
   const Dependent idle = idle_joints(task, reached);
   if (idle.least == task->joints) return false;
   for (int i = 0; i < task->joints; ++i)
@@ -241,8 +251,8 @@ static bool holds(SeedTracker* tracker, const Matching* task, Patience until, co
 }
 
 /// False if no steps lead to the pose.
-static bool settle_near_seed(SeedTracker* tracker, const Matching* task, const Boundary* boundary, const JointValues* seed,
-                             JointValues* values, Branch* branch) {
+static bool settle_near_seed(SeedTracker* tracker, const Matching* task, const Boundary* boundary,
+                             const JointValues* seed, JointValues* values, Branch* branch) {
   if (!branch->exists || (!branch->unsure && tracker->start != from_form)) return false;
   if (!branch->unsure) {
     normalise(task, values);

@@ -146,7 +146,8 @@ static void sort_by_distance(Solutions* found, const double* seed) {
   for (int k = 0; k < found->count; ++k) {
     double sum = 0;
     for (int i = 0; i < dof; ++i) {
-      const double off = is_revolute[i] ? without_turns(seed[i] - found->rows[k].q[i]) : seed[i] - found->rows[k].q[i];
+      const double off =
+          is_revolute[i] ? without_turns(seed[i] - found->rows[k].q[i]) : seed[i] - found->rows[k].q[i];
       sum += off * off;
     }
     distances[k] = sqrt(sum);
@@ -154,7 +155,8 @@ static void sort_by_distance(Solutions* found, const double* seed) {
   sort_rows(found->rows, found->count, distances);
 }
 
-/// The angle q + 2 pi k inside the limits that is nearest to a centre, or the slide itself; false if there is none.
+/// The angle q + 2 pi k inside the limits that is nearest to a centre, or the slide itself; false if there is
+/// none.
 static bool representative(bool revolute, double centre, double lower, double upper, double* q) {
   if (!revolute) return *q >= lower && *q <= upper;
   const double turn = 6.283185307179586476925;
@@ -175,8 +177,10 @@ static bool row_within_limits(const double* seed, const double* lower, const dou
   return true;
 }
 
-/// Keeps of each row the representative nearest to the seed, if it has one inside the limits; the nearest row first.
-static void keep_within_limits(Solutions* found, const double* seed, const double* lower, const double* upper) {
+/// Keeps of each row the representative nearest to the seed, if it has one inside the limits; the nearest row
+/// first.
+static void keep_within_limits(Solutions* found, const double* seed, const double* lower,
+                               const double* upper) {
   double distances[capacity];
   int kept = 0;
   for (int k = 0; k < found->count; ++k) {
@@ -204,4 +208,12 @@ static void own_joints(const Rows* rows, Solutions* found) {
     found->rows[k].branch = rows->rows[k].branch;
     found->rows[k].continuum = rows->rows[k].continuum;
   }
+}
+
+/// The same of a seed of which one joint's value is given.
+static void prefer_seed_with(const double* seed, int joint, double value, Preference* preference) {
+  double q[dof];
+  memcpy(q, seed, sizeof q);
+  q[joint] = value;
+  prefer_seed(q, preference);
 }

@@ -13,10 +13,10 @@ static void start_nearest(Nearest* found) {
 }
 
 static void conclude_nearest(Nearest* found) {
-  found->status = found->effort.used_up    ? status_incomplete
-                  : found->count == 0      ? status_unreachable
+  found->status = found->effort.used_up       ? status_incomplete
+                  : found->count == 0         ? status_unreachable
                   : found->row.continuum != 0 ? status_singular
-                                           : status_solved;
+                                              : status_solved;
 }
 
 static inline void take_row(Nearest* found, const double* q, int branch, bool continuum) {
@@ -66,7 +66,8 @@ typedef struct Forks {
 static const Forks no_forks = {0, 0, {0}, 0};
 
 /// Whether the other of two solutions is to be taken.
-static bool takes_other(Forks* forks, const Branch* other, double other_apart, const Branch* branch, double apart) {
+static bool takes_other(Forks* forks, const Branch* other, double other_apart, const Branch* branch,
+                        double apart) {
   const bool is_nearer = other->exists && (!branch->exists || other_apart < apart);
   const bool is_other = is_nearer != ((forks->flipped >> forks->count & 1U) != 0);
   const bool has_rest = is_other ? branch->exists : other->exists;
@@ -83,8 +84,8 @@ static unsigned open_forks(const Forks* forks, double least) {
   return open;
 }
 
-/// Whether a row is so near to the seed that no other needs to be asked for: 10 mrad, or 2 mrad on a continuum, on which
-/// rounding may have moved it along.
+/// Whether a row is so near to the seed that no other needs to be asked for: 10 mrad, or 2 mrad on a
+/// continuum, on which rounding may have moved it along.
 static bool is_next_to(const Nearest* found, const Preference* seed) {
   return found->count > 0 && nearest_apart(found, seed) < (found->row.continuum ? 4e-6 : 1e-4);
 }
@@ -113,7 +114,8 @@ static void take_nearest(const Solutions* all, Nearest* found) {
 /// Whole turns added until each angle is within half a turn of the seed's.
 static void unwind(Nearest* found, const double* seed) {
   for (int i = 0; i < dof; ++i)
-    if (found->count > 0 && is_revolute[i]) found->row.q[i] = seed[i] + without_turns(found->row.q[i] - seed[i]);
+    if (found->count > 0 && is_revolute[i])
+      found->row.q[i] = seed[i] + without_turns(found->row.q[i] - seed[i]);
 }
 
 static int as_solutions(const Nearest* nearest, Solutions* found) {

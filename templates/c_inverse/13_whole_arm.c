@@ -5,8 +5,8 @@ typedef struct Arm {
   Pose tool;
 } Arm;
 
-static void set_screw(Arm* arm, int joint, bool revolute, double axis_x, double axis_y, double axis_z, double x, double y,
-                      double z) {
+static void set_screw(Arm* arm, int joint, bool revolute, double axis_x, double axis_y, double axis_z,
+                      double x, double y, double z) {
   arm->of[joint].revolute = revolute;
   set_triple(arm->of[joint].axis, axis_x, axis_y, axis_z);
   set_triple(arm->of[joint].point, x, y, z);
@@ -71,7 +71,8 @@ static Arm without_joint(const Arm* arm, int still, double value) {
   return rest;
 }
 
-/// Whether the seed misses the pose by much less than its way to a row lets expect: something between them is nearly free.
+/// Whether the seed misses the pose by much less than its way to a row lets expect: something between them is
+/// nearly free.
 static bool is_nearly_free(const Matching* task, const JointValues* seed, double row_apart, Budget* budget) {
   if (!may_step(budget)) return false;
   Reached at;
@@ -79,11 +80,12 @@ static bool is_nearly_free(const Matching* task, const JointValues* seed, double
   return at.error < 0.05 * 0.05 * row_apart * task->size_square;
 }
 
-/// The row to which Newton's steps of the whole arm lead from the seed, if they lead to the pose; one joint where it is
-/// given, none for -1. What is nearly free stays where the seed has it. `row_apart`: how far what has been found is from the
-/// seed, squared; where that `is_sure` steps are taken only next to what turns out to be singular.
-static void row_from_seed(const Arm* whole, int points, const Pose* pose, const Preference* seed, int given, double value,
-                          double tolerance, bool is_sure, double row_apart, Nearest* row) {
+/// The row to which Newton's steps of the whole arm lead from the seed, if they lead to the pose; one joint
+/// where it is given, none for -1. What is nearly free stays where the seed has it. `row_apart`: how far what
+/// has been found is from the seed, squared; where that `is_sure` steps are taken only next to what turns out
+/// to be singular.
+static void row_from_seed(const Arm* whole, int points, const Pose* pose, const Preference* seed, int given,
+                          double value, double tolerance, bool is_sure, double row_apart, Nearest* row) {
   const Arm arm = given >= 0 ? without_joint(whole, given, value) : *whole;
   Matching task;
   JointValues start;
@@ -112,8 +114,8 @@ static void row_from_seed(const Arm* whole, int points, const Pose* pose, const 
 }
 
 /// Takes that row if it is nearer to the seed than what has been found.
-static void follow_whole_arm(const Arm* arm, int points, const Pose* pose, const Preference* seed, int given, double value,
-                             double tolerance, bool is_sure, Nearest* found) {
+static void follow_whole_arm(const Arm* arm, int points, const Pose* pose, const Preference* seed, int given,
+                             double value, double tolerance, bool is_sure, Nearest* found) {
   Nearest row;
   start_nearest(&row);
   row_from_seed(arm, points, pose, seed, given, value, tolerance, is_sure, nearest_apart(found, seed), &row);
@@ -129,11 +131,11 @@ static int free_branch(const Solutions* rows) {
   }
 }
 
-/// Puts a row next to the seed in front of all solutions, which stand by their distance from it, if there is one that these
-/// do not have: in place of the nearest one where a joint is free or nearly free, and else as one that has been missed, as
-/// others may be, with a number that no other has.
-static void add_row_at_seed(const Arm* arm, int points, const Pose* pose, const Preference* seed, int given, double value,
-                            double tolerance, int most_rows_of_set, Solutions* found) {
+/// Puts a row next to the seed in front of all solutions, which stand by their distance from it, if there is
+/// one that these do not have: in place of the nearest one where a joint is free or nearly free, and else as
+/// one that has been missed, as others may be, with a number that no other has.
+static void add_row_at_seed(const Arm* arm, int points, const Pose* pose, const Preference* seed, int given,
+                            double value, double tolerance, int most_rows_of_set, Solutions* found) {
   Nearest nearest;
   start_nearest(&nearest);
   nearest.count = found->count > 0 ? 1 : 0;

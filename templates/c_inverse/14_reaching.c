@@ -1,4 +1,5 @@
-/// Of rows that solve less than is asked those which reach the tool's point (`points` 1) or the whole pose (3).
+/// Of rows that solve less than is asked those which reach the tool's point (`points` 1) or the whole pose
+/// (3).
 typedef struct Reaching {
   Matching task;
   double tolerance;
@@ -9,8 +10,8 @@ typedef struct Reaching {
   JointValues known[capacity];
 } Reaching;
 
-static void start_reaching(Reaching* kept, const Arm* arm, const Pose* pose, int points, double tolerance, int rows,
-                           int steps, Solutions* found) {
+static void start_reaching(Reaching* kept, const Arm* arm, const Pose* pose, int points, double tolerance,
+                           int rows, int steps, Solutions* found) {
   const Budget budget = {0, steps, {0, 0, 0}};
   set_matching(arm, pose, points, &kept->task);
   kept->tolerance = tolerance;
@@ -27,7 +28,8 @@ static void add_effort(const Effort* more, Effort* effort) {
   effort->used_up = effort->used_up || more->used_up;
 }
 
-static void keep_reaching(Reaching* kept, const double* q, const JointValues* values, int branch, bool continuum) {
+static void keep_reaching(Reaching* kept, const double* q, const JointValues* values, int branch,
+                          bool continuum) {
   Solutions* found = kept->found;
   if (found->count == kept->capacity) return;
   for (int k = 0; k < found->count; ++k)
@@ -51,7 +53,8 @@ static void look_at_row(Reaching* kept, const Row* from, bool once_more) {
   double q[dof];
   JointValues values;
   memcpy(q, from->q, sizeof q);
-  for (int i = 0; i < dof; ++i) values.of[i] = task->arm[i].revolute ? rotor(cos(q[i]), sin(q[i])) : rotor(q[i], 0);
+  for (int i = 0; i < dof; ++i)
+    values.of[i] = task->arm[i].revolute ? rotor(cos(q[i]), sin(q[i])) : rotor(q[i], 0);
   if (!may_step(&kept->budget)) return;
   Reached at;
   reach(task, &values, &at);
@@ -60,7 +63,8 @@ static void look_at_row(Reaching* kept, const Row* from, bool once_more) {
   if (!(off < exact * exact)) {
     if (!polish(task, patience(kept->tolerance), &values, &at, &kept->budget, &nothing_held)) return;
     for (int i = 0; i < dof; ++i)
-      q[i] = task->arm[i].revolute ? output_angle(values.of[i].cosine, values.of[i].sine, 1) : values.of[i].cosine;
+      q[i] = task->arm[i].revolute ? output_angle(values.of[i].cosine, values.of[i].sine, 1)
+                                   : values.of[i].cosine;
   }
   const bool continuum = from->continuum && is_continuum(task, &values, &at, &kept->budget);
   if (continuum && once_more) return;

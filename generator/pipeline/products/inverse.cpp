@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 #include <qvgen/inverse/effort.h>
 
+#include "emit/c/inverse/dialect.h"
+#include "emit/c/inverse/source.h"
 #include "emit/cpp/inverse/entries.h"
 #include "emit/cpp/inverse/frames.h"
 #include "emit/cpp/inverse/scalar_loops.h"
@@ -19,6 +21,7 @@
 #include "emit/render.h"
 #include "model/evaluate.h"
 #include "model/tasks.h"
+#include "pipeline/pipeline.h"
 #include "pipeline/products/inverse_derivation.h"
 #include "pipeline/products/inverse_general.h"
 #include "verify/inverse/certify.h"
@@ -84,10 +87,11 @@ std::string unit_of(const derive::inverse::Derivation& derivation) {
 }
 
 /// Fields of the target's geometry with what the caller's geometry, or the given joint's value, says of them.
-json geometry_values(const derive::inverse::Problem& problem, const std::string& given) {
+json geometry_values(const derive::inverse::Problem& problem, const std::string& given,
+                     const emit::Dialect& dialect) {
   const model::Robot& robot = problem.robot;
   const std::string held = derive::inverse::held_parameter(problem);
-  const emit::SymbolTable names = emit::symbol_table(robot, {});
+  const emit::SymbolTable names = emit::symbol_table(robot, {}, {}, dialect.spelling());
   json list = json::array();
   const auto fields = emit::geometry_fields(robot);
   const auto add = [&](const std::string& name) {
@@ -100,11 +104,13 @@ json geometry_values(const derive::inverse::Problem& problem, const std::string&
 }
 
 /// Adds what the solver hands to the derivation's arm in place of what it is given.
-void add_change_of_arm(const derive::inverse::Problem& problem, const std::string& given, json& values) {
+void add_change_of_arm(const derive::inverse::Problem& problem, const std::string& given,
+                       const emit::Dialect& dialect, json& values) {
   const bool has_phases = problem.has_phases();
   const std::string phase = has_phases ? " + phases[" + std::to_string(problem.given) + "]" : "";
-  values["change"] = emit::change_of_arm(problem);
+  values["change"] = emit::change_of_arm(problem, dialect);
   values["has_phases"] = has_phases;
+  values["has_frames"] = problem.has_frames;
   values["inner_pose"] =
       problem.has_frames ? "inverse::between_frames(before_base(g), pose, behind_tool(g))" : "pose";
   values["inner_preference"] = has_phases ? "moved" : "preference";
@@ -144,9 +150,27 @@ json seed_branch(const derive::inverse::Problem& problem, const derive::inverse:
           {"careful", lines(emit::Pass::careful)}};
 }
 
+/// What templates of C need besides.
+void add_values_in_c(const model::Robot& described, const derive::inverse::Derivation& derivation,
+                     const qvgen::inverse::Budget& most, json& values) {
+  const derive::inverse::Problem& problem = derivation.problem;
+  const bool has_phases = problem.has_phases();
+  values["p"] = values["space"].get<std::string>() + "_";
+  values["inner"] = has_phases ? "&moved" : "preference";
+  values["inner_name"] = has_phases ? "moved" : "preference";
+  values["given_value"] = problem.given >= 0 ? values["given_name"] : json("0");
+  values["most_passes"] = most.passes;
+  values["most_steps"] = most.steps;
+  values["reaching_steps"] =
+      qvgen::inverse::effort_of_reaching(problem.own_joints, derivation.plan.capacity).steps;
+  values["tracker"] = values["quartic"].get<bool>() ? "Visited" : "Tracker";
+  values["settle"] = values["quartic"].get<bool>() ? "settle_visit" : "settle_branch";
+  emit::c::add_entries(described, derivation, values);
+}
+
 /// `described` has the names of the description, the problem its own.
-json variant(const model::Robot& described, const derive::inverse::Derivation& derivation,
-             const emit::Dialect& dialect, nlohmann::ordered_json& all_counts) {
+json variant(const model::Robot& described, const derive::inverse::Derivation& derivation, Language language,
+             nlohmann::ordered_json& all_counts) {
   const derive::inverse::Problem& problem = derivation.problem;
   const model::Robot& robot = problem.robot;
   const std::string farthest = reach(problem);
@@ -157,7 +181,10 @@ json variant(const model::Robot& described, const derive::inverse::Derivation& d
   const bool locked = problem.given >= 0;
   const bool lanes = emit::has_lanes(plan);
   const std::string given = locked ? described.joints[static_cast<std::size_t>(problem.given)].variable : "";
-  const json geometry = geometry_values(problem, given);
+  const std::string space = locked ? "given_" + given : "all";
+  const emit::c::C in_c(space + "_");
+  const emit::Dialect& dialect = language == Language::c ? in_c : emit::cpp_dialect();
+  const json geometry = geometry_values(problem, given, dialect);
   const std::string function = locked ? "inverse_kinematics_given_" + given : "inverse_kinematics";
   if (const auto counts = verify::inverse_counts(plan); !counts.empty()) all_counts[function] = counts;
   // A tracker of branches is there for a wrist alone too.
@@ -167,7 +194,7 @@ json variant(const model::Robot& described, const derive::inverse::Derivation& d
   const json divisors = emit::divisor_values(robot, plan);
   const json near = seed_branch(problem, plan, dialect);
   json values{
-      {"space", locked ? "given_" + given : "all"},
+      {"space", space},
       {"function", function},
       {"near_function", "inverse_kinematics_near" + (locked ? "_given_" + given : "")},
       {"seed_branch", near},
@@ -219,8 +246,11 @@ json variant(const model::Robot& described, const derive::inverse::Derivation& d
       {"careful_pass", emit::lines_of(emit::scalar_loop_lines(robot, plan, emit::Pass::careful, dialect))},
       {"has_lanes", lanes ? "true" : "false"},
       {"lanes", lanes ? json{{"lines", emit::lines_of(emit::simd_loop_lines(robot, plan))}} : json(false)}};
-  add_change_of_arm(problem, given, values);
-  emit::add_entries(described, derivation, values);
+  add_change_of_arm(problem, given, dialect, values);
+  if (language == Language::c)
+    add_values_in_c(described, derivation, most, values);
+  else
+    emit::add_entries(described, derivation, values);
   return values;
 }
 
@@ -233,23 +263,13 @@ void add_targets(const model::Task& task, const json& variant, nlohmann::ordered
   if (variant["seed_branch"].is_object()) targets[variant["near_function"].get<std::string>()] = {pose};
 }
 
-}  // namespace
-
-void generate_inverse(const model::Robot& described, RobotOutput& output) {
-  const InverseDerivation derivation = derive_inverse(described);
-  if (derivation.general.found) {
-    add_general_inverse(described, derivation.general, output);
-    return;
-  }
-  if (!derivation.found()) {
-    for (const std::string& reason : derivation.reasons)
-      output.missing.push_back({"inverse", Missing::Kind::not_derived, reason});
-    return;
-  }
+/// Values for the templates of a robot with closed forms, in one of the languages.
+json values_of(const model::Robot& described, const InverseDerivation& derivation, Language language,
+               RobotOutput& output) {
   json values{{"name", described.name}, {"variants", json::array()}};
   nlohmann::ordered_json targets;
   for (const derive::inverse::Derivation& form : derivation.closed_forms) {
-    values["variants"].push_back(variant(described, form, emit::cpp_dialect(), output.counts));
+    values["variants"].push_back(variant(described, form, language, output.counts));
     add_targets(form.problem.task, values["variants"].back(), targets);
   }
   output.counts["targets"] = targets;
@@ -258,7 +278,27 @@ void generate_inverse(const model::Robot& described, RobotOutput& output) {
   };
   values["checks"] = any_variant([](const json& each) { return each["checks_rows"].get<bool>(); });
   values["near"] = any_variant([](const json& each) { return each["seed_branch"].is_object(); });
-  values["arm"] = values["checks"] || values["near"] ? emit::arm_values(described) : json(false);
+  const emit::c::C in_c("");
+  const emit::Dialect& dialect = language == Language::c ? in_c : emit::cpp_dialect();
+  values["arm"] = values["checks"] || values["near"] ? emit::arm_values(described, dialect) : json(false);
+  return values;
+}
+
+void add_reasons(const InverseDerivation& derivation, RobotOutput& output) {
+  for (const std::string& reason : derivation.reasons)
+    output.missing.push_back({"inverse", Missing::Kind::not_derived, reason});
+}
+
+}  // namespace
+
+void generate_inverse(const model::Robot& described, RobotOutput& output) {
+  const InverseDerivation derivation = derive_inverse(described);
+  if (derivation.general.found) {
+    add_general_inverse(described, derivation.general, output);
+    return;
+  }
+  if (!derivation.found()) return add_reasons(derivation, output);
+  const json values = values_of(described, derivation, Language::cxx, output);
   output.files.push_back(
       {"include/qvgen/robots/" + described.name + "/inverse.h", emit::render("inverse.h", values)});
   const std::string sources = "source/" + described.name + "/";
@@ -267,6 +307,23 @@ void generate_inverse(const model::Robot& described, RobotOutput& output) {
   const auto in_lanes = [](const json& variant) { return variant["has_lanes"] == "true"; };
   if (std::any_of(values["variants"].begin(), values["variants"].end(), in_lanes))
     output.files.push_back({sources + "inverse_avx2.cpp", emit::render("inverse_avx2.cpp", values)});
+}
+
+void generate_inverse_c(const model::Robot& described, RobotOutput& output) {
+  const InverseDerivation derivation = derive_inverse(described);
+  if (derivation.general.found) {
+    output.missing.push_back(
+        {"inverse", Missing::Kind::not_in_language,
+         "it is by elimination, which is written in C++: --only c_inverse, without --language, "
+         "makes a C header for that"});
+    return;
+  }
+  if (!derivation.found()) return add_reasons(derivation, output);
+  const emit::c::Part text =
+      emit::c::inverse_kinematics(described, values_of(described, derivation, Language::c, output));
+  const std::string file = "c/qvgen_" + described.name + "_inverse";
+  output.files.push_back({file + ".h", text.header});
+  output.files.push_back({file + ".c", text.source});
 }
 
 }  // namespace qvgen::pipeline

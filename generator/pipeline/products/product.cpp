@@ -16,12 +16,7 @@ const std::vector<Product>& all_products() {
   static const std::vector<Product> products{
       {"model", generate_model_header, {}, {}, generate_model_c},
       {"kinematics", generate_kinematics, {}, {}, generate_kinematics_c},
-      {"inverse",
-       generate_inverse,
-       {},
-       {},
-       nullptr,
-       "it is not written in C yet: --only c_inverse, without --language, makes a C header for the C++"},
+      {"inverse", generate_inverse, {}, {}, generate_inverse_c},
       {"arm_angle", generate_arm_angle, {}, {}, generate_arm_angle_c},
       {"jacobian", generate_jacobian, {}, {"singularity_measures"}, generate_jacobian_c},
       {"dynamics",

@@ -17,8 +17,7 @@ struct Product {
   void (*generate)(const model::Robot& robot, RobotOutput& output);
   std::vector<std::string> headers = {};
   std::vector<std::string> functions = {};
-  void (*generate_c)(const model::Robot& robot, RobotOutput& output) = nullptr;
-  std::string why_not_in_c = {};
+  void (*generate_c)(const model::Robot& robot, RobotOutput& output);
 };
 
 /// A part that is made only for who asks for it by its name, from what others have made of a robot.

@@ -81,7 +81,8 @@ Dialect::Lines C::new_work(const std::string& name, bool all_zero) const {
 
 Dialect::Lines C::copied_work(const std::string& name, const std::string& from) const {
   const std::string own = "own_" + name;
-  return {prefix_ + "Work " + own + " = *" + from + ";", prefix_ + "Work* const " + name + " = &" + own + ";"};
+  return {prefix_ + "Work " + own + " = *" + from + ";",
+          prefix_ + "Work* const " + name + " = &" + own + ";"};
 }
 
 std::string C::assign_work(const std::string& name, const std::string& from) const {
@@ -128,10 +129,13 @@ std::string C::is_settled(const std::string& label, bool visits) const {
   return call(visits ? "visit_is_settled" : "is_settled", {"tracker", label});
 }
 
-std::string C::close(const std::string& label) const { return call("close_branch", {"tracker", label}) + ";"; }
+std::string C::close(const std::string& label) const {
+  return call("close_branch", {"tracker", label}) + ";";
+}
 
 std::string C::reopen(const std::string& label, const std::string& work, bool visits) const {
-  return call(visits ? "reopen_visit" : "reopen_branch", {"tracker", label, work + "->branch.continuum"}) + ";";
+  return call(visits ? "reopen_visit" : "reopen_branch", {"tracker", label, work + "->branch.continuum"}) +
+         ";";
 }
 
 /// Of two functions: what fills in the task and the values; and behind an empty line, what takes these back.

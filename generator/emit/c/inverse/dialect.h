@@ -5,8 +5,8 @@
 
 namespace qvgen::emit::c {
 
-/// C99. Work, targets, rows and trackers are behind pointers; `prefix` tells a robot's variants apart, in front of
-/// their types and functions.
+/// C99. Work, targets, rows and trackers are behind pointers; `prefix` tells a robot's variants apart, in
+/// front of their types and functions.
 class C : public Dialect {
  public:
   explicit C(std::string prefix) : prefix_(std::move(prefix)) {}

@@ -30,13 +30,6 @@ struct Argument {
   bool is_pose = false;
 };
 
-std::string numbers_of(const model::Vector3& axis) {
-  const auto number = [](const model::Expression& e) {
-    return fmt::format("{}", model::to_double(model::evaluate(e)));
-  };
-  return number(axis[0]) + ", " + number(axis[1]) + ", " + number(axis[2]);
-}
-
 Argument pose_argument(bool position_only) {
   return {"const Pose<double>& pose",
           "pose",
@@ -53,12 +46,6 @@ Argument directed(const Problem& problem, const std::string& type, const std::st
           what + "the direction of its axis " + model::axis_text(problem.tool_axis) + " in the base frame",
           "inverse::pose_of(task, " + axis + ", Eigen::Quaterniond::Identity())",
           "inverse::pose_of(task, " + axis + ", inverse::tool_of<dof>(arm, seed).orientation)"};
-}
-
-int first_turn(const model::Robot& robot) {
-  int joint = 0;
-  while (robot.joints[static_cast<std::size_t>(joint)].type != model::JointType::revolute) ++joint;
-  return joint;
 }
 
 /// Of a task that is less than a pose.
@@ -139,14 +126,28 @@ json entry(const Problem& problem, const Argument& argument, Filter filter, cons
 
 }  // namespace
 
-json arm_values(const model::Robot& described) {
+std::string numbers_of(const model::Vector3& axis) {
+  const auto number = [](const model::Expression& e) {
+    return fmt::format("{}", model::to_double(model::evaluate(e)));
+  };
+  return number(axis[0]) + ", " + number(axis[1]) + ", " + number(axis[2]);
+}
+
+int first_turn(const model::Robot& robot) {
+  int joint = 0;
+  while (robot.joints[static_cast<std::size_t>(joint)].type != model::JointType::revolute) ++joint;
+  return joint;
+}
+
+json arm_values(const model::Robot& described, const Dialect& dialect) {
   const model::Robot robot = canonical::for_dynamics(model::with_private_names(described));
   const dag::Function function = derive::inverse::lowered_arm_at_zero(robot);
-  const Code code = geometry_code(robot, function);
+  const Code code = geometry_code(robot, function, dialect);
   json joints = json::array();
   for (std::size_t i = 0; i < robot.joints.size(); ++i)
     joints.push_back({{"open", "{"},
                       {"number", std::to_string(i + 1)},
+                      {"index", std::to_string(i)},
                       {"revolute", robot.joints[i].type == model::JointType::revolute ? "true" : "false"}});
   return {{"values", {{"temporaries", values_of(code.temporaries)}, {"outputs", values_of(code.outputs)}}},
           {"joints", joints}};

@@ -16,7 +16,8 @@ namespace {
 using nlohmann::json;
 
 /// The displacement's inverse as the arguments of a Pose: quaternion w, x, y, z and position.
-json inverse_pose(const model::Robot& robot, const model::Displacement& displacement) {
+json inverse_pose(const model::Robot& robot, const model::Displacement& displacement,
+                  const Dialect& dialect) {
   const symbolic::Pair pair = symbolic::inverse(symbolic::to_symbolic(displacement));
   symbolic::Program program;
   program.output("w", pair.q.w);
@@ -27,7 +28,7 @@ json inverse_pose(const model::Robot& robot, const model::Displacement& displace
   program.output("py", pair.p.y);
   program.output("pz", pair.p.z);
   const dag::Function function = passes::fold_constants(dag::import(program));
-  const Code code = straight_code(function, symbol_table(robot, {}));
+  const Code code = straight_code(function, symbol_table(robot, {}, {}, dialect.spelling()));
   json values{{"temporaries", json::array()}};
   for (const auto& value : code.temporaries)
     values["temporaries"].push_back({{"name", value.name}, {"expression", value.expression}});
@@ -39,7 +40,7 @@ double phase_in_radians(const exact::Angle& phase) { return cln::double_approx(*
 
 }  // namespace
 
-json change_of_arm(const derive::inverse::Problem& problem) {
+json change_of_arm(const derive::inverse::Problem& problem, const Dialect& dialect) {
   const bool has_phases = problem.has_phases();
   if (!problem.has_frames && !has_phases) return false;
   json phases = json::array();
@@ -48,8 +49,8 @@ json change_of_arm(const derive::inverse::Problem& problem) {
                       {"last", i + 1 == problem.phases.size()}});
   json result{{"phases", phases}, {"has_phases", has_phases}, {"frames", false}};
   if (problem.has_frames) {
-    result["frames"] = {{"base", inverse_pose(problem.moving, problem.base)},
-                        {"tool", inverse_pose(problem.moving, problem.tool)}};
+    result["frames"] = {{"base", inverse_pose(problem.moving, problem.base, dialect)},
+                        {"tool", inverse_pose(problem.moving, problem.tool, dialect)}};
   }
   return result;
 }

@@ -4,11 +4,12 @@
 #include <nlohmann/json.hpp>
 
 #include "derive/inverse/problem.h"
+#include "emit/cpp/inverse/dialect.h"
 
 namespace qvgen::emit {
 
 /// For the templates: the frames as poses and the joints' phases in radians; false if the arm that is solved
 /// is the described one.
-nlohmann::json change_of_arm(const derive::inverse::Problem& problem);
+nlohmann::json change_of_arm(const derive::inverse::Problem& problem, const Dialect& dialect);
 
 }  // namespace qvgen::emit

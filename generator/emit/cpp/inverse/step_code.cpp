@@ -312,6 +312,19 @@ bool mentions(const json& code, const std::string& name) {
 
 }  // namespace
 
+namespace {
+
+/// Lines of a polish step's function; where a language has two of them, they stand one behind the other with
+/// an empty line between.
+json polish_values(const std::vector<std::string>& lines) {
+  const auto gap = std::find(lines.begin(), lines.end(), "");
+  const std::vector<std::string> task(lines.begin(), gap);
+  const std::vector<std::string> back(gap == lines.end() ? gap : gap + 1, lines.end());
+  return {{"task_lines", lines_of(task)}, {"back_lines", lines_of(back)}};
+}
+
+}  // namespace
+
 json target_values(const model::Robot& robot, const LoweredPlan& plan, const Dialect& d) {
   const std::map<std::string, std::string> fields = geometry_fields(robot);
   const auto symbol = [&](const std::string& name) {
@@ -392,7 +405,7 @@ json step_values(const model::Robot& robot, const LoweredPlan& plan, const Diale
                      {"returns", returns},
                      {"split", split},
                      {"root", d.type(slides ? "SlideTurn" : "Rotor")},
-                     {"polish", polish ? json{{"joints", step.turns.size()}} : json(false)},
+                     {"polish", polish ? polish_values(extra) : json(false)},
                      {"regular", !split && !polish},
                      {"type", type},
                      {"call", call},

@@ -18,7 +18,8 @@ static double miss(const Matching* task, const JointValues* values) {
   return sum;
 }
 
-static void add_point(const Matching* task, int p, const JointValues* values, Columns* jacobian, double* off) {
+static void add_point(const Matching* task, int p, const JointValues* values, Columns* jacobian,
+                      double* off) {
   double columns[most_joints][3], x[3];
   memcpy(x, task->start[p], sizeof x);
   for (int i = task->joints; i-- > 0;) {
@@ -30,7 +31,8 @@ static void add_point(const Matching* task, int p, const JointValues* values, Co
     } else {
       memcpy(columns[i], screw->axis, sizeof screw->axis);
     }
-    for (int k = i + 1; screw->revolute && k < task->joints; ++k) turn_direction(screw, values->of[i], columns[k]);
+    for (int k = i + 1; screw->revolute && k < task->joints; ++k)
+      turn_direction(screw, values->of[i], columns[k]);
   }
   difference(task->goal[p], x, x);
   for (int k = 0; k < 3; ++k) {
@@ -79,7 +81,8 @@ static bool polish_points(const Matching* task, double allowed, JointValues* val
   for (int step = 0; step < most_steps && waited < most_waits && least > enough; ++step) {
     // Directions that hardly move the points are left alone, unless it does not go on without them.
     const bool stuck = waited >= most_waits / 2 && least > 256 * enough;
-    const Steps by = step_of_points(task, &now, 1e-1 * sqrt(error), stuck ? 64 * DBL_EPSILON : half_the_digits, held);
+    const Steps by =
+        step_of_points(task, &now, 1e-1 * sqrt(error), stuck ? 64 * DBL_EPSILON : half_the_digits, held);
     for (int i = 0; i < task->joints; ++i) advance(task, i, by.by[i], &now);
     error = miss(task, &now);
     ++waited;
@@ -138,7 +141,8 @@ static bool improve(const Matching* task, JointValues* values) {
   return false;
 }
 
-/// Moves values that are nearly on a continuum along it, to where it meets the goals. Returns whether it does.
+/// Moves values that are nearly on a continuum along it, to where it meets the goals. Returns whether it
+/// does.
 static bool move_on(const Matching* task, JointValues* values) {
   const int rounds = 24;
   const double enough = 256 * DBL_EPSILON * DBL_EPSILON * task->size_square;
@@ -162,8 +166,9 @@ static bool points_are_joined(const Matching* task, const JointValues* a, const 
   return values_apart(task->joints, a, &middle) < most && values_apart(task->joints, b, &middle) < most;
 }
 
-/// Branches that have led to a solution; that came near one and have none; that have been left to a pass that chooses; that
-/// have come near a continuum, and to no solution of their own on it; whose wrist cannot follow to what has been chosen.
+/// Branches that have led to a solution; that came near one and have none; that have been left to a pass that
+/// chooses; that have come near a continuum, and to no solution of their own on it; whose wrist cannot follow
+/// to what has been chosen.
 typedef enum Mark { has_settled, has_missed, is_left, has_strayed, has_turned_back, marks } Mark;
 
 /// What has come of each branch, and the solutions so far.
@@ -186,7 +191,9 @@ static bool is_open(const Visited* visited, Mark mark) {
   return false;
 }
 
-static bool visit_is_settled(const Visited* visited, int label) { return visited->marked[has_settled][label]; }
+static bool visit_is_settled(const Visited* visited, int label) {
+  return visited->marked[has_settled][label];
+}
 
 /// Takes back the last solution: a wrist cannot follow there.
 static void reopen_visit(Visited* visited, int label, bool continuum) {
@@ -206,8 +213,8 @@ static bool is_visited(const Visited* visited, const Matching* task, const Joint
   return false;
 }
 
-/// Polishes where a branch has led; true if that is a solution and a new one, to half the digits. On a continuum the place
-/// is to be one that a pass has chosen, or the one next to the seed, if there is one.
+/// Polishes where a branch has led; true if that is a solution and a new one, to half the digits. On a
+/// continuum the place is to be one that a pass has chosen, or the one next to the seed, if there is one.
 static bool settle_visit(Visited* visited, int label, const Matching* task, const Boundary* boundary,
                          const JointValues* seed, JointValues* values, Branch* branch) {
   bool reached = branch->exists && polish_points(task, boundary->miss, values, &nothing_held);
@@ -224,23 +231,27 @@ static bool settle_visit(Visited* visited, int label, const Matching* task, cons
     JointValues at;
     if (seed != NULL) {
       at = *seed;
-      if (polish_points(task, 0, &at, &nothing_held) && !is_visited(visited, task, &at) && is_continuum_of_points(task, &at))
+      if (polish_points(task, 0, &at, &nothing_held) && !is_visited(visited, task, &at) &&
+          is_continuum_of_points(task, &at))
         *values = at;
     }
   }
   const bool known = is_visited(visited, task, values);
-  // Near a continuum two branches may have been led to the one solution and left another; and so may a choice lead.
+  // Near a continuum two branches may have been led to the one solution and left another; and so may a choice
+  // lead.
   visited->marked[has_settled][label] = !(known && (strays || *left));
   if (known) return false;
   visited->known.of[visited->known.count++] = *values;
   return true;
 }
 
-/// A pose moved and turned a little, another way for every k: the fractional parts of multiples of square roots of primes
-/// are spread evenly. Returns how far the joint whose value is given is to be held from that value.
+/// A pose moved and turned a little, another way for every k: the fractional parts of multiples of square
+/// roots of primes are spread evenly. Returns how far the joint whose value is given is to be held from that
+/// value.
 static double displaced(const Pose* pose, double size, int k, Pose* moved) {
-  static const double roots[7] = {1.4142135623730951, 1.7320508075688772, 2.23606797749979, 2.6457513110645906,
-                                  3.3166247903554,    3.605551275463989,  4.123105625617661};
+  static const double roots[7] = {1.4142135623730951, 1.7320508075688772, 2.23606797749979,
+                                  2.6457513110645906, 3.3166247903554,    3.605551275463989,
+                                  4.123105625617661};
   double by[7];
   for (int i = 0; i < 7; ++i) {
     const double multiple = (k + 1) * roots[i];

@@ -92,8 +92,8 @@ static inline double unit_scale(double excess) { return 1 + excess * (-0.5 + 0.3
 /// 1 / |q|^2, the same way.
 static inline double square_scale(double excess) { return 1 + excess * (excess - 1); }
 
-/// What can be said of a pose before any branch is followed: branches have to tell; not a rotation, not finite, or too large
-/// to be squared.
+/// What can be said of a pose before any branch is followed: branches have to tell; not a rotation, not
+/// finite, or too large to be squared.
 typedef enum Outlook { outlook_open, outlook_unreachable, outlook_invalid } Outlook;
 
 /// By the pose's quaternion, and by the distance that the arm's tool cannot exceed.
@@ -114,7 +114,8 @@ static bool are_finite(const double* numbers, int count) {
 
 /// Why a pose whose outlook is not open has no solutions.
 static int status_beyond(const Pose* pose) {
-  return fabs(unit_excess(pose)) <= unit_tolerance && are_finite(pose->position, 3) ? status_unreachable : status_invalid;
+  return fabs(unit_excess(pose)) <= unit_tolerance && are_finite(pose->position, 3) ? status_unreachable
+                                                                                    : status_invalid;
 }
 
 /// before * pose * behind, the pose's quaternion brought to length one first. What is no pose stays none.
@@ -125,8 +126,8 @@ static Pose between_frames(const Pose* before, const Pose* pose, const Pose* beh
   return pose_after(&first, behind);
 }
 
-/// The shortest turn that brings a unit vector to the direction of another, whose length the quaternion takes over: one that
-/// is no unit vector by more than rounding makes no valid pose.
+/// The shortest turn that brings a unit vector to the direction of another, whose length the quaternion takes
+/// over: one that is no unit vector by more than rounding makes no valid pose.
 static Quaternion shortest_turn(const double* from, const double* to) {
   const double length = sqrt(dot(to, to));
   double cosine = dot(from, to);
@@ -152,7 +153,8 @@ static Quaternion shortest_turn(const double* from, const double* to) {
 }
 
 /// The pose with a given direction of a tool's axis that turns a tool at `at` least.
-static Pose directed_pose(const double* position, const double* direction, const double* tool_axis, Quaternion at) {
+static Pose directed_pose(const double* position, const double* direction, const double* tool_axis,
+                          Quaternion at) {
   double now[3];
   turn_vector(at, tool_axis, now);
   Pose pose;

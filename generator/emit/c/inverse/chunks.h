@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+namespace qvgen::emit::c {
+
+/// A C source of which only what its public functions need is left: types, constants and static functions
+/// that nothing reaches from there go, and so do local constants that are not read; parameters that are not
+/// are marked. Compilers warn of all three.
+std::string needed(const std::string& source);
+
+}  // namespace qvgen::emit::c

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "derive/inverse/inverse.h"
+#include "emit/c/function.h"
+
+namespace qvgen::emit::c {
+
+/// Adds to a variant's template values, which are those of C++ in this dialect, its public functions in C:
+/// what each takes and how that becomes a pose.
+void add_entries(const model::Robot& robot, const derive::inverse::Derivation& derivation,
+                 nlohmann::json& variant);
+
+/// Header and source of a robot's inverse kinematics, of the variants' values.
+Part inverse_kinematics(const model::Robot& robot, const nlohmann::json& values);
+
+}  // namespace qvgen::emit::c
