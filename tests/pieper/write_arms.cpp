@@ -24,6 +24,9 @@ struct Folder {
   [[nodiscard]] fs::path lanes(const std::string& name) const {
     return root / "generated/source" / name / "inverse_avx2.cpp";
   }
+  [[nodiscard]] fs::path in_c(const std::string& name) const {
+    return root / "generated/c" / ("qvgen_" + name + "_inverse.c");
+  }
   [[nodiscard]] fs::path header(const std::string& name) const {
     return root / "generated/include/qvgen/robots" / name / "inverse.h";
   }
@@ -49,6 +52,33 @@ constexpr const char* near_a_seed =
 
 constexpr const char* unsolved_arm =
     R"(const bool @NAME@ = qvgen::test::add_unsolved({"@NAME@", "@DESCRIPTION@", R"text(@REASONS@)text"});
+)";
+
+constexpr const char* arm_in_c = R"(#include "@HEADER@"
+namespace {
+namespace @NAME@_in_c {
+namespace robot = qvgen::robots::@NAME@;
+using Pose = qvgen::Pose<double>;
+using qvgen::test::asked;
+using qvgen::test::wxyz;
+using Set = @NAME@_solutions;
+int call(const Pose& pose, [[maybe_unused]] double given, const double* seed, double tolerance, Set* set) {
+  const auto task = asked<robot::inverse_info@SUFFIX@.task>(pose, robot::inverse_info@SUFFIX@);
+  return @NAME@_inverse_kinematics@SUFFIX@@OF@(@ARGUMENTS@@GIVEN@, seed, &@NAME@_default_geometry, tolerance, set);
+}
+qvgen::test::InverseFunctions functions() {
+  qvgen::test::InverseFunctions all;
+  all.solve = [](const Pose& pose, double given, double tolerance, const reference::Values&) { return qvgen::test::found_in_c<Set>(robot::dof, [&](Set* set) { return call(pose, given, nullptr, tolerance, set); }); };
+  all.solve_from = [](const Pose& pose, double given, const Eigen::VectorXd& seed, const reference::Values&) { return qvgen::test::found_in_c<Set>(robot::dof, [&](Set* set) { return call(pose, given, seed.data(), 1e-13, set); }); };
+@NEAR@  return all;
+}
+const bool registered = qvgen::test::inverses_in_c().emplace("@NAME@", functions()).second;
+}
+}
+)";
+
+constexpr const char* near_a_seed_in_c =
+    R"(  all.solve_near = [](const Pose& task, [[maybe_unused]] double given, const Eigen::VectorXd& seed, double tolerance, const reference::Values&) { return qvgen::test::found_in_c<Set>(robot::dof, [&](Set* set) { return @NAME@_inverse_kinematics_near@SUFFIX@(wxyz(task.orientation).data(), task.position.data()@GIVEN@, seed.data(), &@NAME@_default_geometry, tolerance, set); }); };
 )";
 
 std::string replaced(std::string text, const std::string& what, const std::string& by) {
@@ -82,6 +112,51 @@ bool has_near(const fs::path& header, const std::string& given) {
   for (std::string line; std::getline(file, line);)
     if (line.rfind(start, 0) == 0) return true;
   return false;
+}
+
+/// The task that the functions' main entry takes: "direction".
+std::string task(const fs::path& header) {
+  const std::string before = "Task::";
+  std::ifstream file(header);
+  for (std::string line; std::getline(file, line);) {
+    const std::size_t begin = line.find(before);
+    if (line.rfind("inline constexpr InverseInfo", 0) != 0 || begin == std::string::npos) continue;
+    const std::size_t end = line.find(',', begin);
+    return line.substr(begin + before.size(), end - begin - before.size());
+  }
+  return "";
+}
+
+/// The same arm's functions in C behind the same type; nothing of an arm that has none.
+std::string registration_in_c(const Folder& folder, const std::string& name) {
+  if (!fs::exists(folder.in_c(name))) return "";
+  const fs::path header = folder.header(name);
+  const std::string given = suffix(header), asked = task(header);
+  const std::string pose = "wxyz(task.orientation).data(), task.position.data()";
+  const bool whole = asked == "pose" || asked == "position" || asked == "position_and_yaw";
+  std::string text = replaced(arm_in_c, "@NEAR@", has_near(header, given) ? near_a_seed_in_c : "");
+  text = replaced(text, "@OF@", whole ? "" : "_of_" + asked);
+  text = replaced(text, "@ARGUMENTS@",
+                  whole                                ? pose
+                  : asked == "orientation"             ? "wxyz(task).data()"
+                  : asked == "direction"               ? "task.vector.data()"
+                                                       : "task.position.data(), task.direction.data()");
+  text = replaced(text, "@SUFFIX@", given);
+  text = replaced(text, "@GIVEN@", given.empty() ? "" : ", given");
+  text = replaced(text, "@HEADER@", fs::path(folder.in_c(name)).replace_extension(".h").string());
+  return replaced(text, "@NAME@", name);
+}
+
+/// A source in C for each arm, whether or not there is anything to compile.
+void write_sources_in_c(const Folder& folder, const std::string& family, std::uint32_t count) {
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const fs::path inverse = folder.in_c(arm_name(family, i));
+    std::ofstream file(folder.root / ("c_" + std::to_string(i) + ".c"));
+    std::ofstream model(folder.root / ("c_model_" + std::to_string(i) + ".c"));
+    const fs::path robot = inverse.parent_path() / ("qvgen_" + arm_name(family, i) + ".c");
+    file << (fs::exists(inverse) ? "#include \"" + inverse.string() + "\"\n" : "typedef int nothing;\n");
+    model << (fs::exists(inverse) ? "#include \"" + robot.string() + "\"\n" : "typedef int nothing;\n");
+  }
 }
 
 std::string registration(const Folder& folder, const std::string& name) {
@@ -122,9 +197,10 @@ int main(int argc, char** argv) {
     std::ofstream(description) << qvgen::test::arm_description(family, i);
     command += " " + description.string();
   }
-  command += " --only inverse --output " + (folder.root / "generated").string() + " > " +
-             (folder.root / "log.txt").string() + " 2>&1";
-  if (std::system(command.c_str()) != 0) {
+  command += " --only inverse --output " + (folder.root / "generated").string();
+  const std::string log = (folder.root / "log.txt").string() + " 2>&1";
+  if (std::system((command + " > " + log).c_str()) != 0 ||
+      std::system((command + " --language c >> " + log).c_str()) != 0) {
     std::cerr << std::ifstream(folder.root / "log.txt").rdbuf() << command << " failed\n";
     return 1;
   }
@@ -133,9 +209,13 @@ int main(int argc, char** argv) {
     const std::uint32_t end = std::min(count, first + in_a_file);
     write_lanes(folder, std::ofstream(folder.root / ("lanes_" + number + ".cpp")), family, first, end);
     std::ofstream file(folder.root / ("arms_" + number + ".cpp"));
-    file << "#include \"robot_under_test.h\"\n#include \"unsolved.h\"\n";
+    file << "#include \"robot_in_c.h\"\n#include \"unsolved.h\"\n";
     if (first == 0) file << "std::size_t qvgen::test::written_arms() { return " << count << "; }\n";
-    for (std::uint32_t i = first; i < end; ++i) file << registration(folder, arm_name(family, i));
+    for (std::uint32_t i = first; i < end; ++i) {
+      file << registration(folder, arm_name(family, i));
+      file << registration_in_c(folder, arm_name(family, i));
+    }
   }
+  write_sources_in_c(folder, family, count);
   return 0;
 }

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstring>
+#include <map>
+#include <string>
+
+#include "robot_under_test.h"
+
+namespace qvgen::test {
+
+/// The functions in C by the names that the C++ ones are registered under.
+inline std::map<std::string, InverseFunctions>& inverses_in_c() {
+  static std::map<std::string, InverseFunctions> all;
+  return all;
+}
+
+inline std::array<double, 4> wxyz(const Eigen::Quaterniond& q) { return {q.w(), q.x(), q.y(), q.z()}; }
+
+/// `call` fills in a C set of solutions.
+template <class Solutions, class Call>
+Found found_in_c(int dof, const Call& call) {
+  Solutions set;
+  std::memset(static_cast<void*>(&set), 0x7f, sizeof set);
+  const int count = call(&set);
+  Found found{static_cast<Status>(set.status), {}, {set.effort.passes, set.effort.steps, set.effort.used_up != 0}};
+  if (count != set.count) throw std::logic_error("a count is not that of its set");
+  for (int i = 0; i < count; ++i)
+    found.rows.push_back({Eigen::Map<const Eigen::VectorXd>(set.rows[i].q, dof), set.rows[i].branch,
+                          set.rows[i].continuum != 0});
+  return found;
+}
+
+/// Constants of the description but for those that are given by name.
+template <class Geometry, class Names>
+Geometry geometry_in_c(Geometry geometry, const Names& names, const reference::Values& values) {
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (const auto value = values.find(names[i]); value != values.end())
+      std::memcpy(reinterpret_cast<char*>(&geometry) + i * sizeof(double), &value->second, sizeof(double));
+  return geometry;
+}
+
+}  // namespace qvgen::test
