@@ -19,18 +19,23 @@ static const double no_place[3] = {0, 0, 0};
 
 static const double no_turn[4] = {1, 0, 0, 0};
 
+// Sums in the order of the C++ library's vector registers, so that rounding is the same.
+
 static Quaternion turn_after(Quaternion later, Quaternion earlier) {
-  const double* a = later.of;
-  const double* b = earlier.of;
-  const Quaternion result = {{a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3],
-                              a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2],
-                              a[0] * b[2] + a[2] * b[0] + a[3] * b[1] - a[1] * b[3],
-                              a[0] * b[3] + a[3] * b[0] + a[1] * b[2] - a[2] * b[1]}};
+  const double aw = later.of[0], ax = later.of[1], ay = later.of[2], az = later.of[3];
+  const double bw = earlier.of[0], bx = earlier.of[1], by = earlier.of[2], bz = earlier.of[3];
+  const Quaternion result = {
+      {(aw * bw - ay * by) - (az * bz + ax * bx), (aw * bx + ay * bz) - (az * by - ax * bw),
+       (aw * by + ay * bw) + (az * bx - ax * bz), (aw * bz - ay * bx) + (az * bw + ax * by)}};
   return result;
 }
 
 static double quaternion_length(Quaternion q) {
-  return sqrt(q.of[0] * q.of[0] + q.of[1] * q.of[1] + q.of[2] * q.of[2] + q.of[3] * q.of[3]);
+  return sqrt((q.of[1] * q.of[1] + q.of[3] * q.of[3]) + (q.of[2] * q.of[2] + q.of[0] * q.of[0]));
+}
+
+static double projection(const double* a, const double* b) {
+  return a[0] * b[0] + (a[1] * b[1] + a[2] * b[2]);
 }
 
 static Quaternion unit_quaternion(Quaternion q) {
@@ -129,8 +134,8 @@ static Pose between_frames(const Pose* before, const Pose* pose, const Pose* beh
 /// The shortest turn that brings a unit vector to the direction of another, whose length the quaternion takes
 /// over: one that is no unit vector by more than rounding makes no valid pose.
 static Quaternion shortest_turn(const double* from, const double* to) {
-  const double length = sqrt(dot(to, to));
-  double cosine = dot(from, to);
+  const double length = sqrt(projection(to, to));
+  double cosine = projection(from, to);
   double start[3];
   memcpy(start, from, sizeof start);
   Quaternion first = {{1, 0, 0, 0}};

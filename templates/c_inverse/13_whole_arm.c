@@ -37,7 +37,8 @@ static void set_matching(const Arm* arm, const Pose* pose, int points, Matching*
   const Pose back = inverse_pose(&arm->tool);
   const Pose unit = with_unit_quaternion(pose);
   const Pose moved = pose_after(&unit, &back);
-  const double square = dot(pose->position, pose->position) + dot(arm->tool.position, arm->tool.position);
+  const double square =
+      projection(pose->position, pose->position) + projection(arm->tool.position, arm->tool.position);
   // Of an arm without size: any length serves to measure turns by.
   const double size = square > 0 ? sqrt(square) : 1;
   task->joints = arm->joints;

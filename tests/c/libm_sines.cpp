@@ -4,7 +4,25 @@
 
 #include <qvgen/sine_cosine.h>
 
-namespace qvgen::detail {
+namespace qvgen {
+
+void sines_and_cosines(const double* angles, double* sines, double* cosines, int count) noexcept {
+  for (int i = 0; i < count; ++i) {
+    const double angle = angles[i];
+    sines[i] = std::sin(angle);
+    cosines[i] = std::cos(angle);
+  }
+}
+
+void sines_and_cosines(const float* angles, float* sines, float* cosines, int count) noexcept {
+  for (int i = 0; i < count; ++i) {
+    const double angle = angles[i];
+    sines[i] = static_cast<float>(std::sin(angle));
+    cosines[i] = static_cast<float>(std::cos(angle));
+  }
+}
+
+namespace detail {
 
 void sine_cosine_of_4(double a0, double a1, double a2, double a3, double* sines, double* cosines) noexcept {
   const double angles[4] = {a0, a1, a2, a3};
@@ -20,4 +38,5 @@ void sine_cosine_of_8(double a0, double a1, double a2, double a3, double a4, dou
   sine_cosine_of_4(a4, a5, a6, a7, sines + 4, cosines + 4);
 }
 
-}  // namespace qvgen::detail
+}  // namespace detail
+}  // namespace qvgen

@@ -137,10 +137,10 @@ std::string registration_in_c(const Folder& folder, const std::string& name) {
   std::string text = replaced(arm_in_c, "@NEAR@", has_near(header, given) ? near_a_seed_in_c : "");
   text = replaced(text, "@OF@", whole ? "" : "_of_" + asked);
   text = replaced(text, "@ARGUMENTS@",
-                  whole                                ? pose
-                  : asked == "orientation"             ? "wxyz(task).data()"
-                  : asked == "direction"               ? "task.vector.data()"
-                                                       : "task.position.data(), task.direction.data()");
+                  whole                    ? pose
+                  : asked == "orientation" ? "wxyz(task).data()"
+                  : asked == "direction"   ? "task.vector.data()"
+                                           : "task.position.data(), task.direction.data()");
   text = replaced(text, "@SUFFIX@", given);
   text = replaced(text, "@GIVEN@", given.empty() ? "" : ", given");
   text = replaced(text, "@HEADER@", fs::path(folder.in_c(name)).replace_extension(".h").string());

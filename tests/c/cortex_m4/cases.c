@@ -61,6 +61,35 @@ static void fill(double* numbers, int count, double size) {
   }
 }
 
+#ifdef HAS_INVERSE
+static void take_rows(const OF(solutions) * found) {
+  const double outcome[2] = {found->status, found->count};
+  take(outcome, 2);
+  for (int i = 0; i < found->count; ++i) take(found->rows[i].q, DOF);
+}
+
+/* Poses by sums, products and roots alone, which both machines round alike; some are out of reach. Every eighth has the
+   orientation of the base, at which wrists are singular. */
+static void invert(int round) {
+  double q[4], p[3], seed[DOF];
+  OF(solutions) found;
+  fill(q, 4, 1);
+  fill(p, 3, 0.6);
+  fill(seed, DOF, 3);
+  for (int i = 0; i < 4 && round % 8 == 0; ++i) q[i] = i == 0 ? 1 : 0;
+  const double length = sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+  for (int i = 0; i < 4; ++i) q[i] /= length;
+  OF(inverse_kinematics)(q, p, NULL, &OF(default_geometry), OF(default_tolerance), &found);
+  take_rows(&found);
+  OF(inverse_kinematics_within_limits)(q, p, seed, NULL, NULL, &OF(default_geometry), OF(default_tolerance), &found);
+  take_rows(&found);
+  if (found.count > 0) memcpy(seed, found.rows[found.count - 1].q, sizeof seed);
+  seed[0] += 1e-3;
+  OF(inverse_kinematics_near)(q, p, seed, &OF(default_geometry), OF(default_tolerance), &found);
+  take_rows(&found);
+}
+#endif
+
 int main(void) {
   for (int round = 0; round < 50; ++round) {
     double q[DOF], qd[DOF], qdd[DOF], row[DOF], twist[6], transform[4][4], jacobian[6][DOF];
@@ -80,6 +109,9 @@ int main(void) {
     OF(jacobian_dot_times_qd)(q, qd, &OF(default_geometry), twist);
     take(twist, 6);
     (void)qdd, (void)row;
+#ifdef HAS_INVERSE
+    invert(round);
+#endif
 #ifdef HAS_DYNAMICS
     double mass[DOF][DOF];
     OF(inverse_dynamics)(q, qd, qdd, &OF(default_geometry), &OF(default_inertia), 9.81, row);

@@ -24,7 +24,8 @@ Found found_in_c(int dof, const Call& call) {
   Solutions set;
   std::memset(static_cast<void*>(&set), 0x7f, sizeof set);
   const int count = call(&set);
-  Found found{static_cast<Status>(set.status), {}, {set.effort.passes, set.effort.steps, set.effort.used_up != 0}};
+  Found found{
+      static_cast<Status>(set.status), {}, {set.effort.passes, set.effort.steps, set.effort.used_up != 0}};
   if (count != set.count) throw std::logic_error("a count is not that of its set");
   for (int i = 0; i < count; ++i)
     found.rows.push_back({Eigen::Map<const Eigen::VectorXd>(set.rows[i].q, dof), set.rows[i].branch,

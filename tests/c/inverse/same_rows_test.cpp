@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Inverse kinematics in C against that in C++, of every robot with a closed form, at ordinary poses and at those where
-// solvers fail.
+// Inverse kinematics in C against that in C++, of every robot with a closed form, at ordinary poses and at
+// those where solvers fail.
 #include <cstdlib>
 #include <cstring>
 
@@ -19,7 +19,7 @@ int pose_count() {
 
 /// What was compared, for a line of the report.
 struct Tally {
-  int sets = 0, rows = 0, same_bits = 0, near_singular = 0;
+  int sets = 0, singular = 0, other = 0, rows = 0, same_bits = 0;
   double largest = 0;
 };
 
@@ -42,33 +42,66 @@ class SameRows : public testing::TestWithParam<InverseUnderTest> {
     c_ = &place->second;
   }
 
-  void expect_same(const Found& cxx, const Found& c, const std::string& what) {
-    const bool is_regular = cxx.effort.passes == 0 && cxx.effort.steps == 0;
+  /// Near a singular pose Newton's steps from a seed magnify what rounding leaves: these may lead elsewhere.
+  /// They may not anywhere else.
+  void expect_same(const Found& cxx, const Found& c, const Sample& sample, const std::string& what) {
+    const bool is_regular = cxx.effort.passes == 0 && cxx.effort.steps == 0 &&
+                            cxx.status != Status::singular && GetParam().info.stable_branches;
+    const std::string both = what + "\nC++ " + text(cxx) + "\nC " + text(c);
     ++tally_.sets;
-    tally_.near_singular += is_regular ? 0 : 1;
-    ASSERT_EQ(c.status, cxx.status) << what << "\nC++ " << text(cxx) << "\nC " << text(c);
-    ASSERT_EQ(c.rows.size(), cxx.rows.size()) << what << "\nC++ " << text(cxx) << "\nC " << text(c);
+    tally_.singular += is_regular ? 0 : 1;
+    const std::string difference = different(cxx, c, is_regular ? 1e-12 : 1e-9);
+    if (is_regular || cxx.status == Status::invalid || c.status == Status::invalid) {
+      ASSERT_EQ(difference, "") << both;
+    }
+    if (difference.empty()) return count_rows(cxx, c);
+    ++tally_.other;
+    expect_right(c, sample, both);
+  }
+
+  [[nodiscard]] std::string different(const Found& cxx, const Found& c, double tolerance) const {
+    if (c.status != cxx.status) return "status";
+    if (c.rows.size() != cxx.rows.size()) return "number of rows";
     for (std::size_t i = 0; i < c.rows.size(); ++i) {
-      ASSERT_EQ(c.rows[i].branch, cxx.rows[i].branch) << what << "\nC++ " << text(cxx) << "\nC " << text(c);
-      ASSERT_EQ(c.rows[i].continuum, cxx.rows[i].continuum) << what << "\nC++ " << text(cxx) << "\nC " << text(c);
-      const double off = test_.distance(c.rows[i].q, cxx.rows[i].q);
+      if (c.rows[i].branch != cxx.rows[i].branch) return "branch";
+      if (c.rows[i].continuum != cxx.rows[i].continuum) return "mark";
+      if (!(test_.distance(c.rows[i].q, cxx.rows[i].q) <= tolerance)) return "values";
+    }
+    return "";
+  }
+
+  void count_rows(const Found& cxx, const Found& c) {
+    for (std::size_t i = 0; i < c.rows.size(); ++i) {
       ++tally_.rows;
       tally_.same_bits += c.rows[i].q == cxx.rows[i].q ? 1 : 0;
-      tally_.largest = std::max(tally_.largest, off);
-      ASSERT_LE(off, is_regular ? 1e-12 : 1e-9) << what << "\nC++ " << text(cxx) << "\nC " << text(c);
+      tally_.largest = std::max(tally_.largest, test_.distance(c.rows[i].q, cxx.rows[i].q));
+    }
+  }
+
+  /// What holds of every set: each row reaches the pose, none is there twice.
+  void expect_right(const Found& c, const Sample& sample, const std::string& what) const {
+    for (std::size_t i = 0; i < c.rows.size(); ++i) {
+      ASSERT_LE(test_.miss(c.rows[i].q, sample.target).largest(), 1e-9) << what;
+      for (std::size_t k = 0; k < i; ++k) ASSERT_GT(test_.distance(c.rows[i].q, c.rows[k].q), 1e-8) << what;
     }
   }
 
   /// One branch after the other, as C does, where there is a choice.
-  [[nodiscard]] static Found solve(const InverseUnderTest& cxx, const Pose<double>& pose, double given, double tolerance) {
-    return cxx.functions.solve_scalar ? cxx.solve_scalar(pose, given, tolerance) : cxx.solve(pose, given, tolerance);
+  [[nodiscard]] static Found solve(const InverseUnderTest& cxx, const Pose<double>& pose, double given,
+                                   double tolerance) {
+    return cxx.functions.solve_scalar ? cxx.solve_scalar(pose, given, tolerance)
+                                      : cxx.solve(pose, given, tolerance);
   }
 
-  void report(const char* what) const {
-    std::printf("%-28s %-10s %6d sets, %5d near singular poses, %6d rows, %5.1f %% of them the same bits, largest "
-                "difference %.1e\n",
-                GetParam().name.c_str(), what, tally_.sets, tally_.near_singular, tally_.rows,
-                100.0 * tally_.same_bits / std::max(1, tally_.rows), tally_.largest);
+  /// At most so many of a hundred sets near singular poses may be others.
+  void report(const char* what, int others) const {
+    EXPECT_LE(100 * tally_.other, others * tally_.singular);
+    std::printf(
+        "%-24s %-9s %5d sets, %4d of them singular, %3d of these others; %6d rows, %5.1f %% the same bits, "
+        "largest "
+        "difference %.1e\n",
+        GetParam().name.c_str(), what, tally_.sets, tally_.singular, tally_.other, tally_.rows,
+        100.0 * tally_.same_bits / std::max(1, tally_.rows), tally_.largest);
   }
 
   /// `ask(sample, name)` for samples of all sets of poses.
@@ -94,11 +127,13 @@ TEST_P(SameRows, AllSolutions) {
   for_all_poses([&](const Sample& sample, const std::string& name) {
     const double given = test_.given(sample.q);
     for (const double tolerance : {inverse::default_tolerance, 1e-6})
-      expect_same(solve(cxx, sample.pose, given, tolerance), c_->solve(sample.pose, given, tolerance, {}), name);
+      expect_same(solve(cxx, sample.pose, given, tolerance), c_->solve(sample.pose, given, tolerance, {}),
+                  sample, name);
     if (c_->solve_pose)
-      expect_same(cxx.functions.solve_pose(sample.pose, 1e-12), c_->solve_pose(sample.pose, 1e-12), name + ", pose");
+      expect_same(cxx.functions.solve_pose(sample.pose, 1e-12), c_->solve_pose(sample.pose, 1e-12), sample,
+                  name + ", pose");
   });
-  report("all");
+  report("all", 0);
 }
 
 TEST_P(SameRows, FromASeed) {
@@ -106,12 +141,13 @@ TEST_P(SameRows, FromASeed) {
   for_all_poses([&](const Sample& sample, const std::string& name) {
     const double given = test_.given(sample.q);
     const Eigen::VectorXd seed = test_.joints();
-    expect_same(cxx.solve_from(sample.pose, given, seed), c_->solve_from(sample.pose, given, seed, {}), name);
+    expect_same(cxx.solve_from(sample.pose, given, seed), c_->solve_from(sample.pose, given, seed, {}),
+                sample, name);
     if (c_->solve_pose_from)
       expect_same(cxx.functions.solve_pose_from(sample.pose, seed), c_->solve_pose_from(sample.pose, seed),
-                  name + ", pose");
+                  sample, name + ", pose");
   });
-  report("seeded");
+  report("seeded", 3);
 }
 
 TEST_P(SameRows, NextToASeed) {
@@ -122,10 +158,10 @@ TEST_P(SameRows, NextToASeed) {
     for (const double share : {1e-3, 1.0}) {
       const Eigen::VectorXd seed = sample.q + share * test_.joints();
       expect_same(cxx.solve_near(sample.pose, given, seed),
-                  c_->solve_near(sample.pose, given, seed, inverse::default_tolerance, {}), name);
+                  c_->solve_near(sample.pose, given, seed, inverse::default_tolerance, {}), sample, name);
     }
   });
-  report("near");
+  report("near", 3);
 }
 
 TEST_P(SameRows, OtherConstants) {
@@ -138,10 +174,10 @@ TEST_P(SameRows, OtherConstants) {
       const Sample sample = sample_at(other, other.joints());
       const double given = other.given(sample.q);
       expect_same(solve(cxx, sample.pose, given, 1e-13), c_->solve(sample.pose, given, 1e-13, cxx.geometry),
-                  "other constants");
+                  sample, "other constants");
     }
   }
-  report("constants");
+  report("constants", 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, SameRows, testing::ValuesIn(inverses()),
