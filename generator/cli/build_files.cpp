@@ -55,13 +55,19 @@ std::string fingerprint(const fs::path& output, const std::string& robot) {
 void write_sources(const GenerateArguments& arguments, const std::string& robot) {
   const fs::path folder = fs::absolute(arguments.build.sources), output = fs::absolute(arguments.output);
   const std::string mark = "// Code " + fingerprint(output, robot) + "\n";
+  // Of what a robot has not there is a declaration: no C source may be empty.
   const auto write_source = [&](const std::string& name, const fs::path& generated) {
     const std::string include = generated.lexically_relative(folder).generic_string();
-    const bool exists = fs::exists(generated);
-    write(folder / name, mark + (exists ? "#include \"" + include + "\"\n" : "// This robot has none.\n"));
+    const std::string code =
+        fs::exists(generated) ? "#include \"" + include + "\"\n" : "struct qvgen_has_none;\n";
+    write(folder / name, mark + code);
   };
-  if (arguments.language == pipeline::Language::c)
-    return write_source("robot.c", output / "c" / ("qvgen_" + fs::path(robot).filename().string() + ".c"));
+  if (arguments.language == pipeline::Language::c) {
+    const std::string name = "qvgen_" + fs::path(robot).filename().string();
+    write_source("robot.c", output / "c" / (name + ".c"));
+    write_source("inverse.c", output / "c" / (name + "_inverse.c"));
+    return;
+  }
   const fs::path model = output / "include/qvgen/robots" / robot / "model.h";
   const std::optional<std::string> before = pipeline::content_of(folder / "kinematics.cpp");
   // The header that all others include, for the sources of users: first, in case that this is the end.

@@ -52,8 +52,15 @@ TEST_F(CommandLine, BothLanguagesShareAFolder) {
   EXPECT_EQ(run("remove my_arm --output " + out()).code, 0);
   EXPECT_FALSE(fs::exists(fs::path(out()) / "source"));
   EXPECT_TRUE(fs::exists(fs::path(out()) / "c/qvgen_my_arm.c"));
-  EXPECT_TRUE(has(run("generate " + file + " --language c --require inverse --output " + out()),
-                  "inverse is required and c/my_arm has none"));
+  EXPECT_EQ(run("generate " + file + " --language c --require inverse --output " + out()).code, 0);
+  EXPECT_TRUE(fs::exists(fs::path(out()) / "c/qvgen_my_arm_inverse.h"));
+  const ToolRun elimination =
+      run("generate crx10ia --only inverse --language c --require inverse --output " + out());
+  EXPECT_NE(elimination.code, 0);
+  EXPECT_TRUE(has(elimination, "it is by elimination, which is written in C++")) << elimination.output;
+  EXPECT_FALSE(fs::exists(fs::path(out()) / "c/qvgen_crx10ia_inverse.h"));
+  EXPECT_EQ(run("remove c/my_arm --output " + out()).code, 0);
+  EXPECT_FALSE(fs::exists(fs::path(out()) / "c/qvgen_my_arm_inverse.h"));
   EXPECT_EQ(run("generate " + file + " --language fortran --output " + out()).code, 2);
 }
 

@@ -14,7 +14,8 @@ bool begins_with(const std::string& text, const std::string& with) { return text
 
 bool is_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
-/// The identifiers of a text, in order; comments and members are left out. `calls`: only those in front of a bracket.
+/// The identifiers of a text, in order; comments and members are left out. `calls`: only those in front of a
+/// bracket.
 std::vector<std::string> names_in(const std::string& text, bool calls = false) {
   std::vector<std::string> names;
   for (std::size_t at = 0; at < text.size();) {
