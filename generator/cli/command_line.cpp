@@ -80,7 +80,7 @@ void add_generate(CommandLine& line) {
   command
       .add_option("--only", generate.parts,
                   "parts to generate: kinematics,jacobian,...; all without, but c_inverse, a C header for "
-                  "the C++, and moveit_plugin, a ROS 2 package")
+                  "inverse kinematics by elimination, and moveit_plugin, a ROS 2 package")
       ->type_name("PARTS")
       ->allow_extra_args(false)
       ->delimiter(',');

@@ -9,17 +9,16 @@ extern "C" {
 
 struct rows {
   int capacity, status;
-  double q[8][6];
-  int branches[8];
+  double q[16][6];
+  int branches[16];
 };
 
 // pose: w x y z, then the position.
-int puma560_in_c(const double pose[7], const double* seed, struct rows* found);
-int puma560_within_in_c(const double pose[7], const double* seed, const double* lower, const double* upper,
-                        struct rows* found);
-int puma560_near_in_c(const double pose[7], double* q, int* status);
-int ns_in_c(const double pose[7], const double* geometry, int rows, struct rows* found);
-int planar_3r_in_c(const double pose[7], double given, const double* seed, double q[2][3], int* status);
+int jaco2_in_c(const double pose[7], const double* seed, struct rows* found);
+int jaco2_within_in_c(const double pose[7], const double* seed, const double* lower, const double* upper,
+                      struct rows* found);
+int jaco2_near_in_c(const double pose[7], double* q, int* status);
+int jaco2_with_room(const double pose[7], int rows, struct rows* found);
 
 #ifdef __cplusplus
 }

@@ -210,6 +210,8 @@ int main(int argc, char** argv) {
     write_lanes(folder, std::ofstream(folder.root / ("lanes_" + number + ".cpp")), family, first, end);
     std::ofstream file(folder.root / ("arms_" + number + ".cpp"));
     file << "#include \"robot_in_c.h\"\n#include \"unsolved.h\"\n";
+    if (first == 0)
+      file << "namespace { const bool has_own_sines = (qvgen::test::most_others() = 8) > 0; }\n";
     if (first == 0) file << "std::size_t qvgen::test::written_arms() { return " << count << "; }\n";
     for (std::uint32_t i = first; i < end; ++i) {
       file << registration(folder, arm_name(family, i));

@@ -6,8 +6,8 @@
 
 namespace qvgen::pipeline {
 
-/// Adds a header in C for the inverse kinematics, c/qvgen_NAME_inverse.h, and the C++ behind it. Of every
-/// function what takes a pose.
+/// Of an arm by elimination, which is C++ alone: adds a header in C for that, c/qvgen_NAME_inverse.h, and the
+/// C++ behind it.
 void add_c_inverse(const model::Robot& robot, RobotOutput& output);
 
 }  // namespace qvgen::pipeline

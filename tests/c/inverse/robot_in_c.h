@@ -16,6 +16,13 @@ inline std::map<std::string, InverseFunctions>& inverses_in_c() {
   return all;
 }
 
+/// So many of a hundred sets near singular poses, from a seed, may be others than those of C++. More where
+/// the sines of seeds are the C++ library's own, and not libm's.
+inline int& most_others() {
+  static int most = 3;
+  return most;
+}
+
 inline std::array<double, 4> wxyz(const Eigen::Quaterniond& q) { return {q.w(), q.x(), q.y(), q.z()}; }
 
 /// `call` fills in a C set of solutions.

@@ -147,7 +147,7 @@ TEST_P(SameRows, FromASeed) {
       expect_same(cxx.functions.solve_pose_from(sample.pose, seed), c_->solve_pose_from(sample.pose, seed),
                   sample, name + ", pose");
   });
-  report("seeded", 3);
+  report("seeded", most_others());
 }
 
 TEST_P(SameRows, NextToASeed) {
@@ -161,7 +161,7 @@ TEST_P(SameRows, NextToASeed) {
                   c_->solve_near(sample.pose, given, seed, inverse::default_tolerance, {}), sample, name);
     }
   });
-  report("near", 3);
+  report("near", most_others());
 }
 
 TEST_P(SameRows, OtherConstants) {
