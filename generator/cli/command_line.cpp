@@ -135,6 +135,8 @@ void add_show(CommandLine& line) {
   command.add_flag("--singularities", line.show.singularities,
                    "the factored determinant of the Jacobian instead");
   command.add_flag("--inverse", line.show.inverse, "the derivation of inverse kinematics");
+  command.add_flag("--class", line.show.structure,
+                   "the class of the arm by its first three joints: two letters, workspace");
   command.add_flag("--functions", line.functions,
                    "the functions that were generated, and why any is missing");
   add_output(line, command, "for --functions: folder that was generated");

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/class_lines.h"
 #include "description/reader.h"
 #include "description/write.h"
 #include "emit/math/ability.h"
@@ -100,6 +101,15 @@ int show_dynamics(const model::Robot& robot) {
   return success;
 }
 
+int show_class(const model::Robot& robot) {
+  const auto lines = class_lines(robot);
+  for (const std::string& line : lines) fmt::print("{}\n", line);
+  if (!lines.empty()) return success;
+  fmt::print(stderr, "qvgen: {} has no class: {}\n", robot.name,
+             robot.joints.size() < 3 ? "fewer than three joints" : "a twist of its axes is a symbol");
+  return failure;
+}
+
 void show_closed_form(const model::Robot& described, const derive::inverse::Derivation& derivation,
                       const std::string& more, emit::Notation notation) {
   const derive::inverse::Problem& problem = derivation.problem;
@@ -133,6 +143,7 @@ int run_show(const ShowArguments& arguments) {
   const auto robots = read_robots({arguments.description}, arguments.read);
   if (!robots) return bad_description;
   if (arguments.dynamics) return show_dynamics(robots->front());
+  if (arguments.structure) return show_class(robots->front());
   const auto notation = arguments.latex ? emit::Notation::latex : emit::Notation::text;
   if (arguments.singularities) {
     for (const std::string& line : emit::singularity_lines(robots->front(), notation))

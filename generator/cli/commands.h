@@ -48,8 +48,9 @@ struct ShowArguments {
   description::ReadOptions read;
   bool latex = false;
   bool singularities = false;
-  bool dynamics = false;  ///< the joint forces in place of the pose
-  bool inverse = false;   ///< the derivation of inverse kinematics instead of the closed form of the pose
+  bool dynamics = false;   ///< the joint forces in place of the pose
+  bool structure = false;  ///< the class of the arm instead
+  bool inverse = false;    ///< the derivation of inverse kinematics instead of the closed form of the pose
 };
 
 struct CountsArguments {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include "canonical/structure.h"
 #include "cli/commands.h"
 #include "cli/compare_report.h"
 #include "cli/progress_line.h"
-#include "compare/thesis_times.h"
 #include "optimise/dynamics_function.h"
 #include "pipeline/parallel.h"
 
@@ -38,7 +38,9 @@ int run_compare(const CompareArguments& arguments) {
   }
   std::vector<compare::Row> rows;
   std::map<std::string, std::string> classes;
-  for (const compare::ThesisTimes& times : compare::thesis_times()) classes[times.robot] = times.workspace;
+  for (const model::Robot& robot : *robots)
+    if (const auto structure = canonical::structure_of(robot))
+      classes[robot.name] = to_string(canonical::workspace_of(*structure));
   bool good = true;
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
     if (!outcomes[i].done) {

@@ -50,15 +50,21 @@ std::set<Level> levels_of(const std::vector<compare::Row>& rows) {
 }
 
 /// Table 3.18 of the thesis with ours beside it, for those of its robots that were compared.
-Table thesis_table(const std::vector<compare::Ratios>& ratios, const std::set<Level>& levels) {
-  Table table{{{"robot", "printed workspace", "printed DH", "printed pairs", "printed ratio"}}, 2};
+Table thesis_table(const std::vector<compare::Ratios>& ratios,
+                   const std::map<std::string, std::string>& classes, const std::set<Level>& levels) {
+  Table table{{{"robot", "workspace", "printed workspace", "printed DH", "printed pairs", "printed ratio"}},
+              3};
   for (const Level level : levels) table.rows.front().push_back(name_of(level));
   for (const compare::ThesisTimes& times : compare::thesis_times()) {
     const auto ours =
         std::find_if(ratios.begin(), ratios.end(), [&](const auto& r) { return r.robot == times.robot; });
     if (ours == ratios.end()) continue;
-    TableRow cells{times.robot, times.workspace, fmt::format("{:.3f} s", times.matrices),
-                   fmt::format("{:.3f} s", times.pairs), ratio(times.pairs / times.matrices)};
+    TableRow cells{times.robot,
+                   classes.contains(times.robot) ? classes.at(times.robot) : "",
+                   times.workspace,
+                   fmt::format("{:.3f} s", times.matrices),
+                   fmt::format("{:.3f} s", times.pairs),
+                   ratio(times.pairs / times.matrices)};
     for (const Level level : levels) cells.push_back(ratio_at(*ours, level));
     table.rows.push_back(std::move(cells));
   }
@@ -158,8 +164,9 @@ std::string comparison_report(const std::vector<compare::Row>& rows,
   const std::set<Level> levels = levels_of(rows);
   append_section(text,
                  "Cost of pairs divided by that of Denavit-Hartenberg matrices, and the times of table 3.18:",
-                 thesis_table(ratios, levels), format);
-  append_section(text, "By workspace, median (least to most):", class_table(summaries, levels), format);
+                 thesis_table(ratios, classes, levels), format);
+  append_section(text, "By the workspace of the first three joints, median (least to most):",
+                 class_table(summaries, levels), format);
   append_section(text,
                  "The fewest published, or made by other generators, of the same arm:", published_table(rows),
                  format);

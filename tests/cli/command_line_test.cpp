@@ -80,6 +80,19 @@ TEST_F(CommandLine, ComparesFormulations) {
   EXPECT_TRUE(has(massless, "it has no inertia")) << massless.output;
 }
 
+TEST_F(CommandLine, ShowsTheClassOfAnArm) {
+  EXPECT_EQ(run("show ns --class").output,
+            "joints 1 to 3: RRP, axes perpendicular, perpendicular\ncode: NS\n"
+            "useful: yes, they move a point in all three directions\ndistinct: yes\nworkspace: spherical\n");
+  EXPECT_TRUE(has(run("show nc --class"),
+                  "distinct: no, a slide and what is parallel to it exchanged it is RC (RPR)"));
+  EXPECT_TRUE(has(run("show rc --class"), "table 3.18 of the thesis: cylindrical, not spherical"));
+  EXPECT_TRUE(has(run("show sn --class"), "table 3.17 of the thesis: PPR, not PRR"));
+  EXPECT_TRUE(has(run("show planar_3r --class"), "code: none\nuseful: no"));
+  EXPECT_EQ(run("show pan_tilt --class").code, 1);
+  EXPECT_TRUE(has(run("show general_6r --class"), "a twist of its axes is a symbol"));
+}
+
 TEST_F(CommandLine, CountsOfSomeAndSinceBefore) {
   const std::string generated = std::string("--output ") + QVGEN_SOURCE_DIR + "/generated";
   const ToolRun some = run("counts ur5 --functions jacobian --columns mul --format csv " + generated);
