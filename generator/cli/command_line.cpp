@@ -239,7 +239,7 @@ void add_documents(CommandLine& line) {
   line.completion_command =
       line.app.add_subcommand("completion", "print a script that completes this command line in a shell");
   line.completion_command->add_option("SHELL", line.shell, "the shell")
-      ->check(CLI::IsMember({"bash", "fish"}))
+      ->check(CLI::IsMember({"bash", "zsh", "fish"}))
       ->required();
 }
 

@@ -126,6 +126,7 @@ std::string fish(const CLI::App& app) {
 }  // namespace
 
 std::string completion(const CLI::App& app, const std::string& shell) {
+  if (shell == "zsh") return zsh_completion(app);
   return shell == "bash" ? bash(app) : fish(app);
 }
 

@@ -27,7 +27,8 @@ std::vector<std::string> names_of(const CLI::Option& option);
 /// The command line as a man page of section 1.
 std::string man_page(const CLI::App& app);
 
-/// A script that completes the command line in "bash" or "fish".
+/// A script that completes the command line in "bash", "zsh" or "fish".
 std::string completion(const CLI::App& app, const std::string& shell);
+std::string zsh_completion(const CLI::App& app);
 
 }  // namespace qvgen::cli

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # documents_test.sh TOOL WORK: the man page and the completion of bash have every command and option that --help has, and
-# no other. fish and groff are asked where they are.
+# no other. fish, zsh and groff are asked where they are.
 set -euo pipefail
 tool=$1 work=$2
 fail() { echo "$*" >&2; exit 1; }
@@ -57,4 +57,22 @@ if command -v fish >/dev/null; then
   qvgen completion fish > "$work/qvgen.fish"
   offered=$(fish -c "source $work/qvgen.fish; complete -C 'qvgen generate --la'" | cut -f1)
   [[ $offered == --language ]] || fail "fish offers: $offered"
+fi
+if command -v zsh >/dev/null; then
+  qvgen completion zsh > "$work/_qvgen"
+  # Says what is handed to zsh's own function for a command's arguments.
+  cat > "$work/ask.zsh" <<'ZSH'
+compdef() { :; }
+_arguments() {
+  if [[ $1 == -C ]]; then state=rest; line=($asked); else print -rl -- "$@"; fi
+}
+asked=$2
+source $1
+_qvgen
+ZSH
+  for command in $commands; do
+    help=$(qvgen "$command" --help | options_in)
+    offered=$(zsh -f "$work/ask.zsh" "$work/_qvgen" "$command" | grep -oE -- '^\*?--[a-z-]+' | tr -d '*' | sort)
+    [[ $offered == "$help" ]] || fail "zsh offers for $command: $offered"
+  done
 fi
