@@ -90,7 +90,8 @@ class SameRows : public testing::TestWithParam<InverseUnderTest> {
   void expect_right(const Found& c, const Sample& sample, const std::string& what) const {
     for (std::size_t i = 0; i < c.rows.size(); ++i) {
       ASSERT_LE(test_.miss(c.rows[i].q, sample.target).largest(), 1e-9 + 10 * tolerance_) << what;
-      for (std::size_t k = 0; k < i; ++k) ASSERT_GT(test_.distance(c.rows[i].q, c.rows[k].q), 1e-8) << what;
+      for (std::size_t k = 0; k < i && c.status != Status::incomplete; ++k)
+        ASSERT_GT(test_.distance(c.rows[i].q, c.rows[k].q), 1e-8) << what;
     }
   }
 
@@ -117,7 +118,8 @@ class SameRows : public testing::TestWithParam<InverseUnderTest> {
   void for_all_poses(const Ask& ask) {
     for (const PoseSet& set : pose_sets()) {
       test_.seed(11);
-      for (int i = 0; i < pose_count() && !HasFatalFailure(); ++i) {
+      const int count = is_one_by_one() ? pose_count() : pose_count() / 3;
+      for (int i = 0; i < count && !HasFatalFailure(); ++i) {
         const std::optional<Sample> sample = set.draw(test_, i);
         if (!sample) break;
         ask(*sample, set.name + " " + std::to_string(i));
