@@ -56,4 +56,5 @@ EOF
 cd "$work"
 env -u PYTHONPATH "$work/venv/bin/python" "$work/use.py" "$work" "$tool" "$source/tests/c/robots/urdf_arm.urdf"
 "$work/venv/bin/pip" --quiet --disable-pip-version-check uninstall --yes qvgen
-[[ -z $(find "$work/venv/lib" -path '*qvgen*' -type f) ]]
+left=$(cd "$work/venv/lib" && find . -path '*qvgen*' -type f)
+[[ -z $left ]] || { echo "not uninstalled: $left"; exit 1; }
