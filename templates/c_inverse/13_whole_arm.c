@@ -132,6 +132,20 @@ static int free_branch(const Solutions* rows) {
   }
 }
 
+/// Whether a set has a row that is this one but for rounding: next to a double root half the digits are lost.
+static bool has_row(const Solutions* found, const Solution* row) {
+  for (int k = 0; k < found->count; ++k) {
+    double square = 0;
+    for (int i = 0; i < dof; ++i) {
+      const double difference = found->rows[k].q[i] - row->q[i];
+      const double off = is_revolute[i] ? without_turns(difference) : difference;
+      square += off * off;
+    }
+    if (square < 180 * DBL_EPSILON) return true;
+  }
+  return false;
+}
+
 /// Puts a row next to the seed in front of all solutions, which stand by their distance from it, if there is
 /// one that these do not have: in place of the nearest one where a joint is free or nearly free, and else as
 /// one that has been missed, as others may be, with a number that no other has.
@@ -148,7 +162,7 @@ static void add_row_at_seed(const Arm* arm, int points, const Pose* pose, const 
   if (is_sure ? is_next_to(&nearest, seed) : row_apart < 1e-12) return;
   follow_whole_arm(arm, points, pose, seed, given, value, tolerance, is_sure, &nearest);
   found->effort.steps += nearest.effort.steps;
-  if (!(nearest_apart(&nearest, seed) < row_apart)) return;
+  if (!(nearest_apart(&nearest, seed) < row_apart) || has_row(found, &nearest.row)) return;
   const bool is_joined = found->count > 0 && (is_sure || found->rows[0].continuum || nearest.row.continuum);
   const bool replaces = is_joined || found->count == most_rows_of_set;
   const int branch = replaces ? found->rows[0].branch : free_branch(found);

@@ -51,6 +51,21 @@ TEST(Choose, LimitsCountWholeTurns) {
             qvgen::Status::unreachable);
 }
 
+TEST(Choose, AnIncompleteSetStaysIncompleteWithinLimits) {
+  Set set = set_of({{0.5, 1.0}});
+  for (const bool is_used_up : {true, false}) {
+    set.effort.used_up = is_used_up;
+    set.status = qvgen::Status::incomplete;
+    for (const double upper : {1.0, 0.0}) {  // with a row inside and with none
+      const qvgen::JointLimits<2> limits{{-1.0, 0.0}, {upper, 2.0}};
+      EXPECT_EQ(qvgen::within_limits(set, limits, kinds).status, qvgen::Status::incomplete);
+      EXPECT_EQ(qvgen::nearest_within_limits(set, limits, kinds, Joints(0, 0)).status,
+                qvgen::Status::incomplete);
+      EXPECT_EQ(qvgen::within_limits(set, limits, kinds).effort.used_up, is_used_up);
+    }
+  }
+}
+
 TEST(Choose, TooManyTurnsAreSaid) {
   const Set set = set_of({{0.5, 1.0}});
   const auto found = qvgen::within_limits(set, qvgen::JointLimits<2>{{-1000.0, 0.0}, {1000.0, 2.0}}, kinds);

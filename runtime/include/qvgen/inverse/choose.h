@@ -230,8 +230,10 @@ void append_within_limits(const Solutions<dof, capacity>& found, const JointLimi
       }
     }
   }
+  result.effort = found.effort;
   result.status = found.status;
-  if (found.status != Status::invalid) result.conclude();
+  // Of an incomplete set a row inside the limits may be among those that are missing.
+  if (found.status != Status::invalid && found.status != Status::incomplete) result.conclude();
 }
 
 }  // namespace inverse
@@ -239,8 +241,8 @@ void append_within_limits(const Solutions<dof, capacity>& found, const JointLimi
 /// The representatives of every solution inside the limits, of each branch those nearest to `centre` first.
 /// Status: unreachable if solutions exist but none inside. A limit that is not a number (lower above upper,
 /// NaN) admits nothing; a joint that has not two finite limits has the one representative nearest to
-/// `centre`. Where they are more than sixteen times as many as solutions are kept every branch has an equal
-/// share.
+/// `centre`. An incomplete set stays incomplete. Where they are more than sixteen times as many as solutions
+/// are kept every branch has an equal share.
 template <int dof, int capacity, std::size_t count>
 LimitedSolutions<dof, capacity> within_limits(const Solutions<dof, capacity>& found,
                                               const JointLimits<dof>& limits,

@@ -162,6 +162,18 @@ int free_branch(const Solutions<dof, capacity>& rows) {
   return branch;
 }
 
+/// Whether two rows are one but for rounding: next to a double root half the digits are lost.
+template <int dof>
+bool is_same_row(const Solution<dof>& a, const Solution<dof>& b, const bool* revolute) {
+  double square = 0;
+  for (int i = 0; i < dof; ++i) {
+    const double difference = a.q[i] - b.q[i];
+    const double way = revolute[i] ? without_turns(difference) : difference;
+    square += way * way;
+  }
+  return square < 180 * std::numeric_limits<double>::epsilon();
+}
+
 /// Puts a row next to the seed in front of all solutions, which stand by their distance from it, if there is
 /// one that these do not have: in place of the nearest one where a joint is free or nearly free, and else as
 /// one that has been missing, as others may be, with a number that no other has. `follow(is_sure, nearest)`:
@@ -179,6 +191,8 @@ void add_row_at_seed(const Preference<dof>& seed, const bool* revolute, const Fo
   follow(is_sure, nearest);
   found.effort.steps += nearest.effort.steps;
   if (!(apart(nearest, seed, revolute) < row_apart)) return;
+  const auto is_known = [&](const Solution<dof>& row) { return is_same_row(row, nearest[0], revolute); };
+  if (std::any_of(found.begin(), found.end(), is_known)) return;
   const bool is_joined = !found.empty() && (is_sure || found[0].continuum || nearest[0].continuum);
   const bool replaces = is_joined || found.size() == capacity;
   const int branch = replaces ? found[0].branch : free_branch(found);

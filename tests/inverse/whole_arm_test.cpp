@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// The row that Newton's steps of the whole arm find next to a seed, among those that the equations gave.
+#include <gtest/gtest.h>
+#include <qvgen/inverse/whole_arm.h>
+
+namespace {
+
+using namespace qvgen;
+using namespace qvgen::inverse;
+using Set = Solutions<2, 3>;
+using Row = Solutions<2, 1>;
+constexpr bool kinds[] = {true, false};
+constexpr double pi = 3.14159265358979323846;
+
+Joints<2> joints(double turn, double slide) { return {turn, slide}; }
+
+/// Rows in order of their distance from the seed, found with some effort near a singular pose.
+Set set_of(std::initializer_list<Joints<2>> rows) {
+  Set set;
+  int branch = 2;
+  for (const Joints<2>& q : rows) append(set, q, branch--, false);
+  set.effort.passes = 1;
+  set.conclude();
+  return set;
+}
+
+Set with_row(Set set, const Joints<2>& seed, const Joints<2>& row) {
+  const auto follow = [&](bool, Row& nearest) {
+    nearest.clear();
+    append(nearest, row, unknown_branch, false);
+  };
+  add_row_at_seed(preference<2>(seed), kinds, follow, set);
+  return set;
+}
+
+TEST(RowAtSeed, OneThatIsMissingComesFirstWithANumberOfItsOwn) {
+  const Set set = with_row(set_of({{1, 0.5}, {2, 0.5}}), joints(0.2, 0.5), joints(0.3, 0.5));
+  ASSERT_EQ(set.size(), 3);
+  EXPECT_EQ(set[0].q, joints(0.3, 0.5));
+  EXPECT_EQ(set[0].branch, 0);
+  EXPECT_EQ(set.status, Status::incomplete);
+}
+
+TEST(RowAtSeed, OneThatIsThereIsNotAddedAgain) {
+  const Set rows = set_of({{1, 0.5}, {-1.4, 0.5}});
+  // The seed lies between both; by rounding the one that stands second is nearer than the first.
+  for (const double rounding : {0.0, 1e-12, 1e-8}) {
+    for (const double turns : {-2 * pi, 0.0, 2 * pi}) {
+      const Set set = with_row(rows, joints(-0.2, 0.5), joints(-1.4 + turns + 2e-8 + rounding, 0.5));
+      EXPECT_EQ(set.size(), rows.size());
+      EXPECT_EQ(set[0].q, rows[0].q);
+      EXPECT_EQ(set.status, Status::solved);
+    }
+  }
+}
+
+TEST(RowAtSeed, OneThatIsFartherThanTheNearestIsNotAdded) {
+  const Set rows = set_of({{1, 0.5}});
+  EXPECT_EQ(with_row(rows, joints(0.2, 0.5), joints(2, 0.5)).size(), 1);
+}
+
+TEST(RowAtSeed, ASlideElsewhereIsAnotherRow) {
+  EXPECT_EQ(with_row(set_of({{1, 0.5}}), joints(1, 0.3), joints(1, 0.4)).size(), 2);
+}
+
+}  // namespace
