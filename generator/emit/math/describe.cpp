@@ -163,14 +163,14 @@ class Description {
         latex_(notation == Notation::latex),
         count_(std::to_string(variables.size())) {}
 
-  std::vector<std::string> write() {
-    heading(plan_.plan.structure + "; at most " + std::to_string(plan_.plan.capacity) + " solutions", "");
-    std::vector<std::string> given = scheme();
-    for (const std::string& line : formulas(plan_.target, {})) given.push_back(line);
-    block(given);
+  std::vector<Passage> write() {
+    Passage& whole =
+        add(plan_.plan.structure + "; at most " + std::to_string(plan_.plan.capacity) + " solutions", "");
+    whole.formulas = scheme();
+    for (const std::string& line : formulas(plan_.target, {})) whole.formulas.push_back(line);
     if (plan_.plan.range_test.exists()) range_test();
     for (const std::size_t i : derive::inverse::order(plan_.plan, plan_.plan.quartic())) step(i);
-    return std::move(lines_);
+    return std::move(passages_);
   }
 
  private:
@@ -199,51 +199,35 @@ class Description {
   /// What tells before any branch that a pose is out of reach.
   void range_test() {
     const derive::inverse::RangeTest& test = plan_.plan.range_test;
-    heading("Out of reach, before any branch: no " + test.unknown, test.equation);
-    std::vector<std::string> lines = formulas(plan_.range_test, {});
-    lines.emplace_back(latex_ ? "\\left| \\left| \\mathrm{middle} - \\tfrac12 \\right| - "
-                                "\\sqrt{\\mathrm{swing}} \\right| > \\tfrac12"
-                              : "||middle - 1/2| - sqrt(swing)| > 1/2");
-    block(lines);
+    Passage& passage = add("Out of reach, before any branch: no " + test.unknown, test.equation);
+    passage.formulas = formulas(plan_.range_test, {});
+    passage.formulas.emplace_back(latex_ ? "\\left| \\left| \\mathrm{middle} - \\tfrac12 \\right| - "
+                                           "\\sqrt{\\mathrm{swing}} \\right| > \\tfrac12"
+                                         : "||middle - 1/2| - sqrt(swing)| > 1/2");
   }
 
   void step(std::size_t i) {
     const Step& step = plan_.plan.steps[i];
-    if (step.kind == Kind::half) return block(formulas(plan_.steps[i].after, step));
-    heading(headline(step), step.equation);
-    std::vector<std::string> lines = formulas(plan_.steps[i].before, step);
-    if (step.is_wrist()) {
-      for (const std::string& line : wrist_solution(plan_, step, words_, latex_)) lines.push_back(line);
-    } else if (const std::string solved = solution(step, latex_); !solved.empty()) {
-      lines.push_back(solved);
-    }
-    for (const std::string& line : formulas(plan_.steps[i].after, step)) lines.push_back(line);
-    block(lines);
-    if (!step.degenerate.empty())
-      lines_.push_back(latex_ ? "Degenerate: " + words_.sentence(step.degenerate) + "."
-                              : indent_ + "  degenerate: " + step.degenerate);
-    if (step.branches > 1) indent_ += "  ";
-  }
-
-  void heading(const std::string& title, const std::string& equation) {
-    if (latex_) {
-      lines_.push_back("\\paragraph{" + words_.sentence(title) + ".} " + words_.sentence(equation));
+    if (step.kind == Kind::half) {
+      add("", "").formulas = formulas(plan_.steps[i].after, step);
       return;
     }
-    lines_.push_back(indent_ + title);
-    if (!equation.empty()) lines_.push_back(indent_ + "  from: " + equation);
+    Passage& passage = add(headline(step), step.equation);
+    passage.formulas = formulas(plan_.steps[i].before, step);
+    if (step.is_wrist()) {
+      for (const std::string& line : wrist_solution(plan_, step, words_, latex_))
+        passage.formulas.push_back(line);
+    } else if (const std::string solved = solution(step, latex_); !solved.empty()) {
+      passage.formulas.push_back(solved);
+    }
+    for (const std::string& line : formulas(plan_.steps[i].after, step)) passage.formulas.push_back(line);
+    passage.degenerate = words_.sentence(step.degenerate);
+    if (step.branches > 1) ++depth_;
   }
 
-  void block(const std::vector<std::string>& formulas) {
-    if (formulas.empty()) return;
-    if (latex_) lines_.push_back("\\begin{align*}");
-    for (std::string line : formulas) {
-      const std::size_t equals = line.find(" = ");
-      if (latex_)
-        line = (equals == std::string::npos ? "& " + line : line.replace(equals, 3, " &= ")) + " \\\\";
-      lines_.push_back(indent_ + (latex_ ? "" : "    ") + line);
-    }
-    if (latex_) lines_.push_back("\\end{align*}");
+  Passage& add(const std::string& title, const std::string& equation) {
+    passages_.push_back({depth_, words_.sentence(title), words_.sentence(equation), {}, ""});
+    return passages_.back();
   }
 
   const LoweredPlan& plan_;
@@ -251,15 +235,46 @@ class Description {
   Notation notation_;
   bool latex_;
   std::string count_;
-  std::string indent_;
-  std::vector<std::string> lines_;
+  std::size_t depth_ = 0;
+  std::vector<Passage> passages_;
 };
+
+void append_text(const Passage& passage, std::vector<std::string>& lines) {
+  const std::string indent(2 * passage.depth, ' ');
+  if (!passage.title.empty()) lines.push_back(indent + passage.title);
+  if (!passage.equation.empty()) lines.push_back(indent + "  from: " + passage.equation);
+  for (const std::string& formula : passage.formulas) lines.push_back(indent + "    " + formula);
+  if (!passage.degenerate.empty()) lines.push_back(indent + "  degenerate: " + passage.degenerate);
+}
+
+void append_latex(const Passage& passage, std::vector<std::string>& lines) {
+  const std::string indent(2 * passage.depth, ' ');
+  if (!passage.title.empty()) lines.push_back("\\paragraph{" + passage.title + ".} " + passage.equation);
+  if (!passage.formulas.empty()) {
+    lines.emplace_back("\\begin{align*}");
+    for (std::string formula : passage.formulas) {
+      const std::size_t equals = formula.find(" = ");
+      formula = equals == std::string::npos ? "& " + formula : formula.replace(equals, 3, " &= ");
+      lines.push_back(indent + formula + " \\\\");
+    }
+    lines.emplace_back("\\end{align*}");
+  }
+  if (!passage.degenerate.empty()) lines.push_back("Degenerate: " + passage.degenerate + ".");
+}
 
 }  // namespace
 
+std::vector<Passage> passages(const LoweredPlan& plan, const std::vector<std::string>& variables,
+                              Notation notation) {
+  return Description(plan, variables, notation).write();
+}
+
 std::vector<std::string> describe(const LoweredPlan& plan, const std::vector<std::string>& variables,
                                   Notation notation) {
-  return Description(plan, variables, notation).write();
+  std::vector<std::string> lines;
+  for (const Passage& passage : passages(plan, variables, notation))
+    (notation == Notation::latex ? append_latex : append_text)(passage, lines);
+  return lines;
 }
 
 }  // namespace qvgen::emit

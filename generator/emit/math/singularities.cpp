@@ -96,7 +96,7 @@ SingularityMeasures singularity_measures(const model::Robot& robot) {
   return result;
 }
 
-std::vector<std::string> singularity_lines(const model::Robot& described, Notation notation) {
+SingularityFormulas singularity_formulas(const model::Robot& described, Notation notation) {
   const canonical::Arm arm = canonical::for_kinematics(described);
   const model::Robot& robot = arm.robot;
   derive::Singularities all = derive::singularities(robot);
@@ -108,19 +108,29 @@ std::vector<std::string> singularity_lines(const model::Robot& described, Notati
   }
   put_in_order(all);
   certify_product(robot, all);
-  std::vector<std::string> lines = legend(described, arm);
-  std::string product = text_of(all.constant, notation);
-  for (std::size_t i = 0; i < all.factors.size(); ++i) {
-    const int power = all.factors[i].multiplicity;
-    product += " f" + std::to_string(i + 1) + (power > 1 ? "^" + std::to_string(power) : "");
-  }
-  lines.push_back("determinant of the rows " + rows_text(all.rows) + " of the Jacobian" +
-                  (all.decoupled ? " (spherical wrist: arm and wrist decoupled)" : "") + " = " + product);
+  SingularityFormulas result;
+  result.legend = legend(described, arm);
+  result.determinant = "determinant of the rows " + rows_text(all.rows) + " of the Jacobian" +
+                       (all.decoupled ? " (spherical wrist: arm and wrist decoupled)" : "");
+  result.product = text_of(all.constant, notation);
   for (std::size_t i = 0; i < all.factors.size(); ++i) {
     const SingularFactor& factor = all.factors[i];
-    lines.push_back(derive::to_string(factor.cause.kind) + ": f" + std::to_string(i + 1) + " = " +
-                    text_of(factor.value, notation) + " = 0 (" + factor.cause.meaning + ")");
+    const std::string name = formula("f" + std::to_string(i + 1), notation);
+    result.product += " " + name + (factor.multiplicity > 1 ? "^" + std::to_string(factor.multiplicity) : "");
+    result.factors.push_back(
+        {derive::to_string(factor.cause.kind), name, text_of(factor.value, notation), factor.cause.meaning});
   }
+  return result;
+}
+
+std::vector<std::string> singularity_lines(const model::Robot& described, Notation notation) {
+  const SingularityFormulas all = singularity_formulas(described, notation);
+  if (all.factors.empty()) return {all.none};
+  std::vector<std::string> lines = all.legend;
+  lines.push_back(all.determinant + " = " + all.product);
+  for (const auto& factor : all.factors)
+    lines.push_back(factor.kind + ": " + factor.name + " = " + factor.value + " = 0 (" + factor.meaning +
+                    ")");
   return lines;
 }
 

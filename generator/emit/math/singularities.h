@@ -27,6 +27,22 @@ struct SingularityMeasures {
 /// with more than six joints; for arms whose determinant is not factored the determinant itself.
 SingularityMeasures singularity_measures(const model::Robot& robot);
 
+/// The factored determinant for people.
+struct SingularityFormulas {
+  std::string none;  ///< why there are no factors
+  std::vector<std::string> legend = {};
+  std::string determinant = {};  ///< of what, in words
+  std::string product = {};
+  struct Factor {
+    std::string kind;  ///< "elbow", ...
+    std::string name;
+    std::string value;
+    std::string meaning;  ///< what happens where it vanishes
+  };
+  std::vector<Factor> factors = {};
+};
+SingularityFormulas singularity_formulas(const model::Robot& described, Notation notation);
+
 /// For `qvgen show ROBOT --singularities`: one line a factor.
 std::vector<std::string> singularity_lines(const model::Robot& described, Notation notation);
 
