@@ -19,6 +19,7 @@ const char* const examples = R"(
   qvgen counts --format markdown              operation counts of everything generated
   qvgen counts ur5 --functions jacobian       of one function of one robot
   qvgen counts --against before.json          what a change has made cheaper or dearer
+  qvgen report puma560 -o pages               a page that opens in any browser, pages/puma560.html
   qvgen compare puma560 ns                    formulations by their operations: pairs, Denavit-Hartenberg, ...
 )";
 
@@ -28,6 +29,12 @@ const char* const compare_examples = R"(
   qvgen compare ns --formulations pairs,dh    two of them
   qvgen compare rx90 --what dynamics          Newton-Euler by matrices and by quaternions
   qvgen compare --format csv > compared.csv   for other programs
+)";
+
+const char* const report_examples = R"(
+  qvgen report                                all known robots, into ./report; begin with report/index.html
+  qvgen report my_arm.toml -o pages           one robot, pages/my_arm.html, and the index of all that are there
+  qvgen report arm.urdf --generated my_code   with the counts and signatures of the code in my_code/
 )";
 
 const char* const exit_codes = "0 success, 1 failure, 2 wrong arguments, 3 mistakes in a description";
@@ -202,6 +209,27 @@ void add_compare(CommandLine& line) {
   command.footer(std::string("\nexamples:") + compare_examples);
 }
 
+void add_report(CommandLine& line) {
+  CLI::App& command = *line.app.add_subcommand(
+      "report", "write pages for people, HTML that needs no network: one for each robot, and an index");
+  line.report_command = &command;
+  command
+      .add_option("ROBOTS", line.reported,
+                  "robot descriptions or names of known robots; all known ones without")
+      ->type_name("ROBOT");
+  command
+      .add_option("-o,--output", line.report.output,
+                  "folder to write to: files of it that qvgen has not written are never touched")
+      ->type_name("FOLDER")
+      ->default_val("report");
+  command
+      .add_option("--generated", line.report.generated,
+                  "folder of the generated code, whose counts and signatures are shown; ./generated without")
+      ->type_name("FOLDER");
+  add_reading(command, line.report.read);
+  command.footer(std::string("\nexamples:") + report_examples);
+}
+
 void add_check(CommandLine& line) {
   CLI::App& command = *line.app.add_subcommand("check", "report the mistakes of descriptions, write nothing");
   line.check_command = &command;
@@ -254,6 +282,7 @@ CommandLine::CommandLine() {
   add_show(*this);
   add_counts(*this);
   add_compare(*this);
+  add_report(*this);
   add_check(*this);
   add_import(*this);
   add_new(*this);

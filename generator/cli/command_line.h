@@ -38,6 +38,10 @@ struct CommandLine {
   std::string what = "forward";
   CompareArguments compare;
 
+  CLI::App* report_command = nullptr;
+  std::vector<std::string> reported;
+  ReportArguments report;
+
   CLI::App* check_command = nullptr;
   std::vector<std::string> checked;
   description::ReadOptions check;
@@ -64,6 +68,7 @@ struct CommandLine {
 /// Calls that show what can be done, one a line, each with what it does.
 extern const char* const examples;
 extern const char* const compare_examples;
+extern const char* const report_examples;
 extern const char* const exit_codes;
 
 }  // namespace qvgen::cli

@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "cli/class_lines.h"
 #include "description/reader.h"
 #include "description/write.h"
 #include "emit/math/ability.h"
@@ -18,6 +17,7 @@
 #include "pipeline/files.h"
 #include "pipeline/output_folder.h"
 #include "pipeline/products/inverse_derivation.h"
+#include "report/class_lines.h"
 
 namespace qvgen::cli {
 namespace {
@@ -102,7 +102,7 @@ int show_dynamics(const model::Robot& robot) {
 }
 
 int show_class(const model::Robot& robot) {
-  const auto lines = class_lines(robot);
+  const auto lines = report::class_lines(robot);
   for (const std::string& line : lines) fmt::print("{}\n", line);
   if (!lines.empty()) return success;
   fmt::print(stderr, "qvgen: {} has no class: {}\n", robot.name,

@@ -69,6 +69,15 @@ struct CompareArguments {
   ReportFormat format = ReportFormat::table;
 };
 
+struct ReportArguments {
+  std::vector<std::filesystem::path> descriptions;
+  std::filesystem::path known_robots;
+  description::ReadOptions read;
+  std::filesystem::path output;
+  std::filesystem::path generated;  ///< folder of the generated code, whose counts and signatures are shown
+  bool all_known = false;
+};
+
 /// Each command prints its results to stdout and messages to stderr, and returns an ExitCode.
 int run_generate(const GenerateArguments& arguments);
 /// Removes robots from a folder, their files and nothing else.
@@ -79,6 +88,8 @@ int run_show_functions(const std::string& robot, const std::filesystem::path& fo
 int run_counts(const CountsArguments& arguments);
 /// Operation counts of competing formulations, each robot in a process of its own.
 int run_compare(const CompareArguments& arguments);
+/// Pages of robots, and those of all robots of the folder.
+int run_report(const ReportArguments& arguments);
 /// `thorough`: derives and certifies everything as run_generate does.
 int run_check(const std::vector<std::filesystem::path>& descriptions, const description::ReadOptions& options,
               bool thorough);

@@ -5,6 +5,7 @@
 #include "cli/commands.h"
 #include "cli/compare_report.h"
 #include "cli/progress_line.h"
+#include "compare/comparison_json.h"
 #include "optimise/dynamics_function.h"
 #include "pipeline/parallel.h"
 
@@ -48,7 +49,8 @@ int run_compare(const CompareArguments& arguments) {
       good = false;
       continue;
     }
-    for (const auto& json : ordered_json::parse(outcomes[i].text)) rows.push_back(row_from_json(json));
+    for (const auto& json : ordered_json::parse(outcomes[i].text))
+      rows.push_back(compare::row_from_json(json));
   }
   if (!rows.empty()) fmt::print("{}", comparison_report(rows, classes, arguments.format));
   return good ? success : failure;

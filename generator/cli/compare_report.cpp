@@ -6,10 +6,10 @@
 
 #include <fmt/format.h>
 
+#include "compare/comparison_json.h"
 #include "compare/published_counts.h"
 #include "compare/summary.h"
 #include "compare/thesis_times.h"
-#include "verify/counts_json.h"
 
 namespace qvgen::cli {
 namespace {
@@ -120,34 +120,6 @@ ordered_json summary_json(const std::vector<compare::ClassSummary>& summaries) {
 }
 
 }  // namespace
-
-ordered_json to_json(const compare::Row& row) {
-  ordered_json json{{"robot", row.robot},
-                    {"level", name_of(row.level)},
-                    {"formulation", row.formulation},
-                    {"result", row.result}};
-  json["counts"] = verify::to_json(row.counts);
-  json["constants"] = row.constants;
-  json["values"] = row.alive;
-  json["cost"] = row.cost;
-  json["rank"] = row.rank;
-  return json;
-}
-
-compare::Row row_from_json(const ordered_json& json) {
-  const auto& names = compare::level_names();
-  const auto level =
-      std::find(names.begin(), names.end(), json.at("level").get<std::string>()) - names.begin();
-  return {json.at("robot"),
-          json.at("formulation"),
-          json.at("result"),
-          static_cast<Level>(level),
-          verify::counts_from_json(json.at("counts")),
-          json.at("constants"),
-          json.at("values"),
-          json.at("cost"),
-          json.at("rank")};
-}
 
 std::string comparison_report(const std::vector<compare::Row>& rows,
                               const std::map<std::string, std::string>& classes, ReportFormat format) {

@@ -5,15 +5,10 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "cli/table.h"
 #include "compare/comparison.h"
 
 namespace qvgen::cli {
-
-nlohmann::ordered_json to_json(const compare::Row& row);
-compare::Row row_from_json(const nlohmann::ordered_json& json);
 
 /// A comparison for people or programs: a line for each row. As a table or Markdown also, where pairs and
 /// Denavit-Hartenberg matrices were compared, their ratios by workspace class beside those that the thesis

@@ -133,6 +133,15 @@ int run(int argc, char** argv) {
     return run_counts(line.counts);
   }
   if (*line.compare_command) return run_compare(compare_arguments(line, here));
+  if (*line.report_command) {
+    ReportArguments& report = line.report;
+    report.known_robots = here.robots;
+    report.all_known = line.reported.empty();
+    report.descriptions =
+        report.all_known ? descriptions_in(here.robots) : descriptions_of(line.reported, here.robots);
+    if (report.generated.empty()) report.generated = default_output(here, {});
+    return run_report(report);
+  }
   if (*line.import_command) return run_import(line.imported, line.import);
   if (*line.new_command) return run_new(line.letters, line.name, line.wrist == "euler", here.robots);
   if (*line.list_command) return print(names_in(here.robots));

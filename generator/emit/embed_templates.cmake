@@ -19,6 +19,15 @@ foreach(path IN LISTS paths)
   string(APPEND entries "       R\"~template~(${text}\n)~template~\"\n")
 endforeach()
 string(APPEND entries "      },\n")
+# Pages: filled in where the name says so, else as they are.
+file(GLOB paths "${FOLDER}/report/*")
+list(SORT paths)
+foreach(path IN LISTS paths)
+  get_filename_component(name "${path}" NAME)
+  string(REGEX REPLACE "\\.mustache$" "" name "${name}")
+  file(READ "${path}" text)
+  string(APPEND entries "      {\"report/${name}\", R\"~template~(${text})~template~\"},\n")
+endforeach()
 file(WRITE "${OUTPUT}.new" "#include \"emit/builtin_templates.h\"
 
 namespace qvgen::emit {

@@ -14,7 +14,6 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-constexpr const char* counts_name = "operation_counts.json";
 constexpr const char* known_prefix = "robots:";
 
 Manifest read_manifest(const fs::path& folder) {
@@ -44,7 +43,7 @@ std::vector<OutputFile> files_of(const FolderUpdate& update, const ordered_json&
   for (const auto& robot : update.robots)
     files.insert(files.end(), robot.output.files.begin(), robot.output.files.end());
   files.insert(files.end(), update.shared.begin(), update.shared.end());
-  files.push_back({counts_name, counts.dump(1) + "\n"});
+  files.push_back({update.entries, counts.dump(1) + "\n"});
   return files;
 }
 
@@ -55,7 +54,7 @@ Manifest updated(Manifest manifest, const FolderUpdate& update, const std::set<s
     for (const OutputFile& file : robot.output.files) entry.files.push_back(file.path);
     manifest.robots[robot.output.robot] = entry;
   }
-  manifest.shared = {counts_name};
+  manifest.shared = {update.entries};
   for (const OutputFile& file : update.shared) manifest.shared.insert(file.path);
   return manifest;
 }
@@ -82,6 +81,14 @@ void refuse_what_is_in_the_way(const fs::path& folder, const std::vector<OutputF
   if (!list.empty())
     throw std::runtime_error("these files are in the way, qvgen has not written them:" + list +
                              "\nmove them, or name another folder with --output; nothing is written");
+}
+
+/// A folder holds code or pages, not both: either would take the other's files for its own that are gone.
+void refuse_other_kind(const fs::path& folder, const Manifest& manifest, const std::string& entries) {
+  if (manifest.shared.empty() || manifest.shared.count(entries) > 0) return;
+  throw std::runtime_error(
+      folder.string() +
+      " holds what another command of qvgen has written; name another folder with --output");
 }
 
 /// Temporaries are made beside the output: renaming does not leave the file system.
@@ -221,10 +228,10 @@ FolderChange update_folder(const fs::path& folder, const FolderUpdate& update) {
   make_folder(folder);
   const FolderLock lock(folder);
   const Manifest earlier = read_manifest(folder);
+  refuse_other_kind(folder, earlier, update.entries);
   const std::set<std::string> gone = leaving(earlier, update);
   const std::set<std::string> owned = owned_paths(earlier);
-  const ordered_json counts = owned.count(counts_name) > 0 ? counts_in(folder) : ordered_json::object();
-  const std::vector<OutputFile> files = files_of(update, merged_counts(counts, update, gone));
+  const std::vector<OutputFile> files = files_of(update, entries_after(folder, update));
   refuse_what_is_in_the_way(folder, files, owned);
 
   make_folder(work_folder(folder));
@@ -243,8 +250,15 @@ FolderChange update_folder(const fs::path& folder, const FolderUpdate& update) {
   return writer.change();
 }
 
-ordered_json counts_in(const fs::path& folder) {
-  const fs::path path = folder / counts_name;
+ordered_json entries_after(const fs::path& folder, const FolderUpdate& update) {
+  const Manifest earlier = read_manifest(folder);
+  const bool has_entries = owned_paths(earlier).count(update.entries) > 0;
+  return merged_counts(has_entries ? counts_in(folder, update.entries) : ordered_json::object(), update,
+                       leaving(earlier, update));
+}
+
+ordered_json counts_in(const fs::path& folder, const std::string& name) {
+  const fs::path path = folder / name;
   return fs::exists(path) ? counts_of(path) : ordered_json::object();
 }
 

@@ -10,6 +10,8 @@
 
 namespace qvgen::pipeline {
 
+inline constexpr const char* counts_name = "operation_counts.json";
+
 /// What a run leaves in its folder.
 struct FolderUpdate {
   struct Robot {
@@ -17,9 +19,10 @@ struct FolderUpdate {
     std::string description;  ///< `origin_of` its description
     std::string key;          ///< of all that its files are made from; see `current_robots`
   };
-  std::vector<Robot> robots;       ///< each replaces all that the folder has of it
-  std::set<std::string> removed;   ///< robots that shall be gone
-  std::vector<OutputFile> shared;  ///< beside operation_counts.json
+  std::vector<Robot> robots;          ///< each replaces all that the folder has of it
+  std::set<std::string> removed;      ///< robots that shall be gone
+  std::vector<OutputFile> shared;     ///< beside `entries`
+  std::string entries = counts_name;  ///< the file of the counts of all robots
 };
 
 struct FolderChange {
@@ -56,9 +59,12 @@ void check_folder(const std::filesystem::path& folder, const std::vector<OutputF
 /// written.
 FolderChange update_folder(const std::filesystem::path& folder, const FolderUpdate& update);
 
-/// The content of a folder's operation_counts.json. Throws std::runtime_error that names the file if it is
-/// none.
-nlohmann::ordered_json counts_in(const std::filesystem::path& folder);
+/// The entries of all robots that a folder will have after the run.
+nlohmann::ordered_json entries_after(const std::filesystem::path& folder, const FolderUpdate& update);
+
+/// The content of a folder's operation_counts.json, or of the file of that name. Throws std::runtime_error
+/// that names the file if it is none.
+nlohmann::ordered_json counts_in(const std::filesystem::path& folder, const std::string& name = counts_name);
 /// The same of a file, which must be there.
 nlohmann::ordered_json counts_of(const std::filesystem::path& path);
 

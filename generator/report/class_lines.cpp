@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/class_lines.h"
+#include "report/class_lines.h"
 
 #include <algorithm>
 
@@ -7,7 +7,7 @@
 #include "compare/thesis_times.h"
 #include "compare/thesis_workspaces.h"
 
-namespace qvgen::cli {
+namespace qvgen::report {
 namespace {
 
 using namespace canonical;
@@ -57,4 +57,4 @@ std::vector<std::string> class_lines(const model::Robot& robot) {
   return lines;
 }
 
-}  // namespace qvgen::cli
+}  // namespace qvgen::report

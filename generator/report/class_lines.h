@@ -6,11 +6,11 @@
 
 #include "model/robot.h"
 
-namespace qvgen::cli {
+namespace qvgen::report {
 
 /// The class of an arm, derived from its first three joints: code, whether it is useful and distinct,
 /// workspace; and what the thesis prints of an arm of its name if that is something else. Empty where there
 /// is no class: fewer joints, or a twist that is a symbol.
 std::vector<std::string> class_lines(const model::Robot& robot);
 
-}  // namespace qvgen::cli
+}  // namespace qvgen::report

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+#include "report/arm_section.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "emit/math/mathml.h"
+#include "emit/math/notation.h"
+#include "emit/render.h"
+#include "model/tasks.h"
+#include "report/class_lines.h"
+#include "report/dh.h"
+#include "report/drawing.h"
+#include "report/reach.h"
+
+namespace qvgen::report {
+namespace {
+
+using model::Displacement;
+
+constexpr double degree = std::numbers::pi / 180;
+
+Cell variable_cell(const std::string& variable) {
+  return {emit::inline_mathml(emit::formula(variable, emit::Notation::latex)), false};
+}
+
+std::string vector_text(const model::Vector3& v) {
+  return "(" + to_string(v[0]) + ", " + to_string(v[1]) + ", " + to_string(v[2]) + ")";
+}
+
+std::string displacement_text(const Displacement& displacement) {
+  std::string text;
+  for (const model::Turn& turn : displacement.turns)
+    text +=
+        (text.empty() ? "" : ", ") + ("turn " + model::axis_text(turn.axis) + " by " + to_string(turn.angle));
+  bool moves = false;
+  for (const auto& part : displacement.translation) moves = moves || !part.is_literal_zero();
+  if (moves) text += (text.empty() ? "" : ", ") + vector_text(displacement.translation);
+  return text.empty() ? "–" : text;
+}
+
+std::string limits_text(const ChainJoint& joint) {
+  if (!joint.limits) return "none";
+  const double unit = joint.revolute ? degree : 1;
+  const auto number = [&](double value) { return number_cell(value / unit, 5).html; };
+  return number(joint.limits->first) + " to " + number(joint.limits->second) + (joint.revolute ? "°" : " m");
+}
+
+HtmlTable joint_table(const model::Robot& robot, const Chain& chain) {
+  HtmlTable table{
+      "Joints as the description has them. Lengths in metres, angles in radians; before: from the frame of "
+      "the link before, after: carried along by the joint.",
+      {text_cell("joint"), text_cell("type"), text_cell("axis"), text_cell("before"), text_cell("after"),
+       text_cell("limits")},
+      {}};
+  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
+    const model::Joint& joint = robot.joints[i];
+    table.rows.push_back({variable_cell(joint.variable),
+                          text_cell(chain.joints[i].revolute ? "revolute" : "prismatic"),
+                          text_cell(model::axis_text(joint.axis)),
+                          text_cell(displacement_text(joint.before)),
+                          text_cell(displacement_text(joint.after)),
+                          {limits_text(chain.joints[i]), false}});
+  }
+  return table;
+}
+
+HtmlTable parameter_table(const model::Robot& robot, const Chain& chain) {
+  HtmlTable table{"Symbols of the geometry, fields of Geometry in the code, metres or radians.",
+                  {text_cell("symbol"), {"value", true}},
+                  {}};
+  for (std::size_t i = 0; i < robot.geometry.size(); ++i) {
+    const bool known = robot.geometry[i].default_value.has_value();
+    table.rows.push_back({variable_cell(robot.geometry[i].name),
+                          known ? number_cell(chain.geometry[i]) : Cell{"the caller’s", true}});
+  }
+  return table;
+}
+
+HtmlTable parameters_of_axes(const Chain& chain) {
+  HtmlTable table{
+      "Denavit–Hartenberg parameters of the axes, whatever frames the description uses: turn about z by θ, "
+      "slide along z by d, slide along x by a, turn about x by α. The joint’s variable is added where it "
+      "stands. Degrees and metres.",
+      {text_cell("joint"), {"θ", true}, {"d", true}, {"a", true}, {"α", true}},
+      {}};
+  const DhTable dh = dh_table(chain);
+  for (std::size_t i = 0; i < dh.rows.size(); ++i) {
+    const DhRow& row = dh.rows[i];
+    const ChainJoint& joint = chain.joints[i];
+    const auto with_variable = [&](Cell cell, bool moves) {
+      if (!moves) return cell;
+      const std::string variable = variable_cell(joint.variable).html;
+      cell.html =
+          cell.html == "0" ? variable : variable + (cell.html.substr(0, 3) == "−" ? " " : " + ") + cell.html;
+      return cell;
+    };
+    table.rows.push_back({variable_cell(joint.variable),
+                          with_variable(number_cell(row.theta / degree), joint.revolute),
+                          with_variable(number_cell(row.d), !joint.revolute), number_cell(row.a),
+                          number_cell(row.alpha / degree)});
+  }
+  return table;
+}
+
+std::string pose_text(const Chain& chain, const std::vector<double>& q) {
+  std::string text;
+  for (std::size_t i = 0; i < q.size(); ++i) {
+    const bool revolute = chain.joints[i].revolute;
+    text += fmt::format("{}{} {:.4g}{}", i == 0 ? "" : ", ", chain.joints[i].variable,
+                        revolute ? q[i] / degree : q[i], revolute ? "°" : " m");
+  }
+  return text;
+}
+
+std::string chain_text(const Chain& chain) {
+  std::vector<std::string> parts;
+  for (const ChainJoint& joint : chain.joints)
+    parts.push_back(joint.variable + (joint.revolute ? " turns" : " slides"));
+  return fmt::format("From the base to the tool: {}.", fmt::join(parts, ", "));
+}
+
+nlohmann::json figure(const std::string& svg, const std::string& caption) {
+  return {{"svg", svg}, {"caption", caption}};
+}
+
+}  // namespace
+
+Section arm_section(const model::Robot& robot, const Chain& chain) {
+  const std::vector<double> zero = zero_pose(chain);
+  const std::vector<double> bent = bent_pose(chain);
+  const std::string parts = chain_text(chain);
+  nlohmann::json values;
+  values["figures"] = {
+      figure(drawing(chain, zero,
+                     {"arm-zero", robot.title + " at its zero pose", parts + " All joints at zero."}),
+             "Zero pose, with the names and lengths (m) of the offsets."),
+      figure(
+          drawing(chain, bent,
+                  {"arm-bent", robot.title + " away from zero", parts + " " + pose_text(chain, bent) + "."}),
+          escaped(pose_text(chain, bent)))};
+  values["figures"][0]["caption"] =
+      "Zero pose, with the offsets’ names and lengths (m). Cylinders turn about the dashed axes, boxes slide "
+      "along them.";
+  values["assumed"] =
+      chain.assumed.empty()
+          ? ""
+          : fmt::format("{} without a value in the description: drawn, and used on this page, with {}.",
+                        fmt::join(chain.assumed, ", "), assumed_value);
+  values["has_assumed"] = !chain.assumed.empty();
+  values["class"] = nlohmann::json::array();
+  for (const std::string& line : class_lines(robot)) values["class"].push_back({{"line", escaped(line)}});
+  values["has_class"] = !values["class"].empty();
+  values["joints"] = html(joint_table(robot, chain));
+  values["dh"] = html(parameters_of_axes(chain));
+  values["parameters"] = robot.geometry.empty() ? "" : html(parameter_table(robot, chain));
+  return {"arm", "The arm", emit::render("report/arm.html", values)};
+}
+
+Section reach_section(const Chain& chain) {
+  const Reach reach = reach_of(chain);
+  const std::string text = fmt::format(
+      "The farthest of {} points lies {:.4g} m from the first axis’s origin, the nearest {:.4g} m; up to "
+      "{:.4g} m beside "
+      "the axis, from {:.4g} m to {:.4g} m along it.",
+      Reach::samples, reach.farthest, reach.nearest, reach.widest, reach.lowest, reach.highest);
+  return {"reach", "Reach",
+          emit::render("report/reach.html",
+                       {{"svg", cross_section(reach, {"reach-figure", "Cross-section of the workspace",
+                                                      "Half plane through the first axis. " + text})},
+                        {"text", text}})};
+}
+
+}  // namespace qvgen::report

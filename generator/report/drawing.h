@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "report/chain.h"
+
+namespace qvgen::report {
+
+/// What a drawing is called, and says to those who do not see it.
+struct Caption {
+  std::string id;  ///< unique on its page
+  std::string title;
+  std::string description;
+  bool names = true;  ///< of joints and offsets beside them
+};
+
+/// The arm as an SVG: turns as cylinders on their axes, slides as boxes, constant pieces as lines.
+std::string drawing(const Chain& chain, const std::vector<double>& q, const Caption& caption);
+
+/// The same small and without names, for lists.
+std::string thumbnail(const Chain& chain, const Caption& caption);
+
+}  // namespace qvgen::report

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include "report/formula_sections.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "canonical/arm.h"
+#include "dag/import.h"
+#include "derive/jacobian/quantities.h"
+#include "emit/math/closed_form.h"
+#include "emit/math/dynamics_closed_form.h"
+#include "emit/math/legend.h"
+#include "emit/math/mathml.h"
+#include "emit/math/notation.h"
+#include "emit/math/singularities.h"
+#include "emit/render.h"
+#include "optimise/described.h"
+#include "optimise/dynamics_function.h"
+#include "passes/pass.h"
+
+namespace qvgen::report {
+namespace {
+
+using emit::Notation;
+using nlohmann::json;
+
+/// Entries longer than this say nothing to a reader.
+constexpr std::size_t readable = 700;
+
+std::string paragraph(const std::string& html) { return "<p>" + html + "</p>\n"; }
+std::string formulas_html(const std::vector<std::string>& lines) {
+  return "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Formulas\">" +
+         emit::aligned_mathml(lines) + "</div>\n";
+}
+
+/// The Jacobian's entries, zeros left out, long ones counted.
+struct Entries {
+  std::vector<std::string> lines;
+  int zeros = 0;
+  int long_ones = 0;
+};
+
+Entries jacobian_entries(const model::Robot& robot) {
+  const canonical::Arm arm = canonical::for_kinematics(robot);
+  const auto forms = derive::jacobian_methods(arm.robot);
+  const auto crosses = std::find_if(forms.begin(), forms.end(), [](const derive::Form& form) {
+    return form.name == "cross products of axes";
+  });
+  dag::Function function = passes::simplify(dag::import(crosses->program));
+  function = optimise::in_terms_of_description(function, arm);
+  Entries entries;
+  for (const dag::Output& output : function.outputs) {
+    const std::string value = emit::formula(function.graph, output.value, Notation::latex);
+    const std::string row = output.name.substr(0, 1) == "v"
+                                ? output.name.substr(1, 1)
+                                : std::to_string(std::stoi(output.name.substr(1, 1)) + 3);
+    if (value == "0")
+      ++entries.zeros;
+    else if (value.size() > readable)
+      ++entries.long_ones;
+    else
+      entries.lines.push_back("J_{" + row + "," + output.name.substr(3) + "} = " + value);
+  }
+  return entries;
+}
+
+std::string jacobian_html(const model::Robot& robot) {
+  const Entries entries = jacobian_entries(robot);
+  std::string text =
+      "Rows 1 to 3 are the tool point’s velocity, rows 4 to 6 the tool’s angular velocity, in the base "
+      "frame, per unit of the joints’ rates.";
+  if (entries.zeros > 0) text += fmt::format(" {} entries are zero.", entries.zeros);
+  if (entries.long_ones > 0)
+    text += fmt::format(" {} are too long to be read; the code computes them with common parts shared.",
+                        entries.long_ones);
+  return paragraph(text) + (entries.lines.empty() ? "" : formulas_html(entries.lines));
+}
+
+std::string singularities_html(const model::Robot& robot) {
+  const emit::SingularityFormulas all = emit::singularity_formulas(robot, Notation::latex);
+  std::string text = "<h3 id=\"singularities\">Singularities</h3>\n";
+  if (all.factors.empty()) return text + paragraph(escaped(all.none) + ".");
+  for (const std::string& line : all.legend) text += paragraph(escaped(line) + ".");
+  text += paragraph("The " + escaped(all.determinant) + " is " + emit::inline_mathml(all.product) +
+                    ": the arm is singular exactly where a factor vanishes.");
+  for (const auto& factor : all.factors) {
+    text += "<h4>" + escaped(factor.kind) + "</h4>\n" + paragraph(escaped(factor.meaning) + ".");
+    text += formulas_html({factor.name + " = " + factor.value + " = 0"});
+  }
+  return text;
+}
+
+/// "theta1''" -> \ddot{\theta_{1}}, "theta1'*theta2'", "theta2'^2"
+std::string motion_latex(const std::string& motion) {
+  std::string result;
+  std::size_t start = 0;
+  while (start < motion.size()) {
+    const std::size_t end = std::min(motion.find('*', start), motion.size());
+    const std::string part = motion.substr(start, end - start);
+    const std::size_t prime = part.find('\'');
+    const bool second = part.compare(prime, 2, "''") == 0;
+    result += std::string(result.empty() ? "" : " ") + (second ? "\\ddot{" : "\\dot{") +
+              emit::formula(part.substr(0, prime), Notation::latex) + "}" +
+              (part.find("^2") == std::string::npos ? "" : "^2");
+    start = end + 1;
+  }
+  return result;
+}
+
+}  // namespace
+
+Section forward_section(const model::Robot& robot) {
+  const auto lines = emit::closed_form_lines(robot, Notation::latex);
+  std::string html = paragraph(
+      "The tool’s pose in the world: a unit quaternion w, x, y, z and a position, by the product of the "
+      "joints’ "
+      "quaternion/vector pairs. A bar over an angle is half of it.");
+  html += lines.empty()
+              ? paragraph("A constant rotation by a symbolic angle: no closed form in half-angle sums.")
+              : formulas_html(lines);
+  return {"forward", "Forward kinematics", html};
+}
+
+Section jacobian_section(const model::Robot& robot) {
+  return {"jacobian", "Jacobian and singularities", jacobian_html(robot) + singularities_html(robot)};
+}
+
+Section dynamics_section(const model::Robot& robot) {
+  const std::string id = "dynamics";
+  const std::string title = "Dynamics";
+  if (!optimise::has_inertia(robot)) return {id, title, paragraph("The description has no inertia.")};
+  if (robot.joints.size() > 3)
+    return {
+        id, title,
+        paragraph("Written out, the joint forces of more than three joints are too long to be read. The code "
+                  "computes them by the Newton–Euler recursion; its operations are counted below.")};
+  std::vector<std::string> lines;
+  std::size_t joint = robot.joints.size();
+  for (const emit::ForceTerm& term : emit::dynamics_closed_form(robot)) {
+    const std::string coefficient =
+        emit::formula(term.coefficient.graph, term.coefficient.outputs.front().value, Notation::latex);
+    const std::string value = "(" + coefficient + ") " + motion_latex(term.motion);
+    if (term.joint != joint)
+      lines.push_back("\\tau_{" + std::to_string(term.joint + 1) + "} = " + value);
+    else
+      lines.back() += " + " + value;
+    joint = term.joint;
+  }
+  return {id, title,
+          paragraph("Joint forces (Nm, N), by accelerations, products of rates, and gravity.") +
+              formulas_html(lines)};
+}
+
+}  // namespace qvgen::report

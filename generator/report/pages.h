@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "model/robot.h"
+#include "pipeline/robot_output.h"
+
+namespace qvgen::report {
+
+/// One page for each robot, NAME.html, a single file that needs no network; `counts` of an output is what the
+/// pages of all robots say of it. Counts and signatures come from a folder of generated code. Each part of a
+/// page is made in a process of its own; one that fails says why in its place.
+std::vector<pipeline::RobotOutput> robot_pages(const std::vector<model::Robot>& robots,
+                                               const std::filesystem::path& generated,
+                                               const std::function<void(const std::string& robot)>& progress);
+
+/// index.html and comparison.html, by the entries of all robots of a folder.
+std::vector<pipeline::OutputFile> common_pages(const nlohmann::ordered_json& entries);
+
+/// What a folder of pages calls a robot, so that it is no folder of code.
+std::string page_name(const std::string& robot);
+
+/// A folder's file of the entries.
+inline constexpr const char* entries_name = "report.json";
+
+}  // namespace qvgen::report
