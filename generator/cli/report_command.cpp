@@ -22,6 +22,8 @@ std::set<std::string> forgotten(const ReportArguments& arguments, const std::vec
 int run_report(const ReportArguments& arguments) {
   const auto robots = read_robots(arguments.descriptions, arguments.read);
   if (!robots) return bad_description;
+  pipeline::check_folder(arguments.output, report::common_pages(nlohmann::ordered_json::object()),
+                         report::entries_name);
   std::vector<pipeline::RobotOutput> pages;
   {
     ProgressLine progress(robots->size());

@@ -218,10 +218,12 @@ std::set<std::string> robots_in(const fs::path& folder) {
   return names;
 }
 
-void check_folder(const fs::path& folder, const std::vector<OutputFile>& shared) {
-  const std::set<std::string> owned = owned_paths(read_manifest(folder));
+void check_folder(const fs::path& folder, const std::vector<OutputFile>& shared, const std::string& entries) {
+  const Manifest manifest = read_manifest(folder);
+  refuse_other_kind(folder, manifest, entries);
+  const std::set<std::string> owned = owned_paths(manifest);
   refuse_what_is_in_the_way(folder, shared, owned);
-  if (owned.count(counts_name) > 0) counts_in(folder);
+  if (owned.count(entries) > 0) counts_in(folder, entries);
 }
 
 FolderChange update_folder(const fs::path& folder, const FolderUpdate& update) {

@@ -51,7 +51,8 @@ std::vector<std::string> files_of_robots(const std::filesystem::path& folder,
 std::set<std::string> robots_in(const std::filesystem::path& folder);
 
 /// Throws what `update_folder` would throw for the files of all robots, before these are generated.
-void check_folder(const std::filesystem::path& folder, const std::vector<OutputFile>& shared);
+void check_folder(const std::filesystem::path& folder, const std::vector<OutputFile>& shared,
+                  const std::string& entries = counts_name);
 
 /// Brings a folder up to date: files that have changed are replaced one by one as a whole, what is no longer
 /// generated is removed, and so is a robot whose description has given another name now. One process at a

@@ -10,6 +10,7 @@
 #include "emit/math/mathml.h"
 #include "emit/math/notation.h"
 #include "emit/render.h"
+#include "model/evaluate.h"
 #include "model/tasks.h"
 #include "report/class_lines.h"
 #include "report/dh.h"
@@ -27,18 +28,28 @@ Cell variable_cell(const std::string& variable) {
   return {emit::inline_mathml(emit::formula(variable, emit::Notation::latex)), false};
 }
 
-std::string vector_text(const model::Vector3& v) {
-  return "(" + to_string(v[0]) + ", " + to_string(v[1]) + ", " + to_string(v[2]) + ")";
+/// Numbers as decimals, whatever has symbols as the description writes it.
+std::string text_of(const model::Expression& entry, double unit = 1) {
+  if (!model::symbols(entry).empty()) return to_string(entry);
+  return number_cell(model::to_double(model::evaluate(entry)) / unit).html + (unit == 1 ? "" : "°");
+}
+
+std::string axis_name(const model::Vector3& axis) {
+  const std::string text = model::axis_text(axis);
+  if (text.size() <= 2) return text;
+  return "(" + text_of(axis[0]) + ", " + text_of(axis[1]) + ", " + text_of(axis[2]) + ")";
 }
 
 std::string displacement_text(const Displacement& displacement) {
   std::string text;
   for (const model::Turn& turn : displacement.turns)
-    text +=
-        (text.empty() ? "" : ", ") + ("turn " + model::axis_text(turn.axis) + " by " + to_string(turn.angle));
+    text += (text.empty() ? "" : ", ") + (axis_name(turn.axis) + " by " + text_of(turn.angle, degree));
   bool moves = false;
   for (const auto& part : displacement.translation) moves = moves || !part.is_literal_zero();
-  if (moves) text += (text.empty() ? "" : ", ") + vector_text(displacement.translation);
+  const auto& way = displacement.translation;
+  if (moves)
+    text += (text.empty() ? "(" : ", (") + text_of(way[0]) + ", " + text_of(way[1]) + ", " + text_of(way[2]) +
+            ")";
   return text.empty() ? "–" : text;
 }
 
@@ -51,8 +62,8 @@ std::string limits_text(const ChainJoint& joint) {
 
 HtmlTable joint_table(const model::Robot& robot, const Chain& chain) {
   HtmlTable table{
-      "Joints as the description has them. Lengths in metres, angles in radians; before: from the frame of "
-      "the link before, after: carried along by the joint.",
+      "Joints as the description has them. Lengths in metres, before: from the frame of "
+      "the link before, after: carried along by the joint; turns, and in brackets the way.",
       {text_cell("joint"), text_cell("type"), text_cell("axis"), text_cell("before"), text_cell("after"),
        text_cell("limits")},
       {}};
@@ -60,7 +71,7 @@ HtmlTable joint_table(const model::Robot& robot, const Chain& chain) {
     const model::Joint& joint = robot.joints[i];
     table.rows.push_back({variable_cell(joint.variable),
                           text_cell(chain.joints[i].revolute ? "revolute" : "prismatic"),
-                          text_cell(model::axis_text(joint.axis)),
+                          text_cell(axis_name(joint.axis)),
                           text_cell(displacement_text(joint.before)),
                           text_cell(displacement_text(joint.after)),
                           {limits_text(chain.joints[i]), false}});
@@ -110,7 +121,7 @@ std::string pose_text(const Chain& chain, const std::vector<double>& q) {
   std::string text;
   for (std::size_t i = 0; i < q.size(); ++i) {
     const bool revolute = chain.joints[i].revolute;
-    text += fmt::format("{}{} {:.4g}{}", i == 0 ? "" : ", ", chain.joints[i].variable,
+    text += fmt::format("{}{} = {:.4g}{}", i == 0 ? "" : ", ", typeset(chain.joints[i].variable),
                         revolute ? q[i] / degree : q[i], revolute ? "°" : " m");
   }
   return text;
@@ -119,7 +130,7 @@ std::string pose_text(const Chain& chain, const std::vector<double>& q) {
 std::string chain_text(const Chain& chain) {
   std::vector<std::string> parts;
   for (const ChainJoint& joint : chain.joints)
-    parts.push_back(joint.variable + (joint.revolute ? " turns" : " slides"));
+    parts.push_back(typeset(joint.variable) + (joint.revolute ? " turns" : " slides"));
   return fmt::format("From the base to the tool: {}.", fmt::join(parts, ", "));
 }
 

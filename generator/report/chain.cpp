@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "model/evaluate.h"
+#include "report/html.h"
 
 namespace qvgen::report {
 namespace {
@@ -51,7 +52,7 @@ class Reader {
     if (model::symbols(entry).empty()) return size;
     std::string text = model::to_string(entry);
     if (text.front() == '-') text.erase(0, 1);
-    return text.size() > 14 ? size : text + " = " + size;
+    return text.size() > 14 ? size : typeset(text) + " = " + size;
   }
 
   model::Bindings values_;

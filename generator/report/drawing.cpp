@@ -19,6 +19,7 @@ struct Shape {
   std::vector<std::vector<Vector>> parts;  ///< outline by hull of the first; others as they are
   bool outline = false;
   double depth = 0;
+  int layer = 1;
 };
 
 struct Label {
@@ -38,8 +39,8 @@ class Picture {
  public:
   Picture(double width, double height, double line) : width_(width), height_(height), line_(line) {}
 
-  void line(const std::string& style, const Vector& from, const Vector& to) {
-    shapes_.push_back({style, {{from, to}}, false, view_.depth(0.5 * (from + to))});
+  void line(const std::string& style, const Vector& from, const Vector& to, int layer = 0) {
+    shapes_.push_back({style, {{from, to}}, false, 0, layer});
   }
   /// A prism with its near end drawn over it.
   void solid(const std::string& style, const std::vector<Vector>& corners, const Vector& axis) {
@@ -59,8 +60,10 @@ class Picture {
 
   std::string svg(const Caption& caption) {
     fit();
-    std::stable_sort(shapes_.begin(), shapes_.end(),
-                     [](const Shape& a, const Shape& b) { return a.depth < b.depth; });
+    // Lines lie behind solids, so that links end at joints; the tool's frame lies before all.
+    std::stable_sort(shapes_.begin(), shapes_.end(), [](const Shape& a, const Shape& b) {
+      return std::pair(a.layer, a.layer == 1 ? a.depth : 0) < std::pair(b.layer, b.layer == 1 ? b.depth : 0);
+    });
     std::string body;
     for (const Shape& shape : shapes_) body += text_of(shape);
     for (const Shape& shape : shapes_) occupy(shape);
@@ -116,7 +119,7 @@ class Picture {
 
   void occupy(const Shape& shape) {
     const std::vector<Point> points = places(shape.parts.front());
-    if (shape.style == "axis" || shape.style == "ground") return;
+    if (shape.style == "axis") return;
     if (!shape.outline) {  // a line, piece by piece
       for (int i = 0; i <= 12; ++i) {
         const double t = i / 12.0;
@@ -141,7 +144,7 @@ class Picture {
   /// Beside what it names, where nothing else stands; left out if there is no such place.
   std::string text_of(const Label& label) {
     const Point at = place(label.at);
-    const double wide = 0.52 * line_ * static_cast<double>(label.text.size());
+    const double wide = 0.52 * line_ * static_cast<double>(letters_in(label.text));
     for (const double far : {0.6, 1.3, 2.2, 3.2})
       for (const auto& [x, y] : {Point{1, 0}, Point{-1, 0}, Point{0.6, -0.8}, Point{0.6, 0.8},
                                  Point{-0.6, -0.8}, Point{-0.6, 0.8}, Point{0, -1}, Point{0, 1}}) {
@@ -202,7 +205,7 @@ void draw_joint(Picture& picture, const ChainJoint& joint, const Posture::Joint&
 void draw_tool(Picture& picture, const Motion& tool, double size) {
   const char* names[] = {"tool-x", "tool-y", "tool-z"};
   for (std::size_t axis = 0; axis < 3; ++axis)
-    picture.line(names[axis], tool.translation, tool.translation + size * column(tool, axis));
+    picture.line(names[axis], tool.translation, tool.translation + size * column(tool, axis), 2);
 }
 
 void draw_ground(Picture& picture, double radius) {
@@ -213,7 +216,7 @@ void draw_ground(Picture& picture, double radius) {
 std::string picture_of(const Chain& chain, const std::vector<double>& q, const Caption& caption, double width,
                        double height) {
   const Posture posture = posture_of(chain, q);
-  const double radius = 0.038 * size_of(chain);
+  const double radius = 0.03 * size_of(chain);
   Picture picture(width, height, 13);
   draw_ground(picture, radius);
   for (const auto& leg : posture.legs) picture.line("link", leg.from, leg.to);
@@ -223,7 +226,7 @@ std::string picture_of(const Chain& chain, const std::vector<double>& q, const C
   draw_tool(picture, posture.tool, 3.2 * radius);
   if (caption.names) {
     for (std::size_t i = 0; i < chain.joints.size(); ++i)
-      picture.label(places[i], chain.joints[i].variable, "joint-name");
+      picture.label(places[i], typeset(chain.joints[i].variable), "joint-name");
     for (const auto& leg : posture.legs) picture.label(0.5 * (leg.from + leg.to), leg.name, "leg-name");
   }
   return picture.svg(caption);

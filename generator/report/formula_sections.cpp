@@ -26,7 +26,7 @@ using emit::Notation;
 using nlohmann::json;
 
 /// Entries longer than this say nothing to a reader.
-constexpr std::size_t readable = 700;
+constexpr std::size_t readable = 400;
 
 std::string paragraph(const std::string& html) { return "<p>" + html + "</p>\n"; }
 std::string formulas_html(const std::vector<std::string>& lines) {

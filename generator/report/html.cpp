@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "report/html.h"
 
-#include <cmath>
+#include <algorithm>
+#include <array>
+#include <map>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -85,6 +87,25 @@ std::string html(const HtmlTable& table) {
                                             {"key", table.key},
                                             {"head", cells(table.head)},
                                             {"rows", rows}});
+}
+
+std::string typeset(const std::string& name) {
+  static const std::map<std::string, std::string> greek{{"alpha", "α"}, {"beta", "β"}, {"gamma", "γ"},
+                                                        {"theta", "θ"}, {"phi", "φ"},  {"psi", "ψ"}};
+  static constexpr std::array<const char*, 10> low{"₀", "₁", "₂", "₃", "₄", "₅", "₆", "₇", "₈", "₉"};
+  const std::size_t end = std::min(name.find_first_of("0123456789"), name.size());
+  const std::string index = name.substr(end);
+  if (index.find_first_not_of("0123456789") != std::string::npos) return name;
+  const auto letter = greek.find(name.substr(0, end));
+  std::string result = letter == greek.end() ? name.substr(0, end) : letter->second;
+  for (const char digit : index) result += low.at(static_cast<std::size_t>(digit - '0'));
+  return result;
+}
+
+std::size_t letters_in(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char byte) {
+    return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
+  }));
 }
 
 std::string coordinate(double value) {

@@ -40,6 +40,11 @@ struct Section {
   std::string html;
 };
 
+/// "theta1" as it is set where there are no formulas: θ₁.
+std::string typeset(const std::string& name);
+/// Letters of a text that has signs of several bytes.
+std::size_t letters_in(const std::string& text);
+
 /// A number for SVG: two decimals at most, never "-0".
 std::string coordinate(double value);
 

@@ -14,6 +14,7 @@ std::string html(const Page& page) {
   for (const Section& section : page.sections)
     values["sections"].push_back(
         {{"id", section.id}, {"name", escaped(section.title)}, {"body", section.html}});
+  values["has_contents"] = page.sections.size() > 1;
   return emit::render("report/page.html", values);
 }
 

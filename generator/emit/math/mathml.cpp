@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "emit/math/mathml.h"
 
+#include <algorithm>
 #include <cctype>
 #include <map>
 #include <stdexcept>
@@ -16,6 +17,22 @@ std::string fence(const char* bracket) { return std::string("<mo stretchy=\"fals
 
 /// An upright word; several letters are one name.
 std::string name(const std::string& letters) { return element("mi", letters); }
+
+/// numerator/denominator as a decimal number where that is short; nothing for others, and for 1/2 and the
+/// like.
+std::string short_decimal(const std::string& numerator, const std::string& denominator) {
+  constexpr std::size_t most_digits = 12;
+  if (denominator.size() < 2 || denominator.size() > most_digits || numerator.size() > most_digits) return "";
+  if ((numerator + denominator).find_first_not_of("0123456789") != std::string::npos) return "";
+  const long long rest = std::stoll(denominator);
+  long long value = std::stoll(numerator);
+  std::size_t decimals = 0;
+  for (; value % rest != 0 && decimals < 6; ++decimals) value *= 10;
+  if (value % rest != 0) return "";
+  std::string digits = std::to_string(value / rest);
+  if (digits.size() <= decimals) digits.insert(0, decimals + 1 - digits.size(), '0');
+  return digits.insert(digits.size() - decimals, ".");
+}
 
 /// A piece of a row, and what decides on the space around it.
 struct Atom {
@@ -106,7 +123,16 @@ class Parser {
       place_ += 2;
       while (!at_end() && std::isdigit(static_cast<unsigned char>(peek())) != 0) ++place_;
     }
-    return element("mn", latex_.substr(start, place_ - start));
+    const std::string over = latex_.substr(start, place_ - start);
+    if (at_end() || peek() != '/') return element("mn", over);
+    // 1/2*\sqrt{3}: the coefficient as a fraction of its own
+    const std::size_t end = std::min(latex_.find_first_not_of("0123456789", place_ + 1), latex_.size());
+    if (end == place_ + 1) return element("mn", over);
+    const std::string under = latex_.substr(place_ + 1, end - place_ - 1);
+    place_ = end;
+    const std::string decimal = short_decimal(over, under);
+    return decimal.empty() ? element("mfrac", element("mn", over) + element("mn", under))
+                           : element("mn", decimal);
   }
 
   Atom next_atom() {
@@ -169,6 +195,13 @@ class Parser {
     if (word == "sqrt") return {Kind::value, element("msqrt", argument())};
     if (word == "left" || word == "right") return next_atom();
     if (word == "frac" || word == "tfrac") {
+      const std::size_t start = place_;
+      if (peek() == '{') {
+        const std::string over = braced();
+        const std::string decimal = peek() == '{' ? short_decimal(over, braced()) : "";
+        if (!decimal.empty()) return {Kind::value, element("mn", decimal)};
+        place_ = start;
+      }
       const std::string numerator = argument();
       return {Kind::value, element("mfrac", numerator + argument())};
     }

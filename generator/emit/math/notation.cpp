@@ -28,6 +28,7 @@ std::string latex_name(const std::string& name) {
   const std::string word = name.substr(0, end);
   std::string index = end == std::string::npos ? "" : name.substr(end);
   index.erase(std::remove(index.begin(), index.end(), '_'), index.end());
+  if (word.empty()) return index;
   const std::string letters =
       is_greek(word) ? "\\" + word : (word.size() > 1 ? "\\mathrm{" + word + "}" : word);
   return index.empty() ? letters : letters + "_{" + index + "}";
