@@ -13,6 +13,7 @@
 #include "report/drawing.h"
 #include "report/formula_sections.h"
 #include "report/function_section.h"
+#include "report/live_section.h"
 #include "report/page.h"
 #include "report/pages.h"
 
@@ -65,9 +66,10 @@ std::string rows_text(const model::Robot& robot) {
 /// Those that take longest first.
 const std::vector<Part>& parts() {
   static const std::vector<Part> all{
-      {"", "", rows_text<What::dynamics>},
-      {"", "", rows_text<What::forward>},
-      {"", "", rows_text<What::jacobian>},
+      {"interactive", "Interactive view", section_text<live_section>},
+      {"rows of dynamics", "", rows_text<What::dynamics>},
+      {"rows of forward", "", rows_text<What::forward>},
+      {"rows of jacobian", "", rows_text<What::jacobian>},
       {"jacobian", "Jacobian and singularities", section_text<jacobian_section>},
       {"inverse", "Inverse kinematics", section_text<inverse_section>},
       {"arm", "The arm", arm_text},
@@ -126,17 +128,22 @@ std::vector<std::string> subtitle_of(const model::Robot& robot) {
 
 pipeline::RobotOutput page_of(const model::Robot& robot, const std::vector<pipeline::Outcome>& outcomes,
                               const std::filesystem::path& generated, const ordered_json& counts) {
-  const std::vector<Compared> compared{{What::forward, rows_of(outcomes[1])},
-                                       {What::jacobian, rows_of(outcomes[2])},
-                                       {What::dynamics, rows_of(outcomes[0])}};
-  const auto made = [&](const std::string& id) {
+  const auto place_of = [](const std::string& id) {
     const auto part =
         std::find_if(parts().begin(), parts().end(), [&](const Part& each) { return each.id == id; });
-    return section_of(*part, outcomes[static_cast<std::size_t>(part - parts().begin())]);
+    return static_cast<std::size_t>(part - parts().begin());
   };
+  const auto made = [&](const std::string& id) {
+    return section_of(parts()[place_of(id)], outcomes[place_of(id)]);
+  };
+  std::vector<Compared> compared;
+  for (const What what : {What::forward, What::jacobian, What::dynamics})
+    compared.push_back(
+        {what,
+         rows_of(outcomes[place_of("rows of " + compare::what_names()[static_cast<std::size_t>(what)])])});
   const auto entry = counts.contains(robot.name) ? counts.at(robot.name) : ordered_json();
-  Page page{robot.name, subtitle_of(robot), true, {}, asset("sort.js")};
-  for (const char* id : {"arm", "forward", "inverse", "jacobian", "dynamics"})
+  Page page{robot.name, subtitle_of(robot), true, {}, live_script() + asset("sort.js")};
+  for (const char* id : {"arm", "interactive", "forward", "inverse", "jacobian", "dynamics"})
     page.sections.push_back(made(id));
   page.sections.push_back(comparison_section(robot.name, compared));
   page.sections.push_back(count_section(entry));

@@ -1,4 +1,3 @@
-"use strict";
 // Tables marked so are sorted by a click on a column's head.
 for (const table of document.querySelectorAll("table.sortable")) {
   const heads = [...table.tHead.rows[0].cells];

@@ -1,0 +1,177 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""browser_test.py TOOL SOURCE WORK: pages in headless Chromium: no message on the console, the arm follows the hand,
+screenshots at three widths, light and dark, in WORK/screenshots. Exit 77: chromium, chromedriver or clang are missing."""
+import pathlib
+import shutil
+import subprocess
+import sys
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import webdriver
+
+tool, source, work = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
+lacking = webdriver.missing() + [name for name in ("clang", "wasm-ld") if shutil.which(name) is None]
+if lacking:
+    print("skipped: no", ", ".join(lacking))
+    sys.exit(77)
+robots = ["puma560", "iiwa14", "pan_tilt", "crx10ia"]
+pictures = work / "screenshots"
+
+# Whether the arm's tool is where the target is, by the page's own picture of its links and by the generated functions.
+gap = """
+const { arm, q, target } = window.live;
+const apart = (a, b) => norm(subtract(a.p, b.p)) + norm(turnVector(product(a.r, transposed(b.r))));
+return [apart(arm.pose(q), target), apart(arm.skeleton(q).tool, arm.pose(q))];
+"""
+
+
+class Pages(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        pictures.mkdir(parents=True, exist_ok=True)
+        subprocess.run([tool, "report", *robots, "--output", str(work / "pages"), "--generated", str(source / "generated")],
+                       check=True, capture_output=True)
+        cls.browser = webdriver.Browser()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.browser.close()
+
+    def open(self, robot):
+        self.browser.open(work / "pages" / f"{robot}.html")
+        self.browser.wait("return window.live?.arm !== undefined")
+        self.browser.run("document.getElementById('live').scrollIntoView()")
+        self.settle()
+
+    def settle(self):
+        self.browser.run_async("const done = arguments[0]; requestAnimationFrame(() => requestAnimationFrame(done))")
+
+    def on_picture(self, handle):
+        return self.browser.run("""
+const box = document.getElementById("live-canvas").getBoundingClientRect();
+const [x, y] = window.live.camera.place(window.live.view.handles(window.live.target)[arguments[0]]);
+return [box.left + x, box.top + y];""", handle)
+
+    def pull(self, handle, dx, dy):
+        x, y = self.on_picture(handle)
+        self.browser.drag([(x, y), (x + dx / 2, y + dy / 2), (x + dx, y + dy)])
+        self.settle()
+
+    def assert_at_target(self, tolerance=1e-9):
+        to_target, picture = self.browser.run(gap)
+        self.assertLess(to_target, tolerance)
+        self.assertLess(picture, 1e-9)
+
+    def tearDown(self):
+        self.assertEqual(self.browser.said(), [])
+
+    def test_all_pages_load_silently(self):
+        for path in sorted((work / "pages").glob("*.html")):
+            with self.subTest(page=path.name):
+                self.browser.open(path)
+                if path.stem in robots:
+                    self.browser.wait("return window.live?.arm !== undefined")
+                self.assertEqual(self.browser.said(), [])
+
+    def test_the_target_is_followed(self):
+        for robot in ("puma560", "iiwa14"):
+            with self.subTest(robot=robot):
+                self.open(robot)
+                before = self.browser.run("return window.live.target")
+                self.pull(0, 14, -9)
+                moved = self.browser.run("return window.live.target")
+                self.assertNotEqual(before["p"], moved["p"])
+                self.assertEqual(before["r"], moved["r"])
+                self.assert_at_target()
+                self.pull(2, 6, 10)
+                turned = self.browser.run("return window.live.target")
+                self.assertEqual(turned["p"], moved["p"])
+                self.assertNotEqual(turned["r"], moved["r"])
+                self.assert_at_target()
+
+    def test_every_solution_reaches_the_target(self):
+        self.open("puma560")
+        rows, worst = self.browser.run("""
+const { arm, found, target } = window.live;
+return [found.rows.length, Math.max(...found.rows.map((row) => norm(subtract(arm.pose(row.q).p, target.p))))];""")
+        self.assertEqual(rows, 8)
+        self.assertLess(worst, 1e-12)
+        self.assertEqual(self.browser.run("return document.querySelectorAll('#live-solutions tbody tr').length"), 8)
+        self.browser.run("document.querySelector('#live-solutions tbody tr:nth-child(4) button').click()")
+        self.settle()
+        self.assert_at_target()
+        self.assertIn("chosen", self.browser.run("return document.querySelector('#live-solutions tbody tr:nth-child(4)').className"))
+
+    def test_out_of_reach_is_said(self):
+        self.open("puma560")
+        self.browser.run("window.live.moveTarget({ r: window.live.target.r, p: [3, 0, 0] })")
+        self.settle()
+        self.assertIn("out of reach", self.browser.run("return document.getElementById('live-status').textContent"))
+        self.assertEqual(self.browser.run("return window.live.q.filter(Number.isFinite).length"), 6)
+
+    def test_null_motion_keeps_the_tool(self):
+        self.open("iiwa14")
+        before = self.browser.run("return [window.live.arm.pose(window.live.q).p, window.live.q[2]]")
+        self.browser.run("""
+const slider = document.getElementById("live-joint-2");
+slider.value = Number(slider.value) + 0.3;
+slider.dispatchEvent(new Event("input"));""")
+        self.settle()
+        after = self.browser.run("return [window.live.arm.pose(window.live.q).p, window.live.q[2]]")
+        self.assertAlmostEqual(after[1], before[1] + 0.3, 6)
+        for a, b in zip(before[0], after[0]):
+            self.assertAlmostEqual(a, b, 12)
+
+    def test_newton_steps_where_there_is_no_closed_form(self):
+        self.open("crx10ia")
+        self.pull(0, -6, 8)
+        self.assert_at_target(1e-6)
+
+    def test_a_path_on_one_branch(self):
+        self.open("puma560")
+        self.browser.run("document.getElementById('live-start').click()")
+        self.pull(0, 8, -5)
+        self.browser.run("document.getElementById('live-play').click()")
+        self.browser.wait("return document.getElementById('live-status').textContent.startsWith('path: ')")
+        self.assertIn("stays on branch", self.browser.run("return document.getElementById('live-status').textContent"))
+        self.assert_at_target()
+
+    def test_keys_move_the_target(self):
+        self.open("puma560")
+        before = self.browser.run("return window.live.target.p")
+        self.browser.run("document.getElementById('live-canvas').dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowUp', cancelable: true }))")
+        self.settle()
+        after = self.browser.run("return window.live.target.p")
+        self.assertGreater(after[2], before[2])
+        self.assert_at_target()
+
+    def test_tables_are_sorted(self):
+        self.browser.open(work / "pages" / "comparison.html")
+        self.browser.run("document.querySelector('#forward-textbook thead th:nth-child(2) button').click()")
+        values = self.browser.run(
+            "return [...document.querySelectorAll('#forward-textbook tbody tr')].map((row) => parseInt(row.cells[1].textContent))")
+        self.assertEqual(values, sorted(values))
+
+    def test_screenshots(self):
+        for width, height in ((390, 844), (820, 1180), (1280, 900)):
+            self.browser.resize(width, height)
+            for scheme in ("light", "dark"):
+                self.browser.colours(scheme)
+                for page in ("puma560", "iiwa14", "index", "comparison"):
+                    self.browser.open(work / "pages" / f"{page}.html")
+                    if page in robots:
+                        self.browser.wait("return window.live?.arm !== undefined")
+                    wide = self.browser.run("return document.documentElement.scrollWidth")
+                    self.assertLessEqual(wide, width, f"{page} is wider than {width}")
+                    self.settle()
+                    self.browser.screenshot(pictures / f"{page}-{width}-{scheme}.png")
+                    if page in robots:
+                        self.browser.run("document.getElementById('live').scrollIntoView()")
+                        self.settle()
+                        self.browser.screenshot(pictures / f"{page}-live-{width}-{scheme}.png")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1], verbosity=2)
