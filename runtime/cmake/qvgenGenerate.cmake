@@ -2,7 +2,7 @@
 # qvgen_generate(TARGET name ROBOTS arm.toml [other.urdf|known_name...] [PARTS kinematics inverse ...] [LANGUAGE cxx c]): a
 # static library of the robots' functions, to be linked. The code is made in the build tree when the build runs: anew when a
 # description, the tool or the list of parts changes, and not otherwise. What cannot be derived for a robot is said there.
-# C99 has headers qvgen_NAME.h, needs libm alone, and has no inverse kinematics.
+# Batch forms are made of the other parts named: PARTS kinematics batch. C99 has headers qvgen_NAME.h, needs libm alone, and has no inverse kinematics.
 include_guard(GLOBAL)
 
 # The files that a robot's parts may have are known before it is derived; those that it lacks are empty.
@@ -10,6 +10,7 @@ set(qvgen_part_sources_kinematics kinematics)
 set(qvgen_part_sources_inverse inverse inverse_avx2)
 set(qvgen_part_sources_arm_angle arm_angle)
 set(qvgen_part_sources_jacobian jacobian)
+set(qvgen_part_sources_batch batch)
 set(qvgen_part_sources_dynamics dynamics dynamics_derivatives dynamics_loads regressor)
 
 function(qvgen_generate)
@@ -57,9 +58,11 @@ function(qvgen_generate_cxx library robot only)
   qvgen_generated_code(${library} ${robot} cxx "${only}" ${sources})
   qvgen_robot(${library} INCLUDE ${folder}/include SOURCES ${sources})
   add_dependencies(${library} ${library}_code)
-  if(TARGET ${library}_inverse)
-    add_dependencies(${library}_inverse ${library}_code)
-  endif()
+  foreach(part inverse batch batch_AVX2 batch_AVX512)
+    if(TARGET ${library}_${part})
+      add_dependencies(${library}_${part} ${library}_code)
+    endif()
+  endforeach()
 endfunction()
 
 function(qvgen_generate_c library robot only)

@@ -103,6 +103,17 @@ TEST_F(CommandLine, CountsOfSomeAndSinceBefore) {
   EXPECT_EQ(run("counts --against no_such.json " + generated).code, 1);
 }
 
+TEST_F(CommandLine, MakesBatchFormsOfThePartsThatAreNamed) {
+  const std::string file = write("my_arm.toml", good_arm);
+  EXPECT_TRUE(has(run("generate " + file + " --only batch --output " + out()),
+                  "my_arm: no batch: name the parts whose batch forms are wanted too"));
+  EXPECT_EQ(run("generate " + file + " --only kinematics,batch --require batch --output " + out()).code, 0);
+  EXPECT_TRUE(fs::exists(fs::path(out()) / "include/qvgen/robots/my_arm/batch.h"));
+  EXPECT_TRUE(fs::exists(fs::path(out()) / "source/my_arm/batch.cpp"));
+  EXPECT_EQ(run("generate " + file + " --output " + out()).code, 0);
+  EXPECT_FALSE(fs::exists(fs::path(out()) / "source/my_arm/batch.cpp"));
+}
+
 TEST_F(CommandLine, MakesAPluginOnlyForWhoAsksForIt) {
   const std::string file = write("my_arm.toml", good_arm);
   const std::string plugin = " --only moveit_plugin --output " + out();

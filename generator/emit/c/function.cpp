@@ -61,7 +61,9 @@ std::string dimension(std::size_t size) { return "[" + std::to_string(size) + "]
 }  // namespace
 
 const Spelling& spelling() {
-  static const Spelling c_spelling{number, "->"};
+  static const Spelling c_spelling{number, "->", [](const std::string& rate) {
+                                     return "(" + rate + " > 0 ? 1.0 : " + rate + " < 0 ? -1.0 : 0.0)";
+                                   }};
   return c_spelling;
 }
 

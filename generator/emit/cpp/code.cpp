@@ -127,7 +127,8 @@ class Writer {
 }  // namespace
 
 const Spelling& cpp_spelling() {
-  static const Spelling spelling{[](const std::string& literal) { return "Scalar(" + literal + ")"; }, "."};
+  static const Spelling spelling{[](const std::string& literal) { return "Scalar(" + literal + ")"; }, ".",
+                                 [](const std::string& rate) { return "direction(" + rate + ")"; }};
   return spelling;
 }
 

@@ -14,6 +14,7 @@ namespace qvgen::emit {
 struct Spelling {
   std::function<std::string(const std::string& literal)> number;  ///< "Scalar(2)"
   std::string member;                                             ///< behind what holds constants: "."
+  std::function<std::string(const std::string& rate)> direction;  ///< 1, -1 or 0
 };
 const Spelling& cpp_spelling();
 

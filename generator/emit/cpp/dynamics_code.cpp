@@ -64,8 +64,6 @@ json statements_of(const std::vector<Code::Value>& outputs, Result result, std::
 
 SymbolTable names_of(const model::Robot& robot, const std::vector<dag::Angle>& angles,
                      const std::map<std::string, std::string>& constants, const Spelling& spelling) {
-  const std::string zero = spelling.number("0");
-  const std::string one = spelling.number("1");
   std::map<std::string, std::string> known = constants;
   for (std::size_t i = 0; i < robot.joints.size(); ++i) {
     const std::string& variable = robot.joints[i].variable;
@@ -73,9 +71,7 @@ SymbolTable names_of(const model::Robot& robot, const std::vector<dag::Angle>& a
     known[derive::dynamics::velocity_of(variable)] = "qd" + index;
     known[derive::dynamics::acceleration_of(variable)] = "qdd" + index;
     known[derive::dynamics::force_of(variable)] = "torque" + index;
-    known[derive::dynamics::direction_of(variable)] = "(" + zero + " < qd" + index + " ? " + one + " : qd" +
-                                                      index + " < " + zero + " ? " + spelling.number("-1") +
-                                                      " : " + zero + ")";
+    known[derive::dynamics::direction_of(variable)] = spelling.direction("qd" + index);
   }
   for (std::size_t k = 0; k < 6; ++k)
     known[derive::dynamics::wrench_component(k)] = "wrench[" + std::to_string(k) + "]";

@@ -64,6 +64,8 @@ nlohmann::json base_parameter_values(const model::Robot& robot, const derive::dy
 
 /// Interface of a quantity by its name.
 DynamicsInterface dynamics_interface(const std::string& name);
+/// Whether there is a quantity of that name.
+bool is_dynamics_function(const std::string& name);
 
 /// What a function returns, as a C++ type.
 std::string type_of(Result result, const std::string& scalar);

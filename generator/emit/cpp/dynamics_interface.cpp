@@ -5,7 +5,9 @@
 
 namespace qvgen::emit {
 
-DynamicsInterface dynamics_interface(const std::string& name) {
+namespace {
+
+const std::map<std::string, DynamicsInterface>& known_interfaces() {
   static const std::map<std::string, DynamicsInterface> known = {
       {"inverse_dynamics",
        {{"q", "qd", "qdd"},
@@ -94,8 +96,14 @@ DynamicsInterface dynamics_interface(const std::string& name) {
         "Minus the sum of m gravity . r over the links, r the centre of mass in the world, J.",
         "potential_energy"}},
   };
-  return known.at(name);
+  return known;
 }
+
+}  // namespace
+
+DynamicsInterface dynamics_interface(const std::string& name) { return known_interfaces().at(name); }
+
+bool is_dynamics_function(const std::string& name) { return known_interfaces().count(name) > 0; }
 
 std::string type_of(Result result, const std::string& scalar) {
   switch (result) {

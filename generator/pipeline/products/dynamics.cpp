@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "pipeline/products/dynamics.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -81,6 +82,12 @@ json parameters_of(const model::Robot& robot) {
     list.push_back({{"name", parameter.name}, {"default", value}, {"last", last}});
   }
   return list;
+}
+
+bool has_friction(const model::Robot& robot) {
+  return std::any_of(robot.joints.begin(), robot.joints.end(), [](const model::Joint& joint) {
+    return !joint.drive.coulomb_friction.is_literal_zero();
+  });
 }
 
 bool has_defaults(const model::Robot& robot) {
@@ -180,6 +187,7 @@ void generate_dynamics_product(const model::Robot& described, RobotOutput& outpu
   const std::vector<optimise::DynamicsFunction> functions = all_functions(robot, output);
   const json inertia{{"parameters", parameters_of(robot)},
                      {"parameter_count", robot.inertia_parameters.size()},
+                     {"has_friction", has_friction(robot)},
                      {"has_parameters", !robot.inertia_parameters.empty()},
                      {"has_defaults", has_defaults(robot)}};
   add_functions(robot, functions, "dynamics", inertia, output);

@@ -2,6 +2,7 @@
 #include "pipeline/products/product.h"
 
 #include "pipeline/products/arm_angle.h"
+#include "pipeline/products/batch.h"
 #include "pipeline/products/c_inverse.h"
 #include "pipeline/products/dynamics.h"
 #include "pipeline/products/inverse.h"
@@ -28,7 +29,8 @@ const std::vector<Product>& all_products() {
 }
 
 const std::vector<Extra>& all_extras() {
-  static const std::vector<Extra> extras{{"c_inverse", {"inverse"}, add_c_inverse},
+  static const std::vector<Extra> extras{{"batch", {}, add_batch},
+                                         {"c_inverse", {"inverse"}, add_c_inverse},
                                          {"moveit_plugin", {"kinematics", "inverse"}, add_moveit_plugin}};
   return extras;
 }

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+#include "emit/cpp/batch_forms.h"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "emit/cpp/dynamics_code.h"
+
+namespace qvgen::emit {
+namespace {
+
+using nlohmann::json;
+using Inputs = std::vector<BatchForm::Input>;
+
+const BatchForm::Input q{"q", "dof"};
+const BatchForm::Input qd{"qd", "dof"};
+const BatchForm::Input point{"point", "3"};
+
+const std::string pose = "w x y z of the unit quaternion, then the position, m";
+const std::string transform = "the rotation matrix column by column, then the position, m";
+const std::string columns = "its 6 x dof entries column by column";
+
+/// Those of kinematics and Jacobians.
+const std::vector<BatchForm>& known_forms() {
+  static const std::vector<BatchForm> forms{
+      {"forward_kinematics", "forward_kinematics", "kinematics", {q}, "7", pose},
+      {"homogeneous_transform", "homogeneous_transform", "kinematics", {q}, "12", transform},
+      {"jacobian", "jacobian", "jacobian", {q}, "6 * dof", columns},
+      {"forward_kinematics_and_jacobian",
+       "forward_kinematics_and_jacobian",
+       "jacobian",
+       {q},
+       "12 + 6 * dof",
+       transform + ", then the Jacobian's entries column by column",
+       {"transform", "jacobian"}},
+      {"tool_jacobian", "tool_jacobian", "jacobian", {q}, "6 * dof", columns},
+      {"jacobian_at", "jacobian_at", "jacobian", {q, point}, "6 * dof", columns},
+      {"velocity", "velocity", "jacobian", {q, qd}, "6", "linear part first"},
+      {"jacobian_dot", "jacobian_dot", "jacobian", {q, qd}, "6 * dof", columns},
+      {"jacobian_dot_times_qd", "jacobian_dot_times_qd", "jacobian", {q, qd}, "6", "linear part first"},
+      {"singularity_measures",
+       "singularity_measures",
+       "jacobian",
+       {q},
+       "singularity_count",
+       "as `singularity_names` has them"}};
+  return forms;
+}
+
+void set_result(BatchForm& form, Result result) {
+  switch (result) {
+    case Result::scalar:
+      form.rows = "1";
+      form.meaning = "the value";
+      return;
+    case Result::vector:
+      form.rows = "dof";
+      form.meaning = "one for each joint";
+      return;
+    case Result::symmetric_matrix:
+    case Result::matrix:
+      form.rows = "dof * dof";
+      form.meaning = "all entries column by column";
+      return;
+    case Result::regressor:
+      form.rows = "dof * base_parameter_count";
+      form.meaning = "all entries column by column";
+      return;
+    case Result::derivatives:
+      form.rows = "dof + 2 * dof * dof";
+      form.meaning = "the forces, then their derivatives by q, then those by qd, column by column";
+      form.members = {"torque", "by_position", "by_rate"};
+  }
+}
+
+/// The part that a function of dynamics stands in, and the function that gives it its angles.
+std::pair<std::string, std::string> header_and_angles(const DynamicsInterface& interface) {
+  if (interface.result == Result::regressor) return {"regressor", "regressor_angles"};
+  if (interface.result == Result::derivatives) return {"dynamics_derivatives", "dynamics_angles"};
+  if (interface.gravity == Gravity::vector) return {"dynamics_loads", "load_angles"};
+  return {"dynamics", "dynamics_angles"};
+}
+
+BatchForm dynamics_form(const std::string& name, const DynamicsInterface& interface) {
+  BatchForm form;
+  form.name = name;
+  form.function = interface.overloads.empty() ? name : interface.overloads;
+  std::tie(form.header, form.angles) = header_and_angles(interface);
+  for (const std::string& argument : interface.arguments) form.inputs.push_back({argument, "dof"});
+  if (interface.wrench) form.inputs.push_back({"wrench", "6"});
+  if (interface.gravity == Gravity::magnitude) form.gravity = "NonDeduced<Scalar>";
+  if (interface.gravity == Gravity::vector) form.gravity = "const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>&";
+  set_result(form, interface.result);
+  return form;
+}
+
+/// InverseDynamicsConstants of inverse_dynamics.
+std::string constants_type(const std::string& name) {
+  std::string type;
+  bool begins = true;
+  for (const char c : name + "_constants") {
+    if (c != '_') type += begins ? static_cast<char>(std::toupper(c)) : c;
+    begins = c == '_';
+  }
+  return type;
+}
+
+/// What each instance of the template takes for gravity.
+json instances(const BatchForm& form) {
+  json list = json::array();
+  for (const std::string scalar : {"double", "float"})
+    list.push_back(
+        {{"scalar", scalar},
+         {"gravity_instance",
+          form.header == "dynamics_loads" ? "const Eigen::Matrix<" + scalar + ", 3, 1>&" : scalar}});
+  return list;
+}
+
+json values(const BatchForm& form) {
+  const bool has_gravity = !form.gravity.empty();
+  json inputs = json::array();
+  for (const BatchForm::Input& input : form.inputs) {
+    const bool last = &input == &form.inputs.back();
+    inputs.push_back({{"input", input.name}, {"input_rows", input.rows}, {"last_input", last}});
+  }
+  json members = json::array();
+  for (const std::string& member : form.members) members.push_back({{"member", "." + member}});
+  if (members.empty()) members.push_back({{"member", ""}});
+  json dynamics = json::array();
+  if (!form.angles.empty())
+    dynamics.push_back({{"angles_function", form.angles}, {"constants_type", constants_type(form.name)}});
+  // A magnitude has a default, as single calls have it.
+  const bool has_default = form.gravity.find('&') == std::string::npos;
+  return {
+      {"entry", form.name},
+      {"function", form.function},
+      {"inputs", inputs},
+      {"rows", form.rows},
+      {"meaning", form.meaning},
+      {"members", members},
+      {"is_dynamics", dynamics},
+      {"is_kinematics", form.angles.empty()},
+      {"gravity", has_gravity ? json::array({{{"gravity_type", form.gravity},
+                                              {"gravity_default", has_default ? " = Scalar(9.80665)" : ""}}})
+                              : json::array()},
+      {"default", has_default ? " = {}" : ""},
+      {"scalars", instances(form)}};
+}
+
+}  // namespace
+
+std::optional<BatchForm> batch_form(const std::string& name) {
+  const auto& known = known_forms();
+  const auto found =
+      std::find_if(known.begin(), known.end(), [&](const BatchForm& form) { return form.name == name; });
+  if (found != known.end()) return *found;
+  if (!is_dynamics_function(name)) return std::nullopt;
+  return dynamics_form(name, dynamics_interface(name));
+}
+
+json batch_values(const std::string& robot, const std::vector<BatchForm>& forms) {
+  std::set<std::string> parts;
+  bool has_dynamics = false;
+  json functions = json::array();
+  for (const BatchForm& form : forms) {
+    parts.insert(form.header);
+    has_dynamics = has_dynamics || !form.angles.empty();
+    functions.push_back(values(form));
+  }
+  json headers = json::array();
+  for (const std::string& part : parts) headers.push_back({{"part", part}});
+  return {{"name", robot}, {"functions", functions}, {"headers", headers}, {"has_dynamics", has_dynamics}};
+}
+
+}  // namespace qvgen::emit

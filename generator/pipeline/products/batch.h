@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/robot.h"
+#include "pipeline/robot_output.h"
+
+namespace qvgen::pipeline {
+
+/// Adds batch.h and batch.cpp: batch forms of those functions without branches that the robot has.
+void add_batch(const model::Robot& robot, RobotOutput& output);
+
+}  // namespace qvgen::pipeline

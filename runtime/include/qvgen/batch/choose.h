@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <qvgen/batch/machine.h>
+
+namespace qvgen::batch {
+
+/// Calls `function` with the type of the wanted set, or of the next narrower one that this machine has and
+/// the build has compiled.
+template <class Function>
+void with_set([[maybe_unused]] InstructionSet wanted, const Function& function) {
+#if defined(QVGEN_BATCH_HAS_AVX512)
+  if (wanted == InstructionSet::avx512 && machine_has(InstructionSet::avx512)) return function(Avx512{});
+#endif
+#if defined(QVGEN_BATCH_HAS_AVX2)
+  if (wanted != InstructionSet::baseline && machine_has(InstructionSet::avx2)) return function(Avx2{});
+#endif
+  function(Baseline{});
+}
+
+}  // namespace qvgen::batch

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <initializer_list>
+
+namespace qvgen {
+
+/// What batches are computed with. The same bits from each of them in double.
+enum class InstructionSet { baseline, avx2, avx512 };
+
+namespace batch {
+
+// Each is a type of its own, so that code for one is never taken for code for another.
+struct Baseline {
+  static constexpr int bytes = 16;
+};
+struct Avx2 {
+  static constexpr int bytes = 32;
+};
+struct Avx512 {
+  static constexpr int bytes = 64;
+};
+
+// The batch sources of a robot are compiled once for each set, which the command of the build names.
+#if defined(QVGEN_BATCH_AVX512)
+using Compiled = Avx512;
+#elif defined(QVGEN_BATCH_AVX2)
+using Compiled = Avx2;
+#else
+using Compiled = Baseline;
+#endif
+
+/// Whether this machine runs code for the set.
+inline bool machine_has([[maybe_unused]] InstructionSet set) {
+#if defined(__GNUC__) && (defined(__x86_64__) || defined(__i386__))
+  const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+  if (set == InstructionSet::avx2) return avx2;
+  if (set == InstructionSet::avx512)
+    return avx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+           __builtin_cpu_supports("avx512vl");
+#endif
+  return set == InstructionSet::baseline;
+}
+
+}  // namespace batch
+
+/// The widest set that this machine has.
+inline InstructionSet widest_instruction_set() {
+  for (const InstructionSet set : {InstructionSet::avx512, InstructionSet::avx2})
+    if (batch::machine_has(set)) return set;
+  return InstructionSet::baseline;
+}
+
+}  // namespace qvgen

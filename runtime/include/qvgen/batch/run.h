@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+#include <type_traits>
+
+#include <Eigen/Geometry>
+#include <qvgen/batch/sine_cosine.h>
+#include <qvgen/batch/view.h>
+#include <qvgen/pose.h>
+
+namespace qvgen::batch {
+
+/// The same numbers in all lanes: `From` holds numbers and nothing else, `To` the same with lanes in their
+/// places (geometries, arrays of constants, vectors).
+template <class Lane, class To, class From>
+To in_all_lanes(const From& from) {
+  using T = typename Lane::Number;
+  To to;
+  if constexpr (sizeof(From) >= sizeof(T)) {
+    constexpr std::size_t count = sizeof(From) / sizeof(T);
+    static_assert(sizeof(To) == count * sizeof(Lane) && std::is_trivially_destructible_v<To>);
+    T numbers[count];
+    std::memcpy(numbers, static_cast<const void*>(&from), sizeof numbers);
+    Lane lanes[count];
+    for (std::size_t i = 0; i < count; ++i) lanes[i] = Lane(numbers[i]);
+    std::memcpy(static_cast<void*>(&to), static_cast<const void*>(lanes), sizeof lanes);
+  }
+  return to;
+}
+
+/// `Rows` components of each configuration.
+template <class T, int Rows>
+struct Input {
+  const Batch<const T>& batch;
+};
+
+/// Puts results into the rows that begin at `at`, one after the other.
+template <class Lane>
+class Writer {
+ public:
+  using T = typename Lane::Number;
+  [[gnu::always_inline]] Writer(T* at, std::size_t stride) : at_(at), stride_(stride) {}
+
+  [[gnu::always_inline]] void operator()(const Lane& value) {
+    value.store(at_);
+    at_ += stride_;
+  }
+  template <int Rows, int Columns>
+  [[gnu::always_inline]] void operator()(const Eigen::Matrix<Lane, Rows, Columns>& value) {
+    for (int j = 0; j < Columns; ++j)
+      for (int i = 0; i < Rows; ++i) (*this)(value(i, j));
+  }
+  [[gnu::always_inline]] void operator()(const Pose<Lane>& value) {
+    (*this)(value.orientation.w());
+    (*this)(value.orientation.x());
+    (*this)(value.orientation.y());
+    (*this)(value.orientation.z());
+    (*this)(value.position);
+  }
+  [[gnu::always_inline]] void operator()(const Eigen::Transform<Lane, 3, Eigen::Isometry>& value) {
+    for (int j = 0; j < 4; ++j)
+      for (int i = 0; i < 3; ++i) (*this)(value(i, j));
+  }
+
+ private:
+  T* at_;
+  std::size_t stride_;
+};
+
+/// The components at configurations k, k + 1, ...; of the last ones, which do not fill all lanes, a copy in
+/// `padded`, the lanes behind them as the last one.
+template <class Lane, int Rows>
+class Reader {
+ public:
+  using T = typename Lane::Number;
+  [[gnu::always_inline]] explicit Reader(const Input<T, Rows>& input)
+      : data_(input.batch.data), stride_(input.batch.stride) {}
+
+  [[gnu::always_inline]] Eigen::Matrix<Lane, Rows, 1> read(std::size_t k, std::size_t valid) {
+    const T* from = data_ + k;
+    std::size_t stride = stride_;
+    if (valid < static_cast<std::size_t>(Lane::size)) {
+      for (int i = 0; i < Rows; ++i)
+        for (int lane = 0; lane < Lane::size; ++lane)
+          padded_[i * Lane::size + lane] = from[static_cast<std::size_t>(i) * stride_ +
+                                                std::min(static_cast<std::size_t>(lane), valid - 1)];
+      from = padded_;
+      stride = static_cast<std::size_t>(Lane::size);
+    }
+    Eigen::Matrix<Lane, Rows, 1> values;
+    for (int i = 0; i < Rows; ++i) values(i) = Lane::load(from + static_cast<std::size_t>(i) * stride);
+    return values;
+  }
+
+ private:
+  const T* data_;
+  std::size_t stride_;
+  T padded_[Rows * Lane::size];
+};
+
+/// Copies rows of `stride` numbers into a batch.
+template <class T>
+void put(const T* from, std::size_t stride, std::size_t rows, const Batch<T>& result) {
+  for (std::size_t i = 0; i < rows; ++i)
+    for (std::size_t k = 0; k < result.count; ++k) result(i, k) = from[i * stride + k];
+}
+
+/// For as many configurations as all batches have: gives `body` a writer and the inputs of as many of them as
+/// there are lanes. Results have `ResultRows` components. No heap.
+template <class Lane, int ResultRows, class Body, int... Rows>
+[[gnu::always_inline]] inline void run(const Batch<typename Lane::Number>& result, const Body& body,
+                                       const Input<typename Lane::Number, Rows>&... inputs) {
+  using T = typename Lane::Number;
+  constexpr std::size_t lanes = Lane::size;
+  const std::size_t count = std::min({result.count, inputs.batch.count...});
+  T last[ResultRows * lanes + 1];
+  const auto all = [&](auto... readers) {
+    for (std::size_t k = 0; k < count; k += lanes) {
+      const std::size_t valid = std::min(count - k, lanes);
+      const bool is_whole = valid == lanes;
+      Writer<Lane> writer(is_whole ? result.data + k : last, is_whole ? result.stride : lanes);
+      body(writer, readers.read(k, valid)...);
+      if (!is_whole) put(last, lanes, ResultRows, result.part(k, valid));
+    }
+  };
+  all(Reader<Lane, Rows>(inputs)...);
+}
+
+}  // namespace qvgen::batch
