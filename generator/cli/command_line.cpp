@@ -227,6 +227,7 @@ void add_report(CommandLine& line) {
       .add_option("--generated", line.report.generated,
                   "folder of the generated code, whose counts and signatures are shown; ./generated without")
       ->type_name("FOLDER");
+  command.add_flag("--force", line.report.force, "also robots that have not changed");
   add_reading(command, line.report.read);
   command.footer(std::string("\nexamples:") + report_examples);
 }

@@ -76,6 +76,8 @@ struct ReportArguments {
   std::filesystem::path output;
   std::filesystem::path generated;  ///< folder of the generated code, whose counts and signatures are shown
   bool all_known = false;
+  bool force = false;      ///< also what has not changed
+  std::uint64_t tool = 0;  ///< a number that another build of the tool has not
 };
 
 /// Each command prints its results to stdout and messages to stderr, and returns an ExitCode.

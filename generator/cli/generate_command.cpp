@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <set>
-#include <sstream>
 
-#include <cln/rational_io.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "cli/build_files.h"
 #include "cli/commands.h"
+#include "cli/origin.h"
 #include "cli/progress_line.h"
 #include "pipeline/files.h"
 #include "pipeline/folder_state.h"
@@ -30,24 +29,6 @@ struct Task {
   std::string key;
 };
 
-/// What the options make of a description: one file may give several robots.
-std::string text_of(const description::ReadOptions& options) {
-  std::string text;
-  const auto add = [&](const char* option, const std::string& value) {
-    if (!value.empty()) text += std::string(" ") + option + " " + value;
-  };
-  add("--name", options.name);
-  add("--base", options.base);
-  add("--tip", options.tip);
-  return text;
-}
-
-std::string text_of(const description::SnapOptions& snap) {
-  std::ostringstream text;
-  text << snap.mode << " " << snap.tolerance;
-  return text.str();
-}
-
 std::vector<Task> tasks_of(const GenerateArguments& arguments, std::vector<model::Robot> robots) {
   std::vector<Task> tasks;
   std::vector<std::string> parts = arguments.parts;
@@ -55,11 +36,10 @@ std::vector<Task> tasks_of(const GenerateArguments& arguments, std::vector<model
   for (std::size_t i = 0; i < robots.size(); ++i) {
     const fs::path& file = arguments.descriptions[i];
     const std::string origin = origin_of(file, arguments.output, arguments.known_robots) +
-                               text_of(arguments.read) +
+                               origin_options(arguments.read) +
                                (arguments.language == Language::c ? " --language c" : "");
-    const std::string made_of =
-        fmt::format("{}\n{}\n{}\n{}\n{}", arguments.tool, fmt::join(parts, ","), origin,
-                    text_of(arguments.read.snap), content_of(file).value_or(""));
+    const std::string made_of = fmt::format("{}\n{}\n{}\n{}\n{}", arguments.tool, fmt::join(parts, ","),
+                                            origin, snap_text(arguments.read), content_of(file).value_or(""));
     const std::string name = folder_name(robots[i].name, arguments.language);
     tasks.push_back({std::move(robots[i]), name, origin, fingerprint(made_of)});
   }

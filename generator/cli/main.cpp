@@ -136,6 +136,7 @@ int run(int argc, char** argv) {
   if (*line.report_command) {
     ReportArguments& report = line.report;
     report.known_robots = here.robots;
+    report.tool = here.tool;
     report.all_known = line.reported.empty();
     report.descriptions =
         report.all_known ? descriptions_in(here.robots) : descriptions_of(line.reported, here.robots);

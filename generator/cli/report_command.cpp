@@ -2,47 +2,87 @@
 #include <fmt/format.h>
 
 #include "cli/commands.h"
+#include "cli/origin.h"
 #include "cli/progress_line.h"
+#include "pipeline/files.h"
+#include "pipeline/folder_state.h"
 #include "pipeline/output_folder.h"
 #include "report/pages.h"
 
 namespace qvgen::cli {
 namespace {
 
+using pipeline::FolderUpdate;
+
+/// A robot of the run, where it comes from, and what its page is made of.
+struct Task {
+  model::Robot robot;
+  std::string origin;
+  std::string key;
+};
+
+std::vector<Task> tasks_of(const ReportArguments& arguments, std::vector<model::Robot> robots) {
+  std::vector<Task> tasks;
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    const auto& file = arguments.descriptions[i];
+    const std::string origin = pipeline::origin_of(file, arguments.output, arguments.known_robots) +
+                               origin_options(arguments.read) + " report";
+    const std::string made_of = fmt::format(
+        "{}\n{}\n{}\n{}\n{}", arguments.tool, origin, snap_text(arguments.read),
+        pipeline::content_of(file).value_or(""), report::made_of(robots[i].name, arguments.generated));
+    tasks.push_back({std::move(robots[i]), origin, pipeline::fingerprint(made_of)});
+  }
+  return tasks;
+}
+
+std::vector<Task> changed_tasks(const ReportArguments& arguments, const std::vector<Task>& tasks) {
+  if (arguments.force) return tasks;
+  std::vector<std::pair<std::string, std::string>> keys;
+  for (const Task& task : tasks) keys.emplace_back(report::page_name(task.robot.name), task.key);
+  const auto current = pipeline::current_robots(arguments.output, keys, report::entries_name);
+  std::vector<Task> changed;
+  for (const Task& task : tasks)
+    if (current.count(report::page_name(task.robot.name)) == 0) changed.push_back(task);
+  return changed;
+}
+
 /// Pages of robots that the tool knows no more.
-std::set<std::string> forgotten(const ReportArguments& arguments, const std::vector<model::Robot>& robots) {
+std::set<std::string> forgotten(const ReportArguments& arguments, const std::vector<Task>& tasks) {
   if (!arguments.all_known) return {};
   std::set<std::string> names = pipeline::known_robots_in(arguments.output);
-  for (const model::Robot& robot : robots) names.erase(report::page_name(robot.name));
+  for (const Task& task : tasks) names.erase(report::page_name(task.robot.name));
   return names;
+}
+
+FolderUpdate update_of(const ReportArguments& arguments, const std::vector<Task>& tasks) {
+  const std::vector<Task> changed = changed_tasks(arguments, tasks);
+  std::vector<model::Robot> robots;
+  for (const Task& task : changed) robots.push_back(task.robot);
+  ProgressLine progress(robots.size());
+  auto pages = report::robot_pages(robots, arguments.generated,
+                                   [&](const std::string& robot) { progress.finished(robot); });
+  FolderUpdate update;
+  update.entries = report::entries_name;
+  for (std::size_t i = 0; i < pages.size(); ++i)
+    update.robots.push_back({std::move(pages[i]), changed[i].origin, changed[i].key});
+  update.removed = forgotten(arguments, tasks);
+  update.shared = report::common_pages(pipeline::entries_after(arguments.output, update));
+  return update;
 }
 
 }  // namespace
 
 int run_report(const ReportArguments& arguments) {
-  const auto robots = read_robots(arguments.descriptions, arguments.read);
+  auto robots = read_robots(arguments.descriptions, arguments.read);
   if (!robots) return bad_description;
   pipeline::check_folder(arguments.output, report::common_pages(nlohmann::ordered_json::object()),
                          report::entries_name);
-  std::vector<pipeline::RobotOutput> pages;
-  {
-    ProgressLine progress(robots->size());
-    pages = report::robot_pages(*robots, arguments.generated,
-                                [&](const std::string& robot) { progress.finished(robot); });
-  }
-  pipeline::FolderUpdate update;
-  update.entries = report::entries_name;
-  for (std::size_t i = 0; i < pages.size(); ++i)
-    update.robots.push_back(
-        {std::move(pages[i]),
-         pipeline::origin_of(arguments.descriptions[i], arguments.output, arguments.known_robots) + " report",
-         ""});
-  update.removed = forgotten(arguments, *robots);
-  update.shared = report::common_pages(pipeline::entries_after(arguments.output, update));
+  const std::vector<Task> tasks = tasks_of(arguments, std::move(*robots));
+  const FolderUpdate update = update_of(arguments, tasks);
   const pipeline::FolderChange change = pipeline::update_folder(arguments.output, update);
-  fmt::print(stderr, "{} {} in {}: {} files changed, {} removed\n", robots->size(),
-             robots->size() == 1 ? "page" : "pages", arguments.output.string(), change.written,
-             change.removed);
+  fmt::print(stderr, "{} {} in {}: {} made, {} files changed, {} removed\n", tasks.size(),
+             tasks.size() == 1 ? "page" : "pages", arguments.output.string(), update.robots.size(),
+             change.written, change.removed);
   fmt::print("{}\n", (arguments.output / "index.html").string());
   return success;
 }

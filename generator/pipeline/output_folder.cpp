@@ -180,12 +180,13 @@ std::string origin_of(const fs::path& description, const fs::path& folder, const
 bool is_known_origin(const std::string& origin) { return origin.rfind(known_prefix, 0) == 0; }
 
 std::set<std::string> current_robots(const fs::path& folder,
-                                     const std::vector<std::pair<std::string, std::string>>& names_and_keys) {
+                                     const std::vector<std::pair<std::string, std::string>>& names_and_keys,
+                                     const std::string& entries) {
   std::set<std::string> current;
   const FolderState state = read_state(folder);
   if (state.robots.empty()) return current;
   const Manifest manifest = read_manifest(folder);
-  const ordered_json counts = counts_in(folder);
+  const ordered_json counts = counts_in(folder, entries);
   for (const auto& [name, key] : names_and_keys) {
     const auto place = state.robots.find(name);
     if (place == state.robots.end() || place->second.key != key) continue;

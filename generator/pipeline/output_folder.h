@@ -38,7 +38,8 @@ bool is_known_origin(const std::string& origin);
 
 /// The robots of a folder whose files are what the run with that key has left there.
 std::set<std::string> current_robots(const std::filesystem::path& folder,
-                                     const std::vector<std::pair<std::string, std::string>>& names_and_keys);
+                                     const std::vector<std::pair<std::string, std::string>>& names_and_keys,
+                                     const std::string& entries = counts_name);
 
 /// The robots of a folder that came from known descriptions.
 std::set<std::string> known_robots_in(const std::filesystem::path& folder);

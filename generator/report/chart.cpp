@@ -37,7 +37,8 @@ std::string bar_chart(const std::vector<Bar>& bars, const Caption& caption) {
     y += pitch;
   }
   return fmt::format(
-      "<svg class=\"chart\" viewBox=\"0 0 {} {}\" role=\"img\" aria-labelledby=\"{}-title {}-text\">\n"
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"chart\" viewBox=\"0 0 {} {}\" role=\"img\" "
+      "aria-labelledby=\"{}-title {}-text\">\n"
       "<title id=\"{}-title\">{}</title>\n<desc id=\"{}-text\">{}</desc>\n{}</svg>\n",
       width, coordinate(y), caption.id, caption.id, caption.id, escaped(caption.title), caption.id,
       escaped(caption.description), body);

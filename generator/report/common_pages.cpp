@@ -24,11 +24,12 @@ std::string index_html(const ordered_json& entries) {
   json robots = json::array();
   for (const auto& [name, entry] : entries.items()) {
     const std::string workspace = entry.at("workspace");
-    robots.push_back({{"name", robot_of(name)},
-                      {"title", escaped(entry.at("title"))},
-                      {"joints", entry.at("joints").get<std::string>()},
-                      {"class", workspace.empty() ? "no class" : workspace + " workspace"},
-                      {"thumbnail", entry.at("thumbnail").get<std::string>()}});
+    robots.push_back(
+        {{"name", robot_of(name)},
+         {"title", escaped(entry.at("title"))},
+         {"joints", entry.at("joints").get<std::string>()},
+         {"class", workspace.empty() || workspace == "none" ? "no class" : workspace + " workspace"},
+         {"thumbnail", entry.at("thumbnail").get<std::string>()}});
   }
   Page page{"Robots",
             {"Kinematics and dynamics derived from each robot’s description alone, proved exactly."},

@@ -69,7 +69,8 @@ class Picture {
     for (const Shape& shape : shapes_) occupy(shape);
     for (const Label& label : labels_) body += text_of(label);
     return fmt::format(
-        "<svg class=\"drawing\" viewBox=\"0 0 {} {}\" role=\"img\" aria-labelledby=\"{}-title {}-text\">\n"
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"drawing\" viewBox=\"0 0 {} {}\" role=\"img\" "
+        "aria-labelledby=\"{}-title {}-text\">\n"
         "<title id=\"{}-title\">{}</title>\n<desc id=\"{}-text\">{}</desc>\n{}</svg>\n",
         coordinate(width_), coordinate(height_), caption.id, caption.id, caption.id, escaped(caption.title),
         caption.id, escaped(caption.description), body);

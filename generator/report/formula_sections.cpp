@@ -2,12 +2,15 @@
 #include "report/formula_sections.h"
 
 #include <algorithm>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "canonical/arm.h"
+#include "dag/evaluate.h"
 #include "dag/import.h"
 #include "derive/jacobian/quantities.h"
+#include "derive/kinematics/forward_kinematics.h"
 #include "emit/math/closed_form.h"
 #include "emit/math/dynamics_closed_form.h"
 #include "emit/math/legend.h"
@@ -15,9 +18,13 @@
 #include "emit/math/notation.h"
 #include "emit/math/singularities.h"
 #include "emit/render.h"
+#include "exact/point.h"
 #include "optimise/described.h"
 #include "optimise/dynamics_function.h"
+#include "passes/differentiate.h"
 #include "passes/pass.h"
+#include "symbolic/evaluate.h"
+#include "verify/certificate.h"
 
 namespace qvgen::report {
 namespace {
@@ -41,27 +48,61 @@ struct Entries {
   int long_ones = 0;
 };
 
-Entries jacobian_entries(const model::Robot& robot) {
-  const canonical::Arm arm = canonical::for_kinematics(robot);
-  const auto forms = derive::jacobian_methods(arm.robot);
+/// The velocity of the tool point by differentiating the closed form of its position, certified; nothing
+/// where there is no closed form.
+std::optional<dag::Function> linear_rows(const model::Robot& robot) {
+  const auto program = derive::closed_form(robot);
+  if (!program) return std::nullopt;
+  dag::Function function = dag::import(*program);
+  std::erase_if(function.outputs, [](const dag::Output& output) { return output.name.front() != 'p'; });
+  std::vector<passes::Direction> directions;
+  for (std::size_t i = 0; i < robot.joints.size(); ++i)
+    directions.push_back({robot.joints[i].variable, "v", i + 1});
+  passes::append_derivatives(function, directions);
+  std::erase_if(function.outputs, [](const dag::Output& output) { return output.name.front() == 'p'; });
+  const symbolic::Program definition = derive::jacobian_definition(robot);
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    const exact::ExactPoint point(seed);
+    const auto values = dag::evaluate<exact::Number>(function, point);
+    const auto expected = symbolic::evaluate(definition, point);
+    for (std::size_t k = 0; k < expected.size(); ++k)
+      for (std::size_t i = 0; i < values.size(); ++i)
+        if (function.outputs[i].name == definition.outputs()[k].name && !exact::agree(values[i], expected[k]))
+          throw verify::CertificateError("Jacobian: " + function.outputs[i].name +
+                                         " differs from its definition");
+  }
+  return function;
+}
+
+dag::Function by_cross_products(const model::Robot& robot) {
+  const auto forms = derive::jacobian_methods(robot);
   const auto crosses = std::find_if(forms.begin(), forms.end(), [](const derive::Form& form) {
     return form.name == "cross products of axes";
   });
-  dag::Function function = passes::simplify(dag::import(crosses->program));
-  function = optimise::in_terms_of_description(function, arm);
+  return passes::simplify(dag::import(crosses->program));
+}
+
+Entries jacobian_entries(const model::Robot& robot) {
+  const canonical::Arm arm = canonical::for_kinematics(robot);
+  const auto linear = linear_rows(arm.robot);
   Entries entries;
-  for (const dag::Output& output : function.outputs) {
-    const std::string value = emit::formula(function.graph, output.value, Notation::latex);
-    const std::string row = output.name.substr(0, 1) == "v"
-                                ? output.name.substr(1, 1)
-                                : std::to_string(std::stoi(output.name.substr(1, 1)) + 3);
-    if (value == "0")
-      ++entries.zeros;
-    else if (value.size() > readable)
-      ++entries.long_ones;
-    else
-      entries.lines.push_back("J_{" + row + "," + output.name.substr(3) + "} = " + value);
-  }
+  const auto add = [&](const dag::Function& canonical, bool angular_alone) {
+    const dag::Function function = optimise::in_terms_of_description(canonical, arm);
+    for (const dag::Output& output : function.outputs) {
+      const bool is_linear = output.name.front() == 'v';
+      if (is_linear && angular_alone) continue;
+      const std::string value = emit::formula(function.graph, output.value, Notation::latex);
+      const int row = std::stoi(output.name.substr(1, 1)) + (is_linear ? 0 : 3);
+      if (value == "0")
+        ++entries.zeros;
+      else if (value.size() > readable)
+        ++entries.long_ones;
+      else
+        entries.lines.push_back(fmt::format("J_{{{},{}}} = {}", row, output.name.substr(3), value));
+    }
+  };
+  if (linear) add(*linear, false);
+  add(by_cross_products(arm.robot), linear.has_value());
   return entries;
 }
 

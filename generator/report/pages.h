@@ -18,6 +18,9 @@ std::vector<pipeline::RobotOutput> robot_pages(const std::vector<model::Robot>& 
                                                const std::filesystem::path& generated,
                                                const std::function<void(const std::string& robot)>& progress);
 
+/// Of all that a robot's page is made from besides its description: equal for equal pages.
+std::string made_of(const std::string& robot, const std::filesystem::path& generated);
+
 /// index.html and comparison.html, by the entries of all robots of a folder.
 std::vector<pipeline::OutputFile> common_pages(const nlohmann::ordered_json& entries);
 

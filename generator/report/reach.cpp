@@ -114,7 +114,8 @@ std::string cross_section(const Reach& reach, const Caption& caption) {
         fmt::format("<text class=\"tick\" x=\"{}\" y=\"{}\" text-anchor=\"end\">{:.3g}</text>\n", margin - 5,
                     coordinate(16 + (reach.highest - at) * scale), std::abs(at) < tick / 100 ? 0.0 : at);
   return fmt::format(
-      "<svg class=\"reach\" viewBox=\"0 0 {} {}\" role=\"img\" aria-labelledby=\"{}-title {}-text\">\n"
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"reach\" viewBox=\"0 0 {} {}\" role=\"img\" "
+      "aria-labelledby=\"{}-title {}-text\">\n"
       "<title id=\"{}-title\">{}</title>\n<desc id=\"{}-text\">{}</desc>\n<path class=\"filled\" "
       "d=\"{}\"/>\n{}</svg>\n",
       coordinate(margin + width + 20), coordinate(height + 36), caption.id, caption.id, caption.id,

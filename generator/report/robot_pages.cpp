@@ -6,6 +6,7 @@
 #include "canonical/structure.h"
 #include "compare/comparison_json.h"
 #include "optimise/dynamics_function.h"
+#include "pipeline/files.h"
 #include "pipeline/output_folder.h"
 #include "pipeline/parallel.h"
 #include "report/arm_section.h"
@@ -16,6 +17,7 @@
 #include "report/live_section.h"
 #include "report/page.h"
 #include "report/pages.h"
+#include "report/webassembly.h"
 
 namespace qvgen::report {
 namespace {
@@ -155,6 +157,14 @@ pipeline::RobotOutput page_of(const model::Robot& robot, const std::vector<pipel
 }  // namespace
 
 std::string page_name(const std::string& robot) { return "report/" + robot; }
+
+std::string made_of(const std::string& robot, const std::filesystem::path& generated) {
+  const ordered_json counts = pipeline::counts_in(generated);
+  std::string text = counts.contains(robot) ? counts.at(robot).dump() : "";
+  for (const std::string& path : pipeline::files_of_robots(generated, {robot}))
+    if (path.ends_with(".h")) text += pipeline::content_of(generated / path).value_or("");
+  return text + missing_compiler();
+}
 
 std::vector<pipeline::RobotOutput> robot_pages(const std::vector<model::Robot>& robots,
                                                const std::filesystem::path& generated,

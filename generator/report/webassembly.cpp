@@ -78,12 +78,16 @@ bool run(const std::vector<std::string>& words, const fs::path& folder, const ch
 
 }  // namespace
 
-Compiled to_webassembly(const std::map<std::string, std::string>& files) {
+std::string missing_compiler() {
   for (const char* program : {"clang", "wasm-ld"})
     if (!is_in_path(program))
-      return {
-          false, "",
-          std::string(program) + " is not on the machine that wrote it (Debian: apt-get install clang lld)"};
+      return std::string(program) +
+             " is not on the machine that wrote it (Debian: apt-get install clang lld)";
+  return "";
+}
+
+Compiled to_webassembly(const std::map<std::string, std::string>& files) {
+  if (const std::string missing = missing_compiler(); !missing.empty()) return {false, "", missing};
   const Workshop workshop;
   std::vector<std::string> call{"clang",
                                 "--target=wasm32",

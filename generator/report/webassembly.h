@@ -13,6 +13,9 @@ struct Compiled {
   std::string reason;
 };
 
+/// What this machine lacks to compile; empty if nothing.
+std::string missing_compiler();
+
 /// C sources and headers, by their names, as one WebAssembly module, by clang and wasm-ld of this machine.
 Compiled to_webassembly(const std::map<std::string, std::string>& files);
 

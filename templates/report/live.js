@@ -29,7 +29,10 @@ class Live {
     this.view = new View(canvas, this.camera);
     this.all = document.getElementById("live-all");
     this.hold = document.getElementById("live-hold");
-    this.showJoints = jointSliders(document.getElementById("live-joints"), this.joints, (i, value) => this.moveJoint(i, value));
+    const sliders = jointSliders(document.getElementById("live-joints"), this.joints, (i, value) => this.moveJoint(i, value));
+    this.showJoints = sliders.show;
+    const { given } = arm.data;
+    this.showFeasible = given < 0 ? () => {} : feasibleStrip(sliders.row(given), this.joints[given]);
     this.showTarget = targetInputs(document.getElementById("live-target"), (target) => this.moveTarget(target));
     this.showMeasures = measureList(document.getElementById("live-measures"), arm.data.measures);
     this.showSolutions = solutionTable(document.getElementById("live-solutions"), this.joints, (i) => this.choose(i));
@@ -90,6 +93,22 @@ class Live {
     return this.found.rows.findIndex((row) => apart(this.joints, row.q, this.q) < 1e-6);
   }
 
+  /// Over the range of the joint that is given: whether some solution within limits has that value.
+  feasible() {
+    const { given } = this.arm.data;
+    if (given < 0 || this.drawn === this.target) return;
+    this.drawn = this.target;
+    const { lower, upper } = this.joints[given];
+    const count = 120;
+    const good = Array.from({ length: count }, (_, i) => {
+      const seed = this.q.slice();
+      seed[given] = lower + ((i + 0.5) / count) * (upper - lower);
+      const { rows } = this.arm.solutions(this.target, seed);
+      return rows.some((row) => row.q.every((value, k) => value >= this.joints[k].lower - 1e-9 && value <= this.joints[k].upper + 1e-9));
+    });
+    this.showFeasible(good);
+  }
+
   status() {
     const { rows, verdict } = this.found;
     if (this.note) return this.note;
@@ -123,6 +142,7 @@ class Live {
     this.view.target(this.target, this.held);
     this.showJoints(this.q);
     this.showTarget(this.target);
+    this.feasible();
     this.showMeasures([...this.arm.measures(this.q), this.arm.manipulability(this.q)]);
     this.showSolutions(this.found.rows, chosen);
     const text = this.status();

@@ -20,9 +20,9 @@ function jointSliders(place, joints, changed) {
     const row = element("div", { className: "live-joint" }, element("label", { htmlFor: id, textContent: joint.name }), slider, output);
     if (joint.limited) row.append(room);
     place.append(row);
-    return { slider, output, room, joint };
+    return { row, slider, output, room, joint };
   });
-  return (q) => {
+  const show = (q) => {
     rows.forEach(({ slider, output, room, joint }, i) => {
       slider.value = q[i];
       slider.setAttribute("aria-valuetext", jointText(joint, q[i]));
@@ -31,6 +31,22 @@ function jointSliders(place, joints, changed) {
       room.style.transform = `scaleX(${Math.min(Math.max(share, 0), 1)})`;
       room.classList.toggle("little", share < 0.1);
     });
+  };
+  return { show, row: (i) => rows[i].row };
+}
+
+/// A strip under a joint's slider: dark where the tool can stay with that value, by samples of the joint's range.
+function feasibleStrip(row, joint) {
+  const strip = element("div", { className: "feasible", role: "img" });
+  row.append(strip);
+  return (samples) => {
+    const stops = samples.map((good, i) => {
+      const from = (100 * i) / samples.length, to = (100 * (i + 1)) / samples.length;
+      return `${good ? "var(--bar)" : "transparent"} ${from}% ${to}%`;
+    });
+    strip.style.backgroundImage = `linear-gradient(to right, ${stops.join(", ")})`;
+    const share = Math.round((100 * samples.filter(Boolean).length) / samples.length);
+    strip.setAttribute("aria-label", `${joint.name}: the tool can stay over ${share} % of the range`);
   };
 }
 

@@ -112,8 +112,14 @@ class Pages(unittest.TestCase):
             self.assertGreaterEqual(contrast(colours["bar"], colours["paper"]), 3)
         self.assertEqual(len(re.findall(r":root \{", style)), 2, "light and dark")
 
-    def test_a_second_run_changes_nothing(self):
-        self.assertIn(" 0 files changed", report(self.folder, "ns", "pan_tilt"))
+    def test_every_run_writes_the_same(self):
+        self.assertIn("2 made, 0 files changed", report(self.folder, "ns", "pan_tilt", "--force"))
+
+    def test_what_has_not_changed_is_not_made_again(self):
+        self.assertIn("0 made, 0 files changed", report(self.folder, *robots))
+        page = self.folder / "pan_tilt.html"
+        page.write_text("lost")
+        self.assertIn("1 made, 1 files changed", report(self.folder, *robots))
 
     def test_one_robot_more(self):
         folder = work / "more"

@@ -255,6 +255,10 @@ std::string table_row(const std::string& left, const std::string& sign, const st
   return element("mtr", cell(left) + cell(sign) + cell(right)) + "\n";
 }
 
+std::string in_math(const std::string& attributes, const std::string& content) {
+  return "<math xmlns=\"http://www.w3.org/1998/Math/MathML\"" + attributes + ">" + content + "</math>";
+}
+
 }  // namespace
 
 std::string mathml(const std::string& latex) {
@@ -264,7 +268,7 @@ std::string mathml(const std::string& latex) {
   return result;
 }
 
-std::string inline_mathml(const std::string& latex) { return element("math", mathml(latex)); }
+std::string inline_mathml(const std::string& latex) { return in_math("", mathml(latex)); }
 
 std::string aligned_mathml(const std::vector<std::string>& formulas) {
   std::string rows;
@@ -280,7 +284,7 @@ std::string aligned_mathml(const std::vector<std::string>& formulas) {
       sign.clear();
     }
   }
-  return "<math display=\"block\">\n<mtable displaystyle=\"true\">\n" + rows + "</mtable>\n</math>";
+  return in_math(" display=\"block\"", "\n<mtable displaystyle=\"true\">\n" + rows + "</mtable>\n");
 }
 
 }  // namespace qvgen::emit

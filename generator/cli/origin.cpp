@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#include "cli/origin.h"
+
+#include <sstream>
+
+#include <cln/rational_io.h>
+
+namespace qvgen::cli {
+
+std::string origin_options(const description::ReadOptions& options) {
+  std::string text;
+  const auto add = [&](const char* option, const std::string& value) {
+    if (!value.empty()) text += std::string(" ") + option + " " + value;
+  };
+  add("--name", options.name);
+  add("--base", options.base);
+  add("--tip", options.tip);
+  return text;
+}
+
+std::string snap_text(const description::ReadOptions& options) {
+  std::ostringstream text;
+  text << options.snap.mode << " " << options.snap.tolerance;
+  return text.str();
+}
+
+}  // namespace qvgen::cli
