@@ -103,6 +103,7 @@ Entries jacobian_entries(const model::Robot& robot) {
   };
   if (linear) add(*linear, false);
   add(by_cross_products(arm.robot), linear.has_value());
+  std::sort(entries.lines.begin(), entries.lines.end());  // J_{1,1}, J_{1,2}, ...
   return entries;
 }
 

@@ -121,6 +121,16 @@ class Pages(unittest.TestCase):
         page.write_text("lost")
         self.assertIn("1 made, 1 files changed", report(self.folder, *robots))
 
+    def test_without_a_compiler_the_page_says_what_to_install(self):
+        folder = work / "still"
+        remove(folder)
+        subprocess.run([tool, "report", "pan_tilt", "--output", str(folder)], check=True, capture_output=True,
+                       env={"PATH": "/nowhere"})
+        page = (folder / "pan_tilt.html").read_text()
+        self.assertIn("apt-get install clang lld", page)
+        self.assertNotIn('id="live-data"', page)
+        tree.fromstring(page)
+
     def test_one_robot_more(self):
         folder = work / "more"
         remove(folder)
