@@ -97,6 +97,7 @@ Section without(const std::string& reason) {
 }  // namespace
 
 Section live_section(const model::Robot& robot) {
+  if (const std::string missing = missing_compiler(); !missing.empty()) return without(missing);
   std::map<std::string, std::string> files = c_files(robot);
   const auto& header = files["qvgen_" + robot.name + ".h"];
   if (header.find(robot.name + "_jacobian(") == std::string::npos)
