@@ -98,9 +98,7 @@ void add_generate(CommandLine& line) {
       ->type_name("PARTS")
       ->allow_extra_args(false)
       ->delimiter(',');
-  command
-      .add_option("--language", line.language,
-                  "cxx, or c: C99 into the output's folder c, without inverse kinematics")
+  command.add_option("--language", line.language, "cxx, or c: C99 into the output's folder c")
       ->check(CLI::IsMember({"cxx", "c"}));
   command.add_flag("--strict", generate.read.strict, "warnings about a description are errors");
   add_reading(command, generate.read);

@@ -68,7 +68,7 @@ static Dependent idle_joints_at(const Matching* task, const JointValues* values)
 }
 
 /// Brings joint values to where they carry the points to their goals, by damped Newton steps.
-static bool polish_points(const Matching* task, double allowed, JointValues* values, const Held* held) {
+static bool polish_points(const Matching* task, double allowed, JointValues* values, Budget* budget, const Held* held) {
   const int most_steps = 60;
   const int most_waits = 6;
   normalise(task, values);
@@ -78,7 +78,7 @@ static bool polish_points(const Matching* task, double allowed, JointValues* val
   const double enough = DBL_EPSILON * DBL_EPSILON * task->size_square;
   const double half_the_digits = sqrt(DBL_EPSILON);
   int waited = 0;
-  for (int step = 0; step < most_steps && waited < most_waits && least > enough; ++step) {
+  for (int step = 0; step < most_steps && waited < most_waits && least > enough && may_step(budget); ++step) {
     // Directions that hardly move the points are left alone, unless it does not go on without them.
     const bool stuck = waited >= most_waits / 2 && least > 256 * enough;
     const Steps by =
@@ -95,32 +95,34 @@ static bool polish_points(const Matching* task, double allowed, JointValues* val
   return least <= share * share * task->size_square;
 }
 
-static bool points_go_on(const Matching* task, const JointValues* values, double allowed) {
+static bool points_go_on(const Matching* task, const JointValues* values, double allowed, Budget* budget) {
+  if (!may_step(budget)) return false;
   const Dependent idle = idle_joints_at(task, values);
   if (idle.least == task->joints) return false;
   const double little = length_of_arc(task, idle.least, 1e-2);
   for (int side = 1; side >= -1; side -= 2) {
     JointValues moved_on = *values;
     advance(task, idle.least, side * little, &moved_on);
-    if (polish_points(task, allowed, &moved_on, &idle.columns)) return true;
+    if (polish_points(task, allowed, &moved_on, budget, &idle.columns)) return true;
   }
   return false;
 }
 
-static bool is_continuum_of_points(const Matching* task, const JointValues* values) {
-  return points_go_on(task, values, 64 * DBL_EPSILON);
+static bool is_continuum_of_points(const Matching* task, const JointValues* values, Budget* budget) {
+  return points_go_on(task, values, 64 * DBL_EPSILON, budget);
 }
 
 /// Whether values that miss the goals by very little can be moved on and miss them by not much more.
-static bool is_nearly_continuum(const Matching* task, const JointValues* values) {
+static bool is_nearly_continuum(const Matching* task, const JointValues* values, Budget* budget) {
   const double share = miss(task, values) / task->size_square;
-  return share < 1e-12 && points_go_on(task, values, 4 * sqrt(share));
+  return share < 1e-12 && points_go_on(task, values, 4 * sqrt(share), budget);
 }
 
 /// One step of `move_on`, shorter if it does not get nearer; false if none does.
-static bool improve(const Matching* task, JointValues* values) {
+static bool improve(const Matching* task, JointValues* values, Budget* budget) {
+  if (!may_step(budget)) return false;
   const Dependent idle = idle_joints_at(task, values);
-  if (idle.least == task->joints) return polish_points(task, 0, values, &nothing_held);
+  if (idle.least == task->joints) return polish_points(task, 0, values, budget, &nothing_held);
   const double least = miss(task, values);
   Steps by = step_of_points(task, values, 1e-2 * sqrt(least), 2 * DBL_EPSILON, &nothing_held);
   for (int attempt = 0; attempt < 4; ++attempt) {
@@ -132,7 +134,7 @@ static bool improve(const Matching* task, JointValues* values) {
       advance(task, i, by.by[i], &moved_on);
       by.by[i] = by.by[i] / 4;
     }
-    polish_points(task, 0, &moved_on, &idle.columns);
+    polish_points(task, 0, &moved_on, budget, &idle.columns);
     if (miss(task, &moved_on) < least) {
       *values = moved_on;
       return true;
@@ -143,17 +145,18 @@ static bool improve(const Matching* task, JointValues* values) {
 
 /// Moves values that are nearly on a continuum along it, to where it meets the goals. Returns whether it
 /// does.
-static bool move_on(const Matching* task, JointValues* values) {
+static bool move_on(const Matching* task, JointValues* values, Budget* budget) {
   const int rounds = 24;
   const double enough = 256 * DBL_EPSILON * DBL_EPSILON * task->size_square;
   for (int round = 0; round < rounds; ++round) {
-    if (!improve(task, values)) return false;
+    if (!improve(task, values, budget)) return false;
     if (miss(task, values) <= enough) return true;
   }
   return false;
 }
 
-static bool points_are_joined(const Matching* task, const JointValues* a, const JointValues* b) {
+static bool points_are_joined(const Matching* task, const JointValues* a, const JointValues* b, Budget* budget) {
+  if (!may_step(budget)) return false;
   const Dependent idle = idle_joints_at(task, a);
   if (idle.least == task->joints) return false;
   JointValues middle = *a;
@@ -161,7 +164,7 @@ static bool points_are_joined(const Matching* task, const JointValues* a, const 
     middle.of[i].cosine = (a->of[i].cosine + b->of[i].cosine) / 2;
     middle.of[i].sine = (a->of[i].sine + b->of[i].sine) / 2;
   }
-  if (!polish_points(task, 0, &middle, &idle.columns)) return false;
+  if (!polish_points(task, 0, &middle, budget, &idle.columns)) return false;
   const double most = 0.6 * values_apart(task->joints, a, b);
   return values_apart(task->joints, a, &middle) < most && values_apart(task->joints, b, &middle) < most;
 }
@@ -176,9 +179,12 @@ typedef struct Visited {
   int branches;
   bool marked[marks][most_branches];
   Known known;
+  Budget budget;
 } Visited;
 
-static void start_visits(Visited* visited, int branches) {
+static void start_visits(Visited* visited, int branches, int passes, int steps) {
+  const Budget budget = {passes, steps, {0, 0, 0}};
+  visited->budget = budget;
   memset(visited->marked, 0, sizeof visited->marked);
   visited->branches = branches;
   visited->known.count = 0;
@@ -203,12 +209,12 @@ static void reopen_visit(Visited* visited, int label, bool continuum) {
   --visited->known.count;
 }
 
-static bool is_visited(const Visited* visited, const Matching* task, const JointValues* values) {
+static bool is_visited(Visited* visited, const Matching* task, const JointValues* values) {
   for (int k = 0; k < visited->known.count; ++k) {
     const JointValues* other = &visited->known.of[k];
     const double square = values_apart(task->joints, other, values);
     if (square < 180 * DBL_EPSILON) return true;
-    if (square < 1e-2 && points_are_joined(task, other, values)) return true;
+    if (square < 1e-2 && points_are_joined(task, other, values, &visited->budget)) return true;
   }
   return false;
 }
@@ -217,22 +223,23 @@ static bool is_visited(const Visited* visited, const Matching* task, const Joint
 /// continuum the place is to be one that a pass has chosen, or the one next to the seed, if there is one.
 static bool settle_visit(Visited* visited, int label, const Matching* task, const Boundary* boundary,
                          const JointValues* seed, JointValues* values, Branch* branch) {
-  bool reached = branch->exists && polish_points(task, boundary->miss, values, &nothing_held);
-  const bool strays = branch->exists && !reached && is_nearly_continuum(task, values);
-  if (strays) reached = move_on(task, values);
+  Budget* budget = &visited->budget;
+  bool reached = branch->exists && polish_points(task, boundary->miss, values, budget, &nothing_held);
+  const bool strays = branch->exists && !reached && is_nearly_continuum(task, values, budget);
+  if (strays) reached = move_on(task, values, budget);
   visited->marked[has_strayed][label] = visited->marked[has_strayed][label] || strays;
   visited->marked[has_missed][label] = visited->marked[has_missed][label] || !reached;
   if (!reached) return false;
   bool* left = &visited->marked[is_left][label];
-  if (is_continuum_of_points(task, values)) {
+  if (is_continuum_of_points(task, values, budget)) {
     *left = !branch->continuum && !boundary->take;
     if (*left) return false;
     branch->continuum = true;
     JointValues at;
     if (seed != NULL) {
       at = *seed;
-      if (polish_points(task, 0, &at, &nothing_held) && !is_visited(visited, task, &at) &&
-          is_continuum_of_points(task, &at))
+      if (polish_points(task, 0, &at, budget, &nothing_held) && !is_visited(visited, task, &at) &&
+          is_continuum_of_points(task, &at, budget))
         *values = at;
     }
   }

@@ -194,8 +194,8 @@ static void keep_within_limits(Solutions* found, const double* seed, const doubl
   const int status = found->status;
   found->count = kept;
   sort_rows(found->rows, kept, distances);
-  if (status == status_invalid) return;
-  conclude_solutions(found);
+  // Of an incomplete set a row inside the limits may be among those that are missing.
+  if (status != status_invalid && status != status_incomplete) conclude_solutions(found);
 }
 
 /// The arm's own joints of rows that virtual ones stand behind.

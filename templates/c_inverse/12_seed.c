@@ -3,13 +3,14 @@ typedef struct Nearest {
   int status;
   int count;
   Effort effort;
-  Solution row;
+  Row row;
 } Nearest;
 
 static void start_nearest(Nearest* found) {
   found->status = status_unreachable;
   found->count = 0;
   found->effort.passes = found->effort.steps = found->effort.used_up = 0;
+  memset(&found->row, 0, sizeof found->row);
 }
 
 static void conclude_nearest(Nearest* found) {
@@ -47,7 +48,7 @@ static inline double wrist_apart(WristAngles angles, double first, double middle
 static double nearest_apart(const Nearest* found, const Preference* seed) {
   if (found->count == 0) return HUGE_VAL;
   double sum = 0;
-  for (int i = 0; i < dof; ++i) {
+  for (int i = 0; i < row_size; ++i) {
     const double q = found->row.q[i];
     const double off = is_revolute[i] ? without_turns(q - seed->angle[i]) : q - seed->slide[i];
     sum += off * off;
@@ -100,13 +101,30 @@ static void take_nearer(const Nearest* row, const Preference* seed, Nearest* fou
   found->effort = effort;
 }
 
+static Row row_of(const Solution* own) {
+  Row row;
+  memset(row.q, 0, sizeof row.q);
+  memcpy(row.q, own->q, sizeof own->q);
+  row.branch = own->branch;
+  row.continuum = own->continuum;
+  return row;
+}
+
+static Solution own_solution(const Row* row) {
+  Solution own;
+  memcpy(own.q, row->q, sizeof own.q);
+  own.branch = row->branch;
+  own.continuum = row->continuum;
+  return own;
+}
+
 /// The first of all solutions, which stand by their distance from the seed, or why there is none.
 static void take_nearest(const Solutions* all, Nearest* found) {
   found->effort.passes += all->effort.passes;
   found->effort.steps += all->effort.steps;
   found->effort.used_up = all->count == 0 && all->effort.used_up;
   found->count = all->count > 0 ? 1 : 0;
-  if (all->count > 0) found->row = all->rows[0];
+  if (all->count > 0) found->row = row_of(&all->rows[0]);
   conclude_nearest(found);
   if (all->count == 0) found->status = all->status;
 }
@@ -122,6 +140,6 @@ static int as_solutions(const Nearest* nearest, Solutions* found) {
   found->status = nearest->status;
   found->effort = nearest->effort;
   found->count = nearest->count;
-  if (nearest->count > 0) found->rows[0] = nearest->row;
+  if (nearest->count > 0) found->rows[0] = own_solution(&nearest->row);
   return found->count;
 }

@@ -57,6 +57,24 @@ static void set_matching(const Arm* arm, const Pose* pose, int points, Matching*
   }
 }
 
+/// The arm with a turn of its tool about an axis of its own, a unit vector, as one more joint: what a task
+/// with a direction leaves.
+static Arm with_tool_turn(Arm arm, double x, double y, double z) {
+  const double tool_axis[3] = {x, y, z};
+  double axis[3];
+  turn_vector(arm.tool.orientation, tool_axis, axis);
+  const double* point = arm.tool.position;
+  set_screw(&arm, arm.joints++, true, axis[0], axis[1], axis[2], point[0], point[1], point[2]);
+  return arm;
+}
+
+/// The arm with all axes and its tool in the origin, for tasks that leave the position. Of revolute joints.
+static Arm turns_of(Arm arm) {
+  for (int i = 0; i < arm.joints; ++i) set_triple(arm.of[i].point, 0, 0, 0);
+  set_triple(arm.tool.position, 0, 0, 0);
+  return arm;
+}
+
 /// An arm one of whose joints stands still: the others of it.
 static Arm without_joint(const Arm* arm, int still, double value) {
   const Screw* screw = &arm->of[still];
@@ -91,6 +109,7 @@ static void row_from_seed(const Arm* whole, int points, const Pose* pose, const 
   Matching task;
   JointValues start;
   set_matching(&arm, pose, points, &task);
+  memset(&start, 0, sizeof start);
   for (int i = 0; i < arm.joints; ++i) {
     const int joint = given >= 0 && i >= given ? i + 1 : i;
     start.of[i] = arm.of[i].revolute ? seed->turn[joint] : rotor(seed->slide[joint], 0);
@@ -104,7 +123,7 @@ static void row_from_seed(const Arm* whole, int points, const Pose* pose, const 
   branch.unsure = true;
   const Boundary boundary = ends_boundary(tolerance);
   if (is_wanted && settle_near_seed(&tracker, &task, &boundary, &start, &values, &branch)) {
-    double q[dof];
+    double q[row_size];
     for (int i = 0; i < arm.joints; ++i)
       q[given >= 0 && i >= given ? i + 1 : i] =
           arm.of[i].revolute ? output_angle(values.of[i].cosine, values.of[i].sine, 1) : values.of[i].cosine;
@@ -133,7 +152,7 @@ static int free_branch(const Solutions* rows) {
 }
 
 /// Whether a set has a row that is this one but for rounding: next to a double root half the digits are lost.
-static bool has_row(const Solutions* found, const Solution* row) {
+static bool has_row(const Solutions* found, const Row* row) {
   for (int k = 0; k < found->count; ++k) {
     double square = 0;
     for (int i = 0; i < dof; ++i) {
@@ -154,7 +173,7 @@ static void add_row_at_seed(const Arm* arm, int points, const Pose* pose, const 
   Nearest nearest;
   start_nearest(&nearest);
   nearest.count = found->count > 0 ? 1 : 0;
-  if (found->count > 0) nearest.row = found->rows[0];
+  if (found->count > 0) nearest.row = row_of(&found->rows[0]);
   if (found->status == status_invalid) return;
   const bool is_sure = found->effort.passes == 0;
   const double row_apart = nearest_apart(&nearest, seed);
@@ -169,7 +188,7 @@ static void add_row_at_seed(const Arm* arm, int points, const Pose* pose, const 
   if (!replaces) {
     for (int i = found->count++; i > 0; --i) found->rows[i] = found->rows[i - 1];
   }
-  found->rows[0] = nearest.row;
+  found->rows[0] = own_solution(&nearest.row);
   found->rows[0].branch = branch;
   conclude_solutions(found);
   if (!replaces) found->status = status_incomplete;

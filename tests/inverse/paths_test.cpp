@@ -73,7 +73,7 @@ Nearest first_row(const Solve& solve) {
 }
 
 TEST_P(InversePaths, NearTheSeedNothingJumps) {
-  if (!GetParam().functions.solve_near) GTEST_SKIP() << "not for arms that cannot take every pose";
+  if (!GetParam().functions.solve_near) GTEST_SKIP() << "there is no inverse kinematics by equations alone";
   expect_no_jumps(first_row([&](const auto& pose, double given, const auto& seed) {
     return GetParam().solve_near(pose, given, seed);
   }));
@@ -83,7 +83,6 @@ TEST_P(InversePaths, NearTheSeedNothingJumps) {
 TEST_P(InversePaths, TheNearestRowDoesNotJump) {
   if (is_general())
     GTEST_SKIP() << "for an arm without a closed form rows may be missing near singular poses";
-  if (!GetParam().functions.solve_near) GTEST_SKIP() << "not for arms that cannot take every pose";
   expect_no_jumps(first_row([&](const auto& pose, double given, const auto& seed) {
     return GetParam().solve_from(pose, given, seed);
   }));
@@ -92,7 +91,7 @@ TEST_P(InversePaths, TheNearestRowDoesNotJump) {
 /// Every answer is a solution or says why there is none, next to a seed of other whole turns too, and no pose
 /// takes more than is allowed.
 TEST_P(InversePaths, NearTheSeedEveryPoseIsAnswered) {
-  if (!GetParam().functions.solve_near) GTEST_SKIP() << "not for arms that cannot take every pose";
+  if (!GetParam().functions.solve_near) GTEST_SKIP() << "there is no inverse kinematics by equations alone";
   int solved = 0;
   for (const PoseSet& set : pose_sets()) {
     for (int i = 0; i < 25; ++i) {

@@ -77,10 +77,11 @@ bool register_inverse() {
     functions.solve_near = [](const Pose<double>& pose, double given, const Eigen::VectorXd& seed,
                               double tolerance, const reference::Values& values) {
       const typename Arm::Joints from = seed;
+      const auto task = asked<Arm::info.task>(pose, Arm::info);
       if constexpr (Arm::info.given_joint >= 0)
-        return copy(Arm::near(pose, given, from, geometry_of<Arm>(values), tolerance));
+        return copy(Arm::near(task, given, from, geometry_of<Arm>(values), tolerance));
       else
-        return copy(Arm::near(pose, from, geometry_of<Arm>(values), tolerance));
+        return copy(Arm::near(task, from, geometry_of<Arm>(values), tolerance));
     };
   }
   std::vector<std::string> constants(Arm::geometry_names.begin(), Arm::geometry_names.end());

@@ -48,7 +48,7 @@ struct InverseFunctions {
       solve_within;
   std::function<Found(const Pose<double>&, double given, double tolerance, const reference::Values&)>
       solve_scalar = {};
-  /// The one solution on the seed's branch, of arms that take every pose.
+  /// The one solution on the seed's branch.
   std::function<Found(const Pose<double>&, double given, const Eigen::VectorXd& seed, double tolerance,
                       const reference::Values&)>
       solve_near = {};

@@ -12,6 +12,9 @@ TEST_P(FewerJoints, EveryJointAtZeroInTurn) { run("a joint at 0", pose_count() /
 TEST_P(FewerJoints, OnALatticeOf45Degrees) { run("45° lattice", pose_count() / 20); }
 TEST_P(FewerJoints, BranchesThatMeet) { run("boundary", pose_count() / 20); }
 
+TEST_P(FewerJoints, NextToASeedNothingJumps) { expect_no_jumps_next_to_a_seed(); }
+TEST_P(FewerJoints, FewPosesNeedAllThatIsAllowed) { expect_few_poses_need_all_that_is_allowed(); }
+
 TEST_P(FewerJoints, TheSearchFindsNothingElse) { expect_the_search_finds_nothing_else(); }
 
 INSTANTIATE_TEST_SUITE_P(Arms, FewerJoints, testing::ValuesIn(inverses()), name_of);

@@ -23,6 +23,7 @@ TEST_P(SevenJoints, RowsHaveTheGivenJointAsItIs) {
 }
 TEST_P(SevenJoints, TheSearchFindsNothingElse) { expect_the_search_finds_nothing_else(); }
 TEST_P(SevenJoints, NextToASeedNothingJumps) { expect_no_jumps_next_to_a_seed(); }
+TEST_P(SevenJoints, FewPosesNeedAllThatIsAllowed) { expect_few_poses_need_all_that_is_allowed(); }
 
 INSTANTIATE_TEST_SUITE_P(Arms, SevenJoints, testing::ValuesIn(inverses()), name_of);
 

@@ -48,7 +48,7 @@ const bool registered = qvgen::test::add_inverse({"@NAME@", "@DESCRIPTION@", rob
 )";
 
 constexpr const char* near_a_seed =
-    R"([](const Pose& pose, [[maybe_unused]] double given, const Eigen::VectorXd& seed, double tolerance, const reference::Values&) { return copy(robot::inverse_kinematics_near@SUFFIX@(pose@GIVEN@, robot::JointVector<double>(seed), robot::Geometry{}, tolerance)); })";
+    R"([](const Pose& pose, [[maybe_unused]] double given, const Eigen::VectorXd& seed, double tolerance, const reference::Values&) { return copy(robot::inverse_kinematics_near@SUFFIX@(asked<robot::inverse_info@SUFFIX@.task>(pose, robot::inverse_info@SUFFIX@)@GIVEN@, robot::JointVector<double>(seed), robot::Geometry{}, tolerance)); })";
 
 constexpr const char* unsolved_arm =
     R"(const bool @NAME@ = qvgen::test::add_unsolved({"@NAME@", "@DESCRIPTION@", R"text(@REASONS@)text"});
@@ -78,7 +78,7 @@ const bool registered = qvgen::test::inverses_in_c().emplace("@NAME@", functions
 )";
 
 constexpr const char* near_a_seed_in_c =
-    R"(  all.solve_near = [](const Pose& task, [[maybe_unused]] double given, const Eigen::VectorXd& seed, double tolerance, const reference::Values&) { return qvgen::test::found_in_c<Set>(robot::dof, [&](Set* set) { return @NAME@_inverse_kinematics_near@SUFFIX@(wxyz(task.orientation).data(), task.position.data()@GIVEN@, seed.data(), &@NAME@_default_geometry, tolerance, set); }); };
+    R"(  all.solve_near = [](const Pose& pose, [[maybe_unused]] double given, const Eigen::VectorXd& seed, double tolerance, const reference::Values&) { return qvgen::test::found_in_c<Set>(robot::dof, [&](Set* set) { const auto task = asked<robot::inverse_info@SUFFIX@.task>(pose, robot::inverse_info@SUFFIX@); return @NAME@_inverse_kinematics_near@SUFFIX@@OF@(@ARGUMENTS@@GIVEN@, seed.data(), &@NAME@_default_geometry, tolerance, set); }); };
 )";
 
 std::string replaced(std::string text, const std::string& what, const std::string& by) {

@@ -50,6 +50,28 @@ class WrittenArm : public Inverse {
     if (faults > 0) std::printf("%s: %d of %d paths jump\n", GetParam().name.c_str(), faults, paths);
   }
 
+  /// The budget that the arm's structure has is enough for all but a few poses in reach.
+  void expect_few_poses_need_all_that_is_allowed() {
+    inverse::Effort most;
+    int poses = 0, cut_short = 0;
+    for (const PoseSet& set : pose_sets())
+      for (int i = 0; i < pose_count() / 50; ++i) {
+        const std::optional<Sample> sample = draw(set, i);
+        if (!sample || sample->expect != Expect::joints) continue;
+        const inverse::Effort effort =
+            test().robot().solve(sample->pose, test().given(sample->q), inverse::default_tolerance).effort;
+        most.passes = std::max(most.passes, effort.passes);
+        most.steps = std::max(most.steps, effort.steps);
+        cut_short += effort.used_up ? 1 : 0;
+        ++poses;
+      }
+    EXPECT_GT(poses, 0);
+    EXPECT_LE(cut_short, poses / 33);
+    std::printf(
+        "%s: at most %d passes and %d evaluations, %d of %d poses in reach want more than is allowed\n",
+        GetParam().name.c_str(), most.passes, most.steps, cut_short, poses);
+  }
+
  private:
   Eigen::VectorXd start(double given) {
     Eigen::VectorXd q = test().joints();

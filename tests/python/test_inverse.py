@@ -147,7 +147,10 @@ def test_less_than_a_pose(arm, rows):
     assert away.status == qvgen.Status.unreachable and away.count == 0
     with pytest.raises(ValueError, match=r"target has the shape \(6,\)"):
         arm.inverse_kinematics(np.zeros(6))
-    assert not hasattr(arm, "inverse_kinematics_near")
+    for target in (axis, poses):
+        near = arm.inverse_kinematics_near(target, q + 0.01)
+        assert solved(near)
+        np.testing.assert_allclose(near.q, q, atol=1e-9)
 
 
 def axis_of(arm):

@@ -12,6 +12,7 @@
 #include <qvgen/inverse/reaching.h>
 #include <qvgen/inverse/request.h>
 #include <qvgen/inverse/seed_branch.h>
+#include <qvgen/inverse/whole_arm.h>
 
 #include "inverse_steps.h"
 
@@ -141,6 +142,77 @@ Rows rows_of(const Pose<double>& pose, const Geometry& g, double tolerance, cons
   return found;
 }
 
+using NearRow = qvgen::Solutions<3, 1>;
+constexpr JointKinds<3> row_is_revolute{ true, true, true };
+
+/// The seed's branch. Returns whether rounding has decided nothing.
+[[gnu::flatten, gnu::noinline]] bool follow_seed(const Target& t, inverse::Forks& forks, NearRow& found) {
+  Work<double> w{};
+  qvgen::Joints<3> q;
+  const auto both = solve_wrist(t, w);
+  const bool is_other = forks.takes_other(w.branch,
+      inverse::apart(both.other, {t.preference->angle[0], t.preference->angle[1], t.preference->angle[2]}), w.branch,
+      inverse::apart(both.one, {t.preference->angle[0], t.preference->angle[1], t.preference->angle[2]}));
+  const auto& angles = is_other ? both.other : both.one;
+  q[0] = angles.first;
+  q[1] = angles.middle;
+  q[2] = angles.last;
+  inverse::append(found, q, forks.label, w.branch.continuum);
+  return !w.branch.doubtful;
+}
+
+/// The same near a singular pose, the joints polished by Newton steps.
+[[gnu::noinline]] void polish_near_seed(const Target& t, [[maybe_unused]] const Target& goal,
+    [[maybe_unused]] inverse::SeedTracker<double, 1>& tracker, inverse::Forks& forks, NearRow& found) {
+  Work<double> w{};
+  qvgen::Joints<3> q;
+  const auto both = solve_wrist(t, w);
+  const bool is_other = forks.takes_other(w.branch,
+      inverse::apart(both.other, {t.preference->angle[0], t.preference->angle[1], t.preference->angle[2]}), w.branch,
+      inverse::apart(both.one, {t.preference->angle[0], t.preference->angle[1], t.preference->angle[2]}));
+  const auto& angles = is_other ? both.other : both.one;
+  q[0] = angles.first;
+  q[1] = angles.middle;
+  q[2] = angles.last;
+  inverse::append(found, q, forks.label, w.branch.continuum);
+  return;
+}
+
+/// The target of a pose that may be in reach; otherwise says why it is not.
+bool is_open(const Pose<double>& pose, Target& t, NearRow& found) {
+  const inverse::PoseNumbers numbers = inverse::numbers_of(pose);
+  const double excess = inverse::unit_excess(numbers);
+  if (inverse::outlook(numbers, excess, farthest, t.tolerance) != inverse::Outlook::open) {
+    found.status = inverse::status_beyond(pose);
+    return false;
+  }
+  aim(numbers, excess, t);
+  return true;
+}
+
+/// Returns whether rounding has decided nothing.
+bool solve_near_seed(const Target& t, NearRow& found) {
+  const auto follow = [&](inverse::Forks& forks, NearRow& row) { return follow_seed(t, forks, row); };
+  const bool is_sure = inverse::follow_forks(*t.preference, row_is_revolute.data(), follow, found);
+  if (!is_sure) found.clear();
+  return is_sure;
+}
+
+/// Where the equations lead near a singular pose, if that is nearer to the seed than what has been found.
+void polish_next_to_seed(const Target& t, const inverse::Preference<3>& seed, NearRow& found) {
+  NearRow row;
+  inverse::follow_forks_carefully(t, inverse::SeedTracker<double, 1>(), row_is_revolute.data(), polish_near_seed, row);
+  inverse::subtract_phases(row, phases);
+  inverse::take_nearer(row, seed, row_is_revolute.data(), found);
+}
+
+/// From the seed by Newton steps of all joints.
+void follow_whole_arm(const Pose<double>& pose, const inverse::Preference<3>& seed, const Geometry& g,
+    double tolerance, bool is_sure, NearRow& found) {
+  inverse::follow_whole_arm<3>(inverse::with_tool_turn(inverse::turns_of(arm_at_zero(g)), Vector3<double>(0, 0, 1)),
+      pose, seed, tolerance, row_is_revolute.data(), is_sure, found);
+}
+
 }  // namespace
 }  // namespace detail::all
 
@@ -178,6 +250,42 @@ LimitedSolutions<dof, 2> inverse_kinematics(const Direction<double>& task, const
 LimitedSolutions<dof, 2, 1> inverse_kinematics(const Direction<double>& task, const JointVector<double>& seed,
     const JointLimits<dof>& limits, const Geometry& g, double tolerance) {
   return nearest_within_limits(inverse_kinematics(task, seed, g, tolerance), limits, is_revolute, seed);
+}
+
+NearSolution inverse_kinematics_near(const Direction<double>& task, const JointVector<double>& seed, const Geometry& g,
+    double tolerance) {
+  using namespace detail::all;
+  NearRow found;
+  if (!seed.allFinite()) {
+    found.status = Status::invalid;
+    return inverse::own_joints<dof>(found);
+  }
+  const inverse::ArmAtZero<dof> arm = detail::arm_at_zero(g);
+  const Pose<double> pose = inverse::pose_of(task, Vector3<double>(0, 0, 1),
+      inverse::tool_of<dof>(arm, seed).orientation);
+  const auto preference = inverse::row_preference<3, dof>(seed);
+  const auto moved = inverse::with_phases(preference, phases);
+  Target t = given(g, tolerance, moved);
+  if (is_open(pose, t, found)) {
+    const bool is_sure = solve_near_seed(t, found);
+    inverse::subtract_phases(found, phases);
+
+    if (!inverse::is_next_to(found, preference, row_is_revolute.data()))
+      follow_whole_arm(pose, preference, g, tolerance, is_sure, found);
+    if (!is_sure && !inverse::is_next_to(found, preference, row_is_revolute.data()))
+      polish_next_to_seed(t, preference, found);
+    found.conclude();
+  }
+
+  NearSolution nearest = inverse::own_joints<dof>(found);
+  if (nearest.empty() && nearest.status != Status::invalid) {
+    auto all = inverse::own_joints<dof>(rows_of(pose, g, tolerance, preference, inverse::Form::fastest));
+    sort_by_distance(all, seed, is_revolute);
+    inverse::take_nearest(all, nearest);
+  }
+  inverse::unwind(nearest, seed, is_revolute);
+
+  return nearest;
 }
 
 Solutions inverse_kinematics(const Pose<double>& pose, const Geometry& g, double tolerance,
@@ -222,6 +330,14 @@ LimitedSolutions<dof, 2> inverse_kinematics(const Pose<double>& pose, const Join
 LimitedSolutions<dof, 2, 1> inverse_kinematics(const Pose<double>& pose, const JointVector<double>& seed,
     const JointLimits<dof>& limits, const Geometry& g, double tolerance) {
   return nearest_within_limits(inverse_kinematics(pose, seed, g, tolerance), limits, is_revolute, seed);
+}
+
+NearSolution inverse_kinematics_near(const Pose<double>& pose, const JointVector<double>& seed, const Geometry& g,
+    double tolerance) {
+  NearSolution nearest;
+  inverse::take_nearest(inverse_kinematics(pose, seed, g, tolerance), nearest);
+  inverse::unwind(nearest, seed, is_revolute);
+  return nearest;
 }
 
 }  // namespace qvgen::robots::pan_tilt

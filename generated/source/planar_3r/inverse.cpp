@@ -169,10 +169,12 @@ Rows rows_of(const Pose<double>& pose, const Geometry& g, double tolerance, cons
   return found;
 }
 
+using NearRow = qvgen::Solutions<3, 1>;
+
 /// The seed's branch. Returns whether rounding has decided nothing.
-[[gnu::flatten, gnu::noinline]] bool follow_seed(const Target& t, inverse::Forks& forks, NearSolution& found) {
+[[gnu::flatten, gnu::noinline]] bool follow_seed(const Target& t, inverse::Forks& forks, NearRow& found) {
   Work<double> w{};
-  JointVector<double> q;
+  qvgen::Joints<3> q;
   solve_condition_1(t, w);
   if (!w.branch.exists) return !w.branch.doubtful;
   solve_condition_2(t, w);
@@ -196,9 +198,9 @@ Rows rows_of(const Pose<double>& pose, const Geometry& g, double tolerance, cons
 
 /// The same near a singular pose, the joints polished by Newton steps.
 [[gnu::noinline]] void polish_near_seed(const Target& t, const Target& goal, inverse::SeedTracker<double, 2>& tracker,
-    inverse::Forks& forks, NearSolution& found) {
+    inverse::Forks& forks, NearRow& found) {
   Work<double> w{};
-  JointVector<double> q;
+  qvgen::Joints<3> q;
   solve_condition_1(t, w);
   if (!w.branch.exists) return;
   solve_condition_2(t, w);
@@ -223,7 +225,7 @@ Rows rows_of(const Pose<double>& pose, const Geometry& g, double tolerance, cons
 }
 
 /// The target of a pose that may be in reach; otherwise says why it is not.
-bool is_open(const Pose<double>& pose, Target& t, NearSolution& found) {
+bool is_open(const Pose<double>& pose, Target& t, NearRow& found) {
   const inverse::PoseNumbers numbers = inverse::numbers_of(pose);
   const double excess = inverse::unit_excess(numbers);
   if (inverse::outlook(numbers, excess, farthest, t.tolerance) != inverse::Outlook::open) {
@@ -235,24 +237,24 @@ bool is_open(const Pose<double>& pose, Target& t, NearSolution& found) {
 }
 
 /// Returns whether rounding has decided nothing.
-bool solve_near_seed(const Target& t, NearSolution& found) {
-  const auto follow = [&](inverse::Forks& forks, NearSolution& row) { return follow_seed(t, forks, row); };
+bool solve_near_seed(const Target& t, NearRow& found) {
+  const auto follow = [&](inverse::Forks& forks, NearRow& row) { return follow_seed(t, forks, row); };
   const bool is_sure = inverse::follow_forks(*t.preference, is_revolute.data(), follow, found);
   if (!is_sure) found.clear();
   return is_sure;
 }
 
 /// Where the equations lead near a singular pose, if that is nearer to the seed than what has been found.
-void polish_next_to_seed(const Target& t, const inverse::Preference<dof>& seed, NearSolution& found) {
-  NearSolution row;
+void polish_next_to_seed(const Target& t, const inverse::Preference<3>& seed, NearRow& found) {
+  NearRow row;
   inverse::follow_forks_carefully(t, inverse::SeedTracker<double, 2>(), is_revolute.data(), polish_near_seed, row);
 
   inverse::take_nearer(row, seed, is_revolute.data(), found);
 }
 
 /// From the seed by Newton steps of all joints.
-void follow_whole_arm(const Pose<double>& pose, const inverse::Preference<dof>& seed, const Geometry& g,
-    double tolerance, bool is_sure, NearSolution& found) {
+void follow_whole_arm(const Pose<double>& pose, const inverse::Preference<3>& seed, const Geometry& g,
+    double tolerance, bool is_sure, NearRow& found) {
   inverse::follow_whole_arm<3>(arm_at_zero(g), pose, seed, tolerance, is_revolute.data(), is_sure, found);
 }
 
@@ -359,10 +361,12 @@ Rows rows_of(const Pose<double>& pose, const Geometry& g, double tolerance, cons
   return found;
 }
 
+using NearRow = qvgen::Solutions<3, 1>;
+
 /// The seed's branch. Returns whether rounding has decided nothing.
-[[gnu::flatten, gnu::noinline]] bool follow_seed(const Target& t, inverse::Forks& forks, NearSolution& found) {
+[[gnu::flatten, gnu::noinline]] bool follow_seed(const Target& t, inverse::Forks& forks, NearRow& found) {
   Work<double> w{};
-  JointVector<double> q;
+  qvgen::Joints<3> q;
   q[2] = t.geometry.given_;
   solve_condition_1(t, w);
   if (!w.branch.exists) return !w.branch.doubtful;
@@ -381,9 +385,9 @@ Rows rows_of(const Pose<double>& pose, const Geometry& g, double tolerance, cons
 
 /// The same near a singular pose, the joints polished by Newton steps.
 [[gnu::noinline]] void polish_near_seed(const Target& t, const Target& goal, inverse::SeedTracker<double, 2>& tracker,
-    inverse::Forks& forks, NearSolution& found) {
+    inverse::Forks& forks, NearRow& found) {
   Work<double> w{};
-  JointVector<double> q;
+  qvgen::Joints<3> q;
   q[2] = t.geometry.given_;
   solve_condition_1(t, w);
   if (!w.branch.exists) return;
@@ -403,7 +407,7 @@ Rows rows_of(const Pose<double>& pose, const Geometry& g, double tolerance, cons
 }
 
 /// The target of a pose that may be in reach; otherwise says why it is not.
-bool is_open(const Pose<double>& pose, Target& t, NearSolution& found) {
+bool is_open(const Pose<double>& pose, Target& t, NearRow& found) {
   const inverse::PoseNumbers numbers = inverse::numbers_of(pose);
   const double excess = inverse::unit_excess(numbers);
   if (inverse::outlook(numbers, excess, farthest, t.tolerance) != inverse::Outlook::open) {
@@ -415,24 +419,24 @@ bool is_open(const Pose<double>& pose, Target& t, NearSolution& found) {
 }
 
 /// Returns whether rounding has decided nothing.
-bool solve_near_seed(const Target& t, NearSolution& found) {
-  const auto follow = [&](inverse::Forks& forks, NearSolution& row) { return follow_seed(t, forks, row); };
+bool solve_near_seed(const Target& t, NearRow& found) {
+  const auto follow = [&](inverse::Forks& forks, NearRow& row) { return follow_seed(t, forks, row); };
   const bool is_sure = inverse::follow_forks(*t.preference, is_revolute.data(), follow, found);
   if (!is_sure) found.clear();
   return is_sure;
 }
 
 /// Where the equations lead near a singular pose, if that is nearer to the seed than what has been found.
-void polish_next_to_seed(const Target& t, const inverse::Preference<dof>& seed, NearSolution& found) {
-  NearSolution row;
+void polish_next_to_seed(const Target& t, const inverse::Preference<3>& seed, NearRow& found) {
+  NearRow row;
   inverse::follow_forks_carefully(t, inverse::SeedTracker<double, 2>(), is_revolute.data(), polish_near_seed, row);
 
   inverse::take_nearer(row, seed, is_revolute.data(), found);
 }
 
 /// From the seed by Newton steps of all joints.
-void follow_whole_arm(const Pose<double>& pose, const inverse::Preference<dof>& seed, const Geometry& g,
-    double tolerance, double given_theta3, bool is_sure, NearSolution& found) {
+void follow_whole_arm(const Pose<double>& pose, const inverse::Preference<3>& seed, const Geometry& g,
+    double tolerance, double given_theta3, bool is_sure, NearRow& found) {
   inverse::follow_whole_arm<1>(arm_at_zero(g), pose, seed, 2, given_theta3, tolerance, is_revolute.data(), is_sure,
       found);
 }
@@ -485,12 +489,12 @@ LimitedSolutions<dof, 2, 1> inverse_kinematics(const Pose<double>& pose, const J
 NearSolution inverse_kinematics_near(const Pose<double>& pose, const JointVector<double>& seed, const Geometry& g,
     double tolerance) {
   using namespace detail::all;
-  NearSolution found;
+  NearRow found;
   if (!seed.allFinite()) {
     found.status = Status::invalid;
     return found;
   }
-  const inverse::Preference<dof> preference = inverse::preference<dof>(seed);
+  const auto preference = inverse::preference<dof>(seed);
 
   Target t = given(g, tolerance, preference);
   if (is_open(pose, t, found)) {
@@ -502,6 +506,7 @@ NearSolution inverse_kinematics_near(const Pose<double>& pose, const JointVector
       polish_next_to_seed(t, preference, found);
     found.conclude();
   }
+
   if (found.empty() && found.status != Status::invalid) {
     auto all = rows_of(pose, g, tolerance, preference, inverse::Form::fastest);
     sort_by_distance(all, seed, is_revolute);
@@ -548,6 +553,38 @@ LimitedSolutions<dof, 2, 1> inverse_kinematics_given_theta3(const Vector3<double
     const JointVector<double>& seed, const JointLimits<dof>& limits, const Geometry& g, double tolerance) {
   return nearest_within_limits(inverse_kinematics_given_theta3(position, given_theta3, seed, g, tolerance), limits,
       is_revolute, seed);
+}
+
+NearSolution inverse_kinematics_near_given_theta3(const Vector3<double>& position, double given_theta3,
+    const JointVector<double>& seed, const Geometry& g, double tolerance) {
+  using namespace detail::given_theta3;
+  NearRow found;
+  if (!seed.allFinite()) {
+    found.status = Status::invalid;
+    return found;
+  }
+  const Pose<double> pose = Pose<double>{Eigen::Quaternion<double>::Identity(), position};
+  const auto preference = inverse::preference<dof>(inverse::with_value(seed, 2, given_theta3));
+
+  Target t = given(g, tolerance, preference, given_theta3);
+  if (is_open(pose, t, found)) {
+    const bool is_sure = solve_near_seed(t, found);
+
+    if (!is_sure) polish_next_to_seed(t, preference, found);
+    if (!inverse::is_next_to(found, preference, is_revolute.data()))
+      follow_whole_arm(pose, preference, g, tolerance, given_theta3, is_sure, found);
+
+    found.conclude();
+  }
+
+  if (found.empty() && found.status != Status::invalid) {
+    auto all = rows_of(pose, g, tolerance, preference, inverse::Form::fastest, given_theta3);
+    sort_by_distance(all, seed, is_revolute);
+    inverse::take_nearest(all, found);
+  }
+  inverse::unwind(found, seed, is_revolute);
+  for (auto& row : found) row.q[2] = given_theta3;
+  return found;
 }
 
 SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Pose<double>& pose, double given_theta3, const Geometry& g,
@@ -599,12 +636,12 @@ LimitedSolutions<dof, 2, 1> inverse_kinematics_given_theta3(const Pose<double>& 
 NearSolution inverse_kinematics_near_given_theta3(const Pose<double>& pose, double given_theta3,
     const JointVector<double>& seed, const Geometry& g, double tolerance) {
   using namespace detail::given_theta3;
-  NearSolution found;
+  NearRow found;
   if (!seed.allFinite()) {
     found.status = Status::invalid;
     return found;
   }
-  const inverse::Preference<dof> preference = inverse::preference<dof>(inverse::with_value(seed, 2, given_theta3));
+  const auto preference = inverse::preference<dof>(inverse::with_value(seed, 2, given_theta3));
 
   Target t = given(g, tolerance, preference, given_theta3);
   if (is_open(pose, t, found)) {
@@ -616,6 +653,7 @@ NearSolution inverse_kinematics_near_given_theta3(const Pose<double>& pose, doub
 
     found.conclude();
   }
+
   if (found.empty() && found.status != Status::invalid) {
     auto all = rows_of(pose, g, tolerance, preference, inverse::Form::fastest, given_theta3);
     sort_by_distance(all, seed, is_revolute);

@@ -148,10 +148,12 @@ Rows rows_of(const Pose<double>& pose, const Geometry& g, double tolerance, cons
   return found;
 }
 
+using NearRow = qvgen::Solutions<3, 1>;
+
 /// The seed's branch. Returns whether rounding has decided nothing.
-[[gnu::flatten, gnu::noinline]] bool follow_seed(const Target& t, inverse::Forks& forks, NearSolution& found) {
+[[gnu::flatten, gnu::noinline]] bool follow_seed(const Target& t, inverse::Forks& forks, NearRow& found) {
   Work<double> w{};
-  JointVector<double> q;
+  qvgen::Joints<3> q;
   Work<double> other0 = w;
   solve_theta1(t, 1.0, w);
   solve_theta1(t, -1.0, other0);
@@ -169,9 +171,9 @@ Rows rows_of(const Pose<double>& pose, const Geometry& g, double tolerance, cons
 
 /// The same near a singular pose, the joints polished by Newton steps.
 [[gnu::noinline]] void polish_near_seed(const Target& t, const Target& goal, inverse::SeedTracker<double, 3>& tracker,
-    inverse::Forks& forks, NearSolution& found) {
+    inverse::Forks& forks, NearRow& found) {
   Work<double> w{};
-  JointVector<double> q;
+  qvgen::Joints<3> q;
   Work<double> other0 = w;
   solve_theta1(t, 1.0, w);
   solve_theta1(t, -1.0, other0);
@@ -190,7 +192,7 @@ Rows rows_of(const Pose<double>& pose, const Geometry& g, double tolerance, cons
 }
 
 /// The target of a pose that may be in reach; otherwise says why it is not.
-bool is_open(const Pose<double>& pose, Target& t, NearSolution& found) {
+bool is_open(const Pose<double>& pose, Target& t, NearRow& found) {
   const inverse::PoseNumbers numbers = inverse::numbers_of(pose);
   const double excess = inverse::unit_excess(numbers);
   if (inverse::outlook(numbers, excess, farthest, t.tolerance) != inverse::Outlook::open) {
@@ -202,24 +204,24 @@ bool is_open(const Pose<double>& pose, Target& t, NearSolution& found) {
 }
 
 /// Returns whether rounding has decided nothing.
-bool solve_near_seed(const Target& t, NearSolution& found) {
-  const auto follow = [&](inverse::Forks& forks, NearSolution& row) { return follow_seed(t, forks, row); };
+bool solve_near_seed(const Target& t, NearRow& found) {
+  const auto follow = [&](inverse::Forks& forks, NearRow& row) { return follow_seed(t, forks, row); };
   const bool is_sure = inverse::follow_forks(*t.preference, is_revolute.data(), follow, found);
   if (!is_sure) found.clear();
   return is_sure;
 }
 
 /// Where the equations lead near a singular pose, if that is nearer to the seed than what has been found.
-void polish_next_to_seed(const Target& t, const inverse::Preference<dof>& seed, NearSolution& found) {
-  NearSolution row;
+void polish_next_to_seed(const Target& t, const inverse::Preference<3>& seed, NearRow& found) {
+  NearRow row;
   inverse::follow_forks_carefully(t, inverse::SeedTracker<double, 3>(), is_revolute.data(), polish_near_seed, row);
 
   inverse::take_nearer(row, seed, is_revolute.data(), found);
 }
 
 /// From the seed by Newton steps of all joints.
-void follow_whole_arm(const Pose<double>& pose, const inverse::Preference<dof>& seed, const Geometry& g,
-    double tolerance, bool is_sure, NearSolution& found) {
+void follow_whole_arm(const Pose<double>& pose, const inverse::Preference<3>& seed, const Geometry& g,
+    double tolerance, bool is_sure, NearRow& found) {
   inverse::follow_whole_arm<1>(arm_at_zero(g), pose, seed, tolerance, is_revolute.data(), is_sure, found);
 }
 
@@ -258,6 +260,38 @@ LimitedSolutions<dof, 2> inverse_kinematics(const Vector3<double>& position, con
 LimitedSolutions<dof, 2, 1> inverse_kinematics(const Vector3<double>& position, const JointVector<double>& seed,
     const JointLimits<dof>& limits, const Geometry& g, double tolerance) {
   return nearest_within_limits(inverse_kinematics(position, seed, g, tolerance), limits, is_revolute, seed);
+}
+
+NearSolution inverse_kinematics_near(const Vector3<double>& position, const JointVector<double>& seed,
+    const Geometry& g, double tolerance) {
+  using namespace detail::all;
+  NearRow found;
+  if (!seed.allFinite()) {
+    found.status = Status::invalid;
+    return found;
+  }
+  const Pose<double> pose = Pose<double>{Eigen::Quaternion<double>::Identity(), position};
+  const auto preference = inverse::preference<dof>(seed);
+
+  Target t = given(g, tolerance, preference);
+  if (is_open(pose, t, found)) {
+    const bool is_sure = solve_near_seed(t, found);
+
+    if (!is_sure) polish_next_to_seed(t, preference, found);
+    if (!inverse::is_next_to(found, preference, is_revolute.data()))
+      follow_whole_arm(pose, preference, g, tolerance, is_sure, found);
+
+    found.conclude();
+  }
+
+  if (found.empty() && found.status != Status::invalid) {
+    auto all = rows_of(pose, g, tolerance, preference, inverse::Form::fastest);
+    sort_by_distance(all, seed, is_revolute);
+    inverse::take_nearest(all, found);
+  }
+  inverse::unwind(found, seed, is_revolute);
+
+  return found;
 }
 
 Solutions inverse_kinematics(const Pose<double>& pose, const Geometry& g, double tolerance,
@@ -305,12 +339,12 @@ LimitedSolutions<dof, 2, 1> inverse_kinematics(const Pose<double>& pose, const J
 NearSolution inverse_kinematics_near(const Pose<double>& pose, const JointVector<double>& seed, const Geometry& g,
     double tolerance) {
   using namespace detail::all;
-  NearSolution found;
+  NearRow found;
   if (!seed.allFinite()) {
     found.status = Status::invalid;
     return found;
   }
-  const inverse::Preference<dof> preference = inverse::preference<dof>(seed);
+  const auto preference = inverse::preference<dof>(seed);
 
   Target t = given(g, tolerance, preference);
   if (is_open(pose, t, found)) {
@@ -322,6 +356,7 @@ NearSolution inverse_kinematics_near(const Pose<double>& pose, const JointVector
 
     found.conclude();
   }
+
   if (found.empty() && found.status != Status::invalid) {
     auto all = rows_of(pose, g, tolerance, preference, inverse::Form::fastest);
     sort_by_distance(all, seed, is_revolute);

@@ -11,6 +11,7 @@
 #include <qvgen/inverse/reaching.h>
 #include <qvgen/inverse/request.h>
 #include <qvgen/inverse/seed_branch.h>
+#include <qvgen/inverse/whole_arm.h>
 
 #include "inverse_steps.h"
 
@@ -169,6 +170,87 @@ Rows rows_of(const Pose<double>& pose, const Geometry& g, double tolerance, cons
   return found;
 }
 
+using NearRow = qvgen::Solutions<4, 1>;
+
+/// The seed's branch. Returns whether rounding has decided nothing.
+[[gnu::flatten, gnu::noinline]] bool follow_seed(const Target& t, inverse::Forks& forks, NearRow& found) {
+  Work<double> w{};
+  qvgen::Joints<4> q;
+  solve_d3(t, w);
+  Work<double> other0 = w;
+  solve_theta1(t, 1.0, w);
+  solve_theta1(t, -1.0, other0);
+  inverse::take_nearer(other0, inverse::apart({other0.cos_theta1, other0.sin_theta1}, t.preference->turn[0]), w,
+      inverse::apart({w.cos_theta1, w.sin_theta1}, t.preference->turn[0]), forks);
+  if (!w.branch.exists) return !w.branch.doubtful;
+  solve_theta2(t, w);
+  solve_theta4(t, w);
+  q[2] = w.d3;
+  q[0] = inverse::output_angle(w.cos_theta1, w.sin_theta1);
+  q[1] = inverse::output_angle(w.cos_theta2, w.sin_theta2);
+  q[3] = inverse::output_angle(w.cos_theta4, w.sin_theta4, w.length_theta4);
+  inverse::append(found, q, forks.label, w.branch.continuum);
+  return !w.branch.doubtful;
+}
+
+/// The same near a singular pose, the joints polished by Newton steps.
+[[gnu::noinline]] void polish_near_seed(const Target& t, const Target& goal, inverse::SeedTracker<double, 3>& tracker,
+    inverse::Forks& forks, NearRow& found) {
+  Work<double> w{};
+  qvgen::Joints<4> q;
+  solve_d3(t, w);
+  Work<double> other0 = w;
+  solve_theta1(t, 1.0, w);
+  solve_theta1(t, -1.0, other0);
+  inverse::take_nearer(other0, inverse::apart({other0.cos_theta1, other0.sin_theta1}, t.preference->turn[0]), w,
+      inverse::apart({w.cos_theta1, w.sin_theta1}, t.preference->turn[0]), forks);
+  if (!w.branch.exists) return;
+  solve_theta2(t, w);
+  Work<double> p = w;
+  if (!solve_arm(goal, 0, tracker, p)) return;
+  solve_theta4(goal, p);
+  q[2] = p.d3;
+  q[0] = inverse::output_angle(p.cos_theta1, p.sin_theta1);
+  q[1] = inverse::output_angle(p.cos_theta2, p.sin_theta2);
+  q[3] = inverse::output_angle(p.cos_theta4, p.sin_theta4, p.length_theta4);
+  inverse::append(found, q, forks.label, p.branch.continuum);
+  return;
+}
+
+/// The target of a pose that may be in reach; otherwise says why it is not.
+bool is_open(const Pose<double>& pose, Target& t, NearRow& found) {
+  const inverse::PoseNumbers numbers = inverse::numbers_of(pose);
+  const double excess = inverse::unit_excess(numbers);
+  if (inverse::outlook(numbers, excess, farthest, t.tolerance) != inverse::Outlook::open) {
+    found.status = inverse::status_beyond(pose);
+    return false;
+  }
+  aim(numbers, excess, t);
+  return true;
+}
+
+/// Returns whether rounding has decided nothing.
+bool solve_near_seed(const Target& t, NearRow& found) {
+  const auto follow = [&](inverse::Forks& forks, NearRow& row) { return follow_seed(t, forks, row); };
+  const bool is_sure = inverse::follow_forks(*t.preference, is_revolute.data(), follow, found);
+  if (!is_sure) found.clear();
+  return is_sure;
+}
+
+/// Where the equations lead near a singular pose, if that is nearer to the seed than what has been found.
+void polish_next_to_seed(const Target& t, const inverse::Preference<4>& seed, NearRow& found) {
+  NearRow row;
+  inverse::follow_forks_carefully(t, inverse::SeedTracker<double, 3>(), is_revolute.data(), polish_near_seed, row);
+
+  inverse::take_nearer(row, seed, is_revolute.data(), found);
+}
+
+/// From the seed by Newton steps of all joints.
+void follow_whole_arm(const Pose<double>& pose, const inverse::Preference<4>& seed, const Geometry& g,
+    double tolerance, bool is_sure, NearRow& found) {
+  inverse::follow_whole_arm<3>(arm_at_zero(g), pose, seed, tolerance, is_revolute.data(), is_sure, found);
+}
+
 }  // namespace
 }  // namespace detail::all
 
@@ -204,6 +286,39 @@ LimitedSolutions<dof, 2> inverse_kinematics(const PositionAndYaw<double>& task, 
 LimitedSolutions<dof, 2, 1> inverse_kinematics(const PositionAndYaw<double>& task, const JointVector<double>& seed,
     const JointLimits<dof>& limits, const Geometry& g, double tolerance) {
   return nearest_within_limits(inverse_kinematics(task, seed, g, tolerance), limits, is_revolute, seed);
+}
+
+NearSolution inverse_kinematics_near(const PositionAndYaw<double>& task, const JointVector<double>& seed,
+    const Geometry& g, double tolerance) {
+  using namespace detail::all;
+  NearRow found;
+  if (!seed.allFinite()) {
+    found.status = Status::invalid;
+    return found;
+  }
+  const inverse::ArmAtZero<dof> arm = detail::arm_at_zero(g);
+  const Pose<double> pose = inverse::pose_of(task, arm.joints[0].axis, arm.tool.orientation);
+  const auto preference = inverse::preference<dof>(seed);
+
+  Target t = given(g, tolerance, preference);
+  if (is_open(pose, t, found)) {
+    const bool is_sure = solve_near_seed(t, found);
+
+    if (!inverse::is_next_to(found, preference, is_revolute.data()))
+      follow_whole_arm(pose, preference, g, tolerance, is_sure, found);
+    if (!is_sure && !inverse::is_next_to(found, preference, is_revolute.data()))
+      polish_next_to_seed(t, preference, found);
+    found.conclude();
+  }
+
+  if (found.empty() && found.status != Status::invalid) {
+    auto all = rows_of(pose, g, tolerance, preference, inverse::Form::fastest);
+    sort_by_distance(all, seed, is_revolute);
+    inverse::take_nearest(all, found);
+  }
+  inverse::unwind(found, seed, is_revolute);
+
+  return found;
 }
 
 Solutions inverse_kinematics(const Pose<double>& pose, const Geometry& g, double tolerance,
@@ -248,6 +363,38 @@ LimitedSolutions<dof, 2> inverse_kinematics(const Pose<double>& pose, const Join
 LimitedSolutions<dof, 2, 1> inverse_kinematics(const Pose<double>& pose, const JointVector<double>& seed,
     const JointLimits<dof>& limits, const Geometry& g, double tolerance) {
   return nearest_within_limits(inverse_kinematics(pose, seed, g, tolerance), limits, is_revolute, seed);
+}
+
+NearSolution inverse_kinematics_near(const Pose<double>& pose, const JointVector<double>& seed, const Geometry& g,
+    double tolerance) {
+  using namespace detail::all;
+  NearRow found;
+  if (!seed.allFinite()) {
+    found.status = Status::invalid;
+    return found;
+  }
+  const auto preference = inverse::preference<dof>(seed);
+
+  Target t = given(g, tolerance, preference);
+  if (is_open(pose, t, found)) {
+    const bool is_sure = solve_near_seed(t, found);
+
+    if (!inverse::is_next_to(found, preference, is_revolute.data()))
+      follow_whole_arm(pose, preference, g, tolerance, is_sure, found);
+    if (!is_sure && !inverse::is_next_to(found, preference, is_revolute.data()))
+      polish_next_to_seed(t, preference, found);
+    found.conclude();
+  }
+  found = inverse::reaching_row<3>(pose, detail::arm_at_zero(g), tolerance, found);
+
+  if (found.empty() && found.status != Status::invalid) {
+    auto all = inverse_kinematics(pose, seed, g, tolerance);
+    sort_by_distance(all, seed, is_revolute);
+    inverse::take_nearest(all, found);
+  }
+  inverse::unwind(found, seed, is_revolute);
+
+  return found;
 }
 
 }  // namespace qvgen::robots::scara

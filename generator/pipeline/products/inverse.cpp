@@ -136,13 +136,12 @@ json effort_values(const qvgen::inverse::Budget& budget) {
   return {{"passes", budget.passes}, {"steps", budget.steps}};
 }
 
-/// What follows one branch: the first pass, if there is one, and the careful one. Of arms that take every
-/// pose.
+/// What follows one branch: the first pass, if there is one, and the careful one. Not of arms whose rows have
+/// to be looked at: what reaches one pose of theirs need not lead on to the next.
 json seed_branch(const derive::inverse::Problem& problem, const derive::inverse::LoweredPlan& plan,
                  const emit::Dialect& dialect) {
-  const bool takes_poses = problem.task == model::Task::pose || problem.task == model::Task::position;
-  const bool has_virtual_joints = problem.row_size > problem.own_joints + (problem.given >= 0 ? 1 : 0);
-  if (!takes_poses || problem.filter != derive::inverse::Filter::none || has_virtual_joints) return false;
+  if (problem.filter != derive::inverse::Filter::none || !emit::has_seed_branch(problem.robot, plan))
+    return false;
   const auto lines = [&](emit::Pass pass) {
     return emit::lines_of(emit::seed_branch_lines(problem.robot, plan, pass, dialect));
   };
@@ -152,17 +151,16 @@ json seed_branch(const derive::inverse::Problem& problem, const derive::inverse:
 
 /// What templates of C need besides.
 void add_values_in_c(const model::Robot& described, const derive::inverse::Derivation& derivation,
-                     const qvgen::inverse::Budget& most, json& values) {
+                     json& values) {
   const derive::inverse::Problem& problem = derivation.problem;
   const bool has_phases = problem.has_phases();
   values["p"] = values["space"].get<std::string>() + "_";
   values["inner"] = has_phases ? "&moved" : "preference";
   values["inner_name"] = has_phases ? "moved" : "preference";
   values["given_value"] = problem.given >= 0 ? values["given_name"] : json("0");
-  values["most_passes"] = most.passes;
-  values["most_steps"] = most.steps;
   values["reaching_steps"] =
       qvgen::inverse::effort_of_reaching(problem.own_joints, derivation.plan.capacity).steps;
+  values["looking_steps"] = qvgen::inverse::effort_of_reaching(problem.own_joints, 1).steps;
   values["tracker"] = values["quartic"].get<bool>() ? "Visited" : "Tracker";
   values["settle"] = values["quartic"].get<bool>() ? "settle_visit" : "settle_branch";
   emit::c::add_entries(described, derivation, values);
@@ -190,7 +188,9 @@ json variant(const model::Robot& described, const derive::inverse::Derivation& d
   // A tracker of branches is there for a wrist alone too.
   const std::size_t joints = std::max<std::size_t>(polished_joints(derived), 1);
   const int branches = polished_branches(derived);
-  const qvgen::inverse::Budget most = qvgen::inverse::most_effort(static_cast<int>(joints), branches);
+  const qvgen::inverse::Budget most = derived.searches_nearby()
+                                          ? qvgen::inverse::most_effort_with_quartic(branches)
+                                          : qvgen::inverse::most_effort(static_cast<int>(joints), branches);
   const json divisors = emit::divisor_values(robot, plan);
   const json near = seed_branch(problem, plan, dialect);
   json values{
@@ -240,6 +240,8 @@ json variant(const model::Robot& described, const derive::inverse::Derivation& d
                                                             robot, plan, emit::Pass::first, dialect))}}},
       {"polished_joints", std::to_string(joints)},
       {"polished_branches", std::to_string(branches)},
+      {"most_passes", most.passes},
+      {"most_steps", most.steps},
       {"most_of_rows", effort_values(most)},
       {"most_of_reaching",
        effort_values(qvgen::inverse::most_effort_of_reaching(problem.own_joints, derived.capacity, most))},
@@ -248,7 +250,7 @@ json variant(const model::Robot& described, const derive::inverse::Derivation& d
       {"lanes", lanes ? json{{"lines", emit::lines_of(emit::simd_loop_lines(robot, plan))}} : json(false)}};
   add_change_of_arm(problem, given, dialect, values);
   if (language == Language::c)
-    add_values_in_c(described, derivation, most, values);
+    add_values_in_c(described, derivation, values);
   else
     emit::add_entries(described, derivation, values);
   return values;
@@ -260,7 +262,7 @@ void add_targets(const model::Task& task, const json& variant, nlohmann::ordered
   nlohmann::ordered_json taken = nlohmann::ordered_json::array({pose});
   if (task != model::Task::pose) taken.insert(taken.begin(), model::task_name(task));
   targets[variant["function"].get<std::string>()] = taken;
-  if (variant["seed_branch"].is_object()) targets[variant["near_function"].get<std::string>()] = {pose};
+  targets[variant["near_function"].get<std::string>()] = taken;
 }
 
 /// Values for the templates of a robot with closed forms, in one of the languages.

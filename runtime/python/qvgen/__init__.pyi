@@ -138,7 +138,7 @@ class Robot(Protocol):
     ) -> _Result: ...
 
     # Of an arm with a joint given also inverse_kinematics_given_NAME(target, given, seed=None, ...) and
-    # inverse_kinematics_near_given_NAME(pose, given, seed, ...). Where less than a pose is taken too `pose` is `target`.
+    # inverse_kinematics_near_given_NAME(target, given, seed, ...). Where less than a pose is taken too `pose` is `target`.
     def inverse_kinematics(
         self, pose: ArrayLike, seed: ArrayLike | None = None, *, limits: _Limits = None, geometry: _Constants = None,
         tolerance: float = 1e-13,

@@ -30,13 +30,13 @@ ALL = """  m.def("{name}",
 """
 
 NEAR = """  m.def("{name}",
-        [](const py::object& pose, {given_parameter}const py::object& seed, bool path, const py::object& geometry,
+        [](const py::object& {target}, {given_parameter}const py::object& seed, bool path, const py::object& geometry,
            double tolerance) {{
           const auto g = constants<arm::Geometry>(geometry, arm::geometry_names, "geometry");
           const auto solve = [](const auto&... arguments) {{ return arm::{name}(arguments...); }};
-          return near_solutions<arm::dof, {has_given}>({{pose, {given}, seed, {{}}}}, path, g, tolerance, solve);
+          return near_{solutions}({{{target}, {given}, seed, {{}}}}, path, g, tolerance, {label}solve);
         }},
-        py::arg("pose"), {given_keyword}py::arg("seed"), py::kw_only(), py::arg("path") = false,
+        py::arg("{target}"), {given_keyword}py::arg("seed"), py::kw_only(), py::arg("path") = false,
         py::arg("geometry") = py::none(), py::arg("tolerance") = qvgen::inverse::default_tolerance,
         R"({doc})");
 """
@@ -133,9 +133,8 @@ axis in front of each if an argument has one. Always computed and returned in fl
 
 NEAR_DOC = """For control loops: the joint values on the branch of the seed, the joints that went before.
 
-pose: (7,) or (n, 7), {pose}
-{given}seed: (dof,) or (n, dof); angles are within half a turn of it
-path: the poses follow each other: `seed`, a single row, is the first one's, then the last solution before a pose is its seed
+{targets}seed: (dof,) or (n, dof); angles are within half a turn of it
+path: the targets follow each other: `seed`, a single row, is the first one's, then the last solution before a target is its seed
 {common}
 Returns qvgen.NearSolution: q (dof,), NaN if there is none, and status (), with a batch axis in front of each if an
 argument has one. Whoever must not jump looks how far q is from the seed. Always computed and returned in float64."""
@@ -155,13 +154,13 @@ def inverse_source(name, taken):
     values = {"name": name, "target": target, "has_given": has_given, "given": "given" if joint else "{}",
               "given_parameter": "const py::object& given, " if joint else "",
               "given_keyword": 'py::arg("given"), ' if joint else ""}
-    if name.startswith("inverse_kinematics_near"):
-        return NEAR.format(**values, doc=NEAR_DOC.format(pose=POSE, given=given, common=COMMON_DOC))
     kind = TASKS[taken[0]][0]
     either = "" if len(taken) == 1 else "_either"
-    return ALL.format(**values, solutions=f"solutions_of{either}<{kind}, arm::dof, {has_given}>",
-                      label="" if either else f'"{target}", ',
-                      doc=ALL_DOC.format(targets=_targets_doc(target, taken, given), common=COMMON_DOC))
+    near = name.startswith("inverse_kinematics_near")
+    template, doc = (NEAR, NEAR_DOC) if near else (ALL, ALL_DOC)
+    return template.format(**values, solutions=f"solutions_of{either}<{kind}, arm::dof, {has_given}>",
+                           label="" if either else f'"{target}", ',
+                           doc=doc.format(targets=_targets_doc(target, taken, given), common=COMMON_DOC))
 
 
 def arm_angle_source():

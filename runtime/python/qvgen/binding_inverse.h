@@ -174,11 +174,12 @@ py::object solutions_of_either(const InverseArguments& arguments,
   return solutions_of<Reduced, dof, has_given>(arguments, limits, g, tolerance, "target", solve);
 }
 
-/// qvgen.NearSolution of every row. On a path the seed of a row is the last solution before it.
-template <int dof, bool has_given, class Geometry, class Solve>
-py::object near_solutions(const InverseArguments& arguments, bool path, const Geometry& g, double tolerance,
-                          const Solve& solve) {
-  std::vector<Rows<double>> rows{Rows<double>(arguments.target, {7}, "pose")};
+/// qvgen.NearSolution of every row of one kind of target. On a path the seed of a row is the last solution
+/// before it.
+template <class Target, int dof, bool has_given, class Geometry, class Solve>
+py::object near_solutions_of(const InverseArguments& arguments, bool path, const Geometry& g,
+                             double tolerance, const char* name, const Solve& solve) {
+  std::vector<Rows<double>> rows{Rows<double>(arguments.target, {TargetOf<Target>::size}, name)};
   if constexpr (has_given) rows.emplace_back(arguments.given, Shape{}, "given");
   const std::size_t last = rows.size();
   rows.emplace_back(arguments.seed, Shape{dof}, "seed");
@@ -195,13 +196,13 @@ py::object near_solutions(const InverseArguments& arguments, bool path, const Ge
     Joints<dof> before = Joints<dof>::Zero();
     if (path) before = vector<Joints<dof>>(rows[last][0]);
     for_each_row(rows, batch, [&](py::ssize_t i, const double* const* row) {
-      const Pose<double> pose = TargetOf<Pose<double>>::read(row[0]);
+      const Target target = TargetOf<Target>::read(row[0]);
       const Joints<dof> seed = path ? before : vector<Joints<dof>>(row[last]);
       const auto found = [&] {
         if constexpr (has_given)
-          return solve(pose, row[1][0], seed, g, tolerance);
+          return solve(target, row[1][0], seed, g, tolerance);
         else
-          return solve(pose, seed, g, tolerance);
+          return solve(target, seed, g, tolerance);
       }();
       outcome[i] = static_cast<int>(found.status);
       if (found.empty()) return;
@@ -210,6 +211,16 @@ py::object near_solutions(const InverseArguments& arguments, bool path, const Ge
     });
   }
   return py::module_::import("qvgen").attr("NearSolution")(solutions, status);
+}
+
+/// The same for a function that takes a pose, or less (`Reduced`), told apart by the length of their last
+/// axis.
+template <class Reduced, int dof, bool has_given, class Geometry, class Solve>
+py::object near_solutions_of_either(const InverseArguments& arguments, bool path, const Geometry& g,
+                                    double tolerance, const Solve& solve) {
+  if (is_of_kind<Pose<double>>(arguments.target))
+    return near_solutions_of<Pose<double>, dof, has_given>(arguments, path, g, tolerance, "target", solve);
+  return near_solutions_of<Reduced, dof, has_given>(arguments, path, g, tolerance, "target", solve);
 }
 
 }  // namespace qvgen::python

@@ -89,9 +89,7 @@ std::string C::assign_work(const std::string& name, const std::string& from) con
   return "*" + name + " = *" + from + ";";
 }
 
-std::string C::new_row(int /*size*/, bool of_arm) const {
-  return of_arm ? "double q[dof];" : "double q[row_size];";
-}
+std::string C::new_row(int /*size*/) const { return "double q[row_size];"; }
 
 std::string C::save_branch(const std::string& name, const std::string& work) const {
   return "const Branch " + name + " = " + work + "->branch;";

@@ -43,7 +43,7 @@ class C : public Dialect {
   Lines new_work(const std::string& name, bool all_zero) const override;
   Lines copied_work(const std::string& name, const std::string& from) const override;
   std::string assign_work(const std::string& name, const std::string& from) const override;
-  std::string new_row(int size, bool of_arm) const override;
+  std::string new_row(int size) const override;
   std::string save_branch(const std::string& name, const std::string& work) const override;
   std::string resume_branch(const std::string& work, const std::string& name) const override;
   std::string doubt(const std::string& condition) const override;

@@ -82,6 +82,10 @@ json entry(const Argument& argument, Filter filter, const std::string& suffix, c
           {"reaches",
            filter == Filter::none ? json(false) : json{{"points", filter == Filter::pose ? "3" : "1"}}},
           {"needs_arm", filter != Filter::none || argument.needs_arm},
+          {"needs_arm_of_task", argument.needs_arm},
+          {"follows_seed", cpp["follows_seed"]},
+          {"looks", cpp["looks"]},
+          {"all_by_entry", filter != Filter::none},
           {"pose_lines", lines_of(argument.pose)}};
 }
 
@@ -99,7 +103,7 @@ void add_sizes(const model::Robot& robot, json& values) {
   const json& variants = values["variants"];
   const int dof = static_cast<int>(robot.joints.size());
   const int rows = largest(variants, "row_size");
-  const int joints = std::max(largest(variants, "polished_joints"), values["arm"].is_object() ? dof : 1);
+  const int joints = std::max(largest(variants, "polished_joints"), values["arm"].is_object() ? rows : 1);
   const bool quartic = std::any_of(variants.begin(), variants.end(),
                                    [](const json& each) { return each["quartic"].get<bool>(); });
   values["dof"] = dof;
@@ -111,10 +115,20 @@ void add_sizes(const model::Robot& robot, json& values) {
   values["most_branches"] = largest(variants, "polished_branches");
   values["no_geometry"] = robot.geometry.empty();
   json kinds = json::array();
-  for (const model::Joint& joint : robot.joints)
-    kinds.push_back({{"revolute", joint.type == model::JointType::revolute ? "true" : "false"},
-                     {"last", &joint == &robot.joints.back()}});
+  for (int i = 0; i < rows; ++i) {
+    // Of virtual joints a seed's branch has turns only.
+    const bool slides =
+        i < dof && robot.joints[static_cast<std::size_t>(i)].type != model::JointType::revolute;
+    kinds.push_back({{"revolute", slides ? "false" : "true"}, {"last", i + 1 == rows}});
+  }
   values["kinds"] = kinds;
+}
+
+/// As in C++: with all joints at zero, the turn of the tool that a direction leaves behind them.
+std::string row_arm(const Problem& problem, bool has_tool_turn) {
+  const bool turns = problem.task == Task::direction || problem.task == Task::orientation;
+  const std::string arm = turns ? "turns_of(arm_at_zero(g))" : "arm_at_zero(g)";
+  return has_tool_turn ? "with_tool_turn(" + arm + ", " + numbers_of(problem.tool_axis) + ")" : arm;
 }
 
 }  // namespace
@@ -123,6 +137,7 @@ void add_entries(const model::Robot& robot, const derive::inverse::Derivation& d
   const Problem& problem = derivation.problem;
   const Task task = problem.task;
   emit::add_entries(robot, derivation, variant);
+  variant["row_arm"] = row_arm(problem, variant["virtual_joints"]);
   json entries = json::array();
   const json& cpp = variant["entries"];
   const bool position_only = task == Task::position;

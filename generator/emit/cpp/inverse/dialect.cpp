@@ -90,9 +90,7 @@ class Cpp : public Dialect {
   std::string assign_work(const std::string& name, const std::string& from) const override {
     return name + " = " + from + ";";
   }
-  std::string new_row(int size, bool of_arm) const override {
-    return of_arm ? "JointVector<double> q;" : "qvgen::Joints<" + std::to_string(size) + "> q;";
-  }
+  std::string new_row(int size) const override { return "qvgen::Joints<" + std::to_string(size) + "> q;"; }
   std::string save_branch(const std::string& name, const std::string& work) const override {
     return "const inverse::Branch<double> " + name + " = " + work + ".branch;";
   }

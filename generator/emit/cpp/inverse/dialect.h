@@ -75,8 +75,8 @@ class Dialect {
   [[nodiscard]] virtual Lines new_work(const std::string& name, bool all_zero) const = 0;
   [[nodiscard]] virtual Lines copied_work(const std::string& name, const std::string& from) const = 0;
   [[nodiscard]] virtual std::string assign_work(const std::string& name, const std::string& from) const = 0;
-  /// A row; of a seed's branch it is one of the arm's own joints.
-  [[nodiscard]] virtual std::string new_row(int size, bool of_arm) const = 0;
+  /// A row, virtual joints included.
+  [[nodiscard]] virtual std::string new_row(int size) const = 0;
   [[nodiscard]] virtual std::string save_branch(const std::string& name, const std::string& work) const = 0;
   [[nodiscard]] virtual std::string resume_branch(const std::string& work, const std::string& name) const = 0;
   [[nodiscard]] virtual std::string doubt(const std::string& condition) const = 0;

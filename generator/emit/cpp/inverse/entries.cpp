@@ -79,6 +79,23 @@ Argument reduced_argument(const model::Robot& described, const Problem& problem)
                "Pose<double>{Eigen::Quaternion<double>::Identity(), position}", "", false});
 }
 
+/// Lines that say what is asked for: `pose`, and `preference` next to a seed.
+std::vector<std::string> task_lines(const Problem& problem, const Argument& argument, Filter filter,
+                                    bool seeded, const json& variant) {
+  const std::string& pose = seeded ? argument.seeded : argument.pose;
+  std::vector<std::string> lines;
+  if (filter != Filter::none || pose.find("arm") != std::string::npos)
+    lines.push_back("const inverse::ArmAtZero<dof> arm = detail::arm_at_zero(g);");
+  if (pose != argument.name || !argument.is_pose) lines.push_back("const Pose<double> pose = " + pose + ";");
+  const std::string row = variant["virtual_joints"].get<bool>()
+                              ? "row_preference<" + std::to_string(problem.row_size) + ", dof>"
+                              : std::string("preference<dof>");
+  if (seeded)
+    lines.push_back("const auto preference = inverse::" + row + "(" + variant["seed"].get<std::string>() +
+                    ");");
+  return lines;
+}
+
 /// Lines that solve for a pose, the rows looked at if need be.
 std::vector<std::string> body(const Problem& problem, const Argument& argument, Filter filter, bool seeded,
                               const json& variant) {
@@ -87,18 +104,8 @@ std::vector<std::string> body(const Problem& problem, const Argument& argument, 
   const std::string rows = std::to_string(problem.row_size);
   const bool virtual_joints = variant["virtual_joints"];
   const std::string form = seeded ? "inverse::Form::fastest" : "form";
-  const std::string& pose = seeded ? argument.seeded : argument.pose;
-  std::vector<std::string> lines;
-  if (filter != Filter::none || pose.find("arm") != std::string::npos)
-    lines.push_back("const inverse::ArmAtZero<dof> arm = detail::arm_at_zero(g);");
-  if (pose != argument.name || !argument.is_pose) lines.push_back("const Pose<double> pose = " + pose + ";");
-  std::string preference = "inverse::zero_preference<" + rows + ">";
-  if (seeded) {
-    lines.push_back("const auto preference = inverse::" +
-                    (virtual_joints ? "row_preference<" + rows + ", dof>" : std::string("preference<dof>")) +
-                    "(" + variant["seed"].get<std::string>() + ");");
-    preference = "preference";
-  }
+  std::vector<std::string> lines = task_lines(problem, argument, filter, seeded, variant);
+  const std::string preference = seeded ? "preference" : "inverse::zero_preference<" + rows + ">";
   const auto solved = [&](const std::string& chosen) {
     return space + "rows_of(pose, g, tolerance, " + chosen + ", " + form + given + ")";
   };
@@ -113,7 +120,25 @@ std::vector<std::string> body(const Problem& problem, const Argument& argument, 
   return lines;
 }
 
+/// Whether next to a seed the equations for less than a pose lead to what has to be looked at alone. What a
+/// direction or an orientation leaves can be at a pose or not, that an arm is level it always is.
+bool looks_at_one(const Problem& problem, Filter filter) {
+  return problem.task == Task::position_and_yaw && problem.filter == Filter::none && filter == Filter::pose;
+}
+
+/// All solutions next to a seed, as lines of `near` have them.
+std::string all_rows(Filter filter, const Argument& argument, const json& variant) {
+  const std::string given = variant["given_argument"];
+  if (filter != Filter::none)
+    return variant["function"].get<std::string>() + "(" + argument.name + ", " + given +
+           "seed, g, tolerance)";
+  const std::string rows = "rows_of(pose, g, tolerance, preference, inverse::Form::fastest" +
+                           variant["given_last_argument"].get<std::string>() + ")";
+  return variant["virtual_joints"].get<bool>() ? "inverse::own_joints<dof>(" + rows + ")" : rows;
+}
+
 json entry(const Problem& problem, const Argument& argument, Filter filter, const json& variant) {
+  const bool looks = looks_at_one(problem, filter);
   return {{"most", variant[filter == Filter::none ? "most_of_rows" : "most_of_reaching"]},
           {"parameter", argument.parameter},
           {"argument", argument.name},
@@ -121,6 +146,10 @@ json entry(const Problem& problem, const Argument& argument, Filter filter, cons
           {"is_pose", argument.is_pose},
           {"lines", lines_of(body(problem, argument, filter, false, variant))},
           {"seeded", lines_of(body(problem, argument, filter, true, variant))},
+          {"seeded_task", lines_of(task_lines(problem, argument, Filter::none, true, variant))},
+          {"follows_seed", (filter == Filter::none || looks) && variant["seed_branch"].is_object()},
+          {"looks", looks},
+          {"all_rows", all_rows(filter, argument, variant)},
           {"whole_pose", filter == Filter::pose && argument.is_pose && problem.task != Task::pose}};
 }
 
@@ -153,10 +182,39 @@ json arm_values(const model::Robot& described, const Dialect& dialect) {
           {"joints", joints}};
 }
 
+namespace {
+
+/// The arm of a row with all joints at zero: of a task that leaves the position it turns only, and a turn of
+/// the tool that a direction leaves stands behind.
+std::string row_arm(const Problem& problem, bool has_tool_turn) {
+  const bool turns = problem.task == Task::direction || problem.task == Task::orientation;
+  const std::string arm = turns ? "inverse::turns_of(arm_at_zero(g))" : "arm_at_zero(g)";
+  if (!has_tool_turn) return arm;
+  return "inverse::with_tool_turn(" + arm + ", Vector3<double>(" + numbers_of(problem.tool_axis) + "))";
+}
+
+/// What the form next to a seed needs besides.
+void add_seed_branch(const model::Robot& robot, const Problem& problem, json& variant) {
+  const bool has_virtual_joints = problem.row_size > static_cast<int>(robot.joints.size());
+  const bool takes_poses = problem.task == Task::pose || problem.task == Task::position;
+  variant["virtual_joints"] = has_virtual_joints;
+  variant["joins_seed"] = variant["seed_branch"].is_object() && takes_poses;
+  variant["row_kinds"] = has_virtual_joints ? "row_is_revolute" : "is_revolute";
+  variant["row_arm"] = row_arm(problem, has_virtual_joints);
+  variant["nearest"] = has_virtual_joints ? "nearest" : "found";
+  variant["own_found"] = has_virtual_joints ? "inverse::own_joints<dof>(found)" : "found";
+  std::string kinds;
+  for (const model::Joint& joint : robot.joints)
+    kinds += joint.type == model::JointType::revolute ? "true, " : "false, ";
+  variant["kinds_of_row"] = kinds + "true";
+}
+
+}  // namespace
+
 void add_entries(const model::Robot& robot, const derive::inverse::Derivation& derivation, json& variant) {
   const Problem& problem = derivation.problem;
   const Task task = problem.task;
-  variant["virtual_joints"] = problem.row_size > static_cast<int>(robot.joints.size());
+  add_seed_branch(robot, problem, variant);
   json entries = json::array();
   const bool position_only = task == Task::position;
   if (task != Task::pose)

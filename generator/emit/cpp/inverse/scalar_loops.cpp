@@ -19,7 +19,7 @@ class ScalarLoops {
 
   std::vector<std::string> write() {
     lines(dialect_.new_work("w", false));
-    line(dialect_.new_row(plan_.plan.row_size, false));
+    line(dialect_.new_row(plan_.plan.row_size));
     // What starts near the goal may hold the given joint next to its value.
     const std::string asked = careful_ && plan_.plan.quartic() ? "goal" : "t";
     if (plan_.plan.given >= 0)

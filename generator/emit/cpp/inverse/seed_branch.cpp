@@ -33,7 +33,7 @@ class SeedBranch {
 
   std::vector<std::string> write() {
     lines(dialect_.new_work("w", true));
-    line(dialect_.new_row(plan_.plan.row_size, true));
+    line(dialect_.new_row(plan_.plan.row_size));
     if (plan_.plan.given >= 0)
       line("q[" + std::to_string(plan_.plan.given) + "] = " + dialect_.member("t", "geometry.given_") + ";");
     const auto order = derive::inverse::order(plan_.plan, careful_);

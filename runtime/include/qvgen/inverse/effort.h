@@ -3,7 +3,8 @@
 
 namespace qvgen::inverse {
 
-/// What a pose near a singular one has cost beyond closed forms; all zero elsewhere.
+/// What a pose near a singular one has cost beyond closed forms; all zero elsewhere, but for the evaluations
+/// that polish the roots of a quartic.
 struct Effort {
   int passes = 0;        ///< passes over the branches, one by one
   int steps = 0;         ///< evaluations of the Jacobian, a Newton step each or a test
@@ -37,6 +38,11 @@ inline constexpr Budget near_effort{6, 60};
 constexpr Budget most_effort(int joints, int branches) {
   return {8, joints > 3 ? 20 + 5 * branches : 40 + 8 * branches};
 }
+
+/// The same of an arm with a quartic, whose roots carry so few digits that they are always polished, by two
+/// or three evaluations a branch, or with slides that a pose may leave free. Poses out of reach where
+/// something is free may want more, up to thirty times as much: they are told to be incomplete.
+constexpr Budget most_effort_with_quartic(int branches) { return {40, 400 + 200 * branches}; }
 
 /// So often are the rows that `reaching` looks at computed anew, where they leave a joint free.
 inline constexpr int reaching_choices = 16;

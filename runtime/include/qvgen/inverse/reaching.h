@@ -118,6 +118,16 @@ class Reaching {
   std::array<Values, static_cast<std::size_t>(capacity)> known_;
 };
 
+/// A row that solves less than is asked, if it reaches the tool's point (`points` 1) or the whole pose (3).
+template <int points, int dof>
+Solutions<dof, 1> reaching_row(const Pose<double>& pose, const ArmAtZero<dof>& arm, double tolerance,
+                               const Solutions<dof, 1>& row) {
+  if (row.status == Status::invalid) return row;
+  Reaching<points, dof, 1> kept(pose, arm, tolerance);
+  kept.take(row, false);
+  return kept.result();
+}
+
 /// The joints that reach the tool's point or the whole pose, of those that `solve(preference)` gives for
 /// less. Where these leave a joint free it is looked for all around.
 template <int points, int dof, int row, class Solve>

@@ -95,6 +95,27 @@ void follow_whole_arm(const ArmAtZero<dof>& arm, const Pose<double>& pose, const
   take_nearer(row_from_seed<points>(arm, pose, seed, tolerance, is_sure, row_apart), seed, revolute, found);
 }
 
+/// The arm with a turn of its tool about an axis of its own, a unit vector, as one more joint: what a task
+/// with a direction leaves.
+template <int dof>
+ArmAtZero<dof + 1> with_tool_turn(const ArmAtZero<dof>& arm, const Vector3<double>& tool_axis) {
+  const Vector3<double> axis = arm.tool.orientation * tool_axis;
+  const Vector3<double>& point = arm.tool.position;
+  ArmAtZero<dof + 1> result;
+  std::copy(arm.joints.begin(), arm.joints.end(), result.joints.begin());
+  result.joints.back() = {true, {axis.x(), axis.y(), axis.z()}, {point.x(), point.y(), point.z()}};
+  result.tool = arm.tool;
+  return result;
+}
+
+/// The arm with all axes and its tool in the origin, for tasks that leave the position. Of revolute joints.
+template <int dof>
+ArmAtZero<dof> turns_of(ArmAtZero<dof> arm) {
+  for (Screw<double>& joint : arm.joints) joint.point = {0, 0, 0};
+  arm.tool.position.setZero();
+  return arm;
+}
+
 /// An arm one of whose joints stands still: the others of it.
 template <int dof>
 ArmAtZero<dof - 1> without_joint(const ArmAtZero<dof>& arm, int still, double value) {

@@ -81,6 +81,7 @@ LimitedSolutions<dof, 8, 1> inverse_kinematics_given_theta3(const Pose<double>& 
 /// steps from the seed have found the branch is not known: -1. At most 120 evaluations of the Jacobian,
 /// and those near singular poses only; where they lead to nothing, all solutions are looked for as above, and the
 /// nearest is taken.
+
 NearSolution inverse_kinematics_near_given_theta3(const Pose<double>& pose, double given_theta3,
     const JointVector<double>& seed, const Geometry& g = {},
     double tolerance = inverse::default_tolerance);

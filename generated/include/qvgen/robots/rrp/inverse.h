@@ -66,6 +66,19 @@ LimitedSolutions<dof, 4, 1> inverse_kinematics(const Vector3<double>& position, 
     const JointLimits<dof>& limits,
     const Geometry& g = {}, double tolerance = inverse::default_tolerance);
 
+/// For control loops: the solution on the branch of the seed, the joints that went before; of every equation above
+/// the value that is nearer to the seed's. Near singular poses Newton steps of all joints lead from the seed to the
+/// pose. If the branch does not come to it others are followed: whoever must not jump looks how far the row is.
+/// Angles are within half a turn of the seed's, not confined to (-pi, pi]. A joint that a singular pose leaves free
+/// stays where the seed has it, as far as the other joints can follow, and Status::singular says so. Of a row that
+/// steps from the seed have found the branch is not known: -1. At most 120 evaluations of the Jacobian,
+/// and those near singular poses only; where they lead to nothing, all solutions are looked for as above, and the
+/// nearest is taken.
+
+NearSolution inverse_kinematics_near(const Vector3<double>& position, const JointVector<double>& seed,
+    const Geometry& g = {},
+    double tolerance = inverse::default_tolerance);
+
 /// All joint values that bring the tool to a pose (its position; the orientation is not used), angles in (-pi, pi],
 /// each once.
 ///
@@ -116,6 +129,7 @@ LimitedSolutions<dof, 4, 1> inverse_kinematics(const Pose<double>& pose, const J
 /// steps from the seed have found the branch is not known: -1. At most 120 evaluations of the Jacobian,
 /// and those near singular poses only; where they lead to nothing, all solutions are looked for as above, and the
 /// nearest is taken.
+
 NearSolution inverse_kinematics_near(const Pose<double>& pose, const JointVector<double>& seed, const Geometry& g = {},
     double tolerance = inverse::default_tolerance);
 

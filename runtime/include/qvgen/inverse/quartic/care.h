@@ -53,13 +53,15 @@ inline Place displaced(const Pose<double>& pose, double size, int k) {
 /// nothing at all, with other choices. `aimed(place)` is the target of a pose. Whatever is chosen on the way,
 /// the goal's preference stays the caller's: a continuum is to be left next to the seed. `held`: an arm with
 /// a given joint has another structure at some of its values (axes that are parallel at zero), where the
-/// elimination divides by zero; it does not at values nearby.
+/// elimination divides by zero; it does not at values nearby. `always`: an arm whose poses all come here, a
+/// quartic's, of which the roots have to be polished.
 template <int dof, class Aim, class Visited, int capacity, class Follow>
 void solve_carefully(const Pose<double>& pose, const Aim& aimed, Visited visited, const Follow& follow,
-                     Solutions<dof, capacity>& found, bool held) {
+                     Solutions<dof, capacity>& found, bool held, bool always) {
   auto goal = aimed(Place{pose});
   Preference<dof> preference = *goal.preference;
   const auto pass_from = [&](auto start, const Boundary& boundary, const Boundary& at_goal) {
+    if (!visited.budget().pass()) return false;
     start.boundary = boundary;
     start.preference = &preference;
     goal.boundary = at_goal;
@@ -68,6 +70,9 @@ void solve_carefully(const Pose<double>& pose, const Aim& aimed, Visited visited
   const auto pass = [&](const Boundary& boundary) { return pass_from(goal, boundary, boundary); };
   const Boundary careful = Boundary::careful(goal.tolerance);
   const Boundary choosing = Boundary::choosing(goal.tolerance);
+  // Where every pose comes here the first pass is no sign of anything singular.
+  const int regular = always ? 1 : 0;
+  visited.budget().passes += regular;
   bool met_free = pass(careful);
   met_free = met_free || visited.left_any();
   if (met_free) pass(choosing);
@@ -87,6 +92,8 @@ void solve_carefully(const Pose<double>& pose, const Aim& aimed, Visited visited
     from_nearby(k);
     pass(found.empty() && k < choices / 2 ? Boundary::reaching(goal.tolerance) : choosing);
   }
+  found.effort = visited.budget().spent;
+  found.effort.passes -= regular;
   sort_by_branch(found);
 }
 

@@ -12,7 +12,8 @@ class Idling {
  public:
   using Values = JointValues<Scalar, joints>;
 
-  explicit Idling(const PointMatching<Scalar, joints, points>& task) : task_(task), newton_(task) {}
+  Idling(const PointMatching<Scalar, joints, points>& task, Budget& budget)
+      : task_(task), newton_(task), budget_(budget) {}
 
   /// Whether values that reach the goals can be moved on a little and still reach them, to some more
   /// rounding: the pose itself may be off the continuum by as much as these values are allowed to miss. Where
@@ -43,6 +44,7 @@ class Idling {
 
   /// Whether between two values that reach the goals, near each other, there are such values too.
   [[nodiscard]] bool are_joined(const Values& a, const Values& b) const {
+    if (!budget_.step()) return false;
     const auto idle = newton_.idle(a);
     if (idle.least == joints) return false;
     Values middle = a;
@@ -50,7 +52,7 @@ class Idling {
       middle[i].cosine = (a[i].cosine + b[i].cosine) / Scalar(2);
       middle[i].sine = (a[i].sine + b[i].sine) / Scalar(2);
     }
-    if (!quartic::polish(task_, Scalar(0), middle, idle.is)) return false;
+    if (!quartic::polish(task_, Scalar(0), middle, budget_, idle.is)) return false;
     const Scalar most = Scalar(0.6) * distance_square(a, b);
     return distance_square(a, middle) < most && distance_square(b, middle) < most;
   }
@@ -62,13 +64,14 @@ class Idling {
   }
 
   [[nodiscard]] bool goes_on(const Values& values, const Scalar& allowed) const {
+    if (!budget_.step()) return false;
     const auto idle = newton_.idle(values);
     if (idle.least == joints) return false;
     const Scalar little = length(idle.least, Scalar(1e-2));
     for (const Scalar& by : {little, Scalar(-little)}) {
       Values moved_on = values;
       newton_.advance(idle.least, by, moved_on);
-      if (quartic::polish(task_, allowed, moved_on, idle.is)) return true;
+      if (quartic::polish(task_, allowed, moved_on, budget_, idle.is)) return true;
     }
     return false;
   }
@@ -76,8 +79,9 @@ class Idling {
   /// One step of `move_on`, shorter if it does not get nearer; false if none does.
   bool improve(Values& values) const {
     using std::sqrt;
+    if (!budget_.step()) return false;
     const auto idle = newton_.idle(values);
-    if (idle.least == joints) return quartic::polish(task_, Scalar(0), values);
+    if (idle.least == joints) return quartic::polish(task_, Scalar(0), values, budget_);
     const Scalar least = newton_.miss(values);
     auto by = newton_.step(values, Scalar(Scalar(1e-2) * sqrt(least)), Scalar(Scalar(2) * epsilon<Scalar>()));
     for (int attempt = 0; attempt < 4; ++attempt) {
@@ -89,7 +93,7 @@ class Idling {
         newton_.advance(i, by[i], moved_on);
         by[i] = by[i] / Scalar(4);
       }
-      quartic::polish(task_, Scalar(0), moved_on, idle.is);
+      quartic::polish(task_, Scalar(0), moved_on, budget_, idle.is);
       if (newton_.miss(moved_on) < least) {
         values = moved_on;
         return true;
@@ -100,6 +104,7 @@ class Idling {
 
   const PointMatching<Scalar, joints, points>& task_;
   polishing::Newton<Scalar, joints, points> newton_;
+  Budget& budget_;
 };
 
 }  // namespace qvgen::inverse::quartic

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <qvgen/inverse/effort.h>
 #include <qvgen/inverse/polish.h>
 
 /// Newton steps for arms with a quartic, whose roots carry so few digits that much has to be tried: see
@@ -93,11 +94,11 @@ class Newton {
 ///
 /// A quartic's roots carry nine to eleven digits, and a closed form that divides by a length of 1e-5 as many:
 /// this gives back the rest. At a double root each step halves what is left, so that there may be many; and
-/// it may have to step aside first, which the next steps make good: hence the patience. Held joints keep
-/// their values.
+/// it may have to step aside first, which the next steps make good: hence the patience, as long as the budget
+/// lasts. Held joints keep their values.
 template <typename Scalar, std::size_t joints, std::size_t points>
 bool polish(const PointMatching<Scalar, joints, points>& task, const Scalar& allowed,
-            JointValues<Scalar, joints>& values, const Held<joints>& held = {}) {
+            JointValues<Scalar, joints>& values, Budget& budget, const Held<joints>& held = {}) {
   using std::sqrt;
   constexpr int most_steps = 60;
   constexpr int patience = 6;
@@ -113,7 +114,7 @@ bool polish(const PointMatching<Scalar, joints, points>& task, const Scalar& all
   const Scalar enough = epsilon<Scalar>() * epsilon<Scalar>() * task.size_square;
   const Scalar half_the_digits = sqrt(epsilon<Scalar>());
   int waited = 0;
-  for (int step = 0; step < most_steps && waited < patience && least > enough; ++step) {
+  for (int step = 0; step < most_steps && waited < patience && least > enough && budget.step(); ++step) {
     // Directions that hardly move the points are left alone, unless it does not go on without them.
     const bool stuck = waited >= patience / 2 && least > Scalar(256) * enough;
     const Scalar nothing = stuck ? Scalar(Scalar(64) * epsilon<Scalar>()) : half_the_digits;

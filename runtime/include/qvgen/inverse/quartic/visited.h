@@ -12,6 +12,9 @@ class Visited {
  public:
   using Values = JointValues<Scalar, joints>;
 
+  explicit Visited(const Budget& budget) : budget_(budget) {}
+
+  [[nodiscard]] Budget& budget() { return budget_; }
   [[nodiscard]] bool settled(int label) const { return settled_[static_cast<std::size_t>(label)]; }
   /// Whether some branch came near a solution and has none.
   [[nodiscard]] bool misses_any() const { return is_open(missed_); }
@@ -38,8 +41,8 @@ class Visited {
   bool settle(int label, const PointMatching<Scalar, joints, points>& task, const Boundary& boundary,
               const Values* seed, Values& values, Branch<Scalar>& branch) {
     const auto at = static_cast<std::size_t>(label);
-    const Idling<Scalar, joints, points> idling(task);
-    bool reached = branch.exists && quartic::polish(task, Scalar(boundary.miss), values);
+    const Idling<Scalar, joints, points> idling(task, budget_);
+    bool reached = branch.exists && quartic::polish(task, Scalar(boundary.miss), values, budget_);
     const bool strays = branch.exists && !reached && idling.is_nearly_continuum(values);
     if (strays) reached = idling.move_on(values);
     strayed_[at] = strayed_[at] || strays;
@@ -63,11 +66,11 @@ class Visited {
  private:
   /// The place on the continuum to which Newton steps from the seed lead, if no branch has come there yet.
   template <std::size_t points>
-  void near_seed(const PointMatching<Scalar, joints, points>& task, const Values& seed,
-                 Values& values) const {
-    const Idling<Scalar, joints, points> idling(task);
+  void near_seed(const PointMatching<Scalar, joints, points>& task, const Values& seed, Values& values) {
+    const Idling<Scalar, joints, points> idling(task, budget_);
     Values near = seed;
-    if (!quartic::polish(task, Scalar(0), near) || is_known(idling, near) || !idling.is_continuum(near))
+    if (!quartic::polish(task, Scalar(0), near, budget_) || is_known(idling, near) ||
+        !idling.is_continuum(near))
       return;
     values = near;
   }
@@ -93,6 +96,7 @@ class Visited {
   Labels settled_{}, missed_{}, left_{}, strayed_{}, turned_back_{};
   std::array<Values, capacity> rows_;
   std::size_t count_ = 0;
+  Budget budget_;
 };
 
 }  // namespace qvgen::inverse::quartic
