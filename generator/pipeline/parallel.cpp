@@ -31,6 +31,14 @@ void write_all(int file, const char* data, std::size_t size) {
   }
 }
 
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool has_address_sanitizer = true;
+#elif defined(__has_feature)
+constexpr bool has_address_sanitizer = __has_feature(address_sanitizer);
+#else
+constexpr bool has_address_sanitizer = false;
+#endif
+
 void limit(decltype(RLIMIT_CPU) what, std::uint64_t value) {
   rlimit bounds{};
   if (::getrlimit(what, &bounds) != 0) return;
@@ -41,9 +49,8 @@ void limit(decltype(RLIMIT_CPU) what, std::uint64_t value) {
 void apply(const Budget& budget) {
   limit(RLIMIT_CPU, budget.seconds);
   limit(RLIMIT_CORE, 0);
-#if !defined(__SANITIZE_ADDRESS__)  // its shadow takes more address space than any machine has memory
-  limit(RLIMIT_AS, budget.megabytes << 20U);
-#endif
+  // The address sanitizer's shadow takes more address space than any machine has memory.
+  if (!has_address_sanitizer) limit(RLIMIT_AS, budget.megabytes << 20U);
 }
 
 /// Of a limit that is set, else of the default.

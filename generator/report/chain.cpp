@@ -37,9 +37,10 @@ class Reader {
     Way result;
     for (const model::Turn& each : displacement.turns)
       result.motion = result.motion * turn(vector(each.axis), number(each.angle));
-    result.motion.translation = vector(displacement.translation);
+    result.motion.translation() = vector(displacement.translation);
     for (std::size_t i = 0; i < 3; ++i)
-      result.names.at(i) = name(displacement.translation.at(i), result.motion.translation.at(i));
+      result.names.at(i) =
+          name(displacement.translation.at(i), result.motion.translation()[static_cast<Eigen::Index>(i)]);
     return result;
   }
 
@@ -60,12 +61,12 @@ class Reader {
 
 /// Walks along a way, leg by leg, and adds those that lead somewhere.
 void append_legs(const Motion& start, const Way& way, std::vector<Posture::Leg>& legs) {
-  Vector at = start.translation;
-  for (const std::size_t axis : {2U, 0U, 1U}) {  // along z first, as tables of Denavit and Hartenberg do
-    const double part = way.motion.translation.at(axis);
+  Vector at = start.translation();
+  for (const int axis : {2, 0, 1}) {  // along z first, as tables of Denavit and Hartenberg do
+    const double part = way.motion.translation()[axis];
     if (std::abs(part) < nothing) continue;
-    const Vector next = at + part * column(start, axis);
-    legs.push_back({at, next, way.names.at(axis)});
+    const Vector next = at + part * start.linear().col(axis);
+    legs.push_back({at, next, way.names.at(static_cast<std::size_t>(axis))});
     at = next;
   }
 }
@@ -90,7 +91,7 @@ Chain chain_of(const model::Robot& robot) {
 
 Posture posture_of(const Chain& chain, const std::vector<double>& q) {
   Posture posture;
-  Motion at;
+  Motion at = Motion::Identity();
   const auto go = [&](const Way& way) {
     append_legs(at, way, posture.legs);
     at = at * way.motion;
@@ -99,10 +100,10 @@ Posture posture_of(const Chain& chain, const std::vector<double>& q) {
   for (std::size_t i = 0; i < chain.joints.size(); ++i) {
     const ChainJoint& joint = chain.joints[i];
     go(joint.before);
-    const Vector point = at.translation;
-    const Vector axis = at.rotation * joint.axis;
-    at = at * (joint.revolute ? turn(joint.axis, q[i]) : shift(q[i] * joint.axis));
-    posture.joints.push_back({point, axis, at.translation});
+    const Vector point = at.translation();
+    const Vector axis = at.linear() * joint.axis;
+    at = at * (joint.revolute ? turn(joint.axis, q[i]) : Motion(Eigen::Translation3d(q[i] * joint.axis)));
+    posture.joints.push_back({point, axis, at.translation()});
     go(joint.after);
   }
   go(chain.tool);
@@ -113,7 +114,7 @@ Posture posture_of(const Chain& chain, const std::vector<double>& q) {
 double size_of(const Chain& chain) {
   double size = 0;
   for (const auto& leg : posture_of(chain, std::vector<double>(chain.joints.size())).legs)
-    size += length(leg.to - leg.from);
+    size += (leg.to - leg.from).norm();
   for (const ChainJoint& joint : chain.joints)
     if (!joint.revolute && joint.limits) size += joint.limits->second - joint.limits->first;
   return size > nothing ? size : 1;

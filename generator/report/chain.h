@@ -13,7 +13,7 @@ namespace qvgen::report {
 
 /// A constant displacement in numbers, and what the description calls the parts of its translation.
 struct Way {
-  Motion motion;
+  Motion motion = Motion::Identity();
   std::array<std::string, 3> names;  ///< "d2 = 0.2", "0.4318"; empty where there is none
 };
 
@@ -21,7 +21,7 @@ struct ChainJoint {
   std::string variable;
   bool revolute = true;
   Way before;
-  Vector axis{};
+  Vector axis = Vector::Zero();
   Way after;
   std::optional<std::pair<double, double>> limits;
 };

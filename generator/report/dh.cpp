@@ -15,20 +15,20 @@ struct Line {
 /// The feet of the common normal of two lines: on the first and on the second. Of parallel ones the normal
 /// through `origin`, a point of the first.
 std::pair<Vector, Vector> feet(const Line& first, const Line& second, const Vector& origin) {
-  const Vector normal = cross(first.axis, second.axis);
-  const double square = dot(normal, normal);
+  const Vector normal = first.axis.cross(second.axis);
+  const double square = normal.squaredNorm();
   if (square < parallel * parallel) {
     const Vector between = second.point - origin;
-    return {origin, second.point - dot(between, first.axis) * first.axis};
+    return {origin, second.point - between.dot(first.axis) * first.axis};
   }
   const Vector between = second.point - first.point;
-  const double s = dot(cross(between, second.axis), normal) / square;
-  const double t = dot(cross(between, first.axis), normal) / square;
+  const double s = between.cross(second.axis).dot(normal) / square;
+  const double t = between.cross(first.axis).dot(normal) / square;
   return {first.point + s * first.axis, second.point + t * second.axis};
 }
 
 double angle_about(const Vector& axis, const Vector& from, const Vector& to) {
-  const double angle = std::atan2(dot(axis, cross(from, to)), dot(from, to));
+  const double angle = std::atan2(axis.dot(from.cross(to)), from.dot(to));
   return std::abs(angle) < 1e-12 ? 0 : angle;
 }
 
@@ -37,12 +37,12 @@ double rounded(double value) { return std::abs(value) < 1e-12 ? 0 : value; }
 /// The direction of the x axis behind a joint.
 Vector direction(const Line& first, const Line& second, const Vector& from, const Vector& to,
                  const Vector& x) {
-  if (length(to - from) > 1e-9) return unit(to - from);
-  const Vector normal = cross(first.axis, second.axis);
-  if (length(normal) < parallel) return x;
+  if ((to - from).norm() > 1e-9) return (to - from).normalized();
+  const Vector normal = first.axis.cross(second.axis);
+  if (normal.norm() < parallel) return x;
   // Of two ways the one that leaves the joint's zero where it is, as far as it can.
-  const Vector candidate = unit(normal);
-  return dot(candidate, x) < -1e-9 ? -1.0 * candidate : candidate;
+  const Vector candidate = normal.normalized();
+  return candidate.dot(x) < -1e-9 ? Vector(-candidate) : candidate;
 }
 
 }  // namespace
@@ -63,13 +63,13 @@ DhTable dh_table(const Chain& chain) {
     const Line& next = is_last ? line : lines[i + 1];
     const auto [from, to] = is_last ? std::pair(line.point, line.point) : feet(line, next, origin);
     const Vector next_x = direction(line, next, from, to, x);
-    table.rows.push_back({angle_about(line.axis, x, next_x), rounded(dot(from - origin, line.axis)),
-                          rounded(dot(to - from, next_x)), angle_about(next_x, line.axis, next.axis)});
+    table.rows.push_back({angle_about(line.axis, x, next_x), rounded((from - origin).dot(line.axis)),
+                          rounded((to - from).dot(next_x)), angle_about(next_x, line.axis, next.axis)});
     x = next_x;
     origin = to;
     last = frame(x, next.axis, origin);
   }
-  table.tool = inverse(last) * posture.tool;
+  table.tool = last.inverse() * posture.tool;
   return table;
 }
 

@@ -45,13 +45,12 @@ class Picture {
   /// A prism with its near end drawn over it.
   void solid(const std::string& style, const std::vector<Vector>& corners, const Vector& axis) {
     const std::size_t half = corners.size() / 2;
-    const bool second_is_near = dot(axis, view_.toward()) > 0;
+    const bool second_is_near = axis.dot(view_.toward()) > 0;
     const auto middle = corners.begin() + static_cast<std::ptrdiff_t>(half);
     std::vector<Vector> end = second_is_near ? std::vector<Vector>(middle, corners.end())
                                              : std::vector<Vector>(corners.begin(), middle);
-    Vector centre{};
-    for (const Vector& corner : corners)
-      centre = centre + (1.0 / static_cast<double>(corners.size())) * corner;
+    Vector centre = Vector::Zero();
+    for (const Vector& corner : corners) centre += corner / static_cast<double>(corners.size());
     shapes_.push_back({style, {corners, end}, true, view_.depth(centre)});
   }
   void label(const Vector& at, const std::string& text, const std::string& style) {
@@ -176,15 +175,15 @@ std::vector<Vector> symbol_places(const Posture& posture, double radius) {
   for (const auto& joint : posture.joints) places.push_back(joint.point);
   for (std::size_t begin = 0, end = 0; begin < count; begin = end) {
     end = begin + 1;
-    while (end < count && length(places[end] - places[begin]) < radius) ++end;
+    while (end < count && (places[end] - places[begin]).norm() < radius) ++end;
     const Vector point = places[begin];
-    const Vector before = begin == 0 ? Vector{} : places[begin - 1];
-    const Vector behind = end < count ? posture.joints[end].point : posture.tool.translation;
+    const Vector before = begin == 0 ? Vector(Vector::Zero()) : places[begin - 1];
+    const Vector behind = end < count ? posture.joints[end].point : Vector(posture.tool.translation());
     const double middle = (static_cast<double>(end - begin) - 1) / 2;
     for (std::size_t i = begin; i < end; ++i) {
       const Vector& axis = posture.joints[i].axis;
       const double way = static_cast<double>(i - begin) - middle;
-      const double sense = dot(axis, behind - before) < -1e-9 ? -1 : 1;
+      const double sense = axis.dot(behind - before) < -1e-9 ? -1 : 1;
       places[i] = point + (3.2 * radius * way * sense) * axis;
     }
   }
@@ -194,19 +193,19 @@ std::vector<Vector> symbol_places(const Posture& posture, double radius) {
 void draw_joint(Picture& picture, const ChainJoint& joint, const Posture::Joint& placed, const Vector& at,
                 double radius) {
   picture.line("axis", at - (2.6 * radius) * placed.axis, at + (2.6 * radius) * placed.axis);
-  if (length(at - placed.point) > 1e-9) picture.line("link", placed.point, at);
+  if ((at - placed.point).norm() > 1e-9) picture.line("link", placed.point, at);
   if (joint.revolute) {
     picture.solid("turn", prism(at, placed.axis, radius, 1.1 * radius, 28), placed.axis);
     return;
   }
-  if (length(placed.moved - placed.point) > 1e-9) picture.line("slide-way", placed.point, placed.moved);
+  if ((placed.moved - placed.point).norm() > 1e-9) picture.line("slide-way", placed.point, placed.moved);
   picture.solid("slide", prism(at, placed.axis, 1.05 * radius, 1.3 * radius, 4), placed.axis);
 }
 
 void draw_tool(Picture& picture, const Motion& tool, double size) {
   const char* names[] = {"tool-x", "tool-y", "tool-z"};
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    picture.line(names[axis], tool.translation, tool.translation + size * column(tool, axis), 2);
+  for (int axis = 0; axis < 3; ++axis)
+    picture.line(names[axis], tool.translation(), tool.translation() + size * tool.linear().col(axis), 2);
 }
 
 void draw_ground(Picture& picture, double radius) {

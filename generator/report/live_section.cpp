@@ -2,7 +2,6 @@
 #include "report/live_section.h"
 
 #include <algorithm>
-#include <regex>
 
 #include "emit/math/singularities.h"
 #include "emit/render.h"
@@ -16,50 +15,35 @@ namespace {
 using nlohmann::json;
 
 /// The robot's C files by name, without their folder.
-std::map<std::string, std::string> c_files(const model::Robot& robot) {
+std::map<std::string, std::string> files_of(const pipeline::RobotOutput& output) {
   std::map<std::string, std::string> files;
-  const auto outputs = pipeline::generate({robot}, {"kinematics", "jacobian", "inverse"},
-                                          pipeline::own_budget(), {}, pipeline::Language::c);
-  for (const pipeline::OutputFile& file : outputs.front().files)
+  for (const pipeline::OutputFile& file : output.files)
     files[file.path.substr(file.path.rfind('/') + 1)] = file.content;
   return files;
 }
 
-/// The inverse kinematics that takes a whole pose, and what it is called with.
+/// The inverse kinematics of poses, and the joint whose value it is given; empty where there is none.
 struct InverseCall {
   std::string function;
-  std::string arguments;
-  std::string given;  ///< the joint whose value the caller gives; empty if none
+  std::string given;
 };
 
-/// As its header declares it: orientation and position, or the position alone.
-InverseCall inverse_call(const std::string& robot, const std::string& header) {
-  static const std::regex declaration("int (\\w+)\\(([^;]*)\\);");
-  InverseCall best;
-  for (std::sregex_iterator it(header.begin(), header.end(), declaration), end; it != end; ++it) {
-    const std::string name = (*it)[1].str().substr(robot.size() + 1);
-    const std::string parameters = (*it)[2];
-    const bool has_pose = parameters.find("orientation[4]") != std::string::npos;
-    const bool has_position = parameters.find("position[3]") != std::string::npos;
-    const bool special = name.find("_within_limits") != std::string::npos ||
-                         name.find("_near") != std::string::npos ||
-                         parameters.find("double yaw") != std::string::npos || !has_position;
-    if (special || (!best.function.empty() && !has_pose)) continue;
-    best = {name, has_pose ? "arguments, arguments + 4" : "arguments + 4", ""};
-    std::smatch given;
-    if (std::regex_search(parameters, given, std::regex("double given_(\\w+)"))) {
-      best.given = given[1];
-      best.arguments += ", given";
-    }
-    if (has_pose) return best;
+InverseCall inverse_call(const pipeline::RobotOutput& output) {
+  const std::string near = "inverse_kinematics_near";
+  const auto targets = output.counts.value("targets", nlohmann::ordered_json::object());
+  for (const auto& [function, tasks] : targets.items()) {
+    if (function.rfind(near, 0) == 0) continue;
+    const std::string before = "_given_";
+    const std::size_t given = function.find(before);
+    return {function, given == std::string::npos ? "" : function.substr(given + before.size())};
   }
-  return best;
+  return {};
 }
 
 json numbers(const Vector& v) { return {v[0], v[1], v[2]}; }
 json to_json(const Motion& m) {
-  return {{"r", {numbers(m.rotation[0]), numbers(m.rotation[1]), numbers(m.rotation[2])}},
-          {"p", numbers(m.translation)}};
+  return {{"r", {numbers(m.linear().row(0)), numbers(m.linear().row(1)), numbers(m.linear().row(2))}},
+          {"p", numbers(m.translation())}};
 }
 
 json chain_json(const Chain& chain) {
@@ -98,23 +82,28 @@ Section without(const std::string& reason) {
 
 Section live_section(const model::Robot& robot) {
   if (const std::string missing = missing_compiler(); !missing.empty()) return without(missing);
-  std::map<std::string, std::string> files = c_files(robot);
-  const auto& header = files["qvgen_" + robot.name + ".h"];
-  if (header.find(robot.name + "_jacobian(") == std::string::npos)
-    return without("the robot has no C functions");
-  const InverseCall inverse = inverse_call(robot.name, files["qvgen_" + robot.name + "_inverse.h"]);
-  const bool has_measures = header.find(robot.name + "_singularity_measures(") != std::string::npos;
+  const pipeline::RobotOutput output = pipeline::generate({robot}, {"kinematics", "jacobian", "inverse"},
+                                                          pipeline::own_budget(), {}, pipeline::Language::c)
+                                           .front();
+  std::map<std::string, std::string> files = files_of(output);
+  const std::string& header = files["qvgen_" + robot.name + ".h"];
+  const auto declares = [&](const char* function) {
+    return header.find(robot.name + "_" + function + "(") != std::string::npos;
+  };
+  if (!declares("jacobian")) return without("the robot has no C functions");
+  const bool has_inverse = files.count("qvgen_" + robot.name + "_inverse.h") > 0;
+  const InverseCall inverse = has_inverse ? inverse_call(output) : InverseCall{};
+  const bool has_measures = declares("singularity_measures");
   files["calls.c"] = emit::render("report/live_calls.c", {{"name", robot.name},
                                                           {"has_inverse", !inverse.function.empty()},
                                                           {"function", inverse.function},
-                                                          {"call", inverse.arguments},
+                                                          {"given", !inverse.given.empty()},
                                                           {"has_measures", has_measures},
                                                           {"geometry_size", robot.geometry.size() + 1}});
   const Compiled compiled = to_webassembly(files);
   if (!compiled.done) return without(compiled.reason);
   json data = chain_json(chain_of(robot));
   data["inverse"] = !inverse.function.empty();
-  data["wholePose"] = inverse.arguments.find("arguments, ") == 0;
   data["measures"] = has_measures ? json(measure_names(robot)) : json::array();
   data["given"] = -1;
   for (std::size_t i = 0; i < robot.joints.size(); ++i)

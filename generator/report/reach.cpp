@@ -30,14 +30,15 @@ class EvenPoints {
 };
 
 Vector tool_point(const Chain& chain, const std::vector<double>& q) {
-  Vector point = chain.tool.motion.translation;
+  Vector point = chain.tool.motion.translation();
   for (std::size_t i = chain.joints.size(); i-- > 0;) {
     const ChainJoint& joint = chain.joints[i];
-    point = joint.after.motion.rotation * point + joint.after.motion.translation;
-    point = joint.revolute ? turn(joint.axis, q[i]).rotation * point : point + q[i] * joint.axis;
-    point = joint.before.motion.rotation * point + joint.before.motion.translation;
+    point = joint.after.motion * point;
+    point =
+        joint.revolute ? Vector(turn(joint.axis, q[i]).linear() * point) : Vector(point + q[i] * joint.axis);
+    point = joint.before.motion * point;
   }
-  return chain.base.motion.rotation * point + chain.base.motion.translation;
+  return chain.base.motion * point;
 }
 
 /// A round number of metres, about a fifth of the picture.
@@ -68,11 +69,11 @@ Reach reach_of(const Chain& chain) {
       q[k] = lower + even.at(i, k) * (upper - lower);
     }
     const Vector from = tool_point(chain, q) - origin;
-    const double height = dot(from, axis);
-    const double radius = length(from - height * axis);
+    const double height = from.dot(axis);
+    const double radius = (from - height * axis).norm();
     reach.points.push_back({radius, height});
-    reach.farthest = std::max(reach.farthest, length(from));
-    reach.nearest = std::min(reach.nearest, length(from));
+    reach.farthest = std::max(reach.farthest, from.norm());
+    reach.nearest = std::min(reach.nearest, from.norm());
     reach.widest = std::max(reach.widest, radius);
     reach.lowest = std::min(reach.lowest, height);
     reach.highest = std::max(reach.highest, height);

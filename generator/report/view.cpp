@@ -13,7 +13,7 @@ View::View() {
   right_ = {-std::sin(azimuth), std::cos(azimuth), 0};
   toward_ = {std::cos(azimuth) * std::cos(elevation), std::sin(azimuth) * std::cos(elevation),
              std::sin(elevation)};
-  up_ = cross(toward_, right_);
+  up_ = toward_.cross(right_);
 }
 
 std::vector<Point> hull(std::vector<Point> points) {
@@ -38,7 +38,7 @@ std::vector<Point> hull(std::vector<Point> points) {
 std::vector<Vector> prism(const Vector& centre, const Vector& axis, double radius, double half_height,
                           int corners) {
   const Vector x = normal_to(axis);
-  const Vector y = cross(axis, x);
+  const Vector y = axis.cross(x);
   std::vector<Vector> points;
   for (const double side : {-1.0, 1.0})
     for (int i = 0; i < corners; ++i) {

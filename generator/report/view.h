@@ -14,9 +14,9 @@ using Point = std::array<double, 2>;
 class View {
  public:
   View();
-  [[nodiscard]] Point project(const Vector& v) const { return {dot(right_, v), -dot(up_, v)}; }
+  [[nodiscard]] Point project(const Vector& v) const { return {right_.dot(v), -up_.dot(v)}; }
   /// How near to the camera.
-  [[nodiscard]] double depth(const Vector& v) const { return dot(toward_, v); }
+  [[nodiscard]] double depth(const Vector& v) const { return toward_.dot(v); }
   [[nodiscard]] const Vector& toward() const { return toward_; }
 
  private:

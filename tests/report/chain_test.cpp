@@ -29,17 +29,13 @@ Motion by_dh(const Chain& chain, const DhTable& table, const std::vector<double>
   for (std::size_t i = 0; i < q.size(); ++i) {
     const DhRow& row = table.rows[i];
     const bool revolute = chain.joints[i].revolute;
-    at = at * turn({0, 0, 1}, row.theta + (revolute ? q[i] : 0)) *
-         shift({row.a, 0, row.d + (revolute ? 0 : q[i])}) * turn({1, 0, 0}, row.alpha);
+    at = at * turn(Vector::UnitZ(), row.theta + (revolute ? q[i] : 0)) *
+         Eigen::Translation3d(row.a, 0, row.d + (revolute ? 0 : q[i])) * turn(Vector::UnitX(), row.alpha);
   }
   return at * table.tool;
 }
 
-double difference(const Motion& a, const Motion& b) {
-  double most = length(a.translation - b.translation);
-  for (std::size_t i = 0; i < 3; ++i) most = std::max(most, length(a.rotation.at(i) - b.rotation.at(i)));
-  return most;
-}
+double difference(const Motion& a, const Motion& b) { return (a.matrix() - b.matrix()).norm(); }
 
 TEST(Dh, GivesThePoseOfEveryKnownRobot) {
   std::mt19937 random(7);

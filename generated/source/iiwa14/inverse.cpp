@@ -336,6 +336,34 @@ void follow_whole_arm(const Pose<double>& pose, const inverse::Preference<7>& se
       found);
 }
 
+/// On the seed's branch, if it comes to the pose.
+NearRow follow_to(const Pose<double>& pose, const inverse::Preference<7>& preference, const Geometry& g,
+    double tolerance, double given_theta3) {
+  NearRow found;
+
+  Target t = given(g, tolerance, preference, given_theta3);
+  if (!is_open(pose, t, found)) return found;
+  const bool is_sure = solve_near_seed(t, found);
+
+  if (!inverse::is_next_to(found, preference, is_revolute.data()))
+    follow_whole_arm(pose, preference, g, tolerance, given_theta3, is_sure, found);
+  if (!is_sure && !inverse::is_next_to(found, preference, is_revolute.data()))
+    polish_next_to_seed(t, preference, found);
+  found.conclude();
+  return found;
+}
+
+/// The same, or else the nearest of all solutions, or why there is none.
+NearSolution nearest_to(const Pose<double>& pose, const JointVector<double>& seed,
+    const inverse::Preference<7>& preference, const Geometry& g, double tolerance, double given_theta3) {
+  NearSolution nearest = follow_to(pose, preference, g, tolerance, given_theta3);
+  if (!nearest.empty() || nearest.status == Status::invalid) return nearest;
+  auto all = rows_of(pose, g, tolerance, preference, inverse::Form::fastest, given_theta3);
+  sort_by_distance(all, seed, is_revolute);
+  inverse::take_nearest(all, nearest);
+  return nearest;
+}
+
 }  // namespace
 }  // namespace detail::given_theta3
 
@@ -387,33 +415,17 @@ LimitedSolutions<dof, 8, 1> inverse_kinematics_given_theta3(const Pose<double>& 
 
 NearSolution inverse_kinematics_near_given_theta3(const Pose<double>& pose, double given_theta3,
     const JointVector<double>& seed, const Geometry& g, double tolerance) {
-  using namespace detail::given_theta3;
-  NearRow found;
   if (!seed.allFinite()) {
-    found.status = Status::invalid;
-    return found;
+    NearSolution none;
+    none.status = Status::invalid;
+    return none;
   }
   const auto preference = inverse::preference<dof>(inverse::with_value(seed, 2, given_theta3));
+  NearSolution nearest = detail::given_theta3::nearest_to(pose, seed, preference, g, tolerance, given_theta3);
 
-  Target t = given(g, tolerance, preference, given_theta3);
-  if (is_open(pose, t, found)) {
-    const bool is_sure = solve_near_seed(t, found);
-
-    if (!inverse::is_next_to(found, preference, is_revolute.data()))
-      follow_whole_arm(pose, preference, g, tolerance, given_theta3, is_sure, found);
-    if (!is_sure && !inverse::is_next_to(found, preference, is_revolute.data()))
-      polish_next_to_seed(t, preference, found);
-    found.conclude();
-  }
-
-  if (found.empty() && found.status != Status::invalid) {
-    auto all = rows_of(pose, g, tolerance, preference, inverse::Form::fastest, given_theta3);
-    sort_by_distance(all, seed, is_revolute);
-    inverse::take_nearest(all, found);
-  }
-  inverse::unwind(found, seed, is_revolute);
-  for (auto& row : found) row.q[2] = given_theta3;
-  return found;
+  inverse::unwind(nearest, seed, is_revolute);
+  for (auto& row : nearest) row.q[2] = given_theta3;
+  return nearest;
 }
 
 }  // namespace qvgen::robots::iiwa14

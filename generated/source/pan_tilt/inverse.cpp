@@ -213,6 +213,35 @@ void follow_whole_arm(const Pose<double>& pose, const inverse::Preference<3>& se
       pose, seed, tolerance, row_is_revolute.data(), is_sure, found);
 }
 
+/// On the seed's branch, if it comes to the pose.
+NearRow follow_to(const Pose<double>& pose, const inverse::Preference<3>& preference, const Geometry& g,
+    double tolerance) {
+  NearRow found;
+  const auto moved = inverse::with_phases(preference, phases);
+  Target t = given(g, tolerance, moved);
+  if (!is_open(pose, t, found)) return found;
+  const bool is_sure = solve_near_seed(t, found);
+  inverse::subtract_phases(found, phases);
+
+  if (!inverse::is_next_to(found, preference, row_is_revolute.data()))
+    follow_whole_arm(pose, preference, g, tolerance, is_sure, found);
+  if (!is_sure && !inverse::is_next_to(found, preference, row_is_revolute.data()))
+    polish_next_to_seed(t, preference, found);
+  found.conclude();
+  return found;
+}
+
+/// The same, or else the nearest of all solutions, or why there is none.
+NearSolution nearest_to(const Pose<double>& pose, const JointVector<double>& seed,
+    const inverse::Preference<3>& preference, const Geometry& g, double tolerance) {
+  NearSolution nearest = inverse::own_joints<dof>(follow_to(pose, preference, g, tolerance));
+  if (!nearest.empty() || nearest.status == Status::invalid) return nearest;
+  auto all = inverse::own_joints<dof>(rows_of(pose, g, tolerance, preference, inverse::Form::fastest));
+  sort_by_distance(all, seed, is_revolute);
+  inverse::take_nearest(all, nearest);
+  return nearest;
+}
+
 }  // namespace
 }  // namespace detail::all
 
@@ -254,35 +283,17 @@ LimitedSolutions<dof, 2, 1> inverse_kinematics(const Direction<double>& task, co
 
 NearSolution inverse_kinematics_near(const Direction<double>& task, const JointVector<double>& seed, const Geometry& g,
     double tolerance) {
-  using namespace detail::all;
-  NearRow found;
   if (!seed.allFinite()) {
-    found.status = Status::invalid;
-    return inverse::own_joints<dof>(found);
+    NearSolution none;
+    none.status = Status::invalid;
+    return none;
   }
   const inverse::ArmAtZero<dof> arm = detail::arm_at_zero(g);
   const Pose<double> pose = inverse::pose_of(task, Vector3<double>(0, 0, 1),
       inverse::tool_of<dof>(arm, seed).orientation);
   const auto preference = inverse::row_preference<3, dof>(seed);
-  const auto moved = inverse::with_phases(preference, phases);
-  Target t = given(g, tolerance, moved);
-  if (is_open(pose, t, found)) {
-    const bool is_sure = solve_near_seed(t, found);
-    inverse::subtract_phases(found, phases);
+  NearSolution nearest = detail::all::nearest_to(pose, seed, preference, g, tolerance);
 
-    if (!inverse::is_next_to(found, preference, row_is_revolute.data()))
-      follow_whole_arm(pose, preference, g, tolerance, is_sure, found);
-    if (!is_sure && !inverse::is_next_to(found, preference, row_is_revolute.data()))
-      polish_next_to_seed(t, preference, found);
-    found.conclude();
-  }
-
-  NearSolution nearest = inverse::own_joints<dof>(found);
-  if (nearest.empty() && nearest.status != Status::invalid) {
-    auto all = inverse::own_joints<dof>(rows_of(pose, g, tolerance, preference, inverse::Form::fastest));
-    sort_by_distance(all, seed, is_revolute);
-    inverse::take_nearest(all, nearest);
-  }
   inverse::unwind(nearest, seed, is_revolute);
 
   return nearest;
@@ -337,6 +348,7 @@ NearSolution inverse_kinematics_near(const Pose<double>& pose, const JointVector
   NearSolution nearest;
   inverse::take_nearest(inverse_kinematics(pose, seed, g, tolerance), nearest);
   inverse::unwind(nearest, seed, is_revolute);
+
   return nearest;
 }
 

@@ -326,6 +326,34 @@ void follow_whole_arm(const Pose<double>& pose, const inverse::Preference<6>& se
   inverse::follow_whole_arm<3>(arm_at_zero(g), pose, seed, tolerance, is_revolute.data(), is_sure, found);
 }
 
+/// On the seed's branch, if it comes to the pose.
+NearRow follow_to(const Pose<double>& pose, const inverse::Preference<6>& preference, const Geometry& g,
+    double tolerance) {
+  NearRow found;
+
+  Target t = given(g, tolerance, preference);
+  if (!is_open(pose, t, found)) return found;
+  const bool is_sure = solve_near_seed(t, found);
+
+  if (!inverse::is_next_to(found, preference, is_revolute.data()))
+    follow_whole_arm(pose, preference, g, tolerance, is_sure, found);
+  if (!is_sure && !inverse::is_next_to(found, preference, is_revolute.data()))
+    polish_next_to_seed(t, preference, found);
+  found.conclude();
+  return found;
+}
+
+/// The same, or else the nearest of all solutions, or why there is none.
+NearSolution nearest_to(const Pose<double>& pose, const JointVector<double>& seed,
+    const inverse::Preference<6>& preference, const Geometry& g, double tolerance) {
+  NearSolution nearest = follow_to(pose, preference, g, tolerance);
+  if (!nearest.empty() || nearest.status == Status::invalid) return nearest;
+  auto all = rows_of(pose, g, tolerance, preference, inverse::Form::fastest);
+  sort_by_distance(all, seed, is_revolute);
+  inverse::take_nearest(all, nearest);
+  return nearest;
+}
+
 }  // namespace
 }  // namespace detail::all
 
@@ -373,33 +401,17 @@ LimitedSolutions<dof, 8, 1> inverse_kinematics(const Pose<double>& pose, const J
 
 NearSolution inverse_kinematics_near(const Pose<double>& pose, const JointVector<double>& seed, const Geometry& g,
     double tolerance) {
-  using namespace detail::all;
-  NearRow found;
   if (!seed.allFinite()) {
-    found.status = Status::invalid;
-    return found;
+    NearSolution none;
+    none.status = Status::invalid;
+    return none;
   }
   const auto preference = inverse::preference<dof>(seed);
+  NearSolution nearest = detail::all::nearest_to(pose, seed, preference, g, tolerance);
 
-  Target t = given(g, tolerance, preference);
-  if (is_open(pose, t, found)) {
-    const bool is_sure = solve_near_seed(t, found);
+  inverse::unwind(nearest, seed, is_revolute);
 
-    if (!inverse::is_next_to(found, preference, is_revolute.data()))
-      follow_whole_arm(pose, preference, g, tolerance, is_sure, found);
-    if (!is_sure && !inverse::is_next_to(found, preference, is_revolute.data()))
-      polish_next_to_seed(t, preference, found);
-    found.conclude();
-  }
-
-  if (found.empty() && found.status != Status::invalid) {
-    auto all = rows_of(pose, g, tolerance, preference, inverse::Form::fastest);
-    sort_by_distance(all, seed, is_revolute);
-    inverse::take_nearest(all, found);
-  }
-  inverse::unwind(found, seed, is_revolute);
-
-  return found;
+  return nearest;
 }
 
 }  // namespace qvgen::robots::rn

@@ -2,7 +2,6 @@
 #include "emit/cpp/batch_forms.h"
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 #include <set>
 #include <tuple>
@@ -95,17 +94,6 @@ BatchForm dynamics_form(const std::string& name, const DynamicsInterface& interf
   if (interface.gravity == Gravity::vector) form.gravity = "const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>&";
   set_result(form, interface.result);
   return form;
-}
-
-/// InverseDynamicsConstants of inverse_dynamics.
-std::string constants_type(const std::string& name) {
-  std::string type;
-  bool begins = true;
-  for (const char c : name + "_constants") {
-    if (c != '_') type += begins ? static_cast<char>(std::toupper(c)) : c;
-    begins = c == '_';
-  }
-  return type;
 }
 
 /// What each instance of the template takes for gravity.

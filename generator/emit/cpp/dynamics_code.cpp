@@ -17,16 +17,6 @@ namespace {
 using nlohmann::json;
 using optimise::DynamicsFunction;
 
-std::string camel_case(const std::string& name) {
-  std::string result;
-  bool upper = true;
-  for (const char c : name) {
-    if (c != '_') result += upper ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
-    upper = c == '_';
-  }
-  return result;
-}
-
 std::string replaced(std::string text, const std::string& what, const std::string& with) {
   for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + with.size()))
     text.replace(at, what.size(), with);
@@ -109,6 +99,16 @@ std::string joined(const std::vector<std::string>& items, const std::string& bef
 
 }  // namespace
 
+std::string constants_type(const std::string& function) {
+  std::string type;
+  bool begins = true;
+  for (const char c : function) {
+    if (c != '_') type += begins ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
+    begins = c == '_';
+  }
+  return type + "Constants";
+}
+
 std::vector<dag::Angle> angles_of(const std::vector<DynamicsFunction>& functions) {
   std::vector<std::vector<dag::Angle>> lists;
   for (const DynamicsFunction& function : functions) lists.push_back(angles_of(function.function));
@@ -183,7 +183,7 @@ json dynamics_values(const model::Robot& robot, const DynamicsFunction& function
               {"types", joined(interface.arguments, vector, "")},
               {"arguments", arguments},
               {"default", interface.gravity == Gravity::vector ? "" : " = {}"},
-              {"constants", camel_case(function.name) + "Constants"},
+              {"constants", constants_type(function.name)},
               {"constant_count", set_up.outputs.size()},
               {"set_up", values_of(set_up.temporaries)},
               {"stored", values_of(set_up.outputs)},

@@ -50,6 +50,9 @@ DynamicsCode dynamics_code(const model::Robot& robot, const optimise::DynamicsFu
 Code base_parameters_code(const model::Robot& robot, const derive::dynamics::Regressor& regressor,
                           const Spelling& spelling = cpp_spelling());
 
+/// The type of a function's constants: InverseDynamicsConstants of inverse_dynamics.
+std::string constants_type(const std::string& function);
+
 /// The lines of a function's doc comment, each with ///.
 std::string dynamics_doc(const model::Robot& robot, const optimise::DynamicsFunction& function,
                          const DynamicsInterface& interface);

@@ -85,7 +85,6 @@ json entry(const Argument& argument, Filter filter, const std::string& suffix, c
           {"needs_arm_of_task", argument.needs_arm},
           {"follows_seed", cpp["follows_seed"]},
           {"looks", cpp["looks"]},
-          {"all_by_entry", filter != Filter::none},
           {"pose_lines", lines_of(argument.pose)}};
 }
 
@@ -124,20 +123,13 @@ void add_sizes(const model::Robot& robot, json& values) {
   values["kinds"] = kinds;
 }
 
-/// As in C++: with all joints at zero, the turn of the tool that a direction leaves behind them.
-std::string row_arm(const Problem& problem, bool has_tool_turn) {
-  const bool turns = problem.task == Task::direction || problem.task == Task::orientation;
-  const std::string arm = turns ? "turns_of(arm_at_zero(g))" : "arm_at_zero(g)";
-  return has_tool_turn ? "with_tool_turn(" + arm + ", " + numbers_of(problem.tool_axis) + ")" : arm;
-}
-
 }  // namespace
 
 void add_entries(const model::Robot& robot, const derive::inverse::Derivation& derivation, json& variant) {
   const Problem& problem = derivation.problem;
   const Task task = problem.task;
   emit::add_entries(robot, derivation, variant);
-  variant["row_arm"] = row_arm(problem, variant["virtual_joints"]);
+  variant["row_arm"] = row_arm(problem, variant["virtual_joints"], "", numbers_of(problem.tool_axis));
   json entries = json::array();
   const json& cpp = variant["entries"];
   const bool position_only = task == Task::position;

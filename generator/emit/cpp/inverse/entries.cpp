@@ -126,17 +126,6 @@ bool looks_at_one(const Problem& problem, Filter filter) {
   return problem.task == Task::position_and_yaw && problem.filter == Filter::none && filter == Filter::pose;
 }
 
-/// All solutions next to a seed, as lines of `near` have them.
-std::string all_rows(Filter filter, const Argument& argument, const json& variant) {
-  const std::string given = variant["given_argument"];
-  if (filter != Filter::none)
-    return variant["function"].get<std::string>() + "(" + argument.name + ", " + given +
-           "seed, g, tolerance)";
-  const std::string rows = "rows_of(pose, g, tolerance, preference, inverse::Form::fastest" +
-                           variant["given_last_argument"].get<std::string>() + ")";
-  return variant["virtual_joints"].get<bool>() ? "inverse::own_joints<dof>(" + rows + ")" : rows;
-}
-
 json entry(const Problem& problem, const Argument& argument, Filter filter, const json& variant) {
   const bool looks = looks_at_one(problem, filter);
   return {{"most", variant[filter == Filter::none ? "most_of_rows" : "most_of_reaching"]},
@@ -149,7 +138,6 @@ json entry(const Problem& problem, const Argument& argument, Filter filter, cons
           {"seeded_task", lines_of(task_lines(problem, argument, Filter::none, true, variant))},
           {"follows_seed", (filter == Filter::none || looks) && variant["seed_branch"].is_object()},
           {"looks", looks},
-          {"all_rows", all_rows(filter, argument, variant)},
           {"whole_pose", filter == Filter::pose && argument.is_pose && problem.task != Task::pose}};
 }
 
@@ -182,16 +170,14 @@ json arm_values(const model::Robot& described, const Dialect& dialect) {
           {"joints", joints}};
 }
 
-namespace {
-
-/// The arm of a row with all joints at zero: of a task that leaves the position it turns only, and a turn of
-/// the tool that a direction leaves stands behind.
-std::string row_arm(const Problem& problem, bool has_tool_turn) {
+std::string row_arm(const Problem& problem, bool has_tool_turn, const std::string& scope,
+                    const std::string& tool_axis) {
   const bool turns = problem.task == Task::direction || problem.task == Task::orientation;
-  const std::string arm = turns ? "inverse::turns_of(arm_at_zero(g))" : "arm_at_zero(g)";
-  if (!has_tool_turn) return arm;
-  return "inverse::with_tool_turn(" + arm + ", Vector3<double>(" + numbers_of(problem.tool_axis) + "))";
+  const std::string arm = turns ? scope + "turns_of(arm_at_zero(g))" : "arm_at_zero(g)";
+  return has_tool_turn ? scope + "with_tool_turn(" + arm + ", " + tool_axis + ")" : arm;
 }
+
+namespace {
 
 /// What the form next to a seed needs besides.
 void add_seed_branch(const model::Robot& robot, const Problem& problem, json& variant) {
@@ -200,9 +186,8 @@ void add_seed_branch(const model::Robot& robot, const Problem& problem, json& va
   variant["virtual_joints"] = has_virtual_joints;
   variant["joins_seed"] = variant["seed_branch"].is_object() && takes_poses;
   variant["row_kinds"] = has_virtual_joints ? "row_is_revolute" : "is_revolute";
-  variant["row_arm"] = row_arm(problem, has_virtual_joints);
-  variant["nearest"] = has_virtual_joints ? "nearest" : "found";
-  variant["own_found"] = has_virtual_joints ? "inverse::own_joints<dof>(found)" : "found";
+  variant["row_arm"] = row_arm(problem, has_virtual_joints,
+                               "inverse::", "Vector3<double>(" + numbers_of(problem.tool_axis) + ")");
   std::string kinds;
   for (const model::Joint& joint : robot.joints)
     kinds += joint.type == model::JointType::revolute ? "true, " : "false, ";

@@ -18,6 +18,10 @@ nlohmann::json arm_values(const model::Robot& described, const Dialect& dialect)
 
 /// A constant direction's numbers, with commas.
 std::string numbers_of(const model::Vector3& axis);
+/// The text of a row's arm with all joints at zero: of a task that leaves the position it turns only, and the
+/// turn of the tool that a direction leaves stands behind. `scope`, `tool_axis`: as the language has them.
+std::string row_arm(const derive::inverse::Problem& problem, bool has_tool_turn, const std::string& scope,
+                    const std::string& tool_axis);
 /// The arm's first revolute joint.
 int first_turn(const model::Robot& robot);
 

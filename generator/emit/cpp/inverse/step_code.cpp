@@ -7,6 +7,7 @@
 #include "derive/inverse/divisors.h"
 #include "derive/inverse/schedule.h"
 #include "emit/cpp/code.h"
+#include "emit/cpp/inverse/block_call.h"
 #include "emit/cpp/literal.h"
 #include "emit/cpp/symbol_table.h"
 #include "emit/cpp/template_values.h"
@@ -22,15 +23,6 @@ using derive::inverse::Step;
 using nlohmann::json;
 
 namespace {
-
-/// Whether the step is the wrist that ends the plan: it gives angles, not cosines and sines.
-bool ends(const LoweredPlan& plan, const Step& step) {
-  return step.is_wrist() && plan.plan.wrist.ends_the_plan;
-}
-
-std::string length_place(const Dialect& d, const std::string& unknown) {
-  return d.member("w", "length_" + unknown);
-}
 
 /// Symbols of a step: geometry and the target's values from t, what earlier steps left from w, the block's
 /// results.
@@ -63,170 +55,6 @@ json to_json(const Code& code) {
   return {{"temporaries", values_of(code.temporaries)}, {"outputs", values_of(code.outputs)}};
 }
 
-std::string preferred(const Dialect& d, const std::string& what) {
-  return d.scalar(d.member("t", "preference->" + what));
-}
-
-std::string preferred_angle(const Dialect& d, int joint) {
-  return preferred(d, "angle[" + std::to_string(joint) + "]");
-}
-
-std::string preferred_slide(const Dialect& d, int joint) {
-  return preferred(d, "slide[" + std::to_string(joint) + "]");
-}
-
-std::string preferred_rotor(const Dialect& d, const std::string& name) {
-  return d.rotor(preferred(d, name + ".cosine"), preferred(d, name + ".sine"));
-}
-
-/// A joint's seed; what a sum of angles shall be is worked out before.
-std::string choice(const Dialect& d, int joint, const std::string& kind = "turn") {
-  return preferred_rotor(d, kind + "[" + std::to_string(joint) + "]");
-}
-/// The row's place of the joint that a step determines.
-int place(const LoweredPlan& plan, int joint) { return plan.plan.places[static_cast<std::size_t>(joint)]; }
-
-std::string spread(const Dialect& d) { return preferred_rotor(d, "spread"); }
-
-std::string of_target(const Dialect& d, const std::string& name) { return d.scalar(d.member("t", name)); }
-
-std::string boundary(const Dialect& d) { return d.reference(d.member("t", "boundary")); }
-std::string branch(const Dialect& d) { return d.reference(d.member("w", "branch")); }
-
-/// A slide's seed, or what is nearest to it with the joint after it in reach.
-std::string slide_choice(const LoweredPlan& plan, const Step& step, const Dialect& d) {
-  const std::string value = preferred_slide(d, place(plan, step.joint));
-  if (!step.has_input("inner")) return value;
-  const bool between = step.has_input("outer");
-  return d.block(between ? "slide_between" : "slide_beyond",
-                 {d.rotor("point_x", "point_y"), d.rotor("along_x", "along_y"), "inner",
-                  between ? "outer" : of_target(d, "size_square"), value, spread(d)});
-}
-
-/// The turn that the seed's angles add up to.
-std::string seeds(const LoweredPlan& plan, const Step& step, const Dialect& d) {
-  std::string product;
-  for (const Step::Seed& seed : step.seeds) {
-    const std::string turn = choice(d, place(plan, seed.joint));
-    const std::string factor = seed.sense > 0 ? turn : d.inverse(turn);
-    product = product.empty() ? factor : d.product(product, factor);
-  }
-  return product;
-}
-
-std::string tiny(const Step& step, const Dialect& d) {
-  return of_target(d, "tiny" + std::to_string(step.degree));
-}
-
-std::string direction(const LoweredPlan& plan, const Step& step, const Dialect& d) {
-  const std::string v = d.rotor("x", "y");
-  // What a sum of angles shall be is worked out before.
-  if (step.joint < 0)
-    return d.block("chosen_direction", {v, d.rotor("choice_x", "choice_y"), boundary(d), branch(d)});
-  const std::string block = step.unit ? "direction" : step.length_known ? "span_of_length" : "span";
-  return d.direction_block(block, step.kind == Kind::opposite,
-                           {v, step.length_known ? "length" : "", tiny(step, d),
-                            choice(d, place(plan, step.joint), step.unit ? "turn" : "brief"),
-                            step.unit ? "" : d.reference(length_place(d, step.unknown)), branch(d)});
-}
-
-std::string half(const LoweredPlan& plan, const Step& step, const Dialect& d) {
-  const std::string turn = d.rotor("cosine", "sine");
-  if (!plan.plan.wrist.right) return d.block("half", {turn});
-  std::string length;
-  for (const std::string& unknown : step.lengths)
-    length += (length.empty() ? "" : " * ") + length_place(d, unknown);
-  return d.block("half_direction", {turn, length.empty() ? d.spelling().number("1") : length});
-}
-
-/// The declaration of `result` and the block's call.
-std::pair<std::string, std::string> block(const LoweredPlan& plan, const Step& step, const Dialect& d) {
-  const std::string turn = d.type("Rotor");
-  const auto is_of = [&](const std::string& name, const Dialect::Arguments& arguments) {
-    return std::pair{turn, d.block(name, arguments)};
-  };
-  switch (step.kind) {
-    case Kind::circle:
-      return is_of("circle_angle", {"low", "high", "scale", "sign", boundary(d), branch(d)});
-    case Kind::free_circle:
-      return is_of("free_circle_angle", {"low", "high", d.rotor("x", "y"), tiny(step, d),
-                                         choice(d, place(plan, step.joint)), "sign", boundary(d), branch(d)});
-    case Kind::factored:
-      return is_of("factored_line_angle",
-                   {d.rotor("x", "y"), "rhs", "low", "high", tiny(step, d),
-                    choice(d, place(plan, step.joint)), "sign", boundary(d), branch(d)});
-    case Kind::reach:
-      return is_of("reachable_direction", {d.rotor("point_x", "point_y"), d.rotor("offset_x", "offset_y"),
-                                           "inner", "outer", seeds(plan, step, d)});
-    case Kind::opposite:
-      return {turn, d.scaled("sign", direction(plan, step, d))};
-    case Kind::pair:
-      return {turn, direction(plan, step, d)};
-    case Kind::half:
-      return {turn, half(plan, step, d)};
-    case Kind::root:
-      return {d.number_type(), d.block("signed_root", {"square", "scale", of_target(d, "tiny1"), "sign",
-                                                       boundary(d), branch(d)})};
-    case Kind::line: {
-      const bool one = step.has_input("divisor");
-      const std::string zero = d.spelling().number("0");
-      return {d.number_type(),
-              d.block("slide_on_line",
-                      {one ? d.rotor("divisor", zero) : d.rotor("x", "y"),
-                       one ? d.rotor("rhs", zero) : d.rotor("rhs_x", "rhs_y"), of_target(d, "tiny1"),
-                       slide_choice(plan, step, d), boundary(d), branch(d)})};
-    }
-    case Kind::slides:
-      return is_of("two_slides",
-                   {d.rotor("a", "b"), "k", d.rotor("g", "f"), "gap", of_target(d, "tiny1"),
-                    of_target(d, "size_square"), preferred_slide(d, place(plan, step.joint)), spread(d),
-                    step.branches == 1 ? d.spelling().number("0") : "sign", boundary(d), branch(d)});
-    case Kind::require:
-      return {"", d.block("require_zero", {"residual", "scale", of_target(d, "tolerance"), branch(d)})};
-    case Kind::conic:
-      return {d.type("CircleRoots"),
-              d.block("conic_circle",
-                      {d.braces("Conic", {"xx", "xy", "yy", "x", "y", "one"}), boundary(d), d.pi()})};
-    case Kind::slide_turn:
-      return {
-          d.type("SlideTurns"),
-          d.block("slide_and_turn",
-                  {d.braces("SlideAndTurn", {"divisor", "h", "level", "{l_x, l_y}", "mean", "{m_x, m_y}"}),
-                   of_target(d, "tiny1"), of_target(d, "size_square"),
-                   preferred_slide(d, place(plan, step.slide)), spread(d), boundary(d), d.pi()})};
-    case Kind::right_wrist: {
-      const std::string swapped = plan.plan.wrist.middle_swapped ? "true" : "false";
-      const std::string u = d.rotor("u_x", "u_y"), v = d.rotor("v_x", "v_y");
-      if (ends(plan, step))
-        return {
-            d.type("WristBranches"),
-            d.block("right_wrist", {u, v, swapped, preferred_angle(d, place(plan, plan.plan.wrist.joints[0])),
-                                    d.pi(), branch(d)})};
-      return {d.type("WristTurns"),
-              d.block("right_wrist_turns",
-                      {u, v, swapped, d.rotor("choice_x", "choice_y"), "sign", boundary(d), branch(d)})};
-    }
-    case Kind::oblique_wrist: {
-      const std::string u = d.rotor("u_x", "u_y"), v = d.rotor("v_x", "v_y");
-      const std::string shape = d.braces(
-          "WristShape", {"cosine_sum", "sine_sum", "cosine_difference", "sine_difference", "product"});
-      if (!ends(plan, step))
-        return {d.type("WristTurns"),
-                d.block("oblique_wrist_turns",
-                        {u, v, shape, d.rotor("cosine_delta", "sine_delta"), d.rotor("choice_x", "choice_y"),
-                         "sign", boundary(d), branch(d)})};
-      return {d.type("WristAngles"),
-              d.block("oblique_wrist",
-                      {u, v, shape, "sign", preferred_angle(d, place(plan, plan.plan.wrist.joints[0])),
-                       boundary(d), d.pi(), branch(d)})};
-    }
-    case Kind::polish:
-    case Kind::linear:
-      return {"", ""};
-  }
-  return {};
-}
-
 int joint_of(const model::Robot& robot, const std::string& variable) {
   int joint = 0;
   while (robot.joints[static_cast<std::size_t>(joint)].variable != variable) ++joint;
@@ -250,8 +78,8 @@ PolishTask polish_task(const model::Robot& robot, const LoweredPlan& plan, const
     const std::string cosine = d.member("w", joint.cosine);
     task.revolute.push_back(joint.revolute);
     task.from.push_back(d.rotor(cosine, joint.revolute ? d.member("w", joint.sine) : zero));
-    task.seed.push_back(joint.revolute ? choice(d, place(plan, index))
-                                       : d.rotor(preferred_slide(d, place(plan, index)), zero));
+    task.seed.push_back(joint.revolute ? preferred_turn(plan, index, d)
+                                       : d.rotor(preferred_slide(plan, index, d), zero));
     const std::string value = d.joint_value(i);
     task.back.push_back(cosine + " = " + value + ".cosine;");
     if (joint.revolute) task.back.push_back(d.member("w", joint.sine) + " = " + value + ".sine;");
@@ -263,7 +91,7 @@ PolishTask polish_task(const model::Robot& robot, const LoweredPlan& plan, const
   task.points = triples("point", step.turns.size());
   task.start = triples("start", static_cast<std::size_t>(step.points));
   task.goal = triples("goal", static_cast<std::size_t>(step.points));
-  task.size_square = of_target(d, "size_square");
+  task.size_square = d.scalar(d.member("t", "size_square"));
   return task;
 }
 
@@ -294,7 +122,7 @@ std::map<std::string, std::string> geometry_fields(const model::Robot& robot) {
 std::vector<std::string> work_fields(const LoweredPlan& plan) {
   std::vector<std::string> fields;
   for (const Step& step : plan.plan.steps) {
-    if (ends(plan, step)) continue;
+    if (ends_plan(plan, step)) continue;
     for (const std::string& turn : step.turns)
       for (const char* part : {"cos_", "sin_"})
         if (step.kind != Kind::polish) fields.push_back(part + turn);
@@ -386,22 +214,22 @@ json step_values(const model::Robot& robot, const LoweredPlan& plan, const Diale
     const SymbolTable names = names_of(robot, plan, step, d);
     const Code before = straight_code(plan.steps[i].before, names);
     const Code after = straight_code(plan.steps[i].after, names);
-    const auto [type, call] = block(plan, step, d);
+    const auto [type, call] = block_call(plan, step, d);
     std::vector<std::string> extra;
     const bool polish = step.kind == Kind::polish;
     if (polish) extra = d.polish_lines(polish_task(robot, plan, step, d));
-    if (step.is_wrist() && !ends(plan, step)) extra = wrist_turn_lines(step, d);
+    if (step.is_wrist() && !ends_plan(plan, step)) extra = wrist_turn_lines(step, d);
     const bool split = step.is_quartic();
     const bool slides = step.kind == Kind::slide_turn;
     if (plan.plan.chooses_for_others(step)) extra = {d.doubt(d.member("w", "branch.continuum"))};
     if (slides)
       extra = {"if (result.chosen) " + d.member("w", "branch.continuum") + " = " +
                d.member("w", "branch.doubtful") + " = true;"};
-    const bool returns = split || ends(plan, step);
+    const bool returns = split || ends_plan(plan, step);
     const bool oblique = step.kind == Kind::oblique_wrist;
     steps.push_back({{"name", step_name(plan, i)},
                      {"comment", lines_of(step_comment(plan, i))},
-                     {"sign", step.branches == 2 && !(ends(plan, step) && !oblique)},
+                     {"sign", step.branches == 2 && !(ends_plan(plan, step) && !oblique)},
                      {"returns", returns},
                      {"split", split},
                      {"root", d.type(slides ? "SlideTurn" : "Rotor")},
@@ -411,7 +239,7 @@ json step_values(const model::Robot& robot, const LoweredPlan& plan, const Diale
                      {"call", call},
                      {"has_result", !type.empty() && !returns},
                      {"has_call", !call.empty() && type.empty()},
-                     {"delta", oblique && ends(plan, step)},
+                     {"delta", oblique && ends_plan(plan, step)},
                      {"before", to_json(before)},
                      {"after", to_json(after)},
                      {"lines", lines_of(extra)}});

@@ -5,6 +5,7 @@
 
 #include <qvgen/batch/lanes.h>
 #include <qvgen/batch/registers.h>
+#include <qvgen/detail/sine_constants.h>
 #include <qvgen/sine_cosine.h>
 
 namespace qvgen::batch {
@@ -12,20 +13,11 @@ namespace qvgen::batch {
 template <class T>
 struct SineConstants;
 
-/// Those of detail/sine_cosine_avx2.h, where they are explained.
 template <>
-struct SineConstants<double> {
+struct SineConstants<double> : detail::SineConstants {
   using Bits = std::int64_t;
   static constexpr double bound = detail::reduction_bound;
-  static constexpr double rounder = 0x1.8p52;
-  static constexpr double two_over_pi = 0x1.45f306dc9c883p-1;
-  static constexpr double half_pi[3] = {0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54, -0x1.f1976b7ed8fbcp-110};
   static constexpr int terms = 6;
-  static constexpr double sine[6] = {-0x1.5555555555555p-3, 0x1.1111111110bb2p-7,   -0x1.a01a019e83aa2p-13,
-                                     0x1.71de379689090p-19, -0x1.ae600b01a40ccp-26, 0x1.5e0b1995f429ap-33};
-  static constexpr double cosine[6] = {0x1.5555555555555p-5,  -0x1.6c16c16c16967p-10,
-                                       0x1.a01a019f4eafap-16, -0x1.27e4fa17d9864p-22,
-                                       0x1.1eeb68e8b2372p-29, -0x1.907da304ce77bp-37};
 };
 
 /// The same in float: polynomials fitted on |r| <= pi/4, relative error below 2^-27. Fused, the first step of

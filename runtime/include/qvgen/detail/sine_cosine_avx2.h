@@ -4,10 +4,9 @@
 // Sine and cosine of four angles in the lanes of one AVX2 register, for double. Included by the runtime's own
 // AVX2 file, and by sine_cosine.h when the including program is itself compiled for AVX2 and FMA.
 
-namespace qvgen::detail {
+#include <qvgen/detail/sine_constants.h>
 
-/// Up to this size the reduction below is exact to rounding; larger angles, infinities and NaN are repaired.
-constexpr double reduction_bound = 0x1p30;
+namespace qvgen::detail {
 
 /// Recomputes with std::sin and std::cos the lanes whose angle is beyond `reduction_bound` or NaN.
 void repair(const double* angles, double* sines, double* cosines, int count) noexcept;
@@ -39,27 +38,26 @@ struct Lanes {
   const __m256d size = _mm256_andnot_pd(sign_bit, angle);
 
   // Adding 1.5 * 2^52 rounds to the nearest integer and leaves it in the lowest bits of the sum.
-  const __m256d rounder = number(0x1.8p52);
-  const __m256d rounded = _mm256_fmadd_pd(size, number(0x1.45f306dc9c883p-1), rounder);
+  using Constants = SineConstants;
+  const __m256d rounder = number(Constants::rounder);
+  const __m256d rounded = _mm256_fmadd_pd(size, number(Constants::two_over_pi), rounder);
   const __m256d k = _mm256_sub_pd(rounded, rounder);
-  __m256d r = _mm256_fnmadd_pd(k, number(0x1.921fb54442d18p+0), size);
-  r = _mm256_fnmadd_pd(k, number(0x1.1a62633145c07p-54), r);
-  r = _mm256_fnmadd_pd(k, number(-0x1.f1976b7ed8fbcp-110), r);
+  __m256d r = _mm256_fnmadd_pd(k, number(Constants::half_pi[0]), size);
+  r = _mm256_fnmadd_pd(k, number(Constants::half_pi[1]), r);
+  r = _mm256_fnmadd_pd(k, number(Constants::half_pi[2]), r);
 
   const __m256d z = _mm256_mul_pd(r, r);
   const __m256d z2 = _mm256_mul_pd(z, z);
   const __m256d z4 = _mm256_mul_pd(z2, z2);
-  // c0 + c1 z + ... + c5 z^5, pairwise (Estrin), which is the shortest chain.
-  const auto polynomial = [&](double c0, double c1, double c2, double c3, double c4, double c5) {
-    const __m256d low = _mm256_fmadd_pd(number(c1), z, number(c0));
-    const __m256d middle = _mm256_fmadd_pd(number(c3), z, number(c2));
-    const __m256d high = _mm256_fmadd_pd(number(c5), z, number(c4));
+  // c[0] + c[1] z + ... + c[5] z^5, pairwise (Estrin), which is the shortest chain.
+  const auto polynomial = [&](const double(&c)[6]) {
+    const __m256d low = _mm256_fmadd_pd(number(c[1]), z, number(c[0]));
+    const __m256d middle = _mm256_fmadd_pd(number(c[3]), z, number(c[2]));
+    const __m256d high = _mm256_fmadd_pd(number(c[5]), z, number(c[4]));
     return _mm256_fmadd_pd(high, z4, _mm256_fmadd_pd(middle, z2, low));
   };
-  const __m256d p = polynomial(-0x1.5555555555555p-3, 0x1.1111111110bb2p-7, -0x1.a01a019e83aa2p-13,
-                               0x1.71de379689090p-19, -0x1.ae600b01a40ccp-26, 0x1.5e0b1995f429ap-33);
-  const __m256d q = polynomial(0x1.5555555555555p-5, -0x1.6c16c16c16967p-10, 0x1.a01a019f4eafap-16,
-                               -0x1.27e4fa17d9864p-22, 0x1.1eeb68e8b2372p-29, -0x1.907da304ce77bp-37);
+  const __m256d p = polynomial(Constants::sine);
+  const __m256d q = polynomial(Constants::cosine);
   const __m256d sine_r = _mm256_fmadd_pd(_mm256_mul_pd(z, r), p, r);
   const __m256d cosine_r = _mm256_fmadd_pd(z2, q, _mm256_fnmadd_pd(z, number(0.5), number(1)));
 

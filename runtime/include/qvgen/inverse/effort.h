@@ -41,7 +41,7 @@ constexpr Budget most_effort(int joints, int branches) {
 
 /// The same of an arm with a quartic, whose roots carry so few digits that they are always polished, by two
 /// or three evaluations a branch, or with slides that a pose may leave free. Poses out of reach where
-/// something is free may want more, up to thirty times as much: they are told to be incomplete.
+/// something is free may want more: they are told to be incomplete.
 constexpr Budget most_effort_with_quartic(int branches) { return {40, 400 + 200 * branches}; }
 
 /// So often are the rows that `reaching` looks at computed anew, where they leave a joint free.
