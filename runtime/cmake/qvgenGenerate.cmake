@@ -10,7 +10,7 @@ set(qvgen_part_sources_kinematics kinematics)
 set(qvgen_part_sources_inverse inverse inverse_avx2)
 set(qvgen_part_sources_arm_angle arm_angle)
 set(qvgen_part_sources_jacobian jacobian)
-set(qvgen_part_sources_batch batch)
+set(qvgen_part_sources_batch batch inverse_batch)
 set(qvgen_part_sources_dynamics dynamics dynamics_derivatives dynamics_loads regressor)
 
 function(qvgen_generate)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which functions have batch forms: all without branches.
+// Which functions have batch forms by lanes as their scalar: all without branches.
 #include <fstream>
 
 #include <gtest/gtest.h>

@@ -165,11 +165,21 @@ class Cpp : public Dialect {
   }
 };
 
+class CppLanes : public Cpp {
+ public:
+  std::string mathematical(const std::string& function) const override { return function; }
+};
+
 }  // namespace
 
 const Dialect& cpp_dialect() {
   static const Cpp cpp;
   return cpp;
+}
+
+const Dialect& cpp_lane_dialect() {
+  static const CppLanes lanes;
+  return lanes;
 }
 
 }  // namespace qvgen::emit

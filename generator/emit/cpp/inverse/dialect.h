@@ -112,5 +112,7 @@ class Dialect {
 };
 
 const Dialect& cpp_dialect();
+/// The same for lanes: functions are found by what they are called with.
+const Dialect& cpp_lane_dialect();
 
 }  // namespace qvgen::emit

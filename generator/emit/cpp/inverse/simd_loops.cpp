@@ -5,6 +5,7 @@
 
 #include "derive/inverse/schedule.h"
 #include "emit/cpp/inverse/joint_code.h"
+#include "emit/cpp/inverse/lane_wrist.h"
 #include "emit/cpp/inverse/step_code.h"
 
 namespace qvgen::emit {
@@ -13,10 +14,6 @@ namespace {
 using derive::inverse::Kind;
 using derive::inverse::LoweredPlan;
 using derive::inverse::Step;
-
-bool is_last_wrist(const LoweredPlan& plan, const Step& step) {
-  return step.is_wrist() && plan.plan.wrist.ends_the_plan;
-}
 
 /// Branching steps before a wrist that ends the plan.
 int branchings(const LoweredPlan& plan) {
@@ -50,7 +47,6 @@ class SimdLoops {
 
  private:
   std::string dof() const { return std::to_string(plan_.plan.row_size); }
-  int place(int joint) const { return plan_.plan.places[static_cast<std::size_t>(joint)]; }
   void line(const std::string& text) {
     lines_.push_back(std::string(static_cast<std::size_t>(2 * depth_), ' ') + text);
   }
@@ -127,40 +123,9 @@ class SimdLoops {
   }
 
   void wrist(std::size_t i) {
-    const auto& joints = plan_.plan.wrist.joints;
     ended_ = true;
     flush();
-    const auto set = [&](const std::string& array, const std::string& first, const std::string& middle,
-                         const std::string& last) {
-      const std::array<std::string, 3> values = {first, middle, last};
-      for (std::size_t k = 0; k < 3; ++k)
-        line(array + "[" + std::to_string(place(joints[k])) + "] = " + values[k] + ";");
-    };
-    const auto copy = [&] {
-      line("Pack twin[" + dof() + "];");
-      for (int j = 0; j < plan_.plan.row_size; ++j) {
-        const bool turns =
-            std::any_of(joints.begin(), joints.end(), [&](int joint) { return place(joint) == j; });
-        if (!turns) line("twin[" + std::to_string(j) + "] = q[" + std::to_string(j) + "];");
-      }
-    };
-    if (plan_.plan.steps[i].kind == Kind::oblique_wrist) {
-      line("const inverse::Branch<Pack> before = w.branch;");
-      line("const auto angles = " + call(i, "Pack(1)") + ";");
-      line("const inverse::Branch<Pack> branch = w.branch;");
-      line("w.branch.resume(before);");
-      line("const auto others = " + call(i, "Pack(-1)") + ";");
-      set("q", "angles.first", "angles.middle", "angles.last");
-      copy();
-      set("twin", "others.first", "others.middle", "others.last");
-      line("rows.append(q, branch, twin, w.branch, " + label(2) + ");");
-      return;
-    }
-    line("const auto angles = " + call(i) + ";");
-    set("q", "angles.one.first", "angles.one.middle", "angles.one.last");
-    copy();
-    set("twin", "angles.other.first", "angles.other.middle", "angles.other.last");
-    line("rows.append(q, twin, w.branch, " + label(2) + ");");
+    for (const std::string& text : lane_wrist_lines(plan_, i, "Pack", label(2))) line(text);
   }
 
   const model::Robot& robot_;

@@ -3,9 +3,11 @@
 
 #include <cmath>
 #include <cstring>
+#include <type_traits>
 
 #include <Eigen/Core>
 #include <qvgen/batch/machine.h>
+#include <qvgen/batch/registers.h>
 
 #define QVGEN_LANES [[gnu::always_inline]] friend inline
 
@@ -55,7 +57,10 @@ class Lanes {
     return Lanes(a.vector_ > zero ? one : a.vector_ < zero ? -one : zero);
   }
   QVGEN_LANES Lanes sqrt(const Lanes& a) {
-    return each(a, [](T x) { return std::sqrt(x); });
+    if constexpr (std::is_same_v<Set, Baseline>)
+      return each(a, [](T x) { return std::sqrt(x); });
+    else
+      return Lanes(Register<T, Set>::root(a.vector_));
   }
   // Of single angles generated functions ask only where they are the arm's own, the same in all lanes.
   QVGEN_LANES Lanes sin(const Lanes& a) {

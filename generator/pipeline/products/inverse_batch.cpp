@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "pipeline/products/inverse_batch.h"
+
+#include <algorithm>
+
+#include "emit/cpp/inverse/entries.h"
+#include "emit/cpp/inverse/pose_loops.h"
+#include "emit/cpp/inverse/step_code.h"
+#include "emit/cpp/template_values.h"
+#include "pipeline/products/inverse_derivation.h"
+#include "pipeline/products/inverse_values.h"
+
+namespace qvgen::pipeline {
+namespace {
+
+using derive::inverse::LoweredPlan;
+using derive::inverse::Problem;
+using nlohmann::json;
+
+/// Whether the rows of the plan are those of the function, without a look at what they reach.
+bool rows_are_results(const model::Robot& described, const Problem& problem) {
+  const bool takes_poses = problem.task == model::Task::pose || problem.task == model::Task::position;
+  return takes_poses && problem.filter == derive::inverse::Filter::none &&
+         problem.row_size == static_cast<int>(described.joints.size());
+}
+
+void set_geometry(const json& geometry, const std::string& phase_of_given, json& lanes) {
+  lanes["has_geometry"] = !geometry.empty();
+  lanes["geometry"] = lanes["own_geometry"] = lanes["given_geometry"] = json::array();
+  for (json field : geometry) {
+    const bool is_given = field["is_given"];
+    field["type"] = is_given ? "Lane" : "double";
+    field["phase_of_given"] = phase_of_given;
+    lanes["geometry"].push_back(field);
+    lanes[is_given ? "given_geometry" : "own_geometry"].push_back(field);
+  }
+}
+
+/// Of the solver of several poses side by side; false if there is none.
+json lane_values(const model::Robot& described, const derive::inverse::Derivation& derivation,
+                 const std::string& given) {
+  const Problem& problem = derivation.problem;
+  const model::Robot& robot = problem.robot;
+  const LoweredPlan plan = lower(derivation.plan);
+  const json divisors = emit::divisor_values(robot, plan);
+  const bool divides_by_given = std::any_of(divisors.begin(), divisors.end(),
+                                            [](const json& each) { return each["field"] == "given_"; });
+  if (!emit::has_pose_lanes(plan) || !rows_are_results(described, problem) || divides_by_given) return false;
+  const std::string farthest = reach(problem);
+  json lanes{{"reach", farthest.empty() ? "1e50" : farthest},
+             {"has_reach", !farthest.empty()},
+             {"row_size", problem.row_size},
+             {"target_fields", fields_of(derivation.plan.target_kept)},
+             {"work_fields", fields_of(emit::work_fields(plan))},
+             {"target", emit::target_values(robot, plan, emit::cpp_lane_dialect())},
+             {"range_test", emit::range_test_values(robot, plan, emit::cpp_lane_dialect())},
+             {"steps", emit::step_values(robot, plan, emit::cpp_lane_dialect())},
+             {"divisors", divisors},
+             {"divides", !divisors.empty()},
+             {"lines", emit::lines_of(emit::pose_loop_lines(robot, plan))},
+             {"phases", false},
+             {"frames", false}};
+  add_change_of_arm(problem, given, emit::cpp_dialect(), lanes);
+  if (lanes["change"].is_object()) {
+    lanes["phases"] = lanes["change"]["phases"];
+    lanes["frames"] = lanes["change"]["frames"];
+  }
+  const std::string phase =
+      problem.has_phases() ? " + Lane(batch_phases[" + std::to_string(problem.given) + "])" : "";
+  set_geometry(geometry_values(problem, given, emit::cpp_dialect()), phase, lanes);
+  return lanes;
+}
+
+json variant(const model::Robot& described, const derive::inverse::Derivation& derivation) {
+  const bool locked = derivation.problem.given >= 0;
+  const std::string given =
+      locked ? described.joints[static_cast<std::size_t>(derivation.problem.given)].variable : "";
+  return {{"space", locked ? "given_" + given : "all"},
+          {"function", locked ? "inverse_kinematics_given_" + given : "inverse_kinematics"},
+          {"locked", locked},
+          {"given", derivation.problem.given},
+          {"given_name", "given_" + given},
+          {"capacity", derivation.plan.capacity},
+          {"lanes", lane_values(described, derivation, given)}};
+}
+
+}  // namespace
+
+json inverse_batch_values(const model::Robot& described) {
+  const InverseDerivation derivation = derive_inverse(described);
+  json values{{"name", described.name}, {"variants", json::array()}};
+  for (const derive::inverse::Derivation& form : derivation.closed_forms)
+    values["variants"].push_back(variant(described, form));
+  if (derivation.general.found)
+    values["variants"].push_back(
+        {{"function", "inverse_kinematics"}, {"locked", false}, {"capacity", 16}, {"lanes", false}});
+  const json& variants = values["variants"];
+  values["has_lanes"] = std::any_of(variants.begin(), variants.end(),
+                                    [](const json& each) { return each["lanes"].is_object(); });
+  return values;
+}
+
+}  // namespace qvgen::pipeline

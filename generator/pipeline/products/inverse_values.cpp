@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "pipeline/products/inverse_values.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "canonical/arm.h"
+#include "emit/cpp/inverse/frames.h"
+#include "emit/cpp/inverse/step_code.h"
+#include "emit/cpp/symbol_table.h"
+#include "model/evaluate.h"
+
+namespace qvgen::pipeline {
+namespace {
+
+using nlohmann::json;
+
+bool is_number(const model::Vector3& v) {
+  return std::all_of(v.begin(), v.end(), [](const model::Expression& x) { return canonical::is_known(x); });
+}
+
+double length(const model::Vector3& v) {
+  double square = 0;
+  for (const model::Expression& x : v) {
+    const double value = model::to_double(model::evaluate(x, canonical::constants_of(x)));
+    square += value * value;
+  }
+  return std::sqrt(square);
+}
+
+}  // namespace
+
+json fields_of(const std::vector<std::string>& names) {
+  json list = json::array();
+  for (const std::string& name : names) list.push_back({{"field", name}});
+  return list;
+}
+
+std::string reach(const derive::inverse::Problem& problem) {
+  const model::Robot& robot = problem.moving;
+  std::vector<const model::Vector3*> offsets{&robot.base.translation, &robot.tool.translation};
+  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
+    const model::Joint& joint = robot.joints[i];
+    const bool is_own = i < static_cast<std::size_t>(problem.own_joints);
+    if (is_own && joint.type == model::JointType::prismatic) return "";
+    offsets.insert(offsets.end(), {&joint.before.translation, &joint.after.translation});
+  }
+  double sum = 0;
+  for (const model::Vector3* offset : offsets) {
+    if (!is_number(*offset)) return "";
+    sum += length(*offset);
+  }
+  return fmt::format("{:.6f}", sum);
+}
+
+json geometry_values(const derive::inverse::Problem& problem, const std::string& given,
+                     const emit::Dialect& dialect) {
+  const model::Robot& robot = problem.robot;
+  const std::string held = derive::inverse::held_parameter(problem);
+  const emit::SymbolTable names = emit::symbol_table(robot, {}, {}, dialect.spelling());
+  json list = json::array();
+  const auto fields = emit::geometry_fields(robot);
+  const auto add = [&](const std::string& name) {
+    list.push_back({{"field", fields.at(name)},
+                    {"value", name == held ? "given_" + given : names.symbol(name)},
+                    {"is_given", name == held}});
+  };
+  for (const auto& parameter : robot.geometry) add(parameter.name);
+  for (const auto& definition : robot.definitions) add(definition.first);
+  return list;
+}
+
+void add_change_of_arm(const derive::inverse::Problem& problem, const std::string& given,
+                       const emit::Dialect& dialect, json& values) {
+  const bool has_phases = problem.has_phases();
+  const std::string phase = has_phases ? " + phases[" + std::to_string(problem.given) + "]" : "";
+  values["change"] = emit::change_of_arm(problem, dialect);
+  values["has_phases"] = has_phases;
+  values["has_frames"] = problem.has_frames;
+  values["inner_pose"] =
+      problem.has_frames ? "inverse::between_frames(before_base(g), pose, behind_tool(g))" : "pose";
+  values["inner_preference"] = has_phases ? "moved" : "preference";
+  values["inner_given"] = given.empty() ? "" : ", given_" + given + phase;
+}
+
+}  // namespace qvgen::pipeline

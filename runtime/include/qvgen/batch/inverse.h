@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+
+#include <qvgen/batch/choose.h>
+#include <qvgen/batch/solutions.h>
+#include <qvgen/pose.h>
+
+// What batches of the inverse kinematics have in common, whatever the robot.
+namespace qvgen::batch {
+
+/// How many poses are solved side by side at most.
+inline constexpr std::size_t block = 64;
+
+/// w, x, y, z of the quaternion, then the position.
+inline Pose<double> pose_at(const Batch<const double>& poses, std::size_t k) {
+  return {{poses(0, k), poses(1, k), poses(2, k), poses(3, k)}, {poses(4, k), poses(5, k), poses(6, k)}};
+}
+
+inline void put_pose(const Pose<double>& pose, const Batch<double>& poses, std::size_t k) {
+  const double numbers[] = {pose.orientation.w(), pose.orientation.x(), pose.orientation.y(),
+                            pose.orientation.z(), pose.position.x(),    pose.position.y(),
+                            pose.position.z()};
+  for (std::size_t i = 0; i < 7; ++i) poses(i, k) = numbers[i];
+}
+
+/// What a single call has found.
+template <int dof, int capacity>
+void put(const Solutions<dof, capacity>& single, const BatchOfSolutions& found, std::size_t k) {
+  unsigned marks = 0;
+  for (int s = 0; s < capacity; ++s) {
+    const bool is_row = s < single.size();
+    for (int i = 0; i < dof; ++i)
+      found.q(static_cast<std::size_t>(s * dof + i), k) =
+          is_row ? single[s].q[i] : std::numeric_limits<double>::quiet_NaN();
+    if (found.branch.data != nullptr)
+      found.branch(static_cast<std::size_t>(s), k) = is_row ? single[s].branch : -1;
+    if (is_row && single[s].continuum) marks |= 1U << s;
+  }
+  found.count(0, k) = single.size();
+  found.status(0, k) = single.status;
+  if (found.marks.data != nullptr) found.marks(0, k) = marks;
+}
+
+/// `single(k)` for each pose k.
+template <class Single>
+void one_by_one(std::size_t count, const BatchOfSolutions& found, const Single& single) {
+  for (std::size_t k = 0; k < count; ++k) put(single(k), found, k);
+}
+
+/// The same by `lanes(set, first, count, found)`, which solves some poses side by side and returns a bit for
+/// each that is to be solved alone. Without vector registers all are.
+template <class Lanes, class Single>
+void side_by_side(InstructionSet set, std::size_t count, const BatchOfSolutions& found, const Lanes& lanes,
+                  const Single& single) {
+  with_set(set, [&](auto chosen) {
+    if constexpr (std::is_same_v<decltype(chosen), Baseline>) {
+      one_by_one(count, found, single);
+    } else {
+      for (std::size_t first = 0; first < count; first += block) {
+        const std::size_t part = count - first < block ? count - first : block;
+        std::uint64_t doubtful = lanes(chosen, first, part, found.part(first, part));
+        for (std::size_t k = first; doubtful != 0; ++k, doubtful >>= 1)
+          if ((doubtful & 1) != 0) put(single(k), found, k);
+      }
+    }
+  });
+}
+
+}  // namespace qvgen::batch

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <qvgen/batch/masks.h>
+#include <qvgen/inverse/outlook.h>
+#include <qvgen/inverse/target.h>
+
+#define QVGEN_LANES [[gnu::always_inline]] inline
+
+// One pose a lane for the blocks of the inverse kinematics. Only for sources that are compiled for the set.
+namespace qvgen::inverse {
+
+template <class Set>
+struct ScalarTraits<batch::Lanes<double, Set>> {
+  using Mask = batch::LaneMask<Set>;
+  [[gnu::always_inline]] static batch::Lanes<double, Set> epsilon() { return 0x1p-52; }
+};
+
+}  // namespace qvgen::inverse
+
+namespace qvgen::batch {
+
+/// What this source is compiled for.
+using Doubles = Lanes<double, Compiled>;
+
+// No templates: GCC 12 does not always inline what those call.
+QVGEN_LANES Doubles arctangent(const Doubles& y, const Doubles& x) {
+  return inverse::polynomial::arctangent(y, x);
+}
+QVGEN_LANES Doubles arctangent(const Doubles& y, const Doubles& x, const Doubles& length) {
+  return inverse::polynomial::arctangent(y, x, length);
+}
+QVGEN_LANES inverse::Opposites<Doubles> opposite_arctangents(const Doubles& y, const Doubles& x,
+                                                             const Doubles& length, const Doubles& pi) {
+  return inverse::polynomial::opposite_arctangents(y, x, length, pi);
+}
+QVGEN_LANES Doubles acute_arctangent(const Doubles& y, const Doubles& x) {
+  return inverse::polynomial::acute_arctangent(y, x);
+}
+
+/// What poses say, one a lane: x, y, z, w of the quaternion, and the position.
+template <class Lane>
+struct LanePoses {
+  Lane quaternion[4];
+  Lane position[3];
+};
+
+// As for one pose (inverse/target.h, inverse/outlook.h), operation by operation.
+
+template <class Lane>
+QVGEN_LANES Lane unit_excess(const LanePoses<Lane>& pose) {
+  const Lane* q = pose.quaternion;
+  return ((q[0] * q[0] + q[1] * q[1]) + (q[2] * q[2] + q[3] * q[3])) - Lane(1);
+}
+template <class Lane>
+QVGEN_LANES Lane unit_scale(const Lane& excess) {
+  return Lane(1) + excess * (Lane(-0.5) + Lane(0.375) * excess);
+}
+template <class Lane>
+QVGEN_LANES Lane square_scale(const Lane& excess) {
+  return Lane(1) + excess * (excess - Lane(1));
+}
+
+/// The branch that all begin with: it exists where the pose may be in reach, and is doubtful where the pose
+/// is invalid.
+template <class Lane>
+QVGEN_LANES inverse::Branch<Lane> outlook(const LanePoses<Lane>& pose, const Lane& excess, double farthest,
+                                          double tolerance) {
+  const Lane* p = pose.position;
+  const Lane distance = (p[1] * p[1] + p[2] * p[2]) + p[0] * p[0];
+  const double square = farthest * farthest;
+  const auto is_unit = magnitude(excess) <= Lane(unit_tolerance<double>());
+  const auto is_near = distance <= Lane(square * (1 + 1e-6) + 80 * square * tolerance);
+  const auto is_finite = distance < Lane(std::numeric_limits<double>::infinity());
+  inverse::Branch<Lane> branch;
+  branch.exists = is_unit & is_near;
+  branch.doubtful = !(is_unit & is_finite);
+  return branch;
+}
+
+/// The part of a generated target that is the same for every robot (inverse::TargetBase).
+template <class Lane, int dof>
+struct LaneTarget {
+  static constexpr double noise = inverse::TargetBase<dof>::noise;
+  static constexpr double tiny0 = inverse::TargetBase<dof>::tiny0;
+  double tolerance;
+  inverse::Boundary boundary;
+  Lane tiny1, tiny2, tiny4;
+  const inverse::Preference<dof>* preference;
+
+  [[gnu::always_inline]] void set_size(const Lane& square) {
+    tiny1 = Lane(noise * noise) * square;
+    tiny2 = tiny1 * square;
+    tiny4 = tiny1 * tiny1;
+  }
+};
+
+}  // namespace qvgen::batch
+
+namespace qvgen::inverse {
+
+/// Of a whole pose `is_out_of_range` says one thing, here each lane has its own.
+template <class Set>
+QVGEN_LANES batch::LaneMask<Set> is_out_of_range(const batch::Lanes<double, Set>& middle,
+                                                 const batch::Lanes<double, Set>& swing,
+                                                 const Boundary& boundary) {
+  using Lane = batch::Lanes<double, Set>;
+  const Lane off = magnitude(middle - Lane(0.5));
+  const Lane half = Lane(0.5) + Lane(boundary.beyond);
+  const Lane same_end = off - half;
+  const Lane both_ends = off + half;
+  return ((same_end > Lane(0.0)) & (same_end * same_end > swing)) | (both_ends * both_ends < swing);
+}
+
+}  // namespace qvgen::inverse
+
+#undef QVGEN_LANES
