@@ -125,8 +125,10 @@ void show_closed_form(const model::Robot& described, const derive::inverse::Deri
 
 int show_inverse(const model::Robot& described, emit::Notation notation) {
   const pipeline::InverseDerivation derivation = pipeline::derive_inverse(described);
-  if (derivation.general.found)
-    for (const std::string& line : describe_general(described, derivation.general)) fmt::print("{}\n", line);
+  for (const auto& elimination : derivation.eliminations) {
+    fmt::print("{}\n\n", emit::ability(described, elimination));
+    for (const std::string& line : describe_general(elimination)) fmt::print("{}\n", line);
+  }
   const std::string by_arm_angle = emit::arm_angle_ability(described);
   for (const auto& form : derivation.closed_forms)
     show_closed_form(described, form, &form == &derivation.closed_forms.front() ? by_arm_angle : "",

@@ -4,27 +4,12 @@
 #include <algorithm>
 #include <cctype>
 
+#include "model/replace.h"
+
 namespace qvgen::model {
 namespace {
 
 const std::string mark = "g.";
-
-Expression marked(const Expression& e) {
-  if (e.kind() == Expression::Kind::symbol) return Expression::symbol(mark + e.name());
-  if (e.operands().empty()) return e;
-  std::vector<Expression> operands;
-  for (const Expression& operand : e.operands()) operands.push_back(marked(operand));
-  if (e.kind() == Expression::Kind::power) return Expression::power(operands.front(), e.exponent());
-  return Expression::make(e.kind(), std::move(operands));
-}
-
-Vector3 marked(const Vector3& v) { return {marked(v[0]), marked(v[1]), marked(v[2])}; }
-
-Displacement marked(Displacement displacement) {
-  for (Turn& turn : displacement.turns) turn = {marked(turn.axis), marked(turn.angle)};
-  displacement.translation = marked(displacement.translation);
-  return displacement;
-}
 
 bool is_letters_and_number(const std::string& name) {
   const auto is_letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
@@ -36,17 +21,13 @@ bool is_letters_and_number(const std::string& name) {
 }  // namespace
 
 Robot with_private_names(const Robot& robot) {
-  Robot result = robot;
-  result.base = marked(robot.base);
-  result.tool = marked(robot.tool);
+  Robot result =
+      replace_symbols(robot, [](const std::string& name) { return Expression::symbol(mark + name); });
   for (Parameter& parameter : result.geometry) parameter.name = mark + parameter.name;
   const bool keep = std::all_of(robot.joints.begin(), robot.joints.end(),
                                 [](const Joint& joint) { return is_letters_and_number(joint.variable); });
   for (std::size_t i = 0; i < result.joints.size(); ++i) {
     Joint& joint = result.joints[i];
-    joint.before = marked(joint.before);
-    joint.axis = marked(joint.axis);
-    joint.after = marked(joint.after);
     if (keep) continue;
     joint.variable = "joint" + std::to_string(i + 1);
     std::replace(result.inverse.given.begin(), result.inverse.given.end(), robot.joints[i].variable,

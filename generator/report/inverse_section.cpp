@@ -50,9 +50,11 @@ json derivation_json(const model::Robot& robot, const derive::inverse::Derivatio
 Section inverse_section(const model::Robot& robot) {
   const pipeline::InverseDerivation derivation = pipeline::derive_inverse(robot);
   json values{{"derivations", json::array()}, {"lines", json::array()}};
-  if (derivation.general.found)
-    for (const std::string& text : describe_general(robot, derivation.general))
+  for (const auto& elimination : derivation.eliminations) {
+    values["lines"].push_back(line(escaped(emit::ability(robot, elimination))));
+    for (const std::string& text : describe_general(elimination))
       values["lines"].push_back(line(escaped(text)));
+  }
   if (const std::string by_angle = emit::arm_angle_ability(robot); !by_angle.empty())
     values["lines"].push_back(line(escaped(by_angle)));
   for (const auto& form : derivation.closed_forms)

@@ -74,6 +74,22 @@ class Writer {
     return description("random arm of seven joints", joints, "given = \"q7\"\n");
   }
 
+  /// Six joints, five, or seven of which one is given; no two axes meet or are parallel but by chance.
+  std::string unstructured() {
+    const int count = 5 + static_cast<int>(random_() % 3);
+    const int slide = below(3) == 0 ? below(count) : -1;
+    std::string joints;
+    for (int i = 0; i < count; ++i) {
+      Axis along = axis();
+      while (i > 0 && parallel(along, before_)) along = axis();
+      before_ = along;
+      const std::string origin = i > 0 ? offset_of_any_length() : offset();
+      const bool has_tool = i + 1 == count && i != slide;
+      joints += joint(i, i != slide, along, origin, has_tool ? offset() : "[0, 0, 0]");
+    }
+    return description("random arm without structure", joints, count == 7 ? "given = \"q4\"\n" : "");
+  }
+
  private:
   std::string description(const std::string& title, const std::string& joints,
                           const std::string& keys = "") const {
@@ -117,6 +133,17 @@ class Writer {
     const std::string x = length();
     const std::string y = length();
     return vector({x, y, length()});
+  }
+
+  /// Away from all coordinate axes; one length in five is a symbol.
+  std::string offset_of_any_length() {
+    const auto any = [&] {
+      return below(5) == 0 ? "\"l" + std::to_string(symbols_++) + "\""
+                           : "\"" + std::to_string(1 + below(9)) + "/" + std::to_string(11 + below(7)) + "\"";
+    };
+    const std::string x = any();
+    const std::string y = any();
+    return vector({x, y, any()});
   }
 
   std::string joint(int i, bool revolute, const Axis& along, const std::string& origin,
@@ -239,6 +266,7 @@ std::string arm_description(const std::string& family, std::uint32_t seed) {
     return seed < seven_arms.size() ? "name = \"" + name + "\"\ntitle = \"seven joints\"\n" + seven_arms[seed]
                                     : Writer(name, seed).seven();
   }
+  if (family == "unstructured") return Writer(arm_name(family, seed), seed).unstructured();
   if (family == "slides") return sliding_arm(arm_name(family, seed), seed);
   if (family == "twists") return twisted_arm(arm_name(family, seed), seed);
   if (family == "zeros")

@@ -4,8 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include <qvgen/inverse/general/any_arm.h>
+
+#include "derive/inverse/requests.h"
 #include "derive/inverse/scope.h"
 #include "exact/named_constant.h"
+#include "model/replace.h"
+#include "model/tasks.h"
 #include "symbolic/model.h"
 
 namespace qvgen::derive::inverse {
@@ -14,25 +19,33 @@ namespace general = qvgen::inverse::general;
 
 namespace {
 
-using Numbers = std::array<double, 3>;
+using model::Robot;
 using symbolic::Pair;
 using symbolic::Vector;
 
-/// The chain in sixty digits: numbers, however long the symbolic expressions would become.
+constexpr int six = general::joints;
+
+/// The chain in sixty digits: numbers, however long the symbolic expressions would become. Of an arm without
+/// parameters.
 class Placed {
  public:
-  explicit Placed(const model::Robot& robot) : scope_(robot) {
+  explicit Placed(const Robot& robot) : scope_(robot) {
     Pair frame = in_numbers(robot.base);
-    for (std::size_t i = 0; i < robot.joints.size(); ++i) {
-      const model::Joint& joint = robot.joints[i];
+    for (const model::Joint& joint : robot.joints) {
       frame = frame * in_numbers(joint.before);
       const Vector axis = symbolic::rotate(frame.q, in_numbers(symbolic::to_symbolic(joint.axis)));
-      arm_.axes[i] = {joint.type == model::JointType::revolute, rounded(axis), rounded(frame.p)};
+      joints.push_back({joint.type == model::JointType::revolute, rounded(axis), rounded(frame.p)});
       frame = frame * in_numbers(joint.after);
     }
-    set_tool(frame * in_numbers(robot.tool));
+    frame = frame * in_numbers(robot.tool);
+    const auto number = [&](const GiNaC::ex& value) { return scope_.sample(value); };
+    const symbolic::Quaternion& q = frame.q;
+    tool.orientation = Eigen::Quaterniond(number(q.w), number(q.x), number(q.y), number(q.z));
+    tool.position = {number(frame.p.x), number(frame.p.y), number(frame.p.z)};
   }
-  [[nodiscard]] const general::Description& arm() const { return arm_; }
+
+  std::vector<qvgen::inverse::Screw<double>> joints;
+  Pose<double> tool;
 
  private:
   [[nodiscard]] Vector in_numbers(const Vector& v) const {
@@ -43,24 +56,14 @@ class Placed {
     const symbolic::Quaternion& q = pair.q;
     return {{scope_.value(q.w), scope_.value(q.x), scope_.value(q.y), scope_.value(q.z)}, in_numbers(pair.p)};
   }
-  [[nodiscard]] Numbers rounded(const Vector& v) const {
+  [[nodiscard]] qvgen::inverse::Triple<double> rounded(const Vector& v) const {
     return {scope_.sample(v.x), scope_.sample(v.y), scope_.sample(v.z)};
-  }
-  void set_tool(const Pair& tool) {
-    const std::array<Vector, 3> units = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-    const Numbers origin = rounded(tool.p);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Numbers column = rounded(symbolic::rotate(tool.q, units[k]));
-      for (std::size_t i = 0; i < 3; ++i) arm_.tool.rotation[3 * i + k] = column[i];
-      arm_.tool.translation[k] = origin[k];
-    }
   }
 
   Scope scope_;
-  general::Description arm_;
 };
 
-bool is_in_numbers(const model::Robot& robot) {
+bool is_in_numbers(const Robot& robot) {
   const auto names = model::symbols(robot);
   return robot.geometry.empty() && std::all_of(names.begin(), names.end(), [](const std::string& name) {
            return exact::named_value(name).has_value();
@@ -90,8 +93,6 @@ bool may_have_structure(const Axis& a, const Axis& b, const Axis& c) {
   return (parallel(a, b) && parallel(b, c)) || (meet(a, b) && meet(b, c)) || (meet(a, b) && meet(a, c));
 }
 
-std::string number(int joint) { return std::to_string(joint + 1); }
-
 const char* text_of(general::Pair pair) {
   switch (pair) {
     case general::Pair::skew:
@@ -103,49 +104,114 @@ const char* text_of(general::Pair pair) {
   }
 }
 
-}  // namespace
+/// The arm, or such arms as come of it by values of the joint that is given.
+std::vector<general::Description> arms_of(const GeneralDerivation& derivation) {
+  const Problem& problem = derivation.problem;
+  if (problem.given < 0) return {general::description_of(derivation.arm_at_zero<six>())};
+  const auto arm = derivation.arm_at_zero<six + 1>();
+  const double unit = problem.given_slides ? arm.tool.position.norm() : 1;
+  std::vector<general::Description> arms;
+  for (const double value : {0.7, 2.3, -1.6})
+    arms.push_back(general::description_of(qvgen::inverse::without_joint(arm, problem.given, value * unit)));
+  return arms;
+}
 
-GeneralDerivation derive_general(const model::Robot& described) {
-  GeneralDerivation result;
-  if (described.joints.size() != general::joints) return result;
-  const auto slides = std::count_if(described.joints.begin(), described.joints.end(), [](const auto& joint) {
-    return joint.type == model::JointType::prismatic;
-  });
-  if (slides > 1) {
-    result.reason = "any six joints: more than one of them slides";
-    return result;
-  }
-  if (!is_in_numbers(described)) {
-    result.reason = "any six joints: there are symbols in the arm's geometry";
-    return result;
-  }
-  result.setup = general::set_up(Placed(described).arm());
-  result.found = result.setup.count > 0;
-  if (!result.found) result.reason = "any six joints: no elimination finds the joints of sampled poses";
+/// The problems with six joints, one of which is to be solved, or all that the description names.
+std::vector<Problem> problems_of(const Robot& robot) {
+  const std::size_t count = robot.joints.size();
+  const model::Task task = robot.inverse.task.value_or(model::Task::pose);
+  std::vector<Problem> result;
+  if (count != six + 1 && !robot.inverse.given.empty()) return result;
+  if (count == six && task == model::Task::pose) result.push_back(problem_of(robot, task));
+  if (count == six + 1 && task == model::Task::pose)
+    for (const std::size_t joint : given_joints(robot))
+      result.push_back(with_held(problem_of(robot, task), joint));
+  const bool leaves_a_turn = task == model::Task::pose || task == model::Task::position_and_direction;
+  if (count + 1 == six && leaves_a_turn)
+    for (const model::Vector3& axis : tool_axes(robot.inverse)) {
+      result.push_back(with_turn(problem_of(robot, model::Task::position_and_direction), axis));
+      if (!robot.inverse.task || task != model::Task::pose) continue;
+      result.back().task = task;
+      result.back().filter = Filter::pose;
+    }
   return result;
 }
 
-bool lacks_structure(const model::Robot& described) {
-  if (described.joints.size() != general::joints || !is_in_numbers(described)) return false;
-  const general::Description arm = Placed(described).arm();
-  for (int i = 0; i + 2 < general::joints; ++i)
-    if (may_have_structure(arm.axes[i], arm.axes[i + 1], arm.axes[i + 2])) return false;
+/// Nothing if no elimination serves.
+std::optional<GeneralDerivation> derived(const Robot& described, const Problem& problem) {
+  GeneralDerivation result;
+  result.problem = problem;
+  result.problem.moving = problem.given < 0 ? problem.robot : described;
+  result.arm = model::with_geometry(result.problem.moving, model::sample_geometry(described));
+  const Placed placed(result.arm);
+  result.joints = placed.joints;
+  result.tool = placed.tool;
+  result.is_constant = problem.given < 0 && is_in_numbers(described);
+  const std::vector<general::Description> arms = arms_of(result);
+  result.choices = general::choose(arms.data(), static_cast<int>(arms.size()));
+  if (result.choices.count == 0) return std::nullopt;
+  result.setup = general::set_up(arms.front());
+  return result;
+}
+
+/// Of several that are found the first with the fewest doubts stays.
+void keep_best(std::vector<GeneralDerivation>& found) {
+  const auto best = std::min_element(found.begin(), found.end(), [](const auto& a, const auto& b) {
+    return a.choices.score < b.choices.score;
+  });
+  std::rotate(found.begin(), best, best + 1);
+  found.resize(1);
+}
+
+std::string without_elimination(const Robot& robot) {
+  const auto slides = std::count_if(robot.joints.begin(), robot.joints.end(), [](const auto& joint) {
+    return joint.type == model::JointType::prismatic;
+  });
+  return slides > 1 ? "any six joints: more than one of them slides"
+                    : "any six joints: no elimination finds the joints of sampled poses";
+}
+
+}  // namespace
+
+GeneralDerivations derive_general(const Robot& described) {
+  GeneralDerivations result;
+  const std::vector<Problem> problems = problems_of(described);
+  const model::InverseRequest& request = described.inverse;
+  const bool asks_for_all = described.joints.size() == six + 1 && !request.given.empty();
+  for (const Problem& problem : problems) {
+    if (auto one = derived(described, problem)) result.found.push_back(std::move(*one));
+    if (!asks_for_all && described.joints.size() < six && !result.found.empty()) break;
+  }
+  const bool is_enough =
+      asks_for_all && !request.every_given ? result.found.size() == problems.size() : !result.found.empty();
+  if (!is_enough) {
+    result.found.clear();
+    if (!problems.empty()) result.reasons.push_back(without_elimination(described));
+  } else if (!asks_for_all) {
+    keep_best(result.found);
+  }
+  return result;
+}
+
+bool lacks_structure(const Robot& described) {
+  if (described.joints.size() != static_cast<std::size_t>(six) || !is_in_numbers(described)) return false;
+  const Placed arm(described);
+  for (std::size_t i = 0; i + 2 < six; ++i)
+    if (may_have_structure(arm.joints[i], arm.joints[i + 1], arm.joints[i + 2])) return false;
   return true;
 }
 
-std::vector<std::string> describe_general(const model::Robot& described,
-                                          const GeneralDerivation& derivation) {
+std::vector<std::string> describe_general(const GeneralDerivation& derivation) {
+  const std::vector<model::Joint>& joints = derivation.problem.robot.joints;
   std::vector<std::string> lines{
       "six joints of any geometry: elimination to a polynomial of degree 8 in cosine and sine of one angle"};
   for (int i = 0; i < derivation.setup.count; ++i) {
     const general::Elimination& e = derivation.setup.eliminations[i];
-    const auto variable = [&](int k) {
-      return described.joints[static_cast<std::size_t>(e.joint[k])].variable;
-    };
+    const auto variable = [&](int k) { return joints[static_cast<std::size_t>(e.joint[k])].variable; };
     lines.push_back((i == 0 ? "- " : "- if in doubt: ") + variable(3) + " from det A(" + variable(3) +
                     ") = 0, 6 equations in 9 products of powers of " + variable(4) + " and " + variable(5));
-    lines.push_back("  " + variable(0) + " dropped; " + variable(1) + ", " + variable(2) + " (axes " +
-                    number(e.joint[1]) + ", " + number(e.joint[2]) + ") linear: " + text_of(e.pair));
+    lines.push_back("  " + variable(0) + " dropped; " + variable(1) + ", " + variable(2) +
+                    " linear: " + text_of(e.pair));
   }
   return lines;
 }

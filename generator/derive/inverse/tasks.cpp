@@ -6,6 +6,7 @@
 
 #include "derive/inverse/attempt.h"
 #include "derive/inverse/inverse.h"
+#include "derive/inverse/requests.h"
 #include "model/arithmetic.h"
 
 namespace qvgen::derive::inverse {
@@ -47,12 +48,6 @@ Kinds kinds_of(const Robot& robot) {
   return kinds;
 }
 
-/// z first: most tools point along it.
-const std::vector<Vector3>& tool_axes() {
-  static const std::vector<Vector3> axes{model::unit_vector(2), model::unit_vector(0), model::unit_vector(1)};
-  return axes;
-}
-
 /// Takes the first that is found, else all reasons.
 template <class Try, class Choices>
 Derivation first_found(const Choices& choices, const Try& attempt) {
@@ -69,9 +64,7 @@ Derivation first_found(const Choices& choices, const Try& attempt) {
 
 /// With a turn about an axis of the tool: its direction is asked for.
 Derivation with_direction(const Robot& robot, Task task, Derivation derived(const Problem&)) {
-  const std::vector<Vector3> asked =
-      robot.inverse.tool_axis ? std::vector<Vector3>{*robot.inverse.tool_axis} : tool_axes();
-  return first_found(asked, [&](const Vector3& axis) {
+  return first_found(tool_axes(robot.inverse), [&](const Vector3& axis) {
     Derivation derivation = in_canonical_frames(with_turn(problem_of(robot, task), axis), derived);
     for (std::string& reason : derivation.reasons)
       reason = "with the direction of the tool's axis " + model::axis_text(axis) + " left: " + reason;
@@ -83,9 +76,9 @@ Derivation with_direction(const Robot& robot, Task task, Derivation derived(cons
 /// zero.
 Derivation with_slides(const Problem& problem, std::size_t count, Derivation derived(const Problem&)) {
   if (problem.robot.joints.size() == count) return in_canonical_frames(problem, derived);
-  std::vector<Vector3> axes = tool_axes();
-  return first_found(
-      axes, [&](const Vector3& axis) { return with_slides(with_slide(problem, axis), count, derived); });
+  return first_found(tool_axes({}), [&](const Vector3& axis) {
+    return with_slides(with_slide(problem, axis), count, derived);
+  });
 }
 
 Derivation candidates(const Robot& robot, Task task, Filter filter, std::size_t count,
@@ -187,23 +180,6 @@ Derivation derive(const Robot& robot) {
 }
 
 namespace {
-
-/// The joints that may be given, what is most often the best first: a rail carries an arm of its own, an
-/// elbow turns about the line between the shoulder and the wrist.
-std::vector<std::size_t> given_joints(const Robot& robot) {
-  const std::size_t count = robot.joints.size();
-  const std::vector<std::string>& named = robot.inverse.given;
-  const auto is_admitted = [&](const std::string& variable) {
-    return named.empty() || std::find(named.begin(), named.end(), variable) != named.end();
-  };
-  std::vector<std::size_t> result;
-  for (const std::size_t joint : {2U, 6U, 0U, 1U, 3U, 5U, 4U})
-    if (joint < count && is_admitted(robot.joints[joint].variable)) result.push_back(joint);
-  std::stable_partition(result.begin(), result.end(), [&](std::size_t joint) {
-    return robot.joints[joint].type == model::JointType::prismatic;
-  });
-  return result;
-}
 
 Derivation with_given(const Robot& robot, Task task, std::size_t joint, Derivation derived(const Problem&)) {
   return in_canonical_frames(problem_of(robot, task),

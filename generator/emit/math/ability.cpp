@@ -48,21 +48,30 @@ std::string virtual_joints(const Problem& problem) {
   return text;
 }
 
-}  // namespace
-
-std::string ability(const model::Robot& described, const Derivation& derivation) {
-  const Problem& problem = derivation.problem;
+std::string ability(const model::Robot& described, const Problem& problem, const std::string& structure,
+                    int capacity, const std::string& how) {
   const std::size_t own = described.joints.size();
   std::string text = fmt::format("{} {}, asked for {}", own, own == 1 ? "joint" : "joints", asked(problem));
   if (problem.given >= 0)
     text += fmt::format(" with {} given by the caller",
                         described.joints[static_cast<std::size_t>(problem.given)].variable);
-  text += fmt::format(": {}. At most {} {}{}.", derivation.plan.structure, derivation.plan.capacity,
-                      derivation.plan.capacity == 1 ? "solution" : "solutions",
-                      derivation.plan.quartic() ? ", by a quartic" : "");
+  text += fmt::format(": {}. At most {} {}{}.", structure, capacity, capacity == 1 ? "solution" : "solutions",
+                      how);
   if (problem.task != Task::pose && problem.task != Task::position)
     text += " A whole pose may be asked for too; it is unreachable unless the arm can take it.";
   return text + virtual_joints(problem);
+}
+
+}  // namespace
+
+std::string ability(const model::Robot& described, const Derivation& derivation) {
+  return ability(described, derivation.problem, derivation.plan.structure, derivation.plan.capacity,
+                 derivation.plan.quartic() ? ", by a quartic" : "");
+}
+
+std::string ability(const model::Robot& described, const derive::inverse::GeneralDerivation& derivation) {
+  return ability(described, derivation.problem, "no structure that a closed form needs",
+                 qvgen::inverse::general::most_solutions, ", by elimination");
 }
 
 std::string arm_angle_ability(const model::Robot& described) {

@@ -25,6 +25,7 @@
 #include "pipeline/products/inverse_derivation.h"
 #include "pipeline/products/inverse_general.h"
 #include "pipeline/products/inverse_values.h"
+#include "pipeline/products/inverse_variant.h"
 #include "verify/inverse/certify.h"
 #include "verify/inverse/count.h"
 
@@ -42,11 +43,6 @@ std::vector<std::string> summary(const derive::inverse::LoweredPlan& plan) {
     if (!plan.plan.steps[i].unknown.empty() && plan.plan.steps[i].kind != derive::inverse::Kind::half)
       lines.push_back("- " + emit::step_comment(plan, i).front());
   return lines;
-}
-
-/// Of the joint whose value is given.
-std::string unit_of(const derive::inverse::Derivation& derivation) {
-  return derivation.problem.given_slides ? "m" : "rad";
 }
 
 /// None for a wrist alone.
@@ -108,15 +104,14 @@ json variant(const model::Robot& described, const derive::inverse::Derivation& d
   const derive::inverse::LoweredPlan plan = lower(derived);
   const verify::InverseCertificate certificate =
       verify::certify_inverse(robot, plan, certificate_poses, problem.task);
-  const bool locked = problem.given >= 0;
   const bool lanes = emit::has_lanes(plan);
-  const std::string given = locked ? described.joints[static_cast<std::size_t>(problem.given)].variable : "";
-  const std::string space = locked ? "given_" + given : "all";
-  const emit::c::C in_c(space + "_");
+  const std::string given = given_variable(described, problem);
+  json values = variant_names(described, problem);
+  const emit::c::C in_c(values["space"].get<std::string>() + "_");
   const emit::Dialect& dialect = language == Language::c ? in_c : emit::cpp_dialect();
   const json geometry = geometry_values(problem, given, dialect);
-  const std::string function = locked ? "inverse_kinematics_given_" + given : "inverse_kinematics";
-  if (const auto counts = verify::inverse_counts(plan); !counts.empty()) all_counts[function] = counts;
+  if (const auto counts = verify::inverse_counts(plan); !counts.empty())
+    all_counts[values["function"].get<std::string>()] = counts;
   // A tracker of branches is there for a wrist alone too.
   const std::size_t joints = std::max<std::size_t>(polished_joints(derived), 1);
   const int branches = polished_branches(derived);
@@ -125,29 +120,11 @@ json variant(const model::Robot& described, const derive::inverse::Derivation& d
                                           : qvgen::inverse::most_effort(static_cast<int>(joints), branches);
   const json divisors = emit::divisor_values(robot, plan);
   const json near = seed_branch(problem, plan, dialect);
-  json values{
-      {"space", space},
-      {"function", function},
-      {"near_function", "inverse_kinematics_near" + (locked ? "_given_" + given : "")},
+  values.update(json{
+      {"elimination", false},
       {"seed_branch", near},
-      {"near_steps", 2 * qvgen::inverse::near_effort.steps},
-      {"seed_steps", qvgen::inverse::near_effort.steps},
-      {"seed", locked
-                   ? "inverse::with_value(seed, " + std::to_string(problem.given) + ", given_" + given + ")"
-                   : "seed"},
       {"polishes_whole_arm", polished_joints(derived) == robot.joints.size()},
       {"near_points", problem.task == model::Task::position ? 1 : 3},
-      {"solutions", locked ? "SolutionsGiven_" + given : "Solutions"},
-      {"info", locked ? "inverse_info_given_" + given : "inverse_info"},
-      {"task", model::task_name(problem.task)},
-      {"given", problem.given},
-      {"locked", locked},
-      {"given_name", "given_" + given},
-      {"given_parameter", locked ? "double given_" + given + ", " : ""},
-      {"given_argument", locked ? "given_" + given + ", " : ""},
-      {"given_last_parameter", locked ? ", double given_" + given : ""},
-      {"given_last_argument", locked ? ", given_" + given : ""},
-      {"given_meaning", locked ? "; " + given + ", " + unit_of(derivation) + ", is given" : ""},
       {"quartic", derived.searches_nearby()},
       {"stable_branches", derived.quartic() ? "false" : "true"},
       {"counts_roots", derived.quartic()},
@@ -164,7 +141,6 @@ json variant(const model::Robot& described, const derive::inverse::Derivation& d
       {"steps", emit::step_values(robot, plan, dialect)},
       {"divisors", divisors},
       {"divides", !divisors.empty()},
-      {"row_size", problem.row_size},
       {"has_geometry", !geometry.empty()},
       {"geometry", geometry},
       {"first_pass", derived.quartic() ? json(false)
@@ -179,22 +155,13 @@ json variant(const model::Robot& described, const derive::inverse::Derivation& d
        effort_values(qvgen::inverse::most_effort_of_reaching(problem.own_joints, derived.capacity, most))},
       {"careful_pass", emit::lines_of(emit::scalar_loop_lines(robot, plan, emit::Pass::careful, dialect))},
       {"has_lanes", lanes ? "true" : "false"},
-      {"lanes", lanes ? json{{"lines", emit::lines_of(emit::simd_loop_lines(robot, plan))}} : json(false)}};
+      {"lanes", lanes ? json{{"lines", emit::lines_of(emit::simd_loop_lines(robot, plan))}} : json(false)}});
   add_change_of_arm(problem, given, dialect, values);
   if (language == Language::c)
     add_values_in_c(described, derivation, values);
   else
-    emit::add_entries(described, derivation, values);
+    emit::add_entries(described, problem, values);
   return values;
-}
-
-/// What the functions of a variant take, by the names of tasks.
-void add_targets(const model::Task& task, const json& variant, nlohmann::ordered_json& targets) {
-  const std::string pose = model::task_name(model::Task::pose);
-  nlohmann::ordered_json taken = nlohmann::ordered_json::array({pose});
-  if (task != model::Task::pose) taken.insert(taken.begin(), model::task_name(task));
-  targets[variant["function"].get<std::string>()] = taken;
-  targets[variant["near_function"].get<std::string>()] = taken;
 }
 
 /// Values for the templates of a robot with closed forms, in one of the languages.
@@ -204,14 +171,10 @@ json values_of(const model::Robot& described, const InverseDerivation& derivatio
   nlohmann::ordered_json targets;
   for (const derive::inverse::Derivation& form : derivation.closed_forms) {
     values["variants"].push_back(variant(described, form, language, output.counts));
-    add_targets(form.problem.task, values["variants"].back(), targets);
+    add_targets(form.problem, values["variants"].back(), targets);
   }
   output.counts["targets"] = targets;
-  const auto any_variant = [&](const auto& is) {
-    return std::any_of(values["variants"].begin(), values["variants"].end(), is);
-  };
-  values["checks"] = any_variant([](const json& each) { return each["checks_rows"].get<bool>(); });
-  values["near"] = any_variant([](const json& each) { return each["seed_branch"].is_object(); });
+  conclude_variants(values);
   const emit::c::C in_c("");
   const emit::Dialect& dialect = language == Language::c ? in_c : emit::cpp_dialect();
   values["arm"] = values["checks"] || values["near"] ? emit::arm_values(described, dialect) : json(false);
@@ -227,10 +190,7 @@ void add_reasons(const InverseDerivation& derivation, RobotOutput& output) {
 
 void generate_inverse(const model::Robot& described, RobotOutput& output) {
   const InverseDerivation derivation = derive_inverse(described);
-  if (derivation.general.found) {
-    add_general_inverse(described, derivation.general, output);
-    return;
-  }
+  if (!derivation.eliminations.empty()) return add_eliminations(described, derivation.eliminations, output);
   if (!derivation.found()) return add_reasons(derivation, output);
   const json values = values_of(described, derivation, Language::cxx, output);
   output.files.push_back(
@@ -245,7 +205,7 @@ void generate_inverse(const model::Robot& described, RobotOutput& output) {
 
 void generate_inverse_c(const model::Robot& described, RobotOutput& output) {
   const InverseDerivation derivation = derive_inverse(described);
-  if (derivation.general.found) {
+  if (!derivation.eliminations.empty()) {
     output.missing.push_back(
         {"inverse", Missing::Kind::not_in_language,
          "it is by elimination, which is written in C++: --only c_inverse, without --language, "

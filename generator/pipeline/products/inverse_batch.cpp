@@ -9,6 +9,7 @@
 #include "emit/cpp/template_values.h"
 #include "pipeline/products/inverse_derivation.h"
 #include "pipeline/products/inverse_values.h"
+#include "pipeline/products/inverse_variant.h"
 
 namespace qvgen::pipeline {
 namespace {
@@ -72,16 +73,18 @@ json lane_values(const model::Robot& described, const derive::inverse::Derivatio
 }
 
 json variant(const model::Robot& described, const derive::inverse::Derivation& derivation) {
-  const bool locked = derivation.problem.given >= 0;
-  const std::string given =
-      locked ? described.joints[static_cast<std::size_t>(derivation.problem.given)].variable : "";
-  return {{"space", locked ? "given_" + given : "all"},
-          {"function", locked ? "inverse_kinematics_given_" + given : "inverse_kinematics"},
-          {"locked", locked},
-          {"given", derivation.problem.given},
-          {"given_name", "given_" + given},
-          {"capacity", derivation.plan.capacity},
-          {"lanes", lane_values(described, derivation, given)}};
+  json values = variant_names(described, derivation.problem);
+  values["capacity"] = derivation.plan.capacity;
+  values["lanes"] = lane_values(described, derivation, given_variable(described, derivation.problem));
+  return values;
+}
+
+/// By single calls.
+json variant(const model::Robot& described, const derive::inverse::GeneralDerivation& derivation) {
+  json values = variant_names(described, derivation.problem);
+  values["capacity"] = inverse::general::most_solutions;
+  values["lanes"] = false;
+  return values;
 }
 
 }  // namespace
@@ -91,9 +94,8 @@ json inverse_batch_values(const model::Robot& described) {
   json values{{"name", described.name}, {"variants", json::array()}};
   for (const derive::inverse::Derivation& form : derivation.closed_forms)
     values["variants"].push_back(variant(described, form));
-  if (derivation.general.found)
-    values["variants"].push_back(
-        {{"function", "inverse_kinematics"}, {"locked", false}, {"capacity", 16}, {"lanes", false}});
+  for (const derive::inverse::GeneralDerivation& elimination : derivation.eliminations)
+    values["variants"].push_back(variant(described, elimination));
   const json& variants = values["variants"];
   values["has_lanes"] = std::any_of(variants.begin(), variants.end(),
                                     [](const json& each) { return each["lanes"].is_object(); });

@@ -16,21 +16,20 @@ void add_closed_forms(const model::Robot& described, InverseDerivation& result) 
   }
 }
 
-void add_elimination(const model::Robot& described, InverseDerivation& result) {
-  result.general = derive::inverse::derive_general(described);
-  if (!result.general.reason.empty()) result.reasons.push_back(result.general.reason);
+void add_eliminations(const model::Robot& described, InverseDerivation& result) {
+  derive::inverse::GeneralDerivations general = derive::inverse::derive_general(described);
+  result.eliminations = std::move(general.found);
+  result.reasons.insert(result.reasons.end(), general.reasons.begin(), general.reasons.end());
 }
 
 }  // namespace
 
 InverseDerivation derive_inverse(const model::Robot& described) {
   InverseDerivation result;
-  const bool may_eliminate = described.inverse.task.value_or(model::Task::pose) == model::Task::pose &&
-                             described.inverse.given.empty();
-  const bool is_general = may_eliminate && derive::inverse::lacks_structure(described);
-  if (is_general) add_elimination(described, result);
+  const bool is_general = derive::inverse::lacks_structure(described);
+  if (is_general) add_eliminations(described, result);
   if (!result.found()) add_closed_forms(described, result);
-  if (!result.found() && may_eliminate && !is_general) add_elimination(described, result);
+  if (!result.found() && !is_general) add_eliminations(described, result);
   return result;
 }
 

@@ -9,15 +9,15 @@
 
 namespace qvgen::pipeline {
 
-/// All that can be derived of an arm's inverse kinematics: closed forms, or the elimination for six joints
-/// without structure, or the reasons why there is neither.
+/// All that can be derived of an arm's inverse kinematics: closed forms, or the elimination for arms without
+/// structure that come down to six joints, or the reasons why there is neither.
 struct InverseDerivation {
   /// Each found, for an arm whose symbols are private names (model/private_names.h).
   std::vector<derive::inverse::Derivation> closed_forms;
-  derive::inverse::GeneralDerivation general;  ///< found only if there is no closed form
-  std::vector<std::string> reasons;            ///< of what was not found, also if something else was
+  std::vector<derive::inverse::GeneralDerivation> eliminations;  ///< only if there is no closed form
+  std::vector<std::string> reasons;  ///< of what was not found, also if something else was
 
-  [[nodiscard]] bool found() const { return !closed_forms.empty() || general.found; }
+  [[nodiscard]] bool found() const { return !closed_forms.empty() || !eliminations.empty(); }
 };
 
 InverseDerivation derive_inverse(const model::Robot& described);

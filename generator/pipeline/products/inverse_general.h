@@ -6,8 +6,9 @@
 
 namespace qvgen::pipeline {
 
-/// Adds the files of six joints without structure, whose elimination has been set up.
-void add_general_inverse(const model::Robot& described, const derive::inverse::GeneralDerivation& derivation,
-                         RobotOutput& output);
+/// Adds the files of an arm without structure, for each way to ask for it that has been found.
+void add_eliminations(const model::Robot& described,
+                      const std::vector<derive::inverse::GeneralDerivation>& derivations,
+                      RobotOutput& output);
 
 }  // namespace qvgen::pipeline

@@ -53,8 +53,21 @@ Careful::Careful(const Setup& setup, const Pose<double>& pose, double tolerance,
       seeded_(preference.seeded),
       pass_(pass) {}
 
-void Careful::eliminate(int number, const Pose<double>& pose, Gathered& gathered) const {
-  pass_(setup_.chain, setup_.eliminations[number], goal_of(setup_.chain, pose), tolerance_, gathered);
+/// Those that are set up, then the further ones; null if enough have been asked for.
+const Elimination* Careful::next_elimination() {
+  if (eliminations_ == most_eliminations) return nullptr;
+  if (eliminations_ < setup_.count) return &setup_.eliminations[eliminations_++];
+  while (further_ < setup_.further.count) {
+    const Choice& choice = setup_.further.choice[further_++];
+    if (!general::eliminate(setup_.chain, choice.backwards, choice.shift, set_up_here_)) continue;
+    ++eliminations_;
+    return &set_up_here_;
+  }
+  return nullptr;
+}
+
+void Careful::eliminate(const Elimination& elimination, const Pose<double>& pose, Gathered& gathered) const {
+  pass_(setup_.chain, elimination, goal_of(setup_.chain, pose), tolerance_, gathered);
 }
 
 void Careful::settle(const JointPairs& start) {
@@ -122,9 +135,9 @@ void Careful::run(Gathered& first) {
   merge();
   bool all_loud = first.loud;
   bool agreed = false;
-  for (int k = 1; k < setup_.count; ++k) {
+  while (const Elimination* elimination = next_elimination()) {
     Gathered more;
-    eliminate(k, pose_, more);
+    eliminate(*elimination, pose_, more);
     const int before = size_;
     settle(more);
     merge();
@@ -136,7 +149,7 @@ void Careful::run(Gathered& first) {
   for (int k = 0; k < 6 && (size_ == 0 || !is_even()); ++k) {
     constexpr double far = 30;  // times what `displaced` takes for a little
     Gathered near;
-    eliminate(0, quartic::displaced(pose_, far * setup_.chain.size, k).pose, near);
+    eliminate(setup_.eliminations[0], quartic::displaced(pose_, far * setup_.chain.size, k).pose, near);
     settle(near);
     merge();
     ++effort_.passes;

@@ -50,7 +50,8 @@ class Careful {
 
   void settle(const Gathered& gathered);
   void settle(const JointPairs& start);
-  void eliminate(int number, const Pose<double>& pose, Gathered& gathered) const;
+  [[nodiscard]] const Elimination* next_elimination();
+  void eliminate(const Elimination& elimination, const Pose<double>& pose, Gathered& gathered) const;
   [[nodiscard]] bool is_even();
   [[nodiscard]] bool are_one(const Row& a, const Row& b);
   void merge();
@@ -64,6 +65,9 @@ class Careful {
   bool seeded_;
   Pass pass_;
   Tracker tracker_{most};
+  int eliminations_ = 1;  ///< that have been asked for
+  int further_ = 0;       ///< of the choices that were to be set up
+  Elimination set_up_here_;
   int starts_ = 0;
   int size_ = 0;
   Row rows_[most_solutions];

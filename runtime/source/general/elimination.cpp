@@ -125,10 +125,10 @@ PairMatrix pair_matrix(const Elimination& e, const Displacement& d) {
   for (int m = 0; m < 3; ++m) {
     Line moved, changed;
     move_line(second.rotation, second.translation, modes[m], moved);
-    displace(d, moved, changed);
+    if (!d.skew) displace(d, moved, changed);
     Long of_value[3][line_functions], of_derivative[3][line_functions];
     inverse_modes(e.slide[2], moved, of_value);
-    inverse_modes(e.slide[2], changed, of_derivative);
+    if (!d.skew) inverse_modes(e.slide[2], changed, of_derivative);
     for (int k = 0; k < 3; ++k)
       for (int i = 0; i < line_functions; ++i) {
         q.value[3 * m + k][i] = of_value[k][i];
@@ -138,15 +138,13 @@ PairMatrix pair_matrix(const Elimination& e, const Displacement& d) {
   return q;
 }
 
-/// Reflects x in the plane across v, from number `first` on.
+/// Reflects x in the plane across v, from number `first` on; twice_by_square: 2 / v.v.
 template <int size>
-void reflect_across(const Long (&v)[size], int first, Long* x) {
-  Long square = 0, share = 0;
-  for (int i = first; i < size; ++i) {
-    square += v[i] * v[i];
-    share += v[i] * x[i];
-  }
-  for (int i = first; i < size; ++i) x[i] -= 2 * share / square * v[i];
+void reflect_across(const Long (&v)[size], Long twice_by_square, int first, Long* x) {
+  Long share = 0;
+  for (int i = first; i < size; ++i) share += v[i] * x[i];
+  share *= twice_by_square;
+  for (int i = first; i < size; ++i) x[i] -= share * v[i];
 }
 
 /// Householder's triangular form of nine columns.
@@ -161,8 +159,10 @@ class Triangular {
         mirror_[k][i] = column_[k][i];
         square += column_[k][i] * column_[k][i];
       }
-      mirror_[k][k] += column_[k][k] < 0 ? -std::sqrt(square) : std::sqrt(square);
-      for (int j = k; j < 9; ++j) reflect_across(mirror_[k], k, column_[j]);
+      const Long length = std::sqrt(square), head = std::abs(column_[k][k]);
+      mirror_[k][k] += column_[k][k] < 0 ? -length : length;
+      twice_by_square_[k] = 1 / (length * (length + head));
+      for (int j = k; j < 9; ++j) reflect(k, column_[j]);
     }
   }
   [[nodiscard]] bool has_full_rank() const {
@@ -174,20 +174,25 @@ class Triangular {
   void outside(int k, Line& result) const {
     for (Long& x : result) x = 0;
     result[9 + k] = 1;
-    for (int j = 8; j >= 0; --j) reflect_across(mirror_[j], j, result);
+    for (int j = 8; j >= 0; --j) reflect(j, result);
   }
-  /// The combination of the columns that comes nearest to b.
-  void nearest(Line b, Long (&x)[9]) const {
-    for (int j = 0; j < 9; ++j) reflect_across(mirror_[j], j, b);
-    for (int k = 8; k >= 0; --k) {
-      x[k] = b[k];
-      for (int j = k + 1; j < 9; ++j) x[k] -= column_[j][k] * x[j];
-      x[k] /= column_[k][k];
+  /// What gives a vector's share of the k-th column, if it is brought as near to the vector as the columns
+  /// allow: the k-th row of their pseudo-inverse.
+  void share_of(int k, Line& result) const {
+    for (Long& x : result) x = 0;
+    for (int i = k; i < 9; ++i) {
+      Long sum = i == k ? 1 : 0;
+      for (int j = k; j < i; ++j) sum -= column_[i][j] * result[j];
+      result[i] = sum / column_[i][i];
     }
+    for (int j = 8; j >= 0; --j) reflect(j, result);
   }
 
  private:
+  void reflect(int k, Long* x) const { reflect_across(mirror_[k], twice_by_square_[k], k, x); }
+
   Line column_[9], mirror_[9];
+  Long twice_by_square_[9];
 };
 
 /// Six equations in a line's functions.
@@ -203,7 +208,11 @@ Rows mixed(const Rows& rows) {
   for (int i = 0; i < line_functions; ++i) {
     Long column[6];
     for (int r = 0; r < 6; ++r) column[r] = rows.row[r][i];
-    for (const auto& mirror : mirrors) reflect_across(mirror, 0, column);
+    for (const auto& mirror : mirrors) {
+      Long square = 0;
+      for (const Long x : mirror) square += x * x;
+      reflect_across(mirror, 2 / square, 0, column);
+    }
     for (int r = 0; r < 6; ++r) result.row[r][i] = column[r];
   }
   return result;
@@ -253,6 +262,25 @@ Goal any_goal(const Chain& chain) {
   return goal;
 }
 
+void clear(double (&table)[18][15]) {
+  for (auto& row : table)
+    for (double& x : row) x = 0;
+}
+
+/// The equations times the pair's columns are zero: so is the derivative of that.
+Rows derivative_of(const Rows& rows, const PairMatrix& q, const Triangular& triangular) {
+  Rows change = {};
+  for (int k = 0; k < 9; ++k) {
+    Line share;
+    triangular.share_of(k, share);
+    for (int r = 0; r < 6; ++r) {
+      const Long by = dot(rows.row[r], q.derivative[k]);
+      for (int i = 0; i < line_functions; ++i) change.row[r][i] -= by * share[i];
+    }
+  }
+  return change;
+}
+
 }  // namespace
 
 bool eliminate(const Chain& chain, bool backwards, int shift, Elimination& e) {
@@ -267,28 +295,19 @@ bool eliminate(const Chain& chain, bool backwards, int shift, Elimination& e) {
   for (int r = 0; r < 6; ++r) triangular.outside(r, rows.row[r]);
   rows = mixed(rows);
   set_table(e, rows, e.equations);
-  Long inverse[9][line_functions];
-  for (int i = 0; i < line_functions; ++i) {
-    Line unit = {};
-    unit[i] = 1;
-    Long x[9];
-    triangular.nearest(unit, x);
-    for (int k = 0; k < 9; ++k) inverse[k][i] = x[k];
-  }
-  // The equations times the columns are zero: so is the derivative of that.
-  Rows change = {};
-  for (int r = 0; r < 6; ++r)
-    for (int k = 0; k < 9; ++k) {
-      const Long share = dot(rows.row[r], q.derivative[k]);
-      for (int i = 0; i < line_functions; ++i) change.row[r][i] -= share * inverse[k][i];
-    }
-  set_table(e, change, e.derived);
   // cos and sin of 2' stand beside the constant of 3', and the other way round.
   constexpr int places[4] = {3, 6, 1, 2};
-  for (int k = 0; k < 4; ++k)
-    for (int i = 0; i < line_functions; ++i) e.pair_values[k][i] = static_cast<double>(inverse[places[k]][i]);
+  for (int k = 0; k < 4; ++k) {
+    Line share;
+    triangular.share_of(places[k], share);
+    for (int i = 0; i < line_functions; ++i) e.pair_values[k][i] = static_cast<double>(share[i]);
+  }
   e.pair = Pair::skew;
-  if (displacement.skew) return true;
+  if (displacement.skew) {
+    clear(e.derived);
+    return true;
+  }
+  set_table(e, derivative_of(rows, q, triangular), e.derived);
   e.pair = equations_repeat(e, chain, any_goal(chain)) ? Pair::repeats : Pair::confuses;
   return true;
 }

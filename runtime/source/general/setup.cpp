@@ -80,33 +80,70 @@ Trial tried(const Chain& chain, const Elimination& e) {
   return trial;
 }
 
+/// Neither without size nor with two slides.
+bool is_eligible(const Chain& chain) {
+  return chain.size > 0 && std::count(chain.slides, chain.slides + joints, true) <= 1;
+}
+
 }  // namespace
 
-Setup set_up(const Description& arm) {
+Choices choose(const Description* arms, int count) {
+  struct Candidate {
+    Choice choice;
+    int missing, score;
+  };
+  Candidate candidates[Choices::most];
+  int found = 0;
+  for (const bool backwards : {false, true})
+    for (int shift = 0; shift < 3; ++shift) {
+      Candidate& candidate = candidates[found] = {{backwards, shift}, 0, 0};
+      bool serves = count > 0;
+      for (int i = 0; i < count && serves; ++i) {
+        const Chain chain = chain_of(arms[i]);
+        Elimination elimination;
+        serves = is_eligible(chain) && eliminate(chain, backwards, shift, elimination);
+        if (!serves) break;
+        const Trial trial = tried(chain, elimination);
+        candidate.missing += trial.missing;
+        candidate.score += trial.score() + (elimination.pair == Pair::skew ? 0 : trials / 4);
+      }
+      if (serves && candidate.missing <= count * trials / 8) ++found;
+    }
+  std::stable_sort(candidates, candidates + found,
+                   [](const Candidate& a, const Candidate& b) { return a.score < b.score; });
+  Choices choices;
+  choices.count = found;
+  choices.score = found > 0 ? candidates[0].score : 0;
+  for (int i = 0; i < found; ++i) choices.choice[i] = candidates[i].choice;
+  return choices;
+}
+
+namespace {
+
+/// As many eliminations as are asked for.
+Setup set_up(const Description& arm, const Choices& choices, int count) {
   Setup setup;
   setup.description = arm;
   setup.chain = chain_of(arm);
-  const auto& slides = setup.chain.slides;
-  if (!(setup.chain.size > 0) || std::count(slides, slides + joints, true) > 1) return setup;
-  struct Choice {
-    Elimination elimination;
-    int score;
-  };
-  Choice choices[6];
-  int count = 0;
-  for (const bool backwards : {false, true})
-    for (int shift = 0; shift < 3; ++shift) {
-      Choice& choice = choices[count];
-      if (!eliminate(setup.chain, backwards, shift, choice.elimination)) continue;
-      const Trial trial = tried(setup.chain, choice.elimination);
-      choice.score = trial.score() + (choice.elimination.pair == Pair::skew ? 0 : trials / 4);
-      if (trial.missing <= trials / 8) ++count;
-    }
-  std::stable_sort(choices, choices + count,
-                   [](const Choice& a, const Choice& b) { return a.score < b.score; });
-  setup.count = std::min(count, most_eliminations);
-  for (int i = 0; i < setup.count; ++i) setup.eliminations[i] = choices[i].elimination;
+  if (!is_eligible(setup.chain)) return setup;
+  int next = 0;
+  for (; next < choices.count && setup.count < count; ++next) {
+    const Choice& choice = choices.choice[next];
+    if (eliminate(setup.chain, choice.backwards, choice.shift, setup.eliminations[setup.count]))
+      ++setup.count;
+  }
+  for (; next < choices.count; ++next) setup.further.choice[setup.further.count++] = choices.choice[next];
   return setup;
 }
+
+}  // namespace
+
+Setup set_up(const Description& arm) {
+  Setup setup = set_up(arm, choose(&arm, 1), most_eliminations);
+  setup.further.count = 0;
+  return setup;
+}
+
+Setup set_up_first(const Description& arm, const Choices& choices) { return set_up(arm, choices, 1); }
 
 }  // namespace qvgen::inverse::general

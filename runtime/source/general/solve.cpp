@@ -47,8 +47,16 @@ void solve(const Setup& setup, const Pose<double>& pose, double tolerance,
            const Preference<joints>& preference, Form form, Found& found) {
   found.clear();
   found.effort = {};
-  if (outlook(pose, setup.chain.reach, tolerance) != Outlook::open || setup.count == 0) {
+  if (!std::isfinite(setup.chain.size)) {
+    found.status = Status::invalid;
+    return;
+  }
+  if (outlook(pose, setup.chain.reach, tolerance) != Outlook::open) {
     found.status = status_beyond(pose);
+    return;
+  }
+  if (setup.count == 0) {
+    found.status = Status::incomplete;
     return;
   }
   const Pass pass = pass_for(form);

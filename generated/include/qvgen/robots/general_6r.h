@@ -9,13 +9,3 @@
 #include <qvgen/robots/general_6r/jacobian.h>
 #include <qvgen/robots/general_6r/dynamics.h>
 
-// Not generated:
-//   inverse: joints 4, 5 and 6: their axes do not meet in one point
-//   inverse: joints 1, 2 and 3: their axes do not meet in one point
-//   inverse: joints 3, 4 and 5: their axes do not meet in one point
-//   inverse: joints 2, 3 and 4: their axes do not meet in one point
-//   inverse: joints 2, 3 and 4: their axes are not parallel
-//   inverse: joints 3, 4 and 5: their axes are not parallel
-//   inverse: joints 1, 2 and 3: their axes are not parallel
-//   inverse: joints 4, 5 and 6: their axes are not parallel
-//   inverse: any six joints: there are symbols in the arm's geometry

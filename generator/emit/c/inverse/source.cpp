@@ -128,7 +128,7 @@ void add_sizes(const model::Robot& robot, json& values) {
 void add_entries(const model::Robot& robot, const derive::inverse::Derivation& derivation, json& variant) {
   const Problem& problem = derivation.problem;
   const Task task = problem.task;
-  emit::add_entries(robot, derivation, variant);
+  emit::add_entries(robot, derivation.problem, variant);
   variant["row_arm"] = row_arm(problem, variant["virtual_joints"], "", numbers_of(problem.tool_axis));
   json entries = json::array();
   const json& cpp = variant["entries"];

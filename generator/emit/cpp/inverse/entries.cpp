@@ -196,8 +196,7 @@ void add_seed_branch(const model::Robot& robot, const Problem& problem, json& va
 
 }  // namespace
 
-void add_entries(const model::Robot& robot, const derive::inverse::Derivation& derivation, json& variant) {
-  const Problem& problem = derivation.problem;
+void add_entries(const model::Robot& robot, const Problem& problem, json& variant) {
   const Task task = problem.task;
   add_seed_branch(robot, problem, variant);
   json entries = json::array();

@@ -10,8 +10,7 @@ namespace qvgen::emit {
 
 /// Adds to a variant's template values its public functions: what each takes, how that becomes a pose of the
 /// arm that the plan is of, and what is done with the rows.
-void add_entries(const model::Robot& robot, const derive::inverse::Derivation& derivation,
-                 nlohmann::json& variant);
+void add_entries(const model::Robot& robot, const derive::inverse::Problem& problem, nlohmann::json& variant);
 
 /// The arm's screws at zero, for functions that look at rows, turn a tool, or move the whole arm.
 nlohmann::json arm_values(const model::Robot& described, const Dialect& dialect);

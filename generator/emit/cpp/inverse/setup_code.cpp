@@ -160,6 +160,8 @@ std::vector<std::string> setup_lines(const Setup& setup) {
     add(to, setup.eliminations[i]);
   }
   to.close();
+  to.comma();
+  to.text("{}");  // nothing further to set up
   to.close();
   return to.lines();
 }

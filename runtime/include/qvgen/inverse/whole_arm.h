@@ -150,9 +150,9 @@ Preference<dof - 1> without_joint(const Preference<dof>& seed, int still) {
 }
 
 /// Rows with the value of one more joint.
-template <int dof>
-Solutions<dof + 1, 1> with_joint(const Solutions<dof, 1>& rows, int joint, double value) {
-  Solutions<dof + 1, 1> result;
+template <int dof, int capacity>
+Solutions<dof + 1, capacity> with_joint(const Solutions<dof, capacity>& rows, int joint, double value) {
+  Solutions<dof + 1, capacity> result;
   for (const Solution<dof>& row : rows) {
     Joints<dof + 1> q;
     for (int i = 0; i < dof; ++i) q[i < joint ? i : i + 1] = row.q[i];
@@ -160,6 +160,7 @@ Solutions<dof + 1, 1> with_joint(const Solutions<dof, 1>& rows, int joint, doubl
     append(result, q, row.branch, row.continuum);
   }
   result.effort = rows.effort;
+  result.status = rows.status;
   return result;
 }
 

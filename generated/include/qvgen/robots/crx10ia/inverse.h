@@ -18,28 +18,28 @@ struct Limits : JointLimits<dof> {
       : JointLimits<dof>{lower_bounds, upper_bounds} {}
 };
 
-using Solutions = qvgen::Solutions<dof, 16>;
 /// One solution or none.
 using NearSolution = qvgen::Solutions<dof, 1>;
-/// At most 16 solutions; what is asked for; the joint that the caller gives, -1 for none; has lanes; whether branches
-/// keep their numbers along a path; no axis of the tool; no closed form.
+
+using Solutions = qvgen::Solutions<dof, 16>;
+/// At most 16 solutions; what is asked for; the joint that the caller gives, -1 for none; has lanes;
+/// whether branches keep their numbers along a path;
+/// the axis of the tool whose direction is asked for; no closed form.
 inline constexpr InverseInfo inverse_info{ 16, Task::pose, -1, false, false, {}, true };
 
 /// All joint values that bring the tool to a pose (position and orientation), angles in (-pi, pi], each once.
 ///
-/// six joints of any geometry: elimination to a polynomial of degree 8 in cosine and sine of one angle
+/// Derived from the description: six joints of any geometry: elimination to a polynomial of degree 8 in cosine and sine
+/// of one angle.
 /// - theta4 from det A(theta4) = 0, 6 equations in 9 products of powers of theta5 and theta6
-///   theta1 dropped; theta2, theta3 (axes 2, 3) linear: axes that meet or are parallel, an equation replaced by a
-///   derivative
+///   theta1 dropped; theta2, theta3 linear: axes that meet or are parallel, an equation replaced by a derivative
 /// - if in doubt: theta3 from det A(theta3) = 0, 6 equations in 9 products of powers of theta2 and theta1
-///   theta6 dropped; theta5, theta4 (axes 5, 4) linear: axes that meet or are parallel, an equation replaced by a
-///   derivative
+///   theta6 dropped; theta5, theta4 linear: axes that meet or are parallel, an equation replaced by a derivative
 /// - if in doubt: theta2 from det A(theta2) = 0, 6 equations in 9 products of powers of theta1 and theta6
-///   theta5 dropped; theta4, theta3 (axes 4, 3) linear: axes that meet or are parallel, the determinant by derivatives
-///   of first order
+///   theta5 dropped; theta4, theta3 linear: axes that meet or are parallel, the determinant by derivatives of first
+///   order
 /// - if in doubt: theta1 from det A(theta1) = 0, 6 equations in 9 products of powers of theta6 and theta5
-///   theta4 dropped; theta3, theta2 (axes 3, 2) linear: axes that meet or are parallel, an equation replaced by a
-///   derivative
+///   theta4 dropped; theta3, theta2 linear: axes that meet or are parallel, an equation replaced by a derivative
 ///
 /// Checked at 5 random poses: the 40 solutions give the pose back to 1e-12 (by sixty digits),
 /// the sampled joints among them.
@@ -47,25 +47,29 @@ inline constexpr InverseInfo inverse_info{ 16, Task::pose, -1, false, false, {},
 /// The pose's quaternion may be off its length by rounding (float's too) and is normalised; NaN, infinity or no
 /// rotation gives Status::invalid. `tolerance` is how far beyond the boundary of reach, as a share of the arm's size,
 /// a pose is still solved by the nearest joints. What a singular pose leaves free is taken as it is found, or near
-/// the seed. Rows stand in the order of their joints, a row's branch is its place. Status::incomplete says that a
-/// solution may be missing: there is a reason to doubt that all have been found; near singular poses one may be
-/// missing without a word. No heap, no exceptions, bounded work. Four angles at a time in the lanes of AVX2
-/// registers, if the machine has them; `form` is for comparisons.
+/// the seed. Rows stand in the order of their joints, a row's branch is its place.
+/// Status::incomplete says that a solution may be missing: there is a reason to doubt that all have been found;
+/// near singular poses one may be missing without a word. No heap, no exceptions, bounded work.
+/// Four angles at a time in the lanes of AVX2 registers, if the machine has them; `form` is for comparisons.
 Solutions inverse_kinematics(const Pose<double>& pose, const Geometry& g = {},
     double tolerance = inverse::default_tolerance, inverse::Form form = inverse::Form::fastest);
-/// The same, nearest to the seed first (see `sort_by_distance`); free joints are taken from the seed.
+/// The same, nearest to the seed first (see `sort_by_distance`); free joints are taken from the seed. Where
+/// a joint is nearly free Newton steps from the seed bring the nearest row to it, by at most 60 more
+/// evaluations of the Jacobian.
 Solutions inverse_kinematics(const Pose<double>& pose, const JointVector<double>& seed, const Geometry& g = {},
     double tolerance = inverse::default_tolerance);
 /// The same for a rotation matrix and a position (m).
 Solutions inverse_kinematics(const Matrix3<double>& rotation, const Vector3<double>& position, const Geometry& g = {},
     double tolerance = inverse::default_tolerance);
-/// The solutions within joint limits, as in inverse_kinematics(pose, Limits()): every representative of an angle that
-/// differs by whole turns and lies inside, of each row those nearest to zero first (see `within_limits`).
+/// The solutions within joint limits, as in inverse_kinematics(pose, Limits()):
+/// every representative of an angle that differs by whole turns and lies inside, in each branch those nearest to zero
+/// first (see `within_limits`).
 LimitedSolutions<dof, 16> inverse_kinematics(const Pose<double>& pose, const JointLimits<dof>& limits,
     const Geometry& g = {},
     double tolerance = inverse::default_tolerance);
-/// The same with a seed: one row for each solution that has one inside, the representative nearest to the seed; the
-/// nearest row first. `continued` goes on a path by them.
+/// The same with a seed, inverse_kinematics(pose, seed, Limits()):
+/// one row for each branch that has one inside, the representative nearest to the seed; the nearest row first.
+/// `continued` goes on a path by them.
 LimitedSolutions<dof, 16, 1> inverse_kinematics(const Pose<double>& pose, const JointVector<double>& seed,
     const JointLimits<dof>& limits,
     const Geometry& g = {}, double tolerance = inverse::default_tolerance);
@@ -74,6 +78,7 @@ LimitedSolutions<dof, 16, 1> inverse_kinematics(const Pose<double>& pose, const 
 /// are within half a turn of the seed's, not confined to (-pi, pi]. A joint that a singular pose leaves free stays
 /// where the seed has it, as far as the other joints can follow, and Status::singular says so. Where the steps, a
 /// bounded number, do not come to the pose, all solutions are looked for as above, and the nearest is taken.
+
 NearSolution inverse_kinematics_near(const Pose<double>& pose, const JointVector<double>& seed, const Geometry& g = {},
     double tolerance = inverse::default_tolerance);
 

@@ -3,13 +3,83 @@
 // ./qvgen generate
 #pragma once
 
-// There is no inverse for this robot:
-//   joints 4, 5 and 6: their axes do not meet in one point
-//   joints 1, 2 and 3: their axes do not meet in one point
-//   joints 3, 4 and 5: their axes do not meet in one point
-//   joints 2, 3 and 4: their axes do not meet in one point
-//   joints 2, 3 and 4: their axes are not parallel
-//   joints 3, 4 and 5: their axes are not parallel
-//   joints 1, 2 and 3: their axes are not parallel
-//   joints 4, 5 and 6: their axes are not parallel
-//   any six joints: there are symbols in the arm's geometry
+#include <qvgen/inverse/choose.h>
+#include <qvgen/inverse/scalar.h>
+#include <qvgen/inverse/solutions.h>
+#include <qvgen/pose.h>
+#include <qvgen/robots/general_6r/model.h>
+
+namespace qvgen::robots::general_6r {
+
+/// Joint limits, the description's unless set.
+struct Limits : JointLimits<dof> {
+  Limits() : JointLimits<dof>{JointVector<double>(lower_limits.data()), JointVector<double>(upper_limits.data())} {}
+  Limits(const JointVector<double>& lower_bounds, const JointVector<double>& upper_bounds)
+      : JointLimits<dof>{lower_bounds, upper_bounds} {}
+};
+
+/// One solution or none.
+using NearSolution = qvgen::Solutions<dof, 1>;
+
+using Solutions = qvgen::Solutions<dof, 16>;
+/// At most 16 solutions; what is asked for; the joint that the caller gives, -1 for none; has lanes;
+/// whether branches keep their numbers along a path;
+/// the axis of the tool whose direction is asked for; no closed form.
+inline constexpr InverseInfo inverse_info{ 16, Task::pose, -1, false, false, {}, true };
+
+/// All joint values that bring the tool to a pose (position and orientation), angles in (-pi, pi], each once.
+///
+/// Derived from the description: six joints of any geometry: elimination to a polynomial of degree 8 in cosine and sine
+/// of one angle.
+/// - theta4 from det A(theta4) = 0, 6 equations in 9 products of powers of theta5 and theta6
+///   theta1 dropped; theta2, theta3 linear: skew axes
+/// - if in doubt: theta5 from det A(theta5) = 0, 6 equations in 9 products of powers of theta6 and theta1
+///   theta2 dropped; theta3, theta4 linear: skew axes
+/// - if in doubt: theta6 from det A(theta6) = 0, 6 equations in 9 products of powers of theta1 and theta2
+///   theta3 dropped; theta4, theta5 linear: skew axes
+/// - if in doubt: theta3 from det A(theta3) = 0, 6 equations in 9 products of powers of theta2 and theta1
+///   theta6 dropped; theta5, theta4 linear: skew axes
+///
+/// Checked at 5 random poses: the 22 solutions give the pose back to 1e-12 (by sixty digits),
+/// the sampled joints among them.
+///
+/// The pose's quaternion may be off its length by rounding (float's too) and is normalised; NaN, infinity or no
+/// rotation gives Status::invalid. `tolerance` is how far beyond the boundary of reach, as a share of the arm's size,
+/// a pose is still solved by the nearest joints. What a singular pose leaves free is taken as it is found, or near
+/// the seed. Rows stand in the order of their joints, a row's branch is its place.
+/// Status::incomplete says that a solution may be missing: there is a reason to doubt that all have been found;
+/// near singular poses one may be missing without a word. No heap, no exceptions, bounded work.
+/// What the geometry or a given joint says is worked out at every call, which takes as long as some poses.
+/// Four angles at a time in the lanes of AVX2 registers, if the machine has them; `form` is for comparisons.
+Solutions inverse_kinematics(const Pose<double>& pose, const Geometry& g = {},
+    double tolerance = inverse::default_tolerance, inverse::Form form = inverse::Form::fastest);
+/// The same, nearest to the seed first (see `sort_by_distance`); free joints are taken from the seed. Where
+/// a joint is nearly free Newton steps from the seed bring the nearest row to it, by at most 60 more
+/// evaluations of the Jacobian.
+Solutions inverse_kinematics(const Pose<double>& pose, const JointVector<double>& seed, const Geometry& g = {},
+    double tolerance = inverse::default_tolerance);
+/// The same for a rotation matrix and a position (m).
+Solutions inverse_kinematics(const Matrix3<double>& rotation, const Vector3<double>& position, const Geometry& g = {},
+    double tolerance = inverse::default_tolerance);
+/// The solutions within joint limits, as in inverse_kinematics(pose, Limits()):
+/// every representative of an angle that differs by whole turns and lies inside, in each branch those nearest to zero
+/// first (see `within_limits`).
+LimitedSolutions<dof, 16> inverse_kinematics(const Pose<double>& pose, const JointLimits<dof>& limits,
+    const Geometry& g = {},
+    double tolerance = inverse::default_tolerance);
+/// The same with a seed, inverse_kinematics(pose, seed, Limits()):
+/// one row for each branch that has one inside, the representative nearest to the seed; the nearest row first.
+/// `continued` goes on a path by them.
+LimitedSolutions<dof, 16, 1> inverse_kinematics(const Pose<double>& pose, const JointVector<double>& seed,
+    const JointLimits<dof>& limits,
+    const Geometry& g = {}, double tolerance = inverse::default_tolerance);
+
+/// For control loops: the solution that Newton's steps from the seed, the joints that went before, lead to. Angles
+/// are within half a turn of the seed's, not confined to (-pi, pi]. A joint that a singular pose leaves free stays
+/// where the seed has it, as far as the other joints can follow, and Status::singular says so. Where the steps, a
+/// bounded number, do not come to the pose, all solutions are looked for as above, and the nearest is taken.
+
+NearSolution inverse_kinematics_near(const Pose<double>& pose, const JointVector<double>& seed, const Geometry& g = {},
+    double tolerance = inverse::default_tolerance);
+
+}  // namespace qvgen::robots::general_6r

@@ -12,6 +12,20 @@ enum class Pair {
   confuses  ///< two vectors that belong to no solution solve them at every outer angle
 };
 
+/// Which way round the loop of an `Elimination` goes, and with which joint it begins.
+struct Choice {
+  bool backwards;
+  int shift;  ///< 0, 1 or 2
+};
+
+/// The eliminations that serve an arm, or arms that differ in numbers only, the best first.
+struct Choices {
+  static constexpr int most = 6;
+  int count = 0;
+  Choice choice[most];
+  int score = 0;  ///< of the first: the less, the fewer poses leave it in doubt
+};
+
 /// One way to eliminate: the loop J1' C1' ... J6' C6' = I is a cyclic shift of the arm's own, closed by the
 /// pose, forwards or backwards. Joint 1' drops out, 2' and 3' are the pair that the equations are linear in,
 /// the determinant is a polynomial in joint 4', the outer one. Lengths in units of the arm's size.
@@ -37,12 +51,19 @@ struct Setup {
   Description description;
   int count = 0;  ///< eliminations, the best first; none: the arm cannot be solved this way
   Elimination eliminations[most_eliminations];
+  Choices further;  ///< those that are set up when a pose is in doubt
 };
 
-/// Everything that can be known before a pose is. Takes some milliseconds: eliminations are tried on sampled
-/// poses and the best are kept. `count` is 0 for arms that are singular everywhere or that have more than one
-/// slide.
+/// Tries all eliminations on sampled poses of each of these arms; takes some milliseconds. None serves arms
+/// that are singular everywhere or that have more than one slide.
+Choices choose(const Description* arms, int count);
+
+/// Everything that can be known before a pose is, by the choices that are best for the arm.
 Setup set_up(const Description& arm);
+/// What most poses need of it, some tens of microseconds, for a geometry or the value of a given joint that
+/// is known when the pose is: the first of the choices that the arm admits. Where the value of a given joint
+/// brings axes together it may not admit all.
+Setup set_up_first(const Description& arm, const Choices& choices);
 
 /// One elimination alone, untried: what the generator states and what tests compare. False if the joints 1'
 /// or 4' would be slides.
