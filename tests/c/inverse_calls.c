@@ -3,6 +3,7 @@
 #include "inverse_calls.h"
 
 #include "qvgen_jaco2_inverse.h"
+#include "qvgen_seven_joints_inverse.h"
 
 int jaco2_in_c(const double pose[7], const double* seed, struct rows* found) {
   found->capacity = jaco2_inverse_capacity;
@@ -21,4 +22,19 @@ int jaco2_near_in_c(const double pose[7], double* q, int* status) {
 
 int jaco2_with_room(const double pose[7], int rows, struct rows* found) {
   return jaco2_inverse_kinematics(pose, pose + 4, NULL, NULL, rows, found->q, NULL, &found->status);
+}
+
+int seven_in_c(const double pose[7], double given, const double* seed, struct seven_rows* found) {
+  found->capacity = seven_joints_inverse_capacity_given_theta5;
+  return seven_joints_inverse_kinematics_given_theta5(pose, pose + 4, given, seed, NULL, 16, found->q,
+                                                      found->branches, &found->status);
+}
+
+int seven_within_in_c(const double pose[7], double given, const double* seed, struct seven_rows* found) {
+  return seven_joints_inverse_kinematics_within_given_theta5(pose, pose + 4, given, seed, NULL, NULL, NULL,
+                                                             16, found->q, found->branches, &found->status);
+}
+
+int seven_near_in_c(const double pose[7], double given, double* q, int* status) {
+  return seven_joints_inverse_kinematics_near_given_theta5(pose, pose + 4, given, q, NULL, q, status);
 }

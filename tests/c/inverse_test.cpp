@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 #include <qvgen/robots/jaco2.h>
+#include <qvgen/robots/seven_joints/inverse.h>
+#include <qvgen/robots/seven_joints/kinematics.h>
 
 #include "inverse_calls.h"
 #include "same_bits.h"
@@ -21,8 +23,8 @@ Numbers numbers_of(const qvgen::Pose<double>& pose) {
   return numbers;
 }
 
-template <class Found>
-void expect_rows(const Found& cxx, int count, const rows& c) {
+template <class Found, class Rows>
+void expect_rows(const Found& cxx, int count, const Rows& c) {
   ASSERT_EQ(count, cxx.size());
   EXPECT_EQ(c.status, static_cast<int>(cxx.status));
   for (int i = 0; i < count; ++i) {
@@ -85,6 +87,32 @@ TEST(InverseInC, NearASeed) {
   int status = -1;
   EXPECT_EQ(jaco2_near_in_c(Numbers::Constant(std::nan("")).eval().data(), seed.data(), &status), 0);
   EXPECT_EQ(seed, Joints::Zero());
+}
+
+TEST(InverseInC, AJointThatIsGiven) {
+  namespace seven = qvgen::robots::seven_joints;
+  std::mt19937 random(4);
+  for (int i = 0; i < 100; ++i) {
+    const auto q = any<seven::JointVector<double>>(random), seed = any<seven::JointVector<double>>(random);
+    const auto pose = seven::forward_kinematics(q);
+    const Numbers numbers = numbers_of(pose);
+    seven_rows found{};
+    int count = seven_in_c(numbers.data(), q[4], seed.data(), &found);
+    EXPECT_EQ(found.capacity, seven::inverse_info_given_theta5.capacity);
+    EXPECT_GT(count, 0);
+    ASSERT_NO_FATAL_FAILURE(
+        expect_rows(seven::inverse_kinematics_given_theta5(pose, q[4], seed), count, found));
+    count = seven_within_in_c(numbers.data(), q[4], seed.data(), &found);
+    ASSERT_NO_FATAL_FAILURE(
+        expect_rows(seven::inverse_kinematics_given_theta5(pose, q[4], seed, seven::Limits()), count, found));
+    const auto near = seven::inverse_kinematics_near_given_theta5(pose, q[4], q);
+    seven::JointVector<double> next = q;
+    int status = -1;
+    ASSERT_EQ(seven_near_in_c(numbers.data(), q[4], next.data(), &status), near.size());
+    EXPECT_EQ(status, static_cast<int>(near.status));
+    ASSERT_EQ(near.size(), 1);
+    EXPECT_EQ(next, near[0].q);
+  }
 }
 
 TEST(InverseInC, LittleRoom) {
