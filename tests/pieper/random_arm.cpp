@@ -9,6 +9,7 @@
 #include "seven_arms.h"
 #include "sliding_arms.h"
 #include "twisted_arms.h"
+#include "unstructured_arms.h"
 
 namespace qvgen::test {
 namespace {
@@ -266,7 +267,12 @@ std::string arm_description(const std::string& family, std::uint32_t seed) {
     return seed < seven_arms.size() ? "name = \"" + name + "\"\ntitle = \"seven joints\"\n" + seven_arms[seed]
                                     : Writer(name, seed).seven();
   }
-  if (family == "unstructured") return Writer(arm_name(family, seed), seed).unstructured();
+  if (family == "unstructured") {
+    const std::string name = arm_name(family, seed);
+    return seed < unstructured_arms.size()
+               ? "name = \"" + name + "\"\ntitle = \"without structure\"\n" + unstructured_arms[seed]
+               : Writer(name, seed).unstructured();
+  }
   if (family == "slides") return sliding_arm(arm_name(family, seed), seed);
   if (family == "twists") return twisted_arm(arm_name(family, seed), seed);
   if (family == "zeros")

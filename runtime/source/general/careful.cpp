@@ -87,19 +87,19 @@ void Careful::settle(const Gathered& gathered) {
   for (int i = 0; i < gathered.starts; ++i) settle(gathered.start[i]);
 }
 
+/// Whether two solutions meet in a row, or it is on a continuum.
+bool Careful::is_singular(const Row& row) const {
+  using Newton = polishing::Newton<double, joints, 3>;
+  return row.continuum || Newton::idle(Newton(task_).reached(row.values)).least < joints;
+}
+
+bool Careful::any_is_singular() const {
+  return std::any_of(rows_, rows_ + size_, [this](const Row& row) { return is_singular(row); });
+}
+
 /// Solutions over the complex numbers come in pairs but for the real ones, of which those where two meet
 /// count twice: whether their number leaves room for doubt.
-bool Careful::is_even() {
-  int simple = 0;
-  const polishing::Newton<double, joints, 3> newton(task_);
-  for (int i = 0; i < size_; ++i) {
-    const auto at = newton.reached(rows_[i].values);
-    const bool meets = polishing::Newton<double, joints, 3>::idle(at).least < joints;
-    if (meets || rows_[i].continuum) return true;
-    ++simple;
-  }
-  return simple % 2 == 0;
-}
+bool Careful::is_even() const { return any_is_singular() || size_ % 2 == 0; }
 
 /// Whether what lies between two rows reaches the pose, too, to what rows may miss it by.
 bool Careful::are_one(const Row& a, const Row& b) {
@@ -146,19 +146,23 @@ void Careful::run(Gathered& first) {
     agreed = size_ == before;
     if (agreed && !more.doubtful && is_even()) break;
   }
-  for (int k = 0; k < 6 && (size_ == 0 || !is_even()); ++k) {
+  // Two eliminations may lose the same solutions.
+  const bool few = setup_.count + setup_.further.count < 3;
+  for (int k = 0; k < 6 && (size_ == 0 || !is_even() || (few && k < 3)); ++k) {
     constexpr double far = 30;  // times what `displaced` takes for a little
     Gathered near;
     eliminate(setup_.eliminations[0], quartic::displaced(pose_, far * setup_.chain.size, k).pose, near);
+    const int before = size_;
     settle(near);
     merge();
     ++effort_.passes;
+    if (few) agreed = size_ == before;
   }
   const Effort& spent = tracker_.budget().spent;
   effort_.steps = spent.steps;
   effort_.used_up = effort_.used_up || spent.used_up;
-  // Trusted is what the last elimination has added nothing to.
-  unsure_ = !agreed || all_loud || !is_even();
+  // Trusted is what the last elimination has added nothing to, but where solutions meet only one of three.
+  unsure_ = !agreed || all_loud || !is_even() || (few && any_is_singular());
 }
 
 }  // namespace qvgen::inverse::general

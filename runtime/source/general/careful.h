@@ -52,7 +52,9 @@ class Careful {
   void settle(const JointPairs& start);
   [[nodiscard]] const Elimination* next_elimination();
   void eliminate(const Elimination& elimination, const Pose<double>& pose, Gathered& gathered) const;
-  [[nodiscard]] bool is_even();
+  [[nodiscard]] bool is_singular(const Row& row) const;
+  [[nodiscard]] bool any_is_singular() const;
+  [[nodiscard]] bool is_even() const;
   [[nodiscard]] bool are_one(const Row& a, const Row& b);
   void merge();
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <qvgen/inverse/general/solve.h>
 #include <qvgen/inverse/lanes.h>
-#include <qvgen/inverse/seed_branch.h>
 
 #include "careful.h"
 #include "goal.h"
@@ -22,8 +21,7 @@ Pass pass_for(Form form) {
   return vectors && machine_has_fma() ? pass_for_avx2 : pass_for_all;
 }
 
-template <int capacity>
-void append(const Chain& chain, const Values& values, bool continuum, Solutions<joints, capacity>& found) {
+void append(const Chain& chain, const Values& values, bool continuum, Found& found) {
   Solution<joints>& row = found.append();
   for (int j = 0; j < joints; ++j) {
     const Rotor<double>& value = values[static_cast<std::size_t>(j)];
@@ -75,26 +73,9 @@ void solve(const Setup& setup, const Pose<double>& pose, double tolerance,
   }
   number_rows(found);
   found.conclude();
-  if (unsure && !found.empty()) found.status = Status::incomplete;
-}
-
-void solve_near_seed(const Setup& setup, const Pose<double>& pose, double tolerance,
-                     const Preference<joints>& preference, Solutions<joints, 1>& found) {
-  if (outlook(pose, setup.chain.reach, tolerance) != Outlook::open) {
-    found.status = status_beyond(pose);
-    return;
-  }
-  const Values seed = seed_of(setup, preference);
-  Values values = seed;
-  Branch<double> branch;
-  branch.unsure = true;
-  SeedTracker<double, joints> tracker;
-  const bool reached =
-      tracker.settle(0, matching(setup, pose), Boundary::ends(tolerance), &seed, values, branch);
-  if (reached) append(setup.chain, values, branch.continuum, found);
-  found.effort = tracker.budget().spent;
-  found.effort.used_up = !reached;
-  found.conclude();
+  if (!unsure) return;
+  found.status = Status::incomplete;
+  if (found.empty()) found.effort.used_up = true;
 }
 
 }  // namespace qvgen::inverse::general

@@ -17,9 +17,4 @@ using Found = Solutions<joints, most_solutions>;
 void solve(const Setup& setup, const Pose<double>& pose, double tolerance,
            const Preference<joints>& preference, Form form, Found& found);
 
-/// The one solution that Newton's steps from the seed lead to, which `preference` has; incomplete if they do
-/// not come to the pose. A bounded number of steps.
-void solve_near_seed(const Setup& setup, const Pose<double>& pose, double tolerance,
-                     const Preference<joints>& preference, Solutions<joints, 1>& found);
-
 }  // namespace qvgen::inverse::general
