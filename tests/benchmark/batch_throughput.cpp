@@ -2,7 +2,6 @@
 // Batches against single calls in a loop: time a configuration by size, scalar, instruction set and threads,
 // and what the memory would allow. ./qvgen benchmark batches [LARGEST], 1000000 if not given.
 #include <algorithm>
-#include <chrono>
 #include <cstdlib>
 #include <functional>
 #include <random>
@@ -15,29 +14,13 @@
 #include <qvgen/robots/iiwa14/batch.h>
 #include <qvgen/robots/puma560/batch.h>
 
+#include "throughput.h"
+
 namespace {
 
 using qvgen::Batch;
 using qvgen::InstructionSet;
-using Clock = std::chrono::steady_clock;
-
-double seconds(const std::function<void()>& work) {
-  const auto start = Clock::now();
-  work();
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-/// The shortest time of one run, of several runs of some milliseconds each.
-double shortest(const std::function<void()>& work) {
-  const double first = std::max(seconds(work), 1e-8);
-  const int repeats = std::clamp(static_cast<int>(4e-3 / first), 1, 100000);
-  double best = first;
-  for (int round = 0; round < 12; ++round)
-    best = std::min(best, seconds([&] {
-                            for (int i = 0; i < repeats; ++i) work();
-                          }) / repeats);
-  return best;
-}
+using throughput::shortest;
 
 /// Rows of numbers, the inputs of one function or its results.
 template <class T>
@@ -175,6 +158,10 @@ int main(int argc, char** argv) {
   const double copied = bandwidth();
   fmt::print("a copy in memory moves {:.1f} GB/s; {} threads\n", copied / 1e9,
              tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+  fmt::print(
+      "all solutions: share of poses at the boundary of reach, ns a pose by single calls and by batches\n");
+  for (const auto measure_arm : throughput::inverse_of_arms())
+    measure_arm(std::min<std::size_t>(largest, 10000));
   measure<double>("double", largest, copied);
   measure<float>("float", largest, copied);
   return 0;

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <qvgen/batch/machine.h>
+#include <qvgen/batch/solutions.h>
+#include <qvgen/batch/threads.h>
+#include <qvgen/pose.h>
+
+#include "throughput.h"
+
+/// All solutions of many poses: batches against single calls, by the share of poses near singular ones.
+namespace throughput {
+
+using qvgen::Batch;
+using qvgen::BatchOfSolutions;
+using qvgen::InstructionSet;
+using qvgen::Pose;
+
+struct Request {
+  Pose<double> pose;
+  double given = 0;
+};
+
+/// Room for the solutions of so many poses.
+struct Found {
+  std::vector<double> q;
+  std::vector<int> count, branch;
+  std::vector<qvgen::Status> status;
+  std::vector<unsigned> marks;
+
+  Found(std::size_t rows, std::size_t joints, std::size_t n)
+      : q(rows * joints * n), count(n), branch(rows * n), status(n), marks(n) {}
+  BatchOfSolutions view() {
+    const std::size_t n = count.size();
+    return {{q.data(), n}, {count.data(), n}, {status.data(), n}, {branch.data(), n}, {marks.data(), n}};
+  }
+};
+
+/// `single(request)` and `form(poses, given, found, set)` of an arm.
+template <int dof, class Forward, class Single, class Form>
+class Comparison {
+ public:
+  Comparison(std::string name, const Forward& forward, const Single& single, const Form& form,
+             int given_joint = -1)
+      : name_(std::move(name)), forward_(forward), single_(single), form_(form), given_joint_(given_joint) {}
+
+  void measure(std::size_t count) {
+    for (const double share : {0.0, 0.01, 0.1, 1.0}) measure(count, share);
+  }
+
+ private:
+  Request regular() {
+    std::uniform_real_distribution<double> angle(-3.14, 3.14);
+    Eigen::Matrix<double, dof, 1> q;
+    for (double& each : q) each = angle(random_);
+    return {forward_(q), given_joint_ < 0 ? 0 : q[given_joint_]};
+  }
+
+  /// At the outer or inner end of the arm's reach, where rounding decides about two solutions or none.
+  Request doubtful() {
+    while (true) {
+      Request request = regular();
+      const Eigen::Vector3d place = request.pose.position;
+      double inside = 1, outside = random_() % 2 == 0 ? 8 : 0;
+      for (int i = 0; i < 40; ++i) {
+        const double middle = (inside + outside) / 2;
+        request.pose.position = middle * place;
+        (single_(request).empty() ? outside : inside) = middle;
+      }
+      request.pose.position = inside * place;
+      if (single_(request).effort.passes > 0) return request;
+    }
+  }
+
+  std::vector<Request> requests(std::size_t count, double share) {
+    std::vector<Request> some(4096);
+    for (std::size_t k = 0; k < some.size(); ++k)
+      some[k] = static_cast<double>((k * 2654435761U) % 1000) < 1000 * share ? doubtful() : regular();
+    std::vector<Request> all(count);
+    for (std::size_t k = 0; k < count; ++k) all[k] = some[k % some.size()];
+    return all;
+  }
+
+  void measure(std::size_t count, double share) {
+    const std::vector<Request> all = requests(count, share);
+    std::vector<double> poses(7 * count), given(count);
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto& [turn, place] = all[k].pose;
+      const double numbers[] = {turn.w(), turn.x(), turn.y(), turn.z(), place.x(), place.y(), place.z()};
+      for (std::size_t i = 0; i < 7; ++i) poses[i * count + k] = numbers[i];
+      given[k] = all[k].given;
+    }
+    constexpr auto most = static_cast<std::size_t>(decltype(single_(all[0]))::max_size);
+    Found found(most, dof, count);
+    const Batch<const double> in{poses.data(), count}, joint{given.data(), count};
+    const BatchOfSolutions out = found.view();
+    volatile int sink = 0;
+    const auto a_pose = [&](const auto& work) { return 1e9 * shortest(work) / static_cast<double>(count); };
+    const double single = a_pose([&] {
+      int sum = 0;
+      for (const Request& request : all) sum += single_(request).size();
+      sink = sum;
+    });
+    const auto time = [&](InstructionSet set) { return a_pose([&] { form_(in, joint, out, set); }); };
+    const double avx2 = time(InstructionSet::avx2), widest = time(qvgen::widest_instruction_set());
+    const double threads = a_pose([&] {
+      qvgen::in_threads(count, [&](std::size_t first, std::size_t part) {
+        form_(in.part(first, part), joint.part(first, part), out.part(first, part),
+              qvgen::widest_instruction_set());
+      });
+    });
+    fmt::print(
+        "{:<18} {:5.0f} % {:8.1f} ns  AVX2 {:8.1f} ns ({:4.2f} x)  widest {:8.1f} ns ({:4.2f} x)"
+        "  threads {:8.1f} ns ({:4.2f} x)\n",
+        name_, 100 * share, single, avx2, single / avx2, widest, single / widest, threads, single / threads);
+  }
+
+  std::string name_;
+  Forward forward_;
+  Single single_;
+  Form form_;
+  int given_joint_;
+  std::mt19937 random_{5};
+};
+
+template <int dof, class Forward, class Single, class Form>
+void compare(const std::string& name, std::size_t count, const Forward& forward, const Single& single,
+             const Form& form, int given_joint = -1) {
+  Comparison<dof, Forward, Single, Form>(name, forward, single, form, given_joint).measure(count);
+}
+
+}  // namespace throughput
