@@ -1,9 +1,20 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
+#include <type_traits>
+
 #include <qvgen/batch/machine.h>
 
 namespace qvgen::batch {
+
+/// The set for so many configurations: fewer than four in double are computed as single calls do, which have
+/// the same bits. In float they have not, and what a configuration yields should not depend on how many there
+/// are.
+template <class T>
+InstructionSet set_for(InstructionSet wanted, std::size_t count) {
+  return std::is_same_v<T, double> && count < 4 ? InstructionSet::baseline : wanted;
+}
 
 /// Calls `function` with the type of the wanted set, or of the next narrower one that this machine has and
 /// the build has compiled.

@@ -13,11 +13,36 @@
 
 namespace qvgen::batch {
 
+/// What the functions are computed with: lanes, or numbers one by one.
+template <class Lane>
+struct LaneTraits {
+  using Number = typename Lane::Number;
+  static constexpr int size = Lane::size;
+  [[gnu::always_inline]] static Lane load(const Number* from) { return Lane::load(from); }
+  [[gnu::always_inline]] static void store(const Lane& value, Number* to) { value.store(to); }
+};
+template <class T>
+struct OneNumber {
+  using Number = T;
+  static constexpr int size = 1;
+  [[gnu::always_inline]] static T load(const T* from) { return *from; }
+  [[gnu::always_inline]] static void store(T value, T* to) { *to = value; }
+};
+template <>
+struct LaneTraits<double> : OneNumber<double> {};
+template <>
+struct LaneTraits<float> : OneNumber<float> {};
+
+/// Registers for two numbers are slower than what single calls do: they spend most on sines and cosines, for
+/// which the library has a kernel of its own.
+template <class T, class Set>
+using LaneOf = std::conditional_t<std::is_same_v<Set, Baseline>, T, Lanes<T, Set>>;
+
 /// The same numbers in all lanes: `From` holds numbers and nothing else, `To` the same with lanes in their
 /// places (geometries, arrays of constants, vectors).
 template <class Lane, class To, class From>
 To in_all_lanes(const From& from) {
-  using T = typename Lane::Number;
+  using T = typename LaneTraits<Lane>::Number;
   To to;
   if constexpr (sizeof(From) >= sizeof(T)) {
     constexpr std::size_t count = sizeof(From) / sizeof(T);
@@ -41,11 +66,11 @@ struct Input {
 template <class Lane>
 class Writer {
  public:
-  using T = typename Lane::Number;
+  using T = typename LaneTraits<Lane>::Number;
   [[gnu::always_inline]] Writer(T* at, std::size_t stride) : at_(at), stride_(stride) {}
 
   [[gnu::always_inline]] void operator()(const Lane& value) {
-    value.store(at_);
+    LaneTraits<Lane>::store(value, at_);
     at_ += stride_;
   }
   template <int Rows, int Columns>
@@ -75,30 +100,32 @@ class Writer {
 template <class Lane, int Rows>
 class Reader {
  public:
-  using T = typename Lane::Number;
+  using T = typename LaneTraits<Lane>::Number;
   [[gnu::always_inline]] explicit Reader(const Input<T, Rows>& input)
       : data_(input.batch.data), stride_(input.batch.stride) {}
 
   [[gnu::always_inline]] Eigen::Matrix<Lane, Rows, 1> read(std::size_t k, std::size_t valid) {
     const T* from = data_ + k;
     std::size_t stride = stride_;
-    if (valid < static_cast<std::size_t>(Lane::size)) {
+    if (valid < static_cast<std::size_t>(LaneTraits<Lane>::size)) {
       for (int i = 0; i < Rows; ++i)
-        for (int lane = 0; lane < Lane::size; ++lane)
-          padded_[i * Lane::size + lane] = from[static_cast<std::size_t>(i) * stride_ +
-                                                std::min(static_cast<std::size_t>(lane), valid - 1)];
+        for (int lane = 0; lane < LaneTraits<Lane>::size; ++lane)
+          padded_[i * LaneTraits<Lane>::size + lane] =
+              from[static_cast<std::size_t>(i) * stride_ +
+                   std::min(static_cast<std::size_t>(lane), valid - 1)];
       from = padded_;
-      stride = static_cast<std::size_t>(Lane::size);
+      stride = static_cast<std::size_t>(LaneTraits<Lane>::size);
     }
     Eigen::Matrix<Lane, Rows, 1> values;
-    for (int i = 0; i < Rows; ++i) values(i) = Lane::load(from + static_cast<std::size_t>(i) * stride);
+    for (int i = 0; i < Rows; ++i)
+      values(i) = LaneTraits<Lane>::load(from + static_cast<std::size_t>(i) * stride);
     return values;
   }
 
  private:
   const T* data_;
   std::size_t stride_;
-  T padded_[Rows * Lane::size];
+  T padded_[Rows * LaneTraits<Lane>::size];
 };
 
 /// Copies rows of `stride` numbers into a batch.
@@ -111,10 +138,11 @@ void put(const T* from, std::size_t stride, std::size_t rows, const Batch<T>& re
 /// For as many configurations as all batches have: gives `body` a writer and the inputs of as many of them as
 /// there are lanes. Results have `ResultRows` components. No heap.
 template <class Lane, int ResultRows, class Body, int... Rows>
-[[gnu::always_inline]] inline void run(const Batch<typename Lane::Number>& result, const Body& body,
-                                       const Input<typename Lane::Number, Rows>&... inputs) {
-  using T = typename Lane::Number;
-  constexpr std::size_t lanes = Lane::size;
+[[gnu::always_inline]] inline void run(const Batch<typename LaneTraits<Lane>::Number>& result,
+                                       const Body& body,
+                                       const Input<typename LaneTraits<Lane>::Number, Rows>&... inputs) {
+  using T = typename LaneTraits<Lane>::Number;
+  constexpr std::size_t lanes = LaneTraits<Lane>::size;
   const std::size_t count = std::min({result.count, inputs.batch.count...});
   T last[ResultRows * lanes + 1];
   const auto all = [&](auto... readers) {
