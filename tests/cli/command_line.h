@@ -8,10 +8,20 @@
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 namespace qvgen::test {
 
 namespace fs = std::filesystem;
+
+/// The description of an arm with more joints than inverse kinematics is derived for.
+inline std::string eight_joints() {
+  std::string text = "name = \"eight\"\ntitle = \"eight joints\"\n";
+  for (int i = 1; i <= 8; ++i)
+    text += std::string("[[joint]]\ntype = \"revolute\"\naxis = \"") + (i % 2 == 0 ? "+x" : "+z") +
+            "\"\nvariable = \"theta" + std::to_string(i) + "\"\nlink = [0.1, 0.2, 0.3]\n";
+  return text;
+}
 
 struct ToolRun {
   int code;
@@ -39,7 +49,7 @@ inline bool has(const ToolRun& result, const std::string& text) {
 
 class CommandLine : public testing::Test {
  protected:
-  fs::path folder = fs::path(testing::TempDir()) / "qvgen_command_line_test";
+  fs::path folder = fs::path(testing::TempDir()) / ("qvgen_command_line_test_" + std::to_string(getpid()));
   void SetUp() override {
     fs::remove_all(folder);
     fs::create_directories(folder);
