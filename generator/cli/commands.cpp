@@ -13,6 +13,7 @@
 #include "emit/math/dynamics_closed_form.h"
 #include "emit/math/legend.h"
 #include "emit/math/singularities.h"
+#include "emit/math/transforms.h"
 #include "optimise/dynamics_function.h"
 #include "pipeline/files.h"
 #include "pipeline/output_folder.h"
@@ -150,6 +151,10 @@ int run_show(const ShowArguments& arguments) {
   if (arguments.singularities) {
     for (const std::string& line : emit::singularity_lines(robots->front(), notation))
       fmt::print("{}\n", line);
+    return success;
+  }
+  if (arguments.transform) {
+    for (const std::string& line : emit::transform_lines(robots->front(), notation)) fmt::print("{}\n", line);
     return success;
   }
   if (arguments.inverse) return show_inverse(robots->front(), notation);

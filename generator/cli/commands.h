@@ -49,6 +49,7 @@ struct ShowArguments {
   bool latex = false;
   bool singularities = false;
   bool dynamics = false;   ///< the joint forces in place of the pose
+  bool transform = false;  ///< the homogeneous matrices instead
   bool structure = false;  ///< the class of the arm instead
   bool inverse = false;    ///< the derivation of inverse kinematics instead of the closed form of the pose
 };

@@ -91,6 +91,29 @@ TEST_F(CommandLine, ShowsTheFactorsOfTheDeterminant) {
   EXPECT_TRUE(has(run("show stanford --singularities"), "inner boundary: f2 = d3 = 0"));
 }
 
+// The lecture's matrices of example 5.4.
+TEST_F(CommandLine, ShowsTheTransformsOfTheLinks) {
+  const ToolRun text = run("show rpp --transform");
+  EXPECT_EQ(text.code, 0);
+  EXPECT_TRUE(has(text, "A_3 =\n  [ 1  0  0   l1  ]\n  [ 0  0  -1  -d3 ]\n  [ 0  1  0   0   ]"))
+      << text.output;
+  EXPECT_TRUE(has(text, "T = A_1 A_2 A_3\nr_11 = cos(theta1)\n"));
+  EXPECT_TRUE(has(text, "p_x = l1*cos(theta1) + d3*sin(theta1)\np_y = l1*sin(theta1) - d3*cos(theta1)"));
+  const ToolRun latex = run("show rpp --transform --latex");
+  EXPECT_TRUE(has(latex, "\\[A_{3} = \\begin{bmatrix}\n1 & 0 & 0 & l_{1} \\\\")) << latex.output;
+  EXPECT_TRUE(has(latex, "\\[T = A_{1} A_{2} A_{3}\\]\n\\begin{align*}\nr_{11} &= \\cos(\\theta_{1}) \\\\"));
+  EXPECT_TRUE(has(run("show poe_6r --transform"), "A_tool =")) << "frames parallel to the base's need one";
+  EXPECT_TRUE(has(run("show ur5 --transform"), "cos(theta2 + theta3 + theta4)"));
+}
+
+TEST_F(CommandLine, ShowsFactorsAloneWhereATwistIsASymbol) {
+  const ToolRun shown = run("show general_6r --transform");
+  EXPECT_EQ(shown.code, 0);
+  EXPECT_TRUE(has(shown, "  -sin(alpha6)  -d6*sin(alpha6) ]\n")) << shown.output;
+  EXPECT_TRUE(has(shown, "T = A_1 A_2 A_3 A_4 A_5 A_6\n"));
+  EXPECT_FALSE(has(shown, "r_11"));
+}
+
 TEST_F(CommandLine, PrintsWhatTheReadmeShows) {
   std::ifstream file(std::string(QVGEN_SOURCE_DIR) + "/runtime/README.md");
   const std::string readme{std::istreambuf_iterator<char>(file), {}};

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+#include "emit/math/transforms.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "canonical/arm.h"
+#include "dag/import.h"
+#include "derive/kinematics/forward_kinematics.h"
+#include "derive/kinematics/orientation.h"
+#include "derive/kinematics/position.h"
+#include "optimise/described.h"
+#include "passes/pass.h"
+#include "symbolic/model.h"
+#include "verify/certificate.h"
+
+namespace qvgen::emit {
+namespace {
+
+using namespace symbolic;
+using GiNaC::ex;
+
+/// The first three rows of a homogeneous matrix.
+using Cells = std::array<std::array<std::string, 4>, 3>;
+
+const Matrix3 unit_matrix{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+
+Program program_of(const Matrix3& r, const Vector& p) {
+  Program program;
+  const std::array<ex, 3> last{p.x, p.y, p.z};
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 4; ++j)
+      program.output(fmt::format("r{}{}", i + 1, j + 1), j < 3 ? r[i][j] : last[i]);
+  return program;
+}
+
+/// cos(angle) 1 + (1 - cos(angle)) u u^T + sin(angle) [u], u a unit vector.
+Matrix3 turn(const Vector& axis, const ex& angle) {
+  const std::array<ex, 3> u{axis.x, axis.y, axis.z};
+  const Matrix3 across{{{0, -axis.z, axis.y}, {axis.z, 0, -axis.x}, {-axis.y, axis.x, 0}}};
+  Matrix3 result;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) {
+      const ex along = u[i] * u[j];
+      result[i][j] =
+          along + (unit_matrix[i][j] - along) * GiNaC::cos(angle) + across[i][j] * GiNaC::sin(angle);
+    }
+  return result;
+}
+
+Cells cells_of(const dag::Function& function, Notation notation) {
+  Cells cells;
+  for (std::size_t i = 0; i < 12; ++i)
+    cells[i / 4][i % 4] = formula(function.graph, function.outputs[i].value, notation);
+  return cells;
+}
+
+/// `matrix` and `p` in full angles, held against the pair that they stand for.
+dag::Function certified(const Matrix3& matrix, const Vector& p, const Pair& pair, const std::string& what) {
+  const dag::Function function = passes::simplify(dag::import(program_of(matrix, p)));
+  verify::certify(function, program_of(to_matrix(pair.q), pair.p), 2, what);
+  return function;
+}
+
+/// Half angles fold to numbers; in full angles a twist that is a symbol reads better.
+Matrix3 rotation_of(const model::Displacement& displacement) {
+  Matrix3 result = unit_matrix;
+  for (const model::Turn& part : displacement.turns) {
+    const Vector axis = to_symbolic(part.axis);
+    const ex angle = to_symbolic(part.angle);
+    result =
+        result * (canonical::is_known(part.angle) ? to_matrix(rotation(axis, angle)) : turn(axis, angle));
+  }
+  return result;
+}
+
+dag::Function constant_factor(const model::Displacement& displacement, const std::string& what) {
+  const Pair pair = to_symbolic(displacement);
+  return certified(rotation_of(displacement), pair.p, pair, what);
+}
+
+dag::Function link_factor(const model::Joint& joint, const std::string& what) {
+  const Pair before = to_symbolic(joint.before);
+  const Pair after = to_symbolic(joint.after);
+  const bool turns = joint.type == model::JointType::revolute;
+  const Vector axis = to_symbolic(joint.axis);
+  const ex variable = symbol(joint.variable);
+  const Matrix3 front = rotation_of(joint.before);
+  const Matrix3 moved = turns ? turn(axis, variable) : unit_matrix;
+  const Vector way = moved * after.p + (turns ? Vector{} : variable * axis);
+  return certified(front * (moved * rotation_of(joint.after)), before.p + front * way,
+                   before * motion(joint) * after, what);
+}
+
+std::optional<dag::Function> whole(const model::Robot& described) {
+  const canonical::Arm arm = canonical::for_kinematics(described);
+  const auto chain = derive::zero_reference_chain(arm.robot);
+  if (!chain) return std::nullopt;
+  Program named;
+  const Matrix3 r = derive::matrix_forms(*chain).front().build(named);
+  const Vector p = derive::written_out_position(*chain);
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) named.output(fmt::format("r{}{}", i + 1, j + 1), r[i][j]);
+  named.output("px", p.x);
+  named.output("py", p.y);
+  named.output("pz", p.z);
+  Program written;
+  for (const auto& output : named.expanded()) written.output(output.name, output.value);
+  const dag::Function function = passes::simplify(dag::import(written));
+  verify::certify(function, derive::plain_transform(arm.robot), 2, described.name + ": transform");
+  return optimise::in_terms_of_description(function, arm);
+}
+
+class Lines {
+ public:
+  explicit Lines(Notation notation) : latex_(notation == Notation::latex) {}
+
+  /// A factor; 1 is not worth a line.
+  void factor(const std::string& subscript, const Cells& cells) {
+    static const Cells one{{{"1", "0", "0", "0"}, {"0", "1", "0", "0"}, {"0", "0", "1", "0"}}};
+    if (cells == one) return;
+    product_ += (product_.empty() ? "" : " ") + name(subscript);
+    latex_ ? typeset(subscript, cells) : columns(subscript, cells);
+  }
+  void product(const std::optional<dag::Function>& function, Notation notation) {
+    lines_.push_back(latex_ ? "\\[T = " + product_ + "\\]" : "T = " + product_);
+    if (!function) return;
+    if (latex_) lines_.emplace_back("\\begin{align*}");
+    for (const dag::Output& output : function->outputs) {
+      const std::string entry = (output.name[0] == 'p' ? "p_" : "r_") + output.name.substr(1);
+      const std::string value = formula(function->graph, output.value, notation);
+      lines_.push_back(latex_ ? fmt::format("{}_{{{}}} &= {} \\\\", entry[0], entry.substr(2), value)
+                              : fmt::format("{} = {}", entry, value));
+    }
+    if (latex_) lines_.emplace_back("\\end{align*}");
+  }
+  [[nodiscard]] std::vector<std::string> take() { return std::move(lines_); }
+
+ private:
+  [[nodiscard]] std::string name(const std::string& subscript) const {
+    return latex_ ? "A_{" + (subscript.size() > 1 ? "\\mathrm{" + subscript + "}" : subscript) + "}"
+                  : "A_" + subscript;
+  }
+  void typeset(const std::string& subscript, const Cells& cells) {
+    lines_.push_back("\\[" + name(subscript) + " = \\begin{bmatrix}");
+    for (const auto& row : cells) lines_.push_back(fmt::format("{} \\\\", fmt::join(row, " & ")));
+    lines_.emplace_back("0 & 0 & 0 & 1 \\end{bmatrix}\\]");
+  }
+  void columns(const std::string& subscript, const Cells& cells) {
+    lines_.push_back(name(subscript) + " =");
+    std::array<std::size_t, 4> width{1, 1, 1, 1};
+    for (const auto& row : cells)
+      for (std::size_t j = 0; j < 4; ++j) width[j] = std::max(width[j], row[j].size());
+    const auto line = [&](const std::array<std::string, 4>& row) {
+      lines_.push_back(fmt::format("  [ {:{}}  {:{}}  {:{}}  {:{}} ]", row[0], width[0], row[1], width[1],
+                                   row[2], width[2], row[3], width[3]));
+    };
+    for (const auto& row : cells) line(row);
+    line({"0", "0", "0", "1"});
+  }
+
+  bool latex_;
+  std::string product_;
+  std::vector<std::string> lines_;
+};
+
+}  // namespace
+
+std::vector<std::string> transform_lines(const model::Robot& described, Notation notation) {
+  const model::Robot robot = canonical::for_dynamics(described);
+  Lines lines(notation);
+  const auto add = [&](const std::string& subscript, const dag::Function& function) {
+    lines.factor(subscript, cells_of(optimise::with_definitions(function, robot), notation));
+  };
+  add("base", constant_factor(robot.base, robot.name + ": base"));
+  for (std::size_t i = 0; i < robot.joints.size(); ++i)
+    add(std::to_string(i + 1), link_factor(robot.joints[i], robot.name + ": link " + std::to_string(i + 1)));
+  add("tool", constant_factor(robot.tool, robot.name + ": tool"));
+  lines.product(whole(described), notation);
+  return lines.take();
+}
+
+}  // namespace qvgen::emit
