@@ -61,7 +61,7 @@ struct State {
 /// MuJoCo's accelerations, integrated by the classical method of Runge and Kutta while the torque is held.
 class SimulatedArm {
  public:
-  SimulatedArm(const State& state)
+  explicit SimulatedArm(const State& state)
       : plant_(reference::load(QVGEN_SOURCE_DIR "/generator/robots/puma560.toml")), state_(state) {}
   [[nodiscard]] const State& state() const { return state_; }
   void advance(const Vector& torque, double step) {
@@ -116,8 +116,6 @@ TEST(ComputedTorque, ErrorIsThatOfHeldTorques) {
 }
 
 TEST(ComputedTorque, NeedsTheRightDynamics) {
-  printf("%g %g %g %g %g\n", largest_error(1e-3), largest_error(5e-4), largest_error(2.5e-4),
-         largest_error(1e-3, .9 * gravity), largest_error(1e-3, .98 * gravity));
   EXPECT_GT(largest_error(1e-3, 0.9 * gravity), 5 * largest_error(1e-3));
 }
 
