@@ -33,10 +33,10 @@ struct Budget {
 inline constexpr Budget near_effort{6, 60};
 
 /// What a pose may cost an arm whose joints are polished on so many branches. Of the poses that the tests
-/// draw an ur5 uses up to 49 of its 100 evaluations. With six joints a step takes three times as long as with
+/// draw an ur5 uses up to 49 of its 80 evaluations. With six joints a step takes three times as long as with
 /// three.
 constexpr Budget most_effort(int joints, int branches) {
-  return {8, joints > 3 ? 20 + 10 * branches : 40 + 8 * branches};
+  return {8, joints > 3 ? 24 + 7 * branches : 40 + 8 * branches};
 }
 
 /// The same of an arm with a quartic, whose roots carry so few digits that they are always polished, by two

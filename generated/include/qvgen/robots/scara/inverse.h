@@ -85,7 +85,7 @@ NearSolution inverse_kinematics_near(const PositionAndYaw<double>& task, const J
 /// The arm follows few poses: any other is unreachable. `tolerance` is then how far off the nearest joints may be, as a
 /// share of the arm's size.
 /// Near a singular pose, where rounding would decide which solutions exist, at most
-/// 128 passes over the branches and 1536 evaluations of the Jacobian are added (`effort` of the set);
+/// 128 passes over the branches and 1504 evaluations of the Jacobian are added (`effort` of the set);
 /// Status::incomplete says that they did not suffice. It also says that nothing can be said, of an arm without a
 /// length that equations divide by: l1.
 Solutions inverse_kinematics(const Pose<double>& pose, const Geometry& g = {},
