@@ -19,7 +19,9 @@ template <class Set, class Scalar>
       batch::Input<Scalar, 1>{angles});
 }
 
+#if defined(QVGEN_BATCH_AVX2) || defined(QVGEN_BATCH_AVX512)
 template struct LaneSines<batch::Compiled, double>;
 template struct LaneSines<batch::Compiled, float>;
+#endif
 
 }  // namespace qvgen::lane_sines

@@ -80,11 +80,6 @@ void expect_neighbours() {
   }
 }
 
-TEST(LaneSines, OfTheBaselineAreTheLibrarys) {
-  expect_same_bits<batch::Baseline>();
-  expect_neighbours<batch::Baseline>();
-}
-
 #if defined(__x86_64__) && defined(__GNUC__)
 TEST(LaneSines, OfAvx2AreThoseOfSingleCalls) {
   if (!batch::machine_has(InstructionSet::avx2)) GTEST_SKIP();

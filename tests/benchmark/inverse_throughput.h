@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <qvgen/batch/inverse.h>
 #include <qvgen/batch/machine.h>
 #include <qvgen/batch/solutions.h>
 #include <qvgen/batch/threads.h>
@@ -91,9 +92,7 @@ class Comparison {
     const std::vector<Request> all = requests(count, share);
     std::vector<double> poses(7 * count), given(count);
     for (std::size_t k = 0; k < count; ++k) {
-      const auto& [turn, place] = all[k].pose;
-      const double numbers[] = {turn.w(), turn.x(), turn.y(), turn.z(), place.x(), place.y(), place.z()};
-      for (std::size_t i = 0; i < 7; ++i) poses[i * count + k] = numbers[i];
+      qvgen::batch::put_pose(all[k].pose, {poses.data(), count}, k);
       given[k] = all[k].given;
     }
     constexpr auto most = static_cast<std::size_t>(decltype(single_(all[0]))::max_size);

@@ -100,7 +100,7 @@ using NearRow = qvgen::Solutions<6, 1>;
 
 /// The eliminations that serve the arm, the best first: whether they go backwards, and where they begin. They are set
 /// up
-/// for the geometry at every call, which takes as long as some poses.
+/// for the geometry at every call.
 constexpr inverse::general::Choices choices{ 6,
     {  {false, 0}, {false, 1}, {false, 2}, {true, 0}, {true, 2}, {true, 1}  } };
 constexpr double farthest = 1e50;

@@ -9,6 +9,7 @@
 #include "emit/render.h"
 #include "exact/named_constant.h"
 #include "model/private_names.h"
+#include "model/replace.h"
 #include "verify/inverse/certify_rows.h"
 #include "verify/inverse/definition.h"
 #include "verify/inverse/execute.h"
@@ -41,10 +42,7 @@ inverse::arm_angle::Arm in_numbers(const SphericalArm& derived, const model::Bin
 
 /// Values of the symbols of a robot, and of the names that stand for what is made of them.
 model::Bindings sampled_geometry(const model::Robot& robot) {
-  verify::Numbers numbers;
-  model::Bindings geometry = model::default_bindings(robot);
-  for (const auto& parameter : robot.geometry)
-    if (geometry.count(parameter.name) == 0) geometry[parameter.name] = numbers.between(1, 2);
+  model::Bindings geometry = model::sample_geometry(robot);
   for (const std::string& name : model::symbols(robot))
     if (const auto constant = exact::named_value(name)) geometry[name] = *constant;
   for (const auto& [name, definition] : robot.definitions)

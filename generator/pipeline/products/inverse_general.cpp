@@ -61,9 +61,7 @@ std::string by_elimination(const GeneralDerivation& derivation) {
       "been found;\n"
       "/// near singular poses one may be missing without a word. No heap, no exceptions, bounded work.";
   if (!derivation.is_constant)
-    text +=
-        "\n/// What the geometry or a given joint says is worked out at every call, which takes as long as "
-        "some poses.";
+    text += "\n/// What the geometry or a given joint says is worked out at every call.";
   return text;
 }
 

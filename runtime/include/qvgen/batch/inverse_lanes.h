@@ -52,15 +52,6 @@ QVGEN_LANES Lane unit_excess(const LanePoses<Lane>& pose) {
   const Lane* q = pose.quaternion;
   return ((q[0] * q[0] + q[1] * q[1]) + (q[2] * q[2] + q[3] * q[3])) - Lane(1);
 }
-template <class Lane>
-QVGEN_LANES Lane unit_scale(const Lane& excess) {
-  return Lane(1) + excess * (Lane(-0.5) + Lane(0.375) * excess);
-}
-template <class Lane>
-QVGEN_LANES Lane square_scale(const Lane& excess) {
-  return Lane(1) + excess * (excess - Lane(1));
-}
-
 /// The branch that all begin with: it exists where the pose may be in reach, and is doubtful where the pose
 /// is invalid.
 template <class Lane>
@@ -77,23 +68,6 @@ QVGEN_LANES inverse::Branch<Lane> outlook(const LanePoses<Lane>& pose, const Lan
   branch.doubtful = !(is_unit & is_finite);
   return branch;
 }
-
-/// The part of a generated target that is the same for every robot (inverse::TargetBase).
-template <class Lane, int dof>
-struct LaneTarget {
-  static constexpr double noise = inverse::TargetBase<dof>::noise;
-  static constexpr double tiny0 = inverse::TargetBase<dof>::tiny0;
-  double tolerance;
-  inverse::Boundary boundary;
-  Lane tiny1, tiny2, tiny4;
-  const inverse::Preference<dof>* preference;
-
-  [[gnu::always_inline]] void set_size(const Lane& square) {
-    tiny1 = Lane(noise * noise) * square;
-    tiny2 = tiny1 * square;
-    tiny4 = tiny1 * tiny1;
-  }
-};
 
 }  // namespace qvgen::batch
 

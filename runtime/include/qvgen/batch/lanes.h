@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <cstring>
-#include <type_traits>
 
 #include <Eigen/Core>
 #include <qvgen/batch/machine.h>
@@ -56,12 +55,7 @@ class Lanes {
     const Vector one = zero + T(1);
     return Lanes(a.vector_ > zero ? one : a.vector_ < zero ? -one : zero);
   }
-  QVGEN_LANES Lanes sqrt(const Lanes& a) {
-    if constexpr (std::is_same_v<Set, Baseline>)
-      return each(a, [](T x) { return std::sqrt(x); });
-    else
-      return Lanes(Register<T, Set>::root(a.vector_));
-  }
+  QVGEN_LANES Lanes sqrt(const Lanes& a) { return Lanes(Register<T, Set>::root(a.vector_)); }
   // Of single angles generated functions ask only where they are the arm's own, the same in all lanes.
   QVGEN_LANES Lanes sin(const Lanes& a) {
     return of_constant(a, [](T x) { return std::sin(x); });

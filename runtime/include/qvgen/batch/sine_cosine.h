@@ -151,19 +151,9 @@ template <class T, class Set>
   }
 }
 
-/// The baseline has no kernel of its own: all lanes of all angles go to the library, which has one if the
-/// machine has.
-template <class T>
-inline void sines_and_cosines(const Lanes<T, Baseline>* angles, Lanes<T, Baseline>* sines,
-                              Lanes<T, Baseline>* cosines, int count) {
-  using Lane = Lanes<T, Baseline>;
-  static_assert(sizeof(Lane) == Lane::size * sizeof(T));
-  qvgen::sines_and_cosines(reinterpret_cast<const T*>(angles), reinterpret_cast<T*>(sines),
-                           reinterpret_cast<T*>(cosines), count * Lane::size);
-}
-
 }  // namespace qvgen::batch
 
+#if defined(QVGEN_BATCH_AVX2) || defined(QVGEN_BATCH_AVX512)
 namespace qvgen {
 
 template <>
@@ -181,3 +171,4 @@ template <>
 }
 
 }  // namespace qvgen
+#endif

@@ -37,26 +37,31 @@ struct PoseNumbers {
 
 /// 1 / |q| of a valid pose's quaternion from |q|² - 1, which `unit_tolerance` keeps so small that its third
 /// power is below rounding.
-[[gnu::always_inline]] inline double unit_scale(double excess) {
-  return 1 + excess * (-0.5 + 0.375 * excess);
+template <typename Scalar>
+[[gnu::always_inline]] inline Scalar unit_scale(const Scalar& excess) {
+  return Scalar(1) + excess * (Scalar(-0.5) + Scalar(0.375) * excess);
 }
 /// 1 / |q|², the same way.
-[[gnu::always_inline]] inline double square_scale(double excess) { return 1 + excess * (excess - 1); }
+template <typename Scalar>
+[[gnu::always_inline]] inline Scalar square_scale(const Scalar& excess) {
+  return Scalar(1) + excess * (excess - Scalar(1));
+}
 
 /// The part of a generated Target that is the same for every robot. Nothing but numbers, without Eigen: files
-/// that are compiled for other machines than the rest read it.
-template <int dof>
+/// that are compiled for other machines than the rest read it. `Scalar`: a double, or one of each of several
+/// poses.
+template <int dof, typename Scalar = double>
 struct TargetBase {
   static constexpr double noise = 16 * std::numeric_limits<double>::epsilon();
   static constexpr double tiny0 = noise * noise;  ///< the same of directions of unit length
   double tolerance;                               ///< see `default_tolerance`
   Boundary boundary;                              ///< how this pass treats the ends of ranges
-  double tiny1, tiny2,
+  Scalar tiny1, tiny2,
       tiny4;  ///< squares of directions that are noise: of lengths, squared lengths, short lengths squared
   const Preference<dof>* preference;
 
-  [[gnu::always_inline]] void set_size(double square) {
-    tiny1 = noise * noise * square;
+  [[gnu::always_inline]] void set_size(const Scalar& square) {
+    tiny1 = Scalar(noise * noise) * square;
     tiny2 = tiny1 * square;
     tiny4 = tiny1 * tiny1;
   }

@@ -49,7 +49,7 @@ inline constexpr InverseInfo inverse_info{ 16, Task::pose, -1, false, false, {},
 /// the seed. Rows stand in the order of their joints, a row's branch is its place.
 /// Status::incomplete says that a solution may be missing: there is a reason to doubt that all have been found;
 /// near singular poses one may be missing without a word. No heap, no exceptions, bounded work.
-/// What the geometry or a given joint says is worked out at every call, which takes as long as some poses.
+/// What the geometry or a given joint says is worked out at every call.
 /// Four angles at a time in the lanes of AVX2 registers, if the machine has them; `form` is for comparisons.
 Solutions inverse_kinematics(const Pose<double>& pose, const Geometry& g = {},
     double tolerance = inverse::default_tolerance, inverse::Form form = inverse::Form::fastest);
