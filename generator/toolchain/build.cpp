@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "toolchain/build.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cstdlib>
+#include <mutex>
+#include <sstream>
+#include <thread>
+
+#include "toolchain/workshop.h"
+
+namespace qvgen::toolchain {
+namespace {
+
+namespace fs = std::filesystem;
+using Words = std::vector<std::string>;
+
+Words operator+(Words first, const Words& second) {
+  first.insert(first.end(), second.begin(), second.end());
+  return first;
+}
+
+/// What a compiler says of one mistake may be thousands of lines long.
+std::string shortened(const std::string& said) {
+  constexpr std::size_t most = 4000;
+  return said.size() <= most ? said : said.substr(0, said.rfind('\n', most)) + "\n...\n";
+}
+
+Outcome run_shown(const Words& words) {
+  Outcome outcome = run(words);
+  if (outcome.done) return outcome;
+  std::string command;
+  for (const std::string& word : words) command += (command.empty() ? "" : " ") + word;
+  return {false, command + "\n" + shortened(outcome.said)};
+}
+
+std::string object_of(std::size_t number, const fs::path& folder) {
+  return (folder / (std::to_string(number) + ".o")).string();
+}
+
+/// Outcomes of all sources, in their order; those behind one that has failed may not have been tried.
+std::vector<Outcome> compile_all(const Program& program, const fs::path& folder, const Progress& progress) {
+  const std::size_t count = program.sources.size();
+  std::vector<Outcome> outcomes(count);
+  std::atomic<std::size_t> next = 0;
+  std::atomic<bool> failed = false;
+  std::mutex telling;
+  const auto work = [&] {
+    for (std::size_t i = next++; i < count && !failed; i = next++) {
+      const Source& source = program.sources[i];
+      outcomes[i] = run_shown(program.compiler + program.options + source.options +
+                              Words{"-c", source.file.string(), "-o", object_of(i, folder)});
+      if (!outcomes[i].done) failed = true;
+      const std::lock_guard<std::mutex> lock(telling);
+      if (progress) progress(source.file.filename().string());
+    }
+  };
+  std::vector<std::jthread> threads;
+  for (std::size_t i = 0; i < std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, count); ++i)
+    threads.emplace_back(work);
+  threads.clear();  // waits for them
+  return outcomes;
+}
+
+}  // namespace
+
+Words cxx_compiler() {
+  const char* named = std::getenv("CXX");
+  std::istringstream text(named == nullptr ? "" : named);
+  Words words;
+  for (std::string word; text >> word;) words.push_back(word);
+  return words.empty() ? Words{"c++"} : words;
+}
+
+std::string missing(const Words& compiler) {
+  if (is_program(compiler.front())) return "";
+  return "there is no compiler " + compiler.front() +
+         " on this machine (Debian: apt-get install g++; $CXX names another)";
+}
+
+Outcome build(const Program& program, const fs::path& target, const Progress& progress) {
+  fs::create_directories(fs::absolute(target).parent_path());
+  const Workshop workshop(fs::absolute(target).parent_path());  // on the same file system
+  Words objects;
+  const std::vector<Outcome> outcomes = compile_all(program, workshop.folder(), progress);
+  for (const Outcome& outcome : outcomes)
+    if (!outcome.done && !outcome.said.empty()) return outcome;
+  for (std::size_t i = 0; i < outcomes.size(); ++i) objects.push_back(object_of(i, workshop.folder()));
+  const fs::path whole = workshop.folder() / "program";
+  const Outcome linked =
+      run_shown(program.compiler + Words{"-o", whole.string()} + objects + program.libraries);
+  if (linked.done) fs::rename(whole, target);
+  return linked;
+}
+
+}  // namespace qvgen::toolchain
