@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "cli/command_line.h"
 
+#include <cmath>
+#include <cstdlib>
 #include <map>
 
 namespace qvgen::cli {
@@ -20,6 +22,7 @@ const char* const examples = R"(
   qvgen counts ur5 --functions jacobian       of one function of one robot
   qvgen counts --against before.json          what a change has made cheaper or dearer
   qvgen report puma560 -o pages               a page that opens in any browser, pages/puma560.html
+  qvgen map ur5 -o ur5.npz -o ur5.svg         what the arm reaches: arrays for NumPy, slices as a picture
   qvgen compare puma560 ns                    formulations by their operations: pairs, Denavit-Hartenberg, ...
 )";
 
@@ -35,6 +38,13 @@ const char* const report_examples = R"(
   qvgen report                                all known robots, into ./report; begin with report/index.html
   qvgen report my_arm.toml -o pages           one robot, pages/my_arm.html, and the index of all that are there
   qvgen report arm.urdf --generated my_code   with the counts and signatures of the code in my_code/
+)";
+
+const char* const map_examples = R"(
+  qvgen map ur5 -o ur5.npz -o ur5.svg         arrays for NumPy, and slices as a picture
+  qvgen map arm.urdf --tip tool0 --limits --resolution 0.02 --orientations 500 -o arm.vtk   for ParaView
+  qvgen map ur5 --blocks 0:499 -o a.part      one half, anywhere; blocks are numbered 0 to 999
+  qvgen map --merge a.part b.part -o ur5.npz  the parts together, the same file as of one run
 )";
 
 const char* const exit_codes = "0 success, 1 failure, 2 wrong arguments, 3 mistakes in a description";
@@ -232,6 +242,69 @@ void add_report(CommandLine& line) {
   command.footer(std::string("\nexamples:") + report_examples);
 }
 
+/// Numbers of metres.
+const CLI::Validator& length() {
+  static const CLI::Validator check(
+      [](const std::string& text) {
+        char* end = nullptr;
+        const double value = std::strtod(text.c_str(), &end);
+        return *end == '\0' && std::isfinite(value) && value > 0
+                   ? std::string()
+                   : "'" + text + "' is no length: a number of metres above 0";
+      },
+      "", "length");
+  return check;
+}
+
+void add_map_work(CommandLine& line, CLI::App& command) {
+  MapArguments& map = line.map;
+  command.add_option("--resolution", map.resolution, "edge of a cell; a twentieth of the reach without")
+      ->type_name("METRES")
+      ->check(length());
+  command
+      .add_option(
+          "--orientations", map.orientations,
+          "how many at each position, spread evenly; directions or angles if the arm is asked for those")
+      ->type_name("NUMBER")
+      ->check(CLI::Range(1, 10000000).description(""))
+      ->capture_default_str();
+  command.add_flag("--limits", map.limits, "count only solutions within the description's joint limits");
+  command
+      .add_option("--reach", map.reach,
+                  "radius of the sphere that is looked at, about a point of the first axis; the arm's reach "
+                  "without")
+      ->type_name("METRES")
+      ->check(length());
+  command.add_option("--threads", map.threads, "how many; those of the machine without")
+      ->type_name("NUMBER")
+      ->check(CLI::Range(1, 1024).description(""));
+  command
+      .add_option("--blocks", map.blocks,
+                  "only these of the 1000 blocks, 0 to 999, that each map is divided into, as a .part")
+      ->type_name("FIRST:LAST");
+}
+
+void add_map(CommandLine& line) {
+  CLI::App& command = *line.app.add_subcommand(
+      "map",
+      "what an arm reaches: at each position of a grid the share of orientations, the number of "
+      "solutions, the best manipulability and distance from joint limits; a run that was stopped goes on "
+      "where it was");
+  line.map_command = &command;
+  command.add_option("ROBOT", line.mapped, "name of a known robot, or a description")->type_name("ROBOT");
+  command
+      .add_option("-o,--output", line.map.outputs,
+                  "file to write, .npz (NumPy), .vtk (ParaView), .svg (slices) or .part; may be repeated")
+      ->type_name("FILE")
+      ->allow_extra_args(false)
+      ->required();
+  add_map_work(line, command);
+  command.add_option("--merge", line.map.merged, "parts of a map, .part, in place of a robot")
+      ->type_name("FILE");
+  add_reading(command, line.map.read);
+  command.footer(std::string("\nexamples:") + map_examples);
+}
+
 void add_check(CommandLine& line) {
   CLI::App& command = *line.app.add_subcommand("check", "report the mistakes of descriptions, write nothing");
   line.check_command = &command;
@@ -285,6 +358,7 @@ CommandLine::CommandLine() {
   add_counts(*this);
   add_compare(*this);
   add_report(*this);
+  add_map(*this);
   add_check(*this);
   add_import(*this);
   add_new(*this);

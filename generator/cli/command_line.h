@@ -42,6 +42,10 @@ struct CommandLine {
   std::vector<std::string> reported;
   ReportArguments report;
 
+  CLI::App* map_command = nullptr;
+  std::string mapped;
+  MapArguments map;
+
   CLI::App* check_command = nullptr;
   std::vector<std::string> checked;
   description::ReadOptions check;
@@ -69,6 +73,7 @@ struct CommandLine {
 extern const char* const examples;
 extern const char* const compare_examples;
 extern const char* const report_examples;
+extern const char* const map_examples;
 extern const char* const exit_codes;
 
 }  // namespace qvgen::cli

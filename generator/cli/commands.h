@@ -81,6 +81,22 @@ struct ReportArguments {
   std::uint64_t tool = 0;  ///< a number that another build of the tool has not
 };
 
+struct MapArguments {
+  std::filesystem::path description;
+  description::ReadOptions read;
+  std::vector<std::filesystem::path> outputs;
+  std::vector<std::filesystem::path> merged;  ///< parts, in place of a description
+  double resolution = 0;                      ///< m; 0: a twentieth of the reach
+  double reach = 0;                           ///< m; 0: the arm's own
+  std::size_t orientations = 100;
+  bool limits = false;
+  int threads = 0;     ///< 0: as many as the machine has
+  std::string blocks;  ///< FIRST:LAST; empty: all
+  std::filesystem::path known_robots;
+  std::optional<std::filesystem::path> source_tree;
+  std::uint64_t tool = 0;  ///< a number that another build of the tool has not
+};
+
 /// Each command prints its results to stdout and messages to stderr, and returns an ExitCode.
 int run_generate(const GenerateArguments& arguments);
 /// Removes robots from a folder, their files and nothing else.
@@ -93,6 +109,8 @@ int run_counts(const CountsArguments& arguments);
 int run_compare(const CompareArguments& arguments);
 /// Pages of robots, and those of all robots of the folder.
 int run_report(const ReportArguments& arguments);
+/// Which positions and orientations an arm reaches, as files; or such files of parts.
+int run_map(const MapArguments& arguments);
 /// `thorough`: derives and certifies everything as run_generate does.
 int run_check(const std::vector<std::filesystem::path>& descriptions, const description::ReadOptions& options,
               bool thorough);

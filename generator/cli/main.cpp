@@ -143,6 +143,16 @@ int run(int argc, char** argv) {
     if (report.generated.empty()) report.generated = default_output(here, {});
     return run_report(report);
   }
+  if (*line.map_command) {
+    MapArguments& map = line.map;
+    if (line.mapped.empty() == map.merged.empty())
+      throw UsageError("map takes either a robot or --merge with parts");
+    if (!line.mapped.empty()) map.description = description_of(line.mapped, here.robots);
+    map.known_robots = here.robots;
+    map.source_tree = here.source_tree;
+    map.tool = here.tool;
+    return run_map(map);
+  }
   if (*line.import_command) return run_import(line.imported, line.import);
   if (*line.new_command) return run_new(line.letters, line.name, line.wrist == "euler", here.robots);
   if (*line.list_command) return print(names_in(here.robots));

@@ -14,8 +14,12 @@ ProgressLine::~ProgressLine() {
 
 void ProgressLine::finished(const std::string& robot) {
   ++done_;
+  say(fmt::format("[{}/{}] {}", done_, total_, robot));
+}
+
+void ProgressLine::say(const std::string& text) const {
   if (!visible_) return;
-  fmt::print(stderr, "\r\033[K[{}/{}] {}", done_, total_, robot);
+  fmt::print(stderr, "\r\033[K{}", text);
   std::fflush(stderr);
 }
 

@@ -14,6 +14,8 @@ class ProgressLine {
   ProgressLine& operator=(const ProgressLine&) = delete;
   ~ProgressLine();
   void finished(const std::string& robot);
+  /// Anything else in the same place.
+  void say(const std::string& text) const;
 
  private:
   std::size_t total_;

@@ -27,8 +27,8 @@ std::string shortened(const std::string& said) {
   return said.size() <= most ? said : said.substr(0, said.rfind('\n', most)) + "\n...\n";
 }
 
-Outcome run_shown(const Words& words) {
-  Outcome outcome = run(words);
+Outcome run_shown(const Words& words, const fs::path& folder) {
+  Outcome outcome = run(words, folder);
   if (outcome.done) return outcome;
   std::string command;
   for (const std::string& word : words) command += (command.empty() ? "" : " ") + word;
@@ -50,7 +50,8 @@ std::vector<Outcome> compile_all(const Program& program, const fs::path& folder,
     for (std::size_t i = next++; i < count && !failed; i = next++) {
       const Source& source = program.sources[i];
       outcomes[i] = run_shown(program.compiler + program.options + source.options +
-                              Words{"-c", source.file.string(), "-o", object_of(i, folder)});
+                                  Words{"-c", source.file.string(), "-o", object_of(i, folder)},
+                              program.folder);
       if (!outcomes[i].done) failed = true;
       const std::lock_guard<std::mutex> lock(telling);
       if (progress) progress(source.file.filename().string());
@@ -89,7 +90,7 @@ Outcome build(const Program& program, const fs::path& target, const Progress& pr
   for (std::size_t i = 0; i < outcomes.size(); ++i) objects.push_back(object_of(i, workshop.folder()));
   const fs::path whole = workshop.folder() / "program";
   const Outcome linked =
-      run_shown(program.compiler + Words{"-o", whole.string()} + objects + program.libraries);
+      run_shown(program.compiler + Words{"-o", whole.string()} + objects + program.libraries, program.folder);
   if (linked.done) fs::rename(whole, target);
   return linked;
 }

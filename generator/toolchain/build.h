@@ -22,6 +22,8 @@ struct Program {
   std::vector<std::string> options;   ///< of every source
   std::vector<Source> sources;
   std::vector<std::string> libraries = {};  ///< the last words of the linker's command
+  /// Where the compiler runs: what it is told may be relative to it, so that ccache knows it again.
+  std::filesystem::path folder = ".";
 };
 
 /// Told the name of each file as it is done.

@@ -4,7 +4,7 @@
 #include <array>
 #include <cerrno>
 #include <cstdlib>
-#include <stdexcept>
+#include <exception>
 #include <system_error>
 
 #include <fcntl.h>
@@ -33,24 +33,33 @@ class Pipe {
     if (ends_[1] >= 0) ::close(ends_[1]);
     ends_[1] = -1;
   }
+  [[nodiscard]] int output() const { return ends_[0]; }
   /// All until everyone who writes has closed it.
-  [[nodiscard]] std::string read_all() const {
-    std::string text;
-    std::array<char, 4096> some{};
+  void read_all(const std::function<void(std::string_view)>& take) const {
+    std::array<char, 65536> some{};
     for (;;) {
       const ssize_t count = ::read(ends_[0], some.data(), some.size());
       if (count < 0 && errno == EINTR) continue;
-      if (count <= 0) return text;
-      text.append(some.data(), static_cast<std::size_t>(count));
+      if (count <= 0) return;
+      take({some.data(), static_cast<std::size_t>(count)});
     }
+  }
+  void write_all(const std::string& text) const {
+    if (::write(ends_[1], text.data(), text.size()) != static_cast<ssize_t>(text.size()))
+      throw std::system_error(errno, std::generic_category(), "a program takes no input");
   }
 
  private:
   std::array<int, 2> ends_{-1, -1};
 };
 
-/// Starts a program whose output goes to a descriptor; zero or an error's number.
-int start(const std::vector<std::string>& words, const std::filesystem::path& folder, int output,
+/// What a program is started with; -1 leaves it ours.
+struct Streams {
+  int input = -1, output = -1, error = -1;
+};
+
+/// Zero or an error's number.
+int start(const std::vector<std::string>& words, const std::filesystem::path& folder, const Streams& streams,
           pid_t& child) {
   std::vector<char*> arguments;
   for (const std::string& word : words)
@@ -59,12 +68,28 @@ int start(const std::vector<std::string>& words, const std::filesystem::path& fo
   posix_spawn_file_actions_t actions;
   ::posix_spawn_file_actions_init(&actions);
   ::posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-  ::posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  for (const int stream : {STDOUT_FILENO, STDERR_FILENO})
-    ::posix_spawn_file_actions_adddup2(&actions, output, stream);
+  if (streams.input < 0)
+    ::posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  else
+    ::posix_spawn_file_actions_adddup2(&actions, streams.input, STDIN_FILENO);
+  if (streams.output >= 0) ::posix_spawn_file_actions_adddup2(&actions, streams.output, STDOUT_FILENO);
+  if (streams.error >= 0) ::posix_spawn_file_actions_adddup2(&actions, streams.error, STDERR_FILENO);
   const int error = ::posix_spawnp(&child, arguments.front(), &actions, nullptr, arguments.data(), environ);
   ::posix_spawn_file_actions_destroy(&actions);
   return error;
+}
+
+Outcome not_started(const std::vector<std::string>& words, int error) {
+  return {false, words.front() + ": " + std::generic_category().message(error)};
+}
+
+/// How it ended, if not well.
+std::string wait_for(pid_t child) {
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0)
+    if (errno != EINTR) return "it was lost";
+  if (WIFSIGNALED(status)) return "it was ended by signal " + std::to_string(WTERMSIG(status));
+  return WEXITSTATUS(status) == 0 ? "" : "its exit code is " + std::to_string(WEXITSTATUS(status));
 }
 
 }  // namespace
@@ -72,14 +97,34 @@ int start(const std::vector<std::string>& words, const std::filesystem::path& fo
 Outcome run(const std::vector<std::string>& words, const std::filesystem::path& folder) {
   Pipe output;
   pid_t child = 0;
-  if (const int error = start(words, folder, output.input(), child); error != 0)
-    return {false, words.front() + ": " + std::generic_category().message(error)};
+  if (const int error = start(words, folder, {-1, output.input(), output.input()}, child); error != 0)
+    return not_started(words, error);
   output.close_input();
-  std::string said = output.read_all();
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0)
-    if (errno != EINTR) return {false, said};
-  return {WIFEXITED(status) && WEXITSTATUS(status) == 0, std::move(said)};
+  std::string said;
+  output.read_all([&](std::string_view some) { said += some; });
+  return {wait_for(child).empty(), std::move(said)};
+}
+
+Outcome run(const std::vector<std::string>& words, const std::string& input,
+            const std::function<void(std::string_view)>& take) {
+  pid_t child = 0;
+  std::exception_ptr thrown;
+  {
+    Pipe in, out;
+    in.write_all(input);  // the pipe holds it
+    if (const int error = start(words, ".", {in.output(), out.input()}, child); error != 0)
+      return not_started(words, error);
+    in.close_input();
+    out.close_input();
+    try {
+      out.read_all(take);
+    } catch (...) {
+      thrown = std::current_exception();
+    }
+  }  // closes the pipes: whoever still writes has nobody who reads
+  const std::string end = wait_for(child);
+  if (thrown) std::rethrow_exception(thrown);
+  return {end.empty(), end};
 }
 
 bool is_program(const std::string& name) {

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace qvgen::toolchain {
@@ -16,6 +18,12 @@ struct Outcome {
 /// Runs a program in a folder and waits for its end. The first word is its name or path. May be called by
 /// several threads at a time.
 Outcome run(const std::vector<std::string>& words, const std::filesystem::path& folder = ".");
+
+/// The same for a program that reads a short text and whose output is taken piece by piece as it comes; what
+/// it says on stderr goes where ours goes. The outcome says how it ended if not well. What `take` throws ends
+/// the program.
+Outcome run(const std::vector<std::string>& words, const std::string& input,
+            const std::function<void(std::string_view)>& take);
 
 /// Whether the machine has a program of that name or path.
 bool is_program(const std::string& name);

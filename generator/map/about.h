@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+#include <qvgen/map/evaluate.h>
+
+namespace qvgen::map {
+
+/// What a map is of: all that its numbers depend on. Parts of one map have the same.
+struct About {
+  std::string robot;
+  std::string title;
+  std::string program;        ///< a fingerprint of the sources that compute it
+  std::string task;           ///< "pose", "position", ...
+  std::string given;          ///< the joint whose values are tried; empty without
+  bool own_reach = true;      ///< the sphere is as large as the arm's reach: beyond it nothing is reached
+  bool limits_known = false;  ///< of a joint
+  Plan plan;
+};
+
+nlohmann::ordered_json to_json(const About& about);
+About about_from_json(const nlohmann::ordered_json& json);
+
+/// What the targets at a position are called, "orientations".
+std::string target_name(const About& about);
+
+}  // namespace qvgen::map

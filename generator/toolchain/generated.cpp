@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "toolchain/generated.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+namespace qvgen::toolchain {
+namespace {
+
+namespace fs = std::filesystem;
+
+#if defined(__x86_64__)
+constexpr bool has_avx2_forms = true;
+#else
+constexpr bool has_avx2_forms = false;
+#endif
+
+fs::path eigen() {
+  const char* named = std::getenv("QVGEN_EIGEN");
+  const fs::path folder = named == nullptr ? "/usr/include/eigen3" : named;
+  if (!fs::exists(folder / "Eigen/Core"))
+    throw std::runtime_error("there is no Eigen in " + folder.string() +
+                             " (Debian: apt-get install libeigen3-dev; $QVGEN_EIGEN names another folder)");
+  return folder;
+}
+
+bool mentions(const fs::path& file, const std::string& text) {
+  std::ifstream stream(file, std::ios::binary);
+  const std::string content{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  return content.find(text) != std::string::npos;
+}
+
+Source runtime_source(const fs::path& file) {
+  const std::string name = file.filename().string();
+  if (!has_avx2_forms) return {file};
+  if (name == "sine_cosine.cpp") return {file, {"-DQVGEN_HAS_AVX2_KERNEL"}};
+  if (name == "sine_cosine_avx2.cpp") return {file, {"-mavx2", "-mfma", "-ffp-contract=off"}};
+  if (name == "pass_avx2.cpp") return {file, {"-mavx2", "-mfma"}};
+  return {file};
+}
+
+}  // namespace
+
+Runtime runtime_of(const fs::path& source_tree) {
+  return {{source_tree / "runtime/include", eigen()}, source_tree / "runtime/source", {}};
+}
+
+Runtime runtime_in(const fs::path& prefix) {
+  if (!fs::exists(prefix / "include/qvgen/pose.h"))
+    throw std::runtime_error("qvgen's headers are not in " + (prefix / "include").string() +
+                             ", where the tool is installed: install the component runtime too");
+  for (const auto& entry : fs::recursive_directory_iterator(prefix / "lib"))
+    if (entry.path().filename() == "libqvgen_runtime.a")
+      return {{prefix / "include", eigen()}, {}, entry.path()};
+  throw std::runtime_error("libqvgen_runtime.a is not in " + (prefix / "lib").string());
+}
+
+std::vector<std::string> options_of_all(const Runtime& runtime) {
+  std::vector<std::string> options{"-std=c++17",      "-O2",      "-DNDEBUG",
+                                   "-fno-math-errno", "-pthread", "-Wno-psabi"};
+  for (const fs::path& folder : runtime.headers) options.push_back("-I" + folder.string());
+  return options;
+}
+
+Source generated_source(const fs::path& file) {
+  const std::string name = file.filename().string();
+  if (name.ends_with("_avx2.cpp") && has_avx2_forms)
+    return {file, {"-mavx2", "-ffp-contract=off", "-DQVGEN_NO_CONTRACTION"}};
+  if (name == "inverse.cpp") return {file, {"-ffp-contract=off", "-DQVGEN_NO_CONTRACTION"}};
+  return {file};
+}
+
+void add_runtime(const Runtime& runtime, const std::vector<fs::path>& generated, Program& program) {
+  if (runtime.sources.empty()) {
+    program.libraries.push_back(runtime.archive.string());
+    return;
+  }
+  program.sources.push_back(runtime_source(runtime.sources / "sine_cosine.cpp"));
+  if (has_avx2_forms) program.sources.push_back(runtime_source(runtime.sources / "sine_cosine_avx2.cpp"));
+  for (const std::string folder : {"general", "arm_angle"}) {
+    const bool needed = std::any_of(generated.begin(), generated.end(), [&](const fs::path& file) {
+      return mentions(program.folder / file, "#include <qvgen/inverse/" + folder);
+    });
+    if (!needed) continue;
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(runtime.sources / folder)) files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    for (const fs::path& file : files)
+      if (file.extension() == ".cpp") program.sources.push_back(runtime_source(file));
+  }
+}
+
+}  // namespace qvgen::toolchain
