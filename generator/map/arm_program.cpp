@@ -74,13 +74,16 @@ std::string sources_text(const pipeline::RobotOutput& output, const std::string&
   return text;
 }
 
-std::string main_text(const model::Robot& robot, const Function& function) {
+std::string main_text(const model::Robot& robot, const Function& function,
+                      const pipeline::RobotOutput& output) {
   const bool in_batches = function.task == "pose" || function.task == "position";
+  const bool has_measures = robot.joints.size() == 6 && output.counts.contains("singularity_measures");
   return emit::render("map_program.cpp", {{"name", robot.name},
                                           {"function", function.name},
                                           {"info", "inverse_info" + function.suffix},
                                           {"in_batches", in_batches},
-                                          {"given", !function.given.empty()}});
+                                          {"given", !function.given.empty()},
+                                          {"has_measures", has_measures}});
 }
 
 /// The widest instruction set that this machine has; programs in the cache are for it.
@@ -128,7 +131,7 @@ ordered_json made(const model::Robot& robot, const fs::path& target, const toolc
   refuse_what_has_no_map(robot, function);
   const toolchain::Workshop workshop;
   for (const pipeline::OutputFile& file : output.files) workshop.write(file.path, file.content);
-  const std::string main = main_text(robot, function);
+  const std::string main = main_text(robot, function, output);
   workshop.write("map_program.cpp", main);
   const toolchain::Outcome outcome =
       toolchain::build(program_of(robot, output, workshop.folder(), runtime), target,

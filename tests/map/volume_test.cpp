@@ -35,6 +35,21 @@ TEST(Volume, IsTheProductOfTheSingularValues) {
   expect_volume_of<7>(engine);
 }
 
+TEST(ScaleOfMeasures, IsTheConstantBesideTheFactorsOfADeterminant) {
+  using Joints = Eigen::Matrix<double, 6, 1>;
+  const auto jacobian = [](const Joints& q) {
+    Eigen::Matrix<double, 6, 6> j = Eigen::Matrix<double, 6, 6>::Identity();
+    j(0, 0) = -2.5 * q[0];
+    j(3, 3) = 1 + q[4];
+    j(0, 5) = 7;
+    return j;
+  };
+  const auto factors = [](const Joints& q) { return Eigen::Vector2d(q[0], 1 + q[4]); };
+  const auto others = [](const Joints& q) { return Eigen::Vector2d(q[0], 1 + q[3]); };
+  EXPECT_DOUBLE_EQ(scale_of_measures<Joints>(jacobian, factors), 2.5);
+  EXPECT_EQ(scale_of_measures<Joints>(jacobian, others), 0);
+}
+
 TEST(LimitDistance, IsOneInTheMiddleAndZeroAtALimit) {
   constexpr double inf = std::numeric_limits<double>::infinity();
   const auto distance = [](const Ranges<2>& ranges, double a, double b) {

@@ -76,8 +76,8 @@ class Evaluation {
 
  private:
   static constexpr std::size_t dof = Arm::dof, capacity = Arm::capacity;
-  static constexpr std::size_t chunk = 256;  ///< targets at a time
-  static constexpr std::size_t most = 256;   ///< solutions whose Jacobians are looked at together
+  static constexpr std::size_t chunk = 64;  ///< targets at a time: their solutions stay in the nearest cache
+  static constexpr std::size_t most = 256;  ///< solutions whose Jacobians are looked at together
 
   void fill(std::size_t count, std::uint64_t first) {
     const Batch<double> rows{numbers_.data(), chunk};

@@ -81,6 +81,25 @@ template <class Scalar, int dof>
   }
 }
 
+/// What the product of an arm's singularity measures is to be multiplied with for |det J|: they are its
+/// factors but for a constant, and cost less. 0 if that is not so at joint values scattered over [-2, 2].
+template <class Joints, class Jacobian, class Measures>
+double scale_of_measures(const Jacobian& jacobian, const Measures& measures) {
+  constexpr double golden = 0.6180339887498948482;
+  double scale = 0;
+  for (int n = 0; n < 8; ++n) {
+    Joints q;
+    for (int i = 0; i < static_cast<int>(q.size()); ++i) {
+      const double place = golden * static_cast<double>(static_cast<int>(q.size()) * n + i + 1);
+      q[i] = 4 * (place - std::floor(place)) - 2;
+    }
+    const double value = determinant<double>(jacobian(q)), product = measures(q).prod();
+    if (n == 0) scale = value / product;
+    if (!(std::abs(value - scale * product) <= 1e-9 * std::abs(value))) return 0;
+  }
+  return std::abs(scale);
+}
+
 }  // namespace qvgen::map
 
 #undef QVGEN_UNROLLED
