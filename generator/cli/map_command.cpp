@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <csignal>
 #include <numbers>
 #include <thread>
 
@@ -126,6 +127,21 @@ map::ArmProgram program_of(const MapArguments& arguments, const model::Robot& ro
   return map::arm_program(robot, key, runtime, [&](const std::string& what) { progress.say(what); });
 }
 
+volatile std::sig_atomic_t stop_wanted = 0;
+
+/// For as long as it lives a request to stop is noted, and not obeyed at once.
+class StopRequests {
+ public:
+  StopRequests() {
+    for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int) { stop_wanted = 1; });
+  }
+  StopRequests(const StopRequests&) = delete;
+  StopRequests& operator=(const StopRequests&) = delete;
+  ~StopRequests() {
+    for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, SIG_DFL);
+  }
+};
+
 /// Computes what the journal lacks.
 void fill(map::Journal& journal, const map::ArmProgram& program, const std::vector<int>& blocks,
           int threads) {
@@ -142,6 +158,7 @@ void fill(map::Journal& journal, const map::ArmProgram& program, const std::vect
       program, journal.part().about.plan, open, threads, [&](int block, std::vector<map::Cell> cells) {
         poses += static_cast<double>(cells.size() * journal.part().about.plan.targets);
         journal.add(block, std::move(cells));
+        if (stop_wanted != 0) throw std::runtime_error("stopped");
         const double seconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         ++done;
@@ -161,8 +178,8 @@ std::string summary(const map::Part& part) {
       if (cell.reached > 0) ++some;
     }
   const double all = static_cast<double>(positions * part.about.plan.targets);
-  return fmt::format("{}: {} positions of {:.4g} m, {} reached; {:.1f} % of {} {} each", part.about.robot,
-                     positions, part.about.plan.sphere.resolution, some,
+  return fmt::format("{}: {} positions {:.4g} m apart, {} reached; {:.1f} % of {} {} at each",
+                     part.about.robot, positions, part.about.plan.sphere.resolution, some,
                      all > 0 ? 100 * static_cast<double>(reached) / all : 0.0, part.about.plan.targets,
                      map::target_name(part.about));
 }
@@ -194,7 +211,14 @@ int run_map(const MapArguments& arguments) {
                           ? arguments.threads
                           : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   map::Journal journal(arguments.outputs.front().string() + ".unfinished", about);
-  fill(journal, program, blocks, threads);
+  try {
+    const StopRequests requests;
+    fill(journal, program, blocks, threads);
+  } catch (const std::runtime_error&) {
+    if (stop_wanted == 0) throw;
+    throw std::runtime_error(fmt::format("stopped: {} blocks are in {}, the same command goes on from there",
+                                         journal.blocks().size(), journal.path().string()));
+  }
   write_all(journal.part(), arguments.outputs);
   journal.remove();
   return success;

@@ -40,6 +40,7 @@ class Journal {
   Journal& operator=(const Journal&) = delete;
   ~Journal();
 
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   [[nodiscard]] const Blocks& blocks() const { return part_.blocks; }
   [[nodiscard]] const Part& part() const { return part_; }
   void add(int block, std::vector<Cell> cells);

@@ -247,6 +247,20 @@ TEST_F(Map, GoesOnAfterItWasKilled) {
   expect_nothing_but_wholes();
 }
 
+TEST_F(Map, SaysHowToGoOnWhenItIsStopped) {
+  // It would take a minute.
+  const std::string long_one = " map " + robot + " --resolution 0.01 --orientations 300 -o long.npz";
+  const ToolRun stopped =
+      run_in(folder, "--version > /dev/null; " QVGEN_TOOL + long_one +
+                         " & while [ $(cat long.npz.unfinished 2>/dev/null | wc -c) -lt 99999 ];"
+                         " do sleep 0.01; done; kill -TERM $!; wait $!");
+  EXPECT_EQ(stopped.code, 1);
+  EXPECT_TRUE(has(stopped, "blocks are in long.npz.unfinished, the same command goes on")) << stopped.output;
+  EXPECT_FALSE(fs::exists(folder / "long.npz"));
+  fs::remove(folder / "long.npz.unfinished");
+  expect_nothing_but_wholes();
+}
+
 TEST_F(Map, SaysWhatItRefuses) {
   const std::string to = " -o x.npz";
   const auto refused = [&](const std::string& arguments, int code, const std::string& text) {
