@@ -299,8 +299,11 @@ void add_map(CommandLine& line) {
       ->allow_extra_args(false)
       ->required();
   add_map_work(line, command);
-  command.add_option("--merge", line.map.merged, "parts of a map, .part, in place of a robot")
-      ->type_name("FILE");
+  CLI::Option* merge =
+      command.add_option("--merge", line.map.merged, "parts of a map, .part, in place of a robot")
+          ->type_name("FILE");
+  for (const char* other : {"--resolution", "--orientations", "--limits", "--reach", "--threads", "--blocks"})
+    merge->excludes(other);
   add_reading(command, line.map.read);
   command.footer(std::string("\nexamples:") + map_examples);
 }

@@ -60,10 +60,12 @@ std::vector<int> blocks_of(const std::string& text) {
 }
 
 /// A map that does not fit is refused before anything is computed.
-void check_size(const map::Sphere& sphere) {
+void check_size(const map::Sphere& sphere, const MapArguments& arguments) {
   const double ratio = sphere.radius / sphere.resolution, edge = 2 * std::floor(ratio) + 1;
   const double cells = 4 * std::numbers::pi / 3 * ratio * ratio * ratio;
-  const double bytes = cells * sizeof(map::Cell) + edge * edge * edge * 40;
+  const double blocks = static_cast<double>(blocks_of(arguments.blocks).size()) / Grid::blocks;
+  const bool whole = arguments.blocks.empty();  // files of whole maps are made in memory
+  const double bytes = blocks * cells * sizeof(map::Cell) + edge * edge * (whole ? edge * 40 : 8);
   const double memory =
       static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGE_SIZE));
   if (bytes <= memory) return;
@@ -96,7 +98,7 @@ map::About about_of(const MapArguments& arguments, const model::Robot& robot, co
   map::Sphere& sphere = about.plan.sphere;
   sphere = map::sphere_of(chain, arguments.reach > 0 ? std::optional<double>(arguments.reach) : std::nullopt);
   sphere.resolution = arguments.resolution > 0 ? arguments.resolution : default_resolution(sphere.radius);
-  check_size(sphere);
+  check_size(sphere, arguments);
   about.plan.limits = arguments.limits;
   return about;
 }
@@ -178,10 +180,9 @@ std::string summary(const map::Part& part) {
       if (cell.reached > 0) ++some;
     }
   const double all = static_cast<double>(positions * part.about.plan.targets);
-  return fmt::format("{}: {} positions {:.4g} m apart, {} reached; {:.1f} % of {} {} at each",
-                     part.about.robot, positions, part.about.plan.sphere.resolution, some,
-                     all > 0 ? 100 * static_cast<double>(reached) / all : 0.0, part.about.plan.targets,
-                     map::target_name(part.about));
+  return fmt::format("{}: {} of {} places {:.4g} m apart are reached; of {} at each {:.1f} %",
+                     part.about.robot, some, positions, part.about.plan.sphere.resolution,
+                     map::targets_text(part.about), all > 0 ? 100 * static_cast<double>(reached) / all : 0.0);
 }
 
 void write_all(const map::Part& part, const std::vector<fs::path>& outputs) {

@@ -25,5 +25,7 @@ About about_from_json(const nlohmann::ordered_json& json);
 
 /// What the targets at a position are called, "orientations".
 std::string target_name(const About& about);
+/// How many there are: "100 orientations", or that only positions are asked for.
+std::string targets_text(const About& about);
 
 }  // namespace qvgen::map

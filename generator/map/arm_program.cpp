@@ -135,7 +135,7 @@ ordered_json made(const model::Robot& robot, const fs::path& target, const toolc
   workshop.write("map_program.cpp", main);
   const toolchain::Outcome outcome =
       toolchain::build(program_of(robot, output, workshop.folder(), runtime), target,
-                       [&](const std::string& file) { progress("compiling: " + file); });
+                       [&](const std::string& file) { progress("compiled " + file); });
   if (!outcome.done)
     throw std::runtime_error("the program that computes the map cannot be compiled:\n" + outcome.said);
   return {{"fingerprint", pipeline::fingerprint(sources_text(output, main, runtime))},

@@ -127,6 +127,11 @@ std::string target_name(const About& about) {
   return "orientations";
 }
 
+std::string targets_text(const About& about) {
+  if (about.task == "position") return "the position alone";
+  return fmt::format("{} {}", about.plan.targets, target_name(about));
+}
+
 std::string missing_blocks(const Blocks& blocks) {
   std::string text;
   for (int block = 0; block < Grid::blocks; ++block) {

@@ -7,7 +7,9 @@ namespace qvgen::map {
 
 std::vector<Quantity> quantities_of(const About& about) {
   std::vector<Quantity> all{
-      {"share", "share of the " + target_name(about) + " that are reached",
+      {"share",
+       about.task == "position" ? "reached or not"
+                                : "share of the " + target_name(about) + " that are reached",
        [](const Cell& cell, double targets) { return static_cast<float>(cell.reached / targets); }},
       {"mean_solutions", "solutions, on average of those that are reached",
        [](const Cell& cell, double) {

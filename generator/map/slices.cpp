@@ -122,8 +122,8 @@ std::string svg_text(const Part& part) {
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" width=\"{}\" "
       "font-family=\"sans-serif\" font-size=\"11\">\n<style>.m{{text-anchor:middle}}.e{{text-anchor:end}}"
       "</style>\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n"
-      "<text x=\"{}\" y=\"22\" font-size=\"14\">{}: {} {} a position, cells of {:.4g} m{}</text>\n",
-      width, height, width, left, report::escaped(about.robot), about.plan.targets, target_name(about),
+      "<text x=\"{}\" y=\"22\" font-size=\"14\">{}, asked for {} at places {:.4g} m apart{}</text>\n",
+      width, height, width, left, report::escaped(about.robot), targets_text(about),
       about.plan.sphere.resolution, about.plan.limits ? ", within joint limits" : "");
   for (std::size_t row = 0; row < quantities.size(); ++row) {
     const double largest = largest_of(cube, quantities[row]);

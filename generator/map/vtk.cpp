@@ -27,12 +27,12 @@ std::string vtk_text(const Part& part) {
   const Cube cube(part);
   const About& about = part.about;
   std::string text = fmt::format(
-      "# vtk DataFile Version 3.0\nreachability of {}, {} {} a position\nBINARY\nDATASET STRUCTURED_POINTS\n"
+      "# vtk DataFile Version 3.0\nreachability of {}, asked for {} at each place\nBINARY\nDATASET "
+      "STRUCTURED_POINTS\n"
       "DIMENSIONS {} {} {}\nORIGIN {} {} {}\nSPACING {} {} {}\nPOINT_DATA {}\n",
-      about.robot, about.plan.targets, target_name(about), cube.edge(), cube.edge(), cube.edge(),
-      cube.place(0, -cube.half()), cube.place(1, -cube.half()), cube.place(2, -cube.half()),
-      about.plan.sphere.resolution, about.plan.sphere.resolution, about.plan.sphere.resolution,
-      cube.edge() * cube.edge() * cube.edge());
+      about.robot, targets_text(about), cube.edge(), cube.edge(), cube.edge(), cube.place(0, -cube.half()),
+      cube.place(1, -cube.half()), cube.place(2, -cube.half()), about.plan.sphere.resolution,
+      about.plan.sphere.resolution, about.plan.sphere.resolution, cube.edge() * cube.edge() * cube.edge());
   for (const Quantity& quantity : quantities_of(about)) append_values(cube, quantity, text);
   return text;
 }

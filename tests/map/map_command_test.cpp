@@ -284,6 +284,7 @@ TEST_F(Map, SaysWhatItRefuses) {
   refused(robot + " -o no/such/folder/x.npz --resolution 0.3", 1, "cannot write no/such/folder/x.npz");
   refused("-o x.npz", 2, "either a robot or --merge");
   refused(robot + to + " --merge whole.part", 2, "either a robot or --merge");
+  refused("--limits --merge whole.part" + to, 2, "--limits excludes --merge");
   refused("--merge whole.npz" + to, 1, "whole.npz is no part of a map");
   refused("nr" + to + " --limits", 1, "the description of nr has no joint limits");
   refused("stanford" + to, 1, "d3 slides without limits");

@@ -44,6 +44,21 @@ TEST(Run, ReadsMoreThanAPipeHolds) {
   EXPECT_EQ(run({"sh", "-c", "head -c 300000 /dev/zero | tr '\\0' x"}).said.size(), 300000U);
 }
 
+TEST(Run, FeedsAProgramAndTakesWhatItPrints) {
+  std::string taken;
+  const auto take = [&](std::string_view some) { taken += some; };
+  EXPECT_TRUE(run({"tr", "a-z", "A-Z"}, "some text", take).done);
+  EXPECT_EQ(taken, "SOME TEXT");
+  EXPECT_THAT(run({"sh", "-c", "exit 7"}, "", take).said, HasSubstr("exit code is 7"));
+  EXPECT_THAT(run({"sh", "-c", "kill -9 $$"}, "", take).said, HasSubstr("signal 9"));
+  EXPECT_THAT(run({"no-such-program-anywhere"}, "", take).said, HasSubstr("No such file"));
+}
+
+TEST(Run, EndsAProgramWhoseOutputIsNotTaken) {
+  const auto refuse = [](std::string_view) { throw std::runtime_error("enough"); };
+  EXPECT_THROW(run({"yes"}, "", refuse), std::runtime_error);
+}
+
 TEST(Workshop, IsGoneAtTheEnd) {
   fs::path folder;
   {
