@@ -180,9 +180,11 @@ std::string summary(const map::Part& part) {
       if (cell.reached > 0) ++some;
     }
   const double all = static_cast<double>(positions * part.about.plan.targets);
-  return fmt::format("{}: {} of {} places {:.4g} m apart are reached; of {} at each {:.1f} %",
-                     part.about.robot, some, positions, part.about.plan.sphere.resolution,
-                     map::targets_text(part.about), all > 0 ? 100 * static_cast<double>(reached) / all : 0.0);
+  const std::string places = fmt::format("{}: {} of {} places {:.4g} m apart are reached", part.about.robot,
+                                         some, positions, part.about.plan.sphere.resolution);
+  if (part.about.task == "position") return places;
+  return fmt::format("{}; of {} at each {:.1f} %", places, map::targets_text(part.about),
+                     all > 0 ? 100 * static_cast<double>(reached) / all : 0.0);
 }
 
 void write_all(const map::Part& part, const std::vector<fs::path>& outputs) {

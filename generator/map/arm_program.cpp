@@ -86,7 +86,7 @@ std::string main_text(const model::Robot& robot, const Function& function,
                                           {"has_measures", has_measures}});
 }
 
-/// The widest instruction set that this machine has; programs in the cache are for it.
+/// The widest instruction set that this machine has, and the compiler's options for it.
 std::vector<std::pair<std::string, std::vector<std::string>>> lane_forms() {
 #if defined(__x86_64__)
   const std::vector<std::string> avx2{"-mavx2", "-mfma"};
@@ -185,14 +185,22 @@ fs::path cache_folder() {
 
 ArmProgram arm_program(const model::Robot& robot, const std::string& key, const toolchain::Runtime& runtime,
                        const std::function<void(const std::string&)>& progress) {
-  const fs::path folder = cache_folder() / fmt::format("map-{}-{}", robot.name, key);
+  const auto forms = lane_forms();  // machines that share a cache may have others
+  const fs::path folder = cache_folder() / fmt::format("map-{}-{}{}", robot.name, key,
+                                                       forms.empty() ? "" : "-" + forms.front().first);
   fs::create_directories(folder);
   const fs::path program = folder / "program", about = folder / "about.json";
   const pipeline::FolderLock lock(folder);  // of several processes one compiles
   auto known = pipeline::content_of(about);
   if (!known || !fs::exists(program)) {
     fs::remove(about);
-    known = made(robot, program, runtime, progress).dump();
+    try {
+      known = made(robot, program, runtime, progress).dump();
+    } catch (...) {
+      std::error_code ignored;
+      fs::remove(folder, ignored);  // nothing is in it
+      throw;
+    }
     pipeline::replace_file(about, *known, folder / "about.new");
   }
   const ordered_json json = ordered_json::parse(*known);

@@ -77,6 +77,11 @@ TEST(EvenOrientations, AreFarFromEachOtherAndLeaveNoGap) {
   }
 }
 
+TEST(EvenOrientations, AreFarFromEachOtherWhateverTheirNumber) {
+  for (std::size_t count = 2; count <= 150; ++count)
+    EXPECT_GT(separation(even(count)), least_separation) << count;
+}
+
 TEST(EvenOrientations, AreMoreEvenThanRandomOnes) {
   for (const unsigned seed : {1U, 2U, 3U}) {
     EXPECT_LT(separation(random(256, seed)), least_separation);
