@@ -149,6 +149,8 @@ void add_show(CommandLine& line) {
   command.add_flag("--dynamics", line.show.dynamics, "the joint forces of up to three joints, written out");
   command.add_flag("--transform", line.show.transform,
                    "the homogeneous matrices, link by link, and the entries of their product");
+  command.add_flag("--jacobian", line.show.jacobian,
+                   "the Jacobian by three methods, velocities of the links, determinant, inverse");
   command.add_flag("--latex", line.show.latex, "as LaTeX");
   command.add_flag("--singularities", line.show.singularities,
                    "the factored determinant of the Jacobian instead");

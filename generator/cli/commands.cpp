@@ -11,6 +11,7 @@
 #include "emit/math/closed_form.h"
 #include "emit/math/describe.h"
 #include "emit/math/dynamics_closed_form.h"
+#include "emit/math/jacobian_lines.h"
 #include "emit/math/legend.h"
 #include "emit/math/singularities.h"
 #include "emit/math/transforms.h"
@@ -155,6 +156,10 @@ int run_show(const ShowArguments& arguments) {
   }
   if (arguments.transform) {
     for (const std::string& line : emit::transform_lines(robots->front(), notation)) fmt::print("{}\n", line);
+    return success;
+  }
+  if (arguments.jacobian) {
+    for (const std::string& line : emit::jacobian_lines(robots->front(), notation)) fmt::print("{}\n", line);
     return success;
   }
   if (arguments.inverse) return show_inverse(robots->front(), notation);

@@ -50,6 +50,7 @@ struct ShowArguments {
   bool singularities = false;
   bool dynamics = false;   ///< the joint forces in place of the pose
   bool transform = false;  ///< the homogeneous matrices instead
+  bool jacobian = false;   ///< the Jacobian by three methods instead
   bool structure = false;  ///< the class of the arm instead
   bool inverse = false;    ///< the derivation of inverse kinematics instead of the closed form of the pose
 };

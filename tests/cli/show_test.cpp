@@ -106,6 +106,12 @@ TEST_F(CommandLine, ShowsTheTransformsOfTheLinks) {
   EXPECT_TRUE(has(run("show ur5 --transform"), "cos(theta2 + theta3 + theta4)"));
 }
 
+TEST_F(CommandLine, ShowsTheJacobian) {
+  EXPECT_TRUE(has(run("show rpp --jacobian"), "\nv_2 = [ 0, 0, d2' ]\n"));
+  EXPECT_TRUE(
+      has(run("show rpp --jacobian --latex"), "\\[v_{2} = \\begin{bmatrix}\n0 \\\\\n0 \\\\\n\\dot{d_{2}}"));
+}
+
 TEST_F(CommandLine, ShowsFactorsAloneWhereATwistIsASymbol) {
   const ToolRun shown = run("show general_6r --transform");
   EXPECT_EQ(shown.code, 0);

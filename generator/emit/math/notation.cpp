@@ -66,11 +66,31 @@ std::string latex_number(const exact::Number& number) {
   return text;
 }
 
+/// A fraction that ends within twelve decimals and is no small one (1/2, 3/4); else nothing.
+std::string decimal(const cln::cl_RA& value) {
+  constexpr int small = 8;
+  if (cln::denominator(value) <= small) return {};
+  cln::cl_RA scaled = cln::abs(value);
+  std::size_t places = 0;
+  for (; cln::denominator(scaled) != 1; ++places) {
+    if (places == 12) return {};
+    scaled = scaled * 10;
+  }
+  std::string digits = exact::to_string(exact::Number(scaled));
+  if (digits.size() <= places) digits.insert(0, places + 1 - digits.size(), '0');
+  digits.insert(digits.size() - places, ".");
+  return (cln::minusp(value) ? "-" : "") + digits;
+}
+
 class Formula {
  public:
   Formula(const dag::Graph& graph, Notation notation,
-          const std::function<std::string(const std::string&)>& name)
-      : graph_(graph), latex_(notation == Notation::latex), notation_(notation), name_(name) {}
+          const std::function<std::string(const std::string&)>& name, Numbers numbers)
+      : graph_(graph),
+        latex_(notation == Notation::latex),
+        notation_(notation),
+        name_(name),
+        numbers_(numbers) {}
 
   std::string signed_text(Edge edge) const {
     if (!edge.negative) return text(edge.node);
@@ -82,7 +102,7 @@ class Formula {
     const dag::Node& node = graph_.node(id);
     switch (node.op) {
       case Op::constant:
-        return latex_ ? latex_number(graph_.constant_of(node)) : exact::to_string(graph_.constant_of(node));
+        return number(graph_.constant_of(node));
       case Op::symbol:
         return name_(graph_.symbol_of(node));
       case Op::sine:
@@ -102,6 +122,12 @@ class Formula {
         return "atan2(" + signed_text(node.operands[0]) + ", " + signed_text(node.operands[1]) + ")";
     }
     return {};
+  }
+
+  std::string number(const exact::Number& value) const {
+    if (numbers_ == Numbers::decimal && value.is_rational())
+      if (const std::string text = decimal(value.rational()); !text.empty()) return text;
+    return latex_ ? latex_number(value) : exact::to_string(value);
   }
 
   std::string call(const char* name, const dag::Angle& angle) const {
@@ -155,6 +181,7 @@ class Formula {
   bool latex_;
   Notation notation_;
   const std::function<std::string(const std::string&)>& name_;
+  Numbers numbers_;
 };
 
 /// Named constants and multiples of pi gathered in one decimal number of radians.
@@ -197,8 +224,8 @@ std::string formula(const dag::Graph& graph, Edge value, Notation notation) {
 }
 
 std::string formula(const dag::Graph& graph, Edge value, Notation notation,
-                    const std::function<std::string(const std::string&)>& name) {
-  return Formula(graph, notation, name).signed_text(value);
+                    const std::function<std::string(const std::string&)>& name, Numbers numbers) {
+  return Formula(graph, notation, name, numbers).signed_text(value);
 }
 
 }  // namespace qvgen::emit

@@ -13,9 +13,13 @@ enum class Notation { text, latex };
 /// A value in mathematical notation, sums of products as they stand in the graph: "cos((theta4 +
 /// theta6)/2)*..." or LaTeX with \bar\theta_4 for the half angle of theta4, the thesis's notation.
 std::string formula(const dag::Graph& graph, dag::Edge value, Notation notation);
+/// Rational numbers as exact fractions, or where they have an end as decimals (0.4318).
+enum class Numbers { exact, decimal };
+
 /// The same with names of the caller's for the symbols.
 std::string formula(const dag::Graph& graph, dag::Edge value, Notation notation,
-                    const std::function<std::string(const std::string&)>& name);
+                    const std::function<std::string(const std::string&)>& name,
+                    Numbers numbers = Numbers::exact);
 
 /// An angle in that notation.
 std::string formula(const dag::Angle& angle, Notation notation);

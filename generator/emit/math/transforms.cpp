@@ -12,6 +12,7 @@
 #include "derive/kinematics/forward_kinematics.h"
 #include "derive/kinematics/orientation.h"
 #include "derive/kinematics/position.h"
+#include "emit/math/link_matrices.h"
 #include "optimise/described.h"
 #include "passes/pass.h"
 #include "symbolic/model.h"
@@ -26,8 +27,6 @@ using GiNaC::ex;
 /// The first three rows of a homogeneous matrix.
 using Cells = std::array<std::array<std::string, 4>, 3>;
 
-const Matrix3 unit_matrix{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-
 Program program_of(const Matrix3& r, const Vector& p) {
   Program program;
   const std::array<ex, 3> last{p.x, p.y, p.z};
@@ -37,20 +36,6 @@ Program program_of(const Matrix3& r, const Vector& p) {
   return program;
 }
 
-/// cos(angle) 1 + (1 - cos(angle)) u u^T + sin(angle) [u], u a unit vector.
-Matrix3 turn(const Vector& axis, const ex& angle) {
-  const std::array<ex, 3> u{axis.x, axis.y, axis.z};
-  const Matrix3 across{{{0, -axis.z, axis.y}, {axis.z, 0, -axis.x}, {-axis.y, axis.x, 0}}};
-  Matrix3 result;
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j) {
-      const ex along = u[i] * u[j];
-      result[i][j] =
-          along + (unit_matrix[i][j] - along) * GiNaC::cos(angle) + across[i][j] * GiNaC::sin(angle);
-    }
-  return result;
-}
-
 Cells cells_of(const dag::Function& function, Notation notation) {
   Cells cells;
   for (std::size_t i = 0; i < 12; ++i)
@@ -58,41 +43,20 @@ Cells cells_of(const dag::Function& function, Notation notation) {
   return cells;
 }
 
-/// `matrix` and `p` in full angles, held against the pair that they stand for.
-dag::Function certified(const Matrix3& matrix, const Vector& p, const Pair& pair, const std::string& what) {
-  const dag::Function function = passes::simplify(dag::import(program_of(matrix, p)));
+/// A matrix in full angles, held against the pair that it stands for.
+dag::Function certified(const LinkMatrix& matrix, const Pair& pair, const std::string& what) {
+  const dag::Function function = passes::simplify(dag::import(program_of(matrix.rotation, matrix.position)));
   verify::certify(function, program_of(to_matrix(pair.q), pair.p), 2, what);
   return function;
 }
 
-/// Half angles fold to numbers; in full angles a twist that is a symbol reads better.
-Matrix3 rotation_of(const model::Displacement& displacement) {
-  Matrix3 result = unit_matrix;
-  for (const model::Turn& part : displacement.turns) {
-    const Vector axis = to_symbolic(part.axis);
-    const ex angle = to_symbolic(part.angle);
-    result =
-        result * (canonical::is_known(part.angle) ? to_matrix(rotation(axis, angle)) : turn(axis, angle));
-  }
-  return result;
-}
-
 dag::Function constant_factor(const model::Displacement& displacement, const std::string& what) {
-  const Pair pair = to_symbolic(displacement);
-  return certified(rotation_of(displacement), pair.p, pair, what);
+  return certified(matrix_of(displacement), to_symbolic(displacement), what);
 }
 
 dag::Function link_factor(const model::Joint& joint, const std::string& what) {
-  const Pair before = to_symbolic(joint.before);
-  const Pair after = to_symbolic(joint.after);
-  const bool turns = joint.type == model::JointType::revolute;
-  const Vector axis = to_symbolic(joint.axis);
-  const ex variable = symbol(joint.variable);
-  const Matrix3 front = rotation_of(joint.before);
-  const Matrix3 moved = turns ? turn(axis, variable) : unit_matrix;
-  const Vector way = moved * after.p + (turns ? Vector{} : variable * axis);
-  return certified(front * (moved * rotation_of(joint.after)), before.p + front * way,
-                   before * motion(joint) * after, what);
+  return certified(matrix_of(joint), to_symbolic(joint.before) * motion(joint) * to_symbolic(joint.after),
+                   what);
 }
 
 std::optional<dag::Function> whole(const model::Robot& described) {
