@@ -61,7 +61,9 @@ std::vector<int> blocks_of(const std::string& text) {
 
 /// A map that does not fit is refused before anything is computed.
 void check_size(const map::Sphere& sphere, const MapArguments& arguments) {
-  const double ratio = sphere.radius / sphere.resolution, edge = 2 * std::floor(ratio) + 1;
+  // Beyond a bound that no machine has room for, so that what is said of it stays a number.
+  const double ratio = std::min(sphere.radius / sphere.resolution, 1e7);
+  const double edge = 2 * std::floor(ratio) + 1;
   const double cells = 4 * std::numbers::pi / 3 * ratio * ratio * ratio;
   const double blocks = static_cast<double>(blocks_of(arguments.blocks).size()) / Grid::blocks;
   const bool whole = arguments.blocks.empty();  // files of whole maps are made in memory
@@ -70,10 +72,10 @@ void check_size(const map::Sphere& sphere, const MapArguments& arguments) {
       static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGE_SIZE));
   if (bytes <= memory) return;
   throw std::runtime_error(fmt::format(
-      "cells of {:g} m in a sphere of {:.3g} m are {:.3g} positions, whose map takes {:.3g} GB of memory; "
-      "this machine has {:.3g} GB: --resolution {:.2g} would fit",
+      "cells of {:g} m in a sphere of {:.3g} m are {:.2g} positions or more, whose map takes {:.2g} GB of "
+      "memory; this machine has {:.3g} GB: --resolution {:.2g} would fit",
       sphere.resolution, sphere.radius, cells, bytes / 1e9, memory / 1e9,
-      sphere.resolution * std::cbrt(bytes / memory) * 1.05));
+      sphere.radius / ratio * std::cbrt(bytes / memory) * 1.05));
 }
 
 /// A round number of metres, two digits long, about a twentieth of the reach.

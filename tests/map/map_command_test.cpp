@@ -276,6 +276,7 @@ TEST_F(Map, SaysWhatItRefuses) {
   refused(robot + to + " --threads 0", 2, "--threads");
   refused(robot + to + " --resolution 1e-5", 1, "GB of memory");
   refused(robot + to + " --resolution 1e-300", 1, "would fit");
+  EXPECT_FALSE(has(map(robot + to + " --resolution 1e-300"), "inf"));
   refused(robot + " -o x.png", 2, "'x.png' has no suffix that says what to write: .npz (NumPy)");
   refused(robot + " -o x", 2, "has no suffix");
   refused(robot + to + " --blocks 0:9", 2, "call it .part");
