@@ -31,6 +31,7 @@ const char* const compare_examples = R"(
   qvgen compare my_arm.toml --level textbook  as a library multiplies that does not know the robot
   qvgen compare ns --formulations pairs,dh    two of them
   qvgen compare rx90 --what dynamics          Newton-Euler by matrices and by quaternions
+  qvgen compare ns --time                     with nanoseconds on this machine
   qvgen compare --format csv > compared.csv   for other programs
 )";
 
@@ -217,6 +218,10 @@ void add_compare(CommandLine& line) {
       ->check(CLI::IsMember(compare::level_names()))
       ->allow_extra_args(false)
       ->delimiter(',');
+  command.add_flag("--time", line.compare.time, "nanoseconds too: compiles and runs a benchmark");
+  command.add_option("--rounds", line.compare.rounds, "for --time: how often each is timed, in turn")
+      ->check(CLI::Range(1, 100000))
+      ->capture_default_str();
   add_format(command, line.compare.format);
   add_reading(command, line.compare.read);
   command.footer(std::string("\nexamples:") + compare_examples);

@@ -68,6 +68,8 @@ struct CompareArguments {
   description::ReadOptions read;
   bool all_known = false;  ///< no robot was named: those without inertia are left out of dynamics
   compare::Request request;
+  bool time = false;
+  int rounds = 101;  ///< of the benchmark
   ReportFormat format = ReportFormat::table;
 };
 

@@ -4,6 +4,7 @@
 #include "canonical/structure.h"
 #include "cli/commands.h"
 #include "cli/compare_report.h"
+#include "cli/compare_timing.h"
 #include "cli/progress_line.h"
 #include "compare/comparison_json.h"
 #include "optimise/dynamics_function.h"
@@ -19,8 +20,20 @@ constexpr pipeline::Budget budget{60, 4096};
 
 std::string compared(const model::Robot& robot, const compare::Request& request) {
   ordered_json rows = ordered_json::array();
-  for (const compare::Row& row : compare::compare(robot, request)) rows.push_back(to_json(row));
+  for (const compare::Row& row : compare::compare(robot, request)) {
+    rows.push_back(to_json(row));
+    if (row.code) rows.back()["code"] = {row.code->body, row.code->inputs, row.code->outputs};
+  }
   return rows.dump();
+}
+
+compare::Row row_of(const ordered_json& json) {
+  compare::Row row = compare::row_from_json(json);
+  if (json.contains("code")) {
+    const auto& code = json.at("code");
+    row.code = compare::TimedCode{code.at(0), code.at(1), code.at(2)};
+  }
+  return row;
 }
 
 }  // namespace
@@ -28,13 +41,15 @@ std::string compared(const model::Robot& robot, const compare::Request& request)
 int run_compare(const CompareArguments& arguments) {
   auto robots = read_robots(arguments.descriptions, arguments.read);
   if (!robots) return bad_description;
+  compare::Request request = arguments.request;
+  request.code = arguments.time;
   if (arguments.all_known && arguments.request.what == compare::What::dynamics)
     std::erase_if(*robots, [](const model::Robot& robot) { return !optimise::has_inertia(robot); });
   std::vector<pipeline::Outcome> outcomes;
   {
     ProgressLine progress(robots->size());
     outcomes = pipeline::in_processes(
-        robots->size(), [&](std::size_t i) { return compared((*robots)[i], arguments.request); }, budget,
+        robots->size(), [&](std::size_t i) { return compared((*robots)[i], request); }, budget,
         [&](std::size_t i) { progress.finished((*robots)[i].name); });
   }
   std::vector<compare::Row> rows;
@@ -49,10 +64,11 @@ int run_compare(const CompareArguments& arguments) {
       good = false;
       continue;
     }
-    for (const auto& json : ordered_json::parse(outcomes[i].text))
-      rows.push_back(compare::row_from_json(json));
+    for (const auto& json : ordered_json::parse(outcomes[i].text)) rows.push_back(row_of(json));
   }
-  if (!rows.empty()) fmt::print("{}", comparison_report(rows, classes, arguments.format));
+  if (arguments.time) take_times(rows, arguments.rounds);
+  const std::string machine = arguments.time ? machine_text() : "";
+  if (!rows.empty()) fmt::print("{}", comparison_report(rows, classes, arguments.format, machine));
   return good ? success : failure;
 }
 

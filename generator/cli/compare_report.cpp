@@ -23,6 +23,8 @@ Table table_of(const std::vector<compare::Row>& rows) {
   Table table{{{"robot", "level", "formulation", "result", "mul", "add", "div", "sqrt", "sincos", "constants",
                 "values", "cost", "rank"}},
               4};
+  const bool timed = !rows.empty() && rows.front().time;
+  if (timed) table.rows.front().insert(table.rows.front().end(), {"ns", "ns_lower", "ns_upper", "ns_ratio"});
   for (const compare::Row& row : rows) {
     TableRow cells{row.robot, name_of(row.level), row.formulation, row.result};
     const dag::OperationCounts& c = row.counts;
@@ -31,6 +33,9 @@ Table table_of(const std::vector<compare::Row>& rows) {
       cells.push_back(std::to_string(n));
     cells.push_back(fmt::format("{:g}", row.cost));
     cells.push_back(std::to_string(row.rank));
+    if (row.time)
+      for (const double value : {row.time->median, row.time->lower, row.time->upper, row.time->ratio})
+        cells.push_back(fmt::format("{:.{}f}", value, value == row.time->ratio ? 3 : 1));
     table.rows.push_back(std::move(cells));
   }
   return table;
@@ -119,26 +124,46 @@ ordered_json summary_json(const std::vector<compare::ClassSummary>& summaries) {
   return result;
 }
 
+/// The same rows with nanoseconds for their cost; none where nothing was timed.
+std::vector<compare::Row> by_time(std::vector<compare::Row> rows) {
+  if (rows.empty() || !rows.front().time) return {};
+  for (compare::Row& row : rows) row.cost = row.time->median;
+  return rows;
+}
+
 }  // namespace
 
 std::string comparison_report(const std::vector<compare::Row>& rows,
-                              const std::map<std::string, std::string>& classes, ReportFormat format) {
+                              const std::map<std::string, std::string>& classes, ReportFormat format,
+                              const std::string& machine) {
   const auto ratios = compare::pairs_against_matrices(rows);
   const auto summaries = compare::by_class(ratios, classes);
+  const auto timed = compare::pairs_against_matrices(by_time(rows));
+  const auto timed_summaries = compare::by_class(timed, classes);
   if (format == ReportFormat::json) {
     ordered_json json{{"rows", ordered_json::array()}};
+    if (!machine.empty()) json["machine"] = machine;
     for (const compare::Row& row : rows) json["rows"].push_back(to_json(row));
     if (!summaries.empty()) json["pairs_against_matrices"] = summary_json(summaries);
+    if (!timed_summaries.empty()) json["pairs_against_matrices_timed"] = summary_json(timed_summaries);
     return json.dump(1) + "\n";
   }
   std::string text = text_of(table_of(rows), format);
   if (format == ReportFormat::csv) return text;
+  if (!machine.empty())
+    text += fmt::format("\nns: median and quartiles of a call, ns_ratio to the fastest at its level; {}\n",
+                        machine);
   const std::set<Level> levels = levels_of(rows);
   append_section(text,
                  "Cost of pairs divided by that of Denavit-Hartenberg matrices, and the times of table 3.18:",
                  thesis_table(ratios, classes, levels), format);
   append_section(text, "By the workspace of the first three joints, median (least to most):",
                  class_table(summaries, levels), format);
+  append_section(text,
+                 "Nanoseconds of pairs divided by those of Denavit-Hartenberg matrices, beside table 3.18:",
+                 thesis_table(timed, classes, levels), format);
+  append_section(text, "Nanoseconds by the workspace, median (least to most):",
+                 class_table(timed_summaries, levels), format);
   append_section(text,
                  "The fewest published, or made by other generators, of the same arm:", published_table(rows),
                  format);

@@ -19,6 +19,12 @@ Row row_of(const std::string& robot, const Formulation& formulation, Level level
           measured.alive, cost(measured.counts), 0};
 }
 
+/// Numbers of the robot, known or not, are kept.
+TimedCode code_of(const dag::Function& function, const model::Robot& robot) {
+  const dag::IsFree is_parameter = free_symbols(robot);
+  return timed_code(function, [&](const std::string& name) { return is_opaque(name) || is_parameter(name); });
+}
+
 void rank(std::vector<Row>& rows) {
   for (Row& row : rows)
     row.rank = 1 + static_cast<int>(std::count_if(rows.begin(), rows.end(), [&](const Row& other) {
@@ -41,10 +47,22 @@ std::vector<Row> compare(const model::Robot& robot, const Request& request) {
   for (const Level level : levels)
     for (const Formulation& formulation : formulations(request.what)) {
       if (!is_wanted(formulation, request) || (!formulation.run && level != Level::optimised)) continue;
-      rows.push_back(row_of(robot.name, formulation, level, measure(subject, formulation, level)));
+      const Measured measured = measure(subject, formulation, level);
+      rows.push_back(row_of(robot.name, formulation, level, measured));
+      if (request.code) rows.back().code = code_of(measured.function, subject.of(formulation).arm.robot);
     }
   rank(rows);
   return rows;
+}
+
+void set_times(std::vector<Row>& rows, const std::vector<Time>& times) {
+  for (std::size_t i = 0; i < rows.size(); ++i) rows[i].time = times.at(i);
+  for (Row& row : rows) {
+    double least = row.time->median;
+    for (const Row& other : rows)
+      if (other.robot == row.robot && other.level == row.level) least = std::min(least, other.time->median);
+    row.time->ratio = row.time->median / least;
+  }
 }
 
 std::vector<std::string> formulation_names(What what) {

@@ -19,6 +19,11 @@ ordered_json to_json(const Row& row) {
   json["values"] = row.alive;
   json["cost"] = row.cost;
   json["rank"] = row.rank;
+  if (row.time)
+    json["nanoseconds"] = {{"median", row.time->median},
+                           {"lower_quartile", row.time->lower},
+                           {"upper_quartile", row.time->upper},
+                           {"ratio", row.time->ratio}};
   return json;
 }
 

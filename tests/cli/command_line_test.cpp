@@ -72,6 +72,8 @@ TEST_F(CommandLine, ComparesFormulations) {
   EXPECT_TRUE(has(run("compare " + write("my_arm.toml", good_arm) + " --level textbook --format csv"),
                   "my_arm,textbook,pairs,quaternion,"));
   EXPECT_TRUE(has(run("compare ns --formulations pears"), "did you mean 'pairs'?"));
+  EXPECT_TRUE(has(run("compare ns --level textbook --formulations dh --time --rounds 1 --format csv"),
+                  ",rank,ns,ns_lower,ns_upper,ns_ratio\n"));
   EXPECT_EQ(run("compare ns --formulations pears").code, 2);
   EXPECT_EQ(run("compare ns --level expert").code, 2);
   EXPECT_EQ(run("compare nss").code, 2);
