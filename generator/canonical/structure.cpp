@@ -7,6 +7,7 @@
 #include "canonical/arm.h"
 #include "canonical/placement.h"
 #include "model/evaluate.h"
+#include "model/followers.h"
 
 namespace qvgen::canonical {
 namespace {
@@ -66,7 +67,7 @@ std::optional<Structure> exchanged(const Structure& s, std::size_t k) {
 }  // namespace
 
 std::optional<Structure> structure_of(const model::Robot& robot) {
-  if (robot.joints.size() < 3) return std::nullopt;
+  if (robot.joints.size() < 3 || model::has_followers(robot)) return std::nullopt;
   const Arm arm = along_normals(robot);
   Rotation frame = identity();
   std::array<Rotation, 3> frames;

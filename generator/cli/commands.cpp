@@ -15,6 +15,7 @@
 #include "emit/math/legend.h"
 #include "emit/math/singularities.h"
 #include "emit/math/transforms.h"
+#include "model/followers.h"
 #include "optimise/dynamics_function.h"
 #include "pipeline/files.h"
 #include "pipeline/output_folder.h"
@@ -108,7 +109,9 @@ int show_class(const model::Robot& robot) {
   for (const std::string& line : lines) fmt::print("{}\n", line);
   if (!lines.empty()) return success;
   fmt::print(stderr, "qvgen: {} has no class: {}\n", robot.name,
-             robot.joints.size() < 3 ? "fewer than three joints" : "a twist of its axes is a symbol");
+             model::has_followers(robot) ? "a joint follows another"
+             : robot.joints.size() < 3   ? "fewer than three joints"
+                                         : "a twist of its axes is a symbol");
   return failure;
 }
 

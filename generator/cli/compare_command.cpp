@@ -7,6 +7,7 @@
 #include "cli/compare_timing.h"
 #include "cli/progress_line.h"
 #include "compare/comparison_json.h"
+#include "model/followers.h"
 #include "optimise/dynamics_function.h"
 #include "pipeline/parallel.h"
 
@@ -43,6 +44,7 @@ int run_compare(const CompareArguments& arguments) {
   if (!robots) return bad_description;
   compare::Request request = arguments.request;
   request.code = arguments.time;
+  if (arguments.all_known) std::erase_if(*robots, model::has_followers);
   if (arguments.all_known && arguments.request.what == compare::What::dynamics)
     std::erase_if(*robots, [](const model::Robot& robot) { return !optimise::has_inertia(robot); });
   std::vector<pipeline::Outcome> outcomes;

@@ -2,6 +2,9 @@
 #include "compare/comparison.h"
 
 #include <algorithm>
+#include <stdexcept>
+
+#include "model/followers.h"
 
 namespace qvgen::compare {
 namespace {
@@ -40,6 +43,8 @@ bool is_wanted(const Formulation& formulation, const Request& request) {
 }  // namespace
 
 std::vector<Row> compare(const model::Robot& robot, const Request& request) {
+  if (model::has_followers(robot))
+    throw std::domain_error("a joint follows another: the formulations give each joint a value of its own");
   const Subject subject(robot, request.what);
   std::vector<Level> levels = request.levels;
   if (levels.empty()) levels = {Level::textbook, Level::specialised, Level::optimised};

@@ -31,6 +31,15 @@ struct Variable {
   Place place;
 };
 
+/// A joint that is said to follow another.
+struct Follower {
+  std::size_t joint;
+  std::string leader;  ///< as the file calls it
+  cln::cl_RA ratio;
+  model::Expression offset;
+  Place place;
+};
+
 /// What the readers of the parts of one file share: the text, the mistakes so far, the names met so far.
 struct Context {
   Context(std::string_view text, std::string file, const ReadOptions& read_options)
@@ -51,6 +60,7 @@ struct Context {
   std::vector<Variable> constants_in_place_of_variables;
   std::vector<Entry> entries;  ///< every expression of the chain, for checks at the default values
   std::vector<Place> joint_places;
+  std::vector<Follower> followers;
   bool has_error = false;              ///< warnings apart, even if they count as errors
   bool has_broken_expression = false;  ///< then some symbols were not seen
 };

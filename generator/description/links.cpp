@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "description/followers.h"
 #include "description/frames.h"
 #include "description/names.h"
 #include "model/arithmetic.h"
@@ -111,9 +112,9 @@ FreeParameters read_free_parameters(const Table& root) {
 }
 
 std::vector<std::string> joint_keys(const std::vector<std::string>& more) {
-  std::vector<std::string> keys{"type",          "variable",         "limits",
-                                "mass",          "centre_of_mass",   "inertia",
-                                "rotor_inertia", "viscous_friction", "coulomb_friction"};
+  std::vector<std::string> keys{
+      "type",          "variable",         "limits",           "mass",    "centre_of_mass", "inertia",
+      "rotor_inertia", "viscous_friction", "coulomb_friction", "follows", "ratio",          "offset"};
   keys.insert(keys.end(), more.begin(), more.end());
   return keys;
 }
@@ -149,6 +150,7 @@ void read_link(const Table& table, const FreeParameters& free, model::Joint& joi
   read_masses(table, free.inertia, joint.inertia);
   read_tensor(table, free.inertia, joint.inertia);
   read_drive(table, free.drives, joint.drive);
+  read_follower(table);
 }
 
 }  // namespace qvgen::description

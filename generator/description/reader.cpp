@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "description/chain.h"
+#include "description/followers.h"
 #include "description/frames.h"
 #include "description/names.h"
 #include "description/physics.h"
@@ -82,6 +83,12 @@ void read_chain(const Table& root, const FreeParameters& free, model::Robot& rob
   }
 }
 
+std::vector<std::string> variables_of(const model::Robot& robot) {
+  std::vector<std::string> names;
+  for (const model::Joint& joint : robot.joints) names.push_back(joint.variable);
+  return names;
+}
+
 model::Robot read_robot(const Table& root) {
   Context& context = root.context();
   root.allow_only({"name", "title", "source", "symbols", "inertia", "drives", "accept_unphysical_inertia",
@@ -93,6 +100,7 @@ model::Robot read_robot(const Table& root) {
   robot.tool = read_frame(root, "tool");
   read_chain(root, read_free_parameters(root), robot);
   check_count(root, robot);
+  tie_followers(context, variables_of(robot), robot);
   read_request(root, robot);
   resolve_symbols(root, robot);
   const bool accept_inertia = root.boolean("accept_unphysical_inertia").value_or(false);

@@ -116,11 +116,18 @@ std::string limits_text(const model::Joint& joint) {
   return "limits = [" + bound(joint.limits->lower) + ", " + bound(joint.limits->upper) + "]\n";
 }
 
-std::string joint_text(const model::Joint& joint) {
+std::string follows_text(const model::Robot& robot, const model::Joint& joint) {
+  if (!joint.follows) return "";
+  return "follows = " + quoted(robot.joints[joint.follows->joint].variable) + "\n" +
+         (joint.follows->ratio == 1 ? "" : "ratio = " + text(joint.follows->ratio) + "\n");
+}
+
+std::string joint_text(const model::Robot& robot, const model::Joint& joint) {
   if (!joint.after.turns.empty()) throw std::invalid_argument("a link frame is turned behind its joint");
   std::string result = "\n[[joint]]\ntype = ";
   result += joint.type == model::JointType::revolute ? "\"revolute\"\n" : "\"prismatic\"\n";
-  result += "axis = " + axis_text(joint.axis) + "\nvariable = " + quoted(joint.variable) + "\n";
+  result += "axis = " + axis_text(joint.axis) + "\nvariable = " + quoted(joint.variable) + "\n" +
+            follows_text(robot, joint);
   result += frame_text(joint.before, "origin");
   if (!model::is_literal_zero(joint.after.translation))
     result += "link = " + list(joint.after.translation) + "\n";
@@ -139,7 +146,7 @@ std::string write_text(const model::Robot& robot) {
   result += "name = " + quoted(robot.name) + "\ntitle = " + quoted(robot.title) + "\n";
   if (!robot.source.empty()) result += "source = " + quoted(robot.source) + "\n";
   result += table("base", robot.base) + table("tool", robot.tool);
-  for (const model::Joint& joint : robot.joints) result += joint_text(joint);
+  for (const model::Joint& joint : robot.joints) result += joint_text(robot, joint);
   return result;
 }
 

@@ -47,6 +47,13 @@ struct Drive {
   Expression coulomb_friction;
 };
 
+/// A joint that another one moves with it (a gear, a belt, a tendon): its value is `ratio` times the other's.
+/// A constant added to that stands in the joint's frame.
+struct Follows {
+  std::size_t joint = 0;  ///< index of the one that leads, which follows none itself
+  cln::cl_RA ratio = 1;   ///< not zero
+};
+
 /// One joint with the link that it moves: link frame(i) = link frame(i-1) * before * motion * after,
 /// motion = rotation about `axis` (revolute) or translation along it (prismatic) by `variable`.
 struct Joint {
@@ -58,6 +65,7 @@ struct Joint {
   std::optional<Limits> limits;
   Inertia inertia;
   Drive drive;
+  std::optional<Follows> follows = {};
 };
 
 /// A named constant of the description: a field of the generated Geometry or Inertia struct.

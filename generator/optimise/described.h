@@ -8,7 +8,7 @@
 namespace qvgen::optimise {
 
 /// A function of a canonical arm's joint angles and named constants in terms of the described arm: its joint
-/// variables, its symbols and numbers.
+/// variables, those of joints that follow none, its symbols and numbers.
 dag::Function in_terms_of_description(const dag::Function& function, const canonical::Arm& arm);
 
 /// The same with the operations counted anew.
@@ -16,5 +16,8 @@ Optimised in_terms_of_description(Optimised optimised, const canonical::Arm& arm
 
 /// The same for names of definitions alone.
 dag::Function with_definitions(const dag::Function& function, const model::Robot& robot);
+
+/// The same for joints that follow others, and their rates.
+dag::Function in_terms_of_leaders(const dag::Function& function, const model::Robot& robot);
 
 }  // namespace qvgen::optimise

@@ -2,6 +2,7 @@
 #include "optimise/dynamics_derivatives.h"
 
 #include "dag/evaluate.h"
+#include "model/followers.h"
 #include "passes/constant_split.h"
 #include "passes/differentiate.h"
 #include "passes/search/search.h"
@@ -39,7 +40,17 @@ class Differences {
     return combined(half, plain_.inverse_dynamics(up, plain_.accelerations(), gravity_), -half,
                     plain_.inverse_dynamics(down, plain_.accelerations(), gravity_));
   }
-  Values by_position(std::size_t joint) const {
+  /// By the joint and what follows it.
+  Values by_position(std::size_t driven) const {
+    Values sum(plain_.size());
+    const std::vector<model::Share> shares = model::shares(robot_);
+    for (std::size_t i = 0; i < shares.size(); ++i)
+      if (shares[i].driven == driven) sum = combined(1, sum, shares[i].ratio, by_position_of_chain(i));
+    return sum;
+  }
+
+ private:
+  Values by_position_of_chain(std::size_t joint) const {
     const Number half = Number(1) / Number(2);
     if (robot_.joints[joint].type == model::JointType::prismatic)
       return combined(half, moved({joint, {}, 1}), -half, moved({joint, {}, -1}));
@@ -52,7 +63,6 @@ class Differences {
     return combined(Number(25) / Number(12), small, Number(-2) / Number(3), right);
   }
 
- private:
   Values moved(const PlainRecursion::Move& move) const {
     return PlainRecursion(robot_, point_, move)
         .inverse_dynamics(plain_.rates(), plain_.accelerations(), gravity_);
@@ -67,7 +77,7 @@ class Differences {
 Values expected(const model::Robot& robot, const ExactPoint& point) {
   const Differences differences(robot, point);
   Values result = differences.torques();
-  for (std::size_t k = 0; k < robot.joints.size(); ++k)
+  for (std::size_t k = 0; k < model::driven_count(robot); ++k)
     for (const Values& column : {differences.by_position(k), differences.by_rate(k)})
       result.insert(result.end(), column.begin(), column.end());
   return result;
@@ -105,6 +115,41 @@ Values regressor_residuals(const model::Robot& robot, const derive::dynamics::Re
   return rest;
 }
 
+/// Columns of the chain's joints, by position and by rate in turn, as columns of those that follow none.
+/// Rates of followers do not occur.
+void gather_derivatives(const model::Robot& robot, std::size_t rows, dag::Function& form) {
+  const std::vector<dag::Output> all = form.outputs;
+  const std::vector<model::Share> shares = model::shares(robot);
+  const auto column = [&](std::size_t joint, std::size_t kind) { return rows * (1 + 2 * joint + kind); };
+  form.outputs.resize(rows);
+  for (std::size_t leader = 0; leader < shares.size(); ++leader) {
+    if (robot.joints[leader].follows) continue;
+    for (std::size_t kind = 0; kind < 2; ++kind)
+      for (std::size_t row = 0; row < rows; ++row) {
+        dag::Output sum = all[column(leader, kind) + row];
+        for (std::size_t i = 0; i < shares.size(); ++i) {
+          if (i == leader || shares[i].driven != shares[leader].driven) continue;
+          const dag::Edge ratio = form.graph.constant(exact::Number(shares[i].ratio));
+          const dag::Edge own = form.graph.product({ratio, all[column(i, kind) + row].value});
+          sum.value = form.graph.sum({sum.value, own});
+        }
+        form.outputs.push_back(sum);
+      }
+  }
+}
+
+/// Of the joints that follow none: the change of a follower's value belongs to its leader.
+void append_derivatives(const model::Robot& robot, dag::Function& form) {
+  const std::size_t rows = form.outputs.size();
+  std::vector<passes::Direction> directions;
+  for (std::size_t k = 0; k < robot.joints.size(); ++k) {
+    directions.push_back({robot.joints[k].variable, "q", k + 1});
+    directions.push_back({derive::dynamics::velocity_of(robot.joints[k].variable), "v", k + 1});
+  }
+  passes::append_derivatives(form, directions);
+  if (model::has_followers(robot)) gather_derivatives(robot, rows, form);
+}
+
 }  // namespace
 
 DynamicsFunction regressor_function(const model::Robot& robot, const derive::dynamics::Regressor& regressor,
@@ -122,12 +167,7 @@ DynamicsFunction inverse_dynamics_derivatives(const model::Robot& robot,
                                               const DynamicsFunction& inverse_dynamics,
                                               const DynamicsEffort& effort) {
   dag::Function form = inverse_dynamics.function;
-  std::vector<passes::Direction> directions;
-  for (std::size_t k = 0; k < robot.joints.size(); ++k) {
-    directions.push_back({robot.joints[k].variable, "q", k + 1});
-    directions.push_back({derive::dynamics::velocity_of(robot.joints[k].variable), "v", k + 1});
-  }
-  passes::append_derivatives(form, directions);
+  append_derivatives(robot, form);
   DynamicsFunction result = searched("inverse_dynamics_derivatives", form, inverse_dynamics.constants,
                                      derive::dynamics::is_constant_symbol, effort);
   result.chosen = inverse_dynamics.chosen;

@@ -160,4 +160,26 @@ dag::Function add_phases(const dag::Function& function, const std::map<std::stri
   });
 }
 
+dag::Function substitute(const dag::Function& function, const std::map<std::string, Multiple>& multiples) {
+  if (multiples.empty()) return function;
+  return dag::rebuild(function, [&](const auto& from, const auto& node, const auto& operands, auto& to) {
+    if (node.op == Op::symbol) {
+      const auto multiple = multiples.find(from.symbol_of(node));
+      if (multiple != multiples.end())
+        return to.product(
+            {to.constant(exact::Number(multiple->second.factor)), to.symbol(multiple->second.symbol)});
+    }
+    if (node.op != Op::sine && node.op != Op::cosine) return dag::copy_node(from, node, operands, to);
+    dag::Angle angle{{}, from.angle_of(node).pi};
+    for (const auto& [variable, coefficient] : from.angle_of(node).terms) {
+      const auto multiple = multiples.find(variable);
+      angle =
+          angle + (multiple == multiples.end()
+                       ? dag::Angle{{{variable, coefficient}}, 0}
+                       : dag::Angle{{{multiple->second.symbol, coefficient * multiple->second.factor}}, 0});
+    }
+    return node.op == Op::sine ? to.sine(angle) : to.cosine(angle);
+  });
+}
+
 }  // namespace qvgen::passes

@@ -23,4 +23,11 @@ dag::Function substitute(const dag::Function& function, const std::map<std::stri
 /// Adds a constant angle to variables wherever they stand in a sine or cosine.
 dag::Function add_phases(const dag::Function& function, const std::map<std::string, dag::Angle>& phases);
 
+/// Puts multiples of other symbols in place of symbols, in angles too.
+struct Multiple {
+  std::string symbol;
+  cln::cl_RA factor;
+};
+dag::Function substitute(const dag::Function& function, const std::map<std::string, Multiple>& multiples);
+
 }  // namespace qvgen::passes

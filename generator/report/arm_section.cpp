@@ -53,7 +53,11 @@ std::string displacement_text(const Displacement& displacement) {
   return text.empty() ? "–" : text;
 }
 
-std::string limits_text(const ChainJoint& joint) {
+/// Of a follower what it follows, since that has the limits.
+std::string limits_text(const Chain& chain, const ChainJoint& joint) {
+  if (joint.follows)
+    return fmt::format("{:.4g} {}", joint.follows->second,
+                       variable_cell(chain.joints[joint.follows->first].variable).html);
   if (!joint.limits) return "none";
   const double unit = joint.revolute ? degree : 1;
   const auto number = [&](double value) { return number_cell(value / unit, 5).html; };
@@ -74,7 +78,7 @@ HtmlTable joint_table(const model::Robot& robot, const Chain& chain) {
                           text_cell(axis_name(joint.axis)),
                           text_cell(displacement_text(joint.before)),
                           text_cell(displacement_text(joint.after)),
-                          {limits_text(chain.joints[i]), false}});
+                          {limits_text(chain, chain.joints[i]), false}});
   }
   return table;
 }

@@ -84,9 +84,17 @@ Chain chain_of(const model::Robot& robot) {
                        reader.way(joint.after),  std::nullopt};
     if (joint.limits)
       numbers.limits.emplace(reader.number(joint.limits->lower), reader.number(joint.limits->upper));
+    if (joint.follows)
+      numbers.follows.emplace(joint.follows->joint, cln::double_approx(joint.follows->ratio));
     chain.joints.push_back(std::move(numbers));
   }
   return chain;
+}
+
+std::vector<double> following(const Chain& chain, std::vector<double> q) {
+  for (std::size_t i = 0; i < q.size(); ++i)
+    if (const auto& follows = chain.joints[i].follows) q[i] = follows->second * q[follows->first];
+  return q;
 }
 
 Posture posture_of(const Chain& chain, const std::vector<double>& q) {
@@ -133,7 +141,7 @@ std::vector<double> zero_pose(const Chain& chain) {
     const auto [lower, upper] = range_of(chain, i);
     q.push_back(std::clamp(0.0, lower, upper));
   }
-  return q;
+  return following(chain, q);
 }
 
 std::vector<double> bent_pose(const Chain& chain) {
@@ -146,7 +154,7 @@ std::vector<double> bent_pose(const Chain& chain) {
         chain.joints[i].revolute ? degrees.at(i % degrees.size()) * pi / 180 : (lower + upper) / 2;
     q.push_back(std::clamp(wanted, lower + margin, upper - margin));
   }
-  return q;
+  return following(chain, q);
 }
 
 }  // namespace qvgen::report

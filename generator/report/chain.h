@@ -24,6 +24,8 @@ struct ChainJoint {
   Vector axis = Vector::Zero();
   Way after;
   std::optional<std::pair<double, double>> limits;
+  /// The joint that it follows, and by how much of its value.
+  std::optional<std::pair<std::size_t, double>> follows = {};
 };
 
 /// A robot in numbers, for pictures: base * (before * motion * after) ... * tool.
@@ -38,6 +40,9 @@ inline constexpr double assumed_value = 0.3;
 
 /// With the values of the description.
 Chain chain_of(const model::Robot& robot);
+
+/// The values with those of followers made what their leaders' are.
+std::vector<double> following(const Chain& chain, std::vector<double> q);
 
 /// Where things are, in the world.
 struct Posture {

@@ -5,6 +5,7 @@
 
 #include "emit/math/singularities.h"
 #include "emit/render.h"
+#include "model/followers.h"
 #include "pipeline/pipeline.h"
 #include "report/chain.h"
 #include "report/webassembly.h"
@@ -81,6 +82,7 @@ Section without(const std::string& reason) {
 }  // namespace
 
 Section live_section(const model::Robot& robot) {
+  if (model::has_followers(robot)) return without("a joint follows another");
   if (const std::string missing = missing_compiler(); !missing.empty()) return without(missing);
   const pipeline::RobotOutput output = pipeline::generate({robot}, {"kinematics", "jacobian", "inverse"},
                                                           pipeline::own_budget(), {}, pipeline::Language::c)

@@ -68,7 +68,7 @@ Reach reach_of(const Chain& chain) {
       const auto [lower, upper] = range_of(chain, k);
       q[k] = lower + even.at(i, k) * (upper - lower);
     }
-    const Vector from = tool_point(chain, q) - origin;
+    const Vector from = tool_point(chain, following(chain, q)) - origin;
     const double height = from.dot(axis);
     const double radius = (from - height * axis).norm();
     reach.points.push_back({radius, height});

@@ -5,6 +5,7 @@
 
 #include "canonical/structure.h"
 #include "compare/comparison_json.h"
+#include "model/followers.h"
 #include "optimise/dynamics_function.h"
 #include "pipeline/files.h"
 #include "pipeline/output_folder.h"
@@ -62,7 +63,8 @@ std::string arm_text(const model::Robot& robot) {
 }
 template <What what>
 std::string rows_text(const model::Robot& robot) {
-  return what == What::dynamics && !optimise::has_inertia(robot) ? "[]" : compared(robot, what);
+  const bool has_none = what == What::dynamics && !optimise::has_inertia(robot);
+  return has_none || model::has_followers(robot) ? "[]" : compared(robot, what);
 }
 
 /// Those that take longest first.

@@ -9,8 +9,9 @@ namespace {
 
 class Writer {
  public:
-  Writer(std::uint32_t seed, bool with_inertia) : random_(seed + 1), with_inertia_(with_inertia) {
-    joints_ = 1 + below(8);
+  Writer(std::uint32_t seed, bool with_inertia, bool with_followers = false)
+      : random_(seed + 1), with_inertia_(with_inertia), with_followers_(with_followers) {
+    joints_ = with_followers ? 2 + below(5) : 1 + below(8);
     plain_ = below(4) == 0;  // right angles and simple offsets alone
   }
 
@@ -96,8 +97,23 @@ class Writer {
   }
 
   std::string head(int i, bool slides) {
-    return "type = " + std::string(slides ? "\"prismatic\"" : "\"revolute\"") + "\nvariable = \"" +
-           (slides ? "d" : "theta") + std::to_string(i + 1) + "\"\n" + inertia();
+    const std::string variable = (slides ? "d" : "theta") + std::to_string(i + 1);
+    return "type = " + std::string(slides ? "\"prismatic\"" : "\"revolute\"") + "\nvariable = \"" + variable +
+           "\"\n" + inertia() + follows(i, slides, variable);
+  }
+
+  /// The second joint follows the first, others one before them now and then.
+  std::string follows(int i, bool slides, const std::string& variable) {
+    if (!with_followers_) return "";
+    if (i == 0 || (i > 1 && below(3) > 0)) {
+      leaders_.push_back(variable);
+      return "";
+    }
+    const std::string offset = below(2) == 0 ? "0" : slides ? decimal() : angle();
+    return "follows = " + quoted(pick(leaders_)) +
+           "\nratio = " + quoted(pick({"-1", "1", "2/3", "1.06", "-0.5", "-7/3"})) +
+           "\noffset = " + quoted(offset) +
+           "\nviscous_friction = 0.3\ncoulomb_friction = 0.2\nrotor_inertia = 0.01\n";
   }
 
   std::string joint_tables() {
@@ -146,6 +162,8 @@ class Writer {
 
   std::mt19937 random_;
   bool with_inertia_;
+  bool with_followers_;
+  std::vector<std::string> leaders_;
   int joints_ = 1;
   bool plain_ = false;
 };
@@ -154,5 +172,8 @@ class Writer {
 
 std::string random_description(std::uint32_t seed) { return Writer(seed, false).write(seed); }
 std::string random_description_with_inertia(std::uint32_t seed) { return Writer(seed, true).write(seed); }
+std::string random_description_with_followers(std::uint32_t seed) {
+  return Writer(seed, true, true).write(seed);
+}
 
 }  // namespace qvgen::test

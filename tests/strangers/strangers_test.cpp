@@ -17,6 +17,7 @@
 #include "description/reader.h"
 #include "exact/constant_angle.h"
 #include "exact/named_constant.h"
+#include "model/followers.h"
 #include "optimise/described.h"
 #include "optimise/dynamics_function.h"
 #include "optimise/optimise.h"
@@ -82,8 +83,9 @@ Eigen::VectorXd random_vector(Eigen::Index size, std::mt19937& random) {
 
 Leaves leaves_at(const Case& arm, const Eigen::VectorXd& q) {
   Leaves leaves{symbols()};
-  for (std::size_t i = 0; i < arm.robot.joints.size(); ++i)
-    leaves.values[arm.robot.joints[i].variable] = q[static_cast<Eigen::Index>(i)];
+  const std::vector<std::string> variables = model::variables(arm.robot);
+  for (std::size_t i = 0; i < variables.size(); ++i)
+    leaves.values[variables[i]] = q[static_cast<Eigen::Index>(i)];
   return leaves;
 }
 
@@ -153,13 +155,14 @@ void check_dynamics(const Case& arm, std::mt19937& random) {
   leaves.values[derive::dynamics::gravity_symbol] = 9.81;
   const auto constants = dag::evaluate<double>(set_up, leaves);
   for (std::size_t i = 0; i < constants.size(); ++i) leaves.values[set_up.outputs[i].name] = constants[i];
-  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
-    const std::string& variable = robot.joints[i].variable;
+  const std::vector<std::string> variables = model::variables(robot);
+  for (std::size_t i = 0; i < variables.size(); ++i) {
+    const std::string& variable = variables[i];
     leaves.values[derive::dynamics::velocity_of(variable)] = qd[static_cast<Eigen::Index>(i)];
     leaves.values[derive::dynamics::acceleration_of(variable)] = qdd[static_cast<Eigen::Index>(i)];
     leaves.values[derive::dynamics::direction_of(variable)] = qd[static_cast<Eigen::Index>(i)] < 0 ? -1 : 1;
   }
-  const auto torque = dag::evaluate<double>(function.function, leaves);
+  const auto torque = dag::evaluate<double>(optimise::in_terms_of_leaders(function.function, robot), leaves);
   const Eigen::VectorXd expected = reference::inverse_dynamics(arm.chain, q, qd, qdd);
   ASSERT_EQ(torque.size(), static_cast<std::size_t>(expected.size()));
   const double size = 1 + expected.norm();
@@ -226,6 +229,22 @@ TEST_F(Strangers, InverseKinematicsIsCertifiedOrRefused) {
 
 TEST_F(Strangers, DynamicsEqualTheReference) {
   each(3, [](const Case& arm, std::mt19937& random) { check_dynamics(arm, random); });
+}
+
+/// Chains in which joints follow others: everything in the values of the rest.
+TEST(Followers, KinematicsAndDynamicsEqualTheReference) {
+  int followers = 0;
+  for (std::uint32_t seed = 0; seed < std::max(count() / 8, 1U); ++seed) {
+    const auto arm = read(test::random_description_with_followers(seed));
+    if (!arm) continue;
+    ASSERT_LT(arm->chain.size(), static_cast<Eigen::Index>(arm->robot.joints.size()));
+    ++followers;
+    std::mt19937 random(seed);
+    check_kinematics(*arm, random);
+    check_dynamics(*arm, random);
+    if (HasFatalFailure()) return;
+  }
+  EXPECT_GT(followers, static_cast<int>(count() / 16));
 }
 
 TEST_F(Strangers, AJointThatMovesNoMassCostsForwardDynamicsAlone) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <map>
 
-#include "derive/dynamics/formulation.h"
+#include "derive/dynamics/followers.h"
 #include "derive/dynamics/inward_recursion.h"
 
 namespace qvgen::derive::dynamics {
@@ -65,7 +65,8 @@ PseudoInertia rate_of_inertia(const Flow& flow) {
 class ChristoffelSymbols {
  public:
   ChristoffelSymbols(const model::Robot& robot, const FormulationOptions& choices, Formulation& out)
-      : graph_(out.function.graph),
+      : robot_(robot),
+        graph_(out.function.graph),
         suggest_(out.function),
         p_(parametrise(robot, choices.convention, graph_)),
         inward_(p_, graph_, suggest_) {
@@ -89,7 +90,7 @@ class ChristoffelSymbols {
       flow = carried(link, flow);
       composite = inward_.transform_to_parent(j, composite);
     }
-    for (const auto& [place, value] : entries_)
+    for (const auto& [place, value] : gathered(robot_, entries_, graph_))
       out.outputs.push_back(
           {"c" + std::to_string(place.first + 1) + "_" + std::to_string(place.second + 1), value.in(graph_)});
   }
@@ -173,13 +174,14 @@ class ChristoffelSymbols {
     return shifted(turned, {link.a, link.b, Scalar()});
   }
 
+  const model::Robot& robot_;
   dag::Graph& graph_;
   Suggestions suggest_;
   Parametrisation p_;
   InwardRecursion inward_;
   std::vector<Vector3> rotation_rates_;
   std::vector<Open> open_;
-  std::map<std::pair<std::size_t, std::size_t>, Scalar> entries_;
+  Entries entries_;
 };
 
 }  // namespace
@@ -187,7 +189,7 @@ class ChristoffelSymbols {
 Formulation coriolis_matrix(const model::Robot& robot, const FormulationOptions& choices) {
   Formulation result;
   ChristoffelSymbols(robot, choices, result).run(result.function);
-  return result;
+  return in_rates_of_leaders(robot, std::move(result));
 }
 
 }  // namespace qvgen::derive::dynamics

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <map>
 
-#include "derive/dynamics/formulation.h"
+#include "derive/dynamics/followers.h"
 #include "derive/dynamics/suggestions.h"
 
 namespace qvgen::derive::dynamics {
@@ -328,7 +328,8 @@ class Recursion {
     suggest_(rotate(2, both, outer.force));
   }
 
-  void finish(dag::Function& out, const std::vector<Scalar>& torques) {
+  void finish(dag::Function& out, const std::vector<Scalar>& of_chain) {
+    const std::vector<Scalar> torques = gathered(robot_, of_chain, graph_);
     for (std::size_t i = 0; i < torques.size(); ++i)
       out.outputs.push_back({"tau" + std::to_string(i + 1), torques[i].in(graph_)});
   }
@@ -356,7 +357,7 @@ std::string wrench_component(std::size_t index) { return "&" + std::to_string(in
 Formulation inverse_dynamics(const model::Robot& robot, const FormulationOptions& choices, Effects effects) {
   Formulation result;
   Recursion(robot, choices, effects, result).run(result.function);
-  return result;
+  return in_rates_of_leaders(robot, std::move(result));
 }
 
 }  // namespace qvgen::derive::dynamics

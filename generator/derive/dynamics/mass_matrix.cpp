@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <map>
-
-#include "derive/dynamics/formulation.h"
+#include "derive/dynamics/followers.h"
 #include "derive/dynamics/inward_recursion.h"
 
 namespace qvgen::derive::dynamics {
@@ -10,7 +8,8 @@ namespace {
 class CompositeBodies {
  public:
   CompositeBodies(const model::Robot& robot, const FormulationOptions& choices, Formulation& out)
-      : graph_(out.function.graph),
+      : robot_(robot),
+        graph_(out.function.graph),
         suggest_(out.function),
         p_(parametrise(robot, choices.convention, graph_)),
         inward_(p_, graph_, suggest_) {
@@ -29,7 +28,7 @@ class CompositeBodies {
       }
       if (j > 0) composite = inward_.transform_to_parent(j, composite);
     }
-    for (const auto& [place, value] : entries_)
+    for (const auto& [place, value] : gathered_symmetric(robot_, entries_, graph_))
       out.outputs.push_back(
           {"m" + std::to_string(place.first + 1) + "_" + std::to_string(place.second + 1), value.in(graph_)});
   }
@@ -40,12 +39,13 @@ class CompositeBodies {
     return link.joint == column.joint ? value + link.rotor : value;
   }
 
+  const model::Robot& robot_;
   dag::Graph& graph_;
   Suggestions suggest_;
   Parametrisation p_;
   InwardRecursion inward_;
   std::vector<Column> columns_;
-  std::map<std::pair<std::size_t, std::size_t>, Scalar> entries_;
+  Entries entries_;
 };
 
 }  // namespace

@@ -50,7 +50,7 @@ Matrix rotation(const Vector& axis, const exact::CosineSine& angle) {
 }  // namespace
 
 PlainRecursion::PlainRecursion(const model::Robot& robot, const exact::ExactPoint& point, const Move& move)
-    : point_(point) {
+    : point_(point), shares_(model::shares(robot)), driven_(model::variables(robot)) {
   base_ = frame_of(robot.base);
   tool_ = vector_of(robot.tool.translation);
   for (const model::Joint& joint : robot.joints) {
@@ -73,7 +73,8 @@ PlainRecursion::PlainRecursion(const model::Robot& robot, const exact::ExactPoin
     link.rotor = number_of(joint.drive.rotor_inertia);
     link.viscous = number_of(joint.drive.viscous_friction);
     link.coulomb = number_of(joint.drive.coulomb_friction);
-    link.direction = point.symbol(direction_of(joint.variable));
+    const model::Share& share = shares_[links_.size()];
+    link.direction = Number(cln::signum(share.ratio)) * point.symbol(direction_of(driven_[share.driven]));
     link.centre = vector_of(joint.inertia.centre_of_mass);
     std::array<Number, 6> i;
     for (std::size_t k = 0; k < 6; ++k) i[k] = number_of(joint.inertia.inertia[k]);
@@ -154,19 +155,19 @@ void PlainRecursion::remove_friction() {
 
 PlainRecursion::Values PlainRecursion::rates() const {
   Values values;
-  for (const Link& link : links_) values.push_back(point_.symbol(velocity_of(link.variable)));
+  for (const std::string& variable : driven_) values.push_back(point_.symbol(velocity_of(variable)));
   return values;
 }
 
 PlainRecursion::Values PlainRecursion::accelerations() const {
   Values values;
-  for (const Link& link : links_) values.push_back(point_.symbol(acceleration_of(link.variable)));
+  for (const std::string& variable : driven_) values.push_back(point_.symbol(acceleration_of(variable)));
   return values;
 }
 
 PlainRecursion::Values PlainRecursion::forces() const {
   Values values;
-  for (const Link& link : links_) values.push_back(point_.symbol(force_of(link.variable)));
+  for (const std::string& variable : driven_) values.push_back(point_.symbol(force_of(variable)));
   return values;
 }
 
@@ -192,9 +193,25 @@ std::vector<PlainRecursion::Frame> PlainRecursion::link_frames() const {
   return frames;
 }
 
-/// Everything in the world frame: 5.2-5.5 for the motion, 5.6-5.9 for force and moment, 5.10-5.15 inward.
+PlainRecursion::Values PlainRecursion::of_chain(const Values& driven) const {
+  Values values;
+  for (const model::Share& share : shares_) values.push_back(Number(share.ratio) * driven[share.driven]);
+  return values;
+}
+
+/// What moves all joints of the chain at once, by their ratios: virtual work.
 PlainRecursion::Values PlainRecursion::inverse_dynamics(const Values& rates, const Values& accelerations,
                                                         const Load& load) const {
+  const Values forces = forces_of_chain(of_chain(rates), of_chain(accelerations), load);
+  Values result(size());
+  for (std::size_t i = 0; i < forces.size(); ++i)
+    result[shares_[i].driven] = result[shares_[i].driven] + Number(shares_[i].ratio) * forces[i];
+  return result;
+}
+
+/// Everything in the world frame: 5.2-5.5 for the motion, 5.6-5.9 for force and moment, 5.10-5.15 inward.
+PlainRecursion::Values PlainRecursion::forces_of_chain(const Values& rates, const Values& accelerations,
+                                                       const Load& load) const {
   const std::vector<Frame> frames = link_frames();
   const std::size_t n = links_.size();
   std::vector<Vector> axes(n), origins(n), force(n), moment(n), centres(n);
@@ -244,17 +261,18 @@ PlainRecursion::Values PlainRecursion::inverse_dynamics(const Values& rates, con
 }
 
 std::vector<PlainRecursion::Values> PlainRecursion::mass_matrix() const {
-  std::vector<Values> matrix(links_.size(), Values(links_.size()));
-  for (std::size_t k = 0; k < links_.size(); ++k) {
-    Values unit(links_.size());
+  std::vector<Values> matrix(size(), Values(size()));
+  for (std::size_t k = 0; k < size(); ++k) {
+    Values unit(size());
     unit[k] = 1;
-    const Values column = inverse_dynamics(Values(links_.size()), unit, 0);
-    for (std::size_t i = 0; i < links_.size(); ++i) matrix[i][k] = column[i];
+    const Values column = inverse_dynamics(Values(size()), unit, 0);
+    for (std::size_t i = 0; i < size(); ++i) matrix[i][k] = column[i];
   }
   return matrix;
 }
 
-Number PlainRecursion::kinetic_energy(const Values& rates) const {
+Number PlainRecursion::kinetic_energy(const Values& driven) const {
+  const Values rates = of_chain(driven);
   const std::vector<Frame> frames = link_frames();
   Vector w{}, v{}, origin = base_.position;
   Matrix rotation = base_.rotation;

@@ -6,14 +6,14 @@
 #include <vector>
 
 #include "exact/point.h"
-#include "model/robot.h"
+#include "model/followers.h"
 
 namespace qvgen::derive::dynamics {
 
 /// The Newton-Euler recursion as it stands in the books (thesis 5.1-5.15, with the indices of 5.7-5.13 put
 /// right), straight from the description: link frames as given, ten inertial parameters a link, nothing
 /// simplified, no graph. In exact numbers, so that generated functions can be held against it with tolerance
-/// zero.
+/// zero. Rates, accelerations and forces are those of the joints that follow none (model/followers.h).
 class PlainRecursion {
  public:
   using Number = exact::Number;
@@ -21,7 +21,7 @@ class PlainRecursion {
 
   PlainRecursion(const model::Robot& robot, const exact::ExactPoint& point)
       : PlainRecursion(robot, point, {robot.joints.size(), {}, 0}) {}
-  /// One joint further than at the point: by an angle (revolute) or by a length (prismatic).
+  /// One joint of the chain further than at the point: by an angle (revolute) or by a length (prismatic).
   struct Move {
     std::size_t joint;
     exact::CosineSine turn;
@@ -63,7 +63,7 @@ class PlainRecursion {
   [[nodiscard]] Values rates() const;
   [[nodiscard]] Values accelerations() const;
   [[nodiscard]] Values forces() const;
-  [[nodiscard]] std::size_t size() const { return links_.size(); }
+  [[nodiscard]] std::size_t size() const { return driven_.size(); }
 
  private:
   using Matrix = std::array<Vector, 3>;
@@ -81,6 +81,9 @@ class PlainRecursion {
     Matrix inertia;
   };
 
+  [[nodiscard]] Values of_chain(const Values& driven) const;
+  [[nodiscard]] Values forces_of_chain(const Values& rates, const Values& accelerations,
+                                       const Load& load) const;
   [[nodiscard]] std::vector<Frame> link_frames() const;
   [[nodiscard]] Frame frame_of(const model::Displacement& displacement) const;
   [[nodiscard]] Vector vector_of(const model::Vector3& v) const;
@@ -91,6 +94,8 @@ class PlainRecursion {
   Frame base_;
   Vector tool_;  ///< in the last link's frame
   std::vector<Link> links_;
+  std::vector<model::Share> shares_;  ///< of the chain's joints
+  std::vector<std::string> driven_;   ///< variables of the joints that follow none
 };
 
 }  // namespace qvgen::derive::dynamics

@@ -7,6 +7,7 @@
 #include "dag/evaluate.h"
 #include "dag/rebuild.h"
 #include "exact/point.h"
+#include "model/followers.h"
 #include "passes/differentiate.h"
 
 namespace qvgen::derive::dynamics {
@@ -135,11 +136,12 @@ Regressor regressor(const model::Robot& robot) {
     negative.push_back(entry.negative);
   }
   passes::append_derivatives(function, directions);
-  const auto joints = static_cast<std::ptrdiff_t>(robot.joints.size());
-  function.outputs.erase(function.outputs.begin(), function.outputs.begin() + joints);
+  const std::size_t joints = model::driven_count(robot);
+  function.outputs.erase(function.outputs.begin(),
+                         function.outputs.begin() + static_cast<std::ptrdiff_t>(joints));
   for (std::size_t i = 0; i < function.outputs.size(); ++i)
-    if (negative[i / robot.joints.size()]) function.outputs[i].value = -function.outputs[i].value;
-  reduce(result, robot.joints.size());
+    if (negative[i / joints]) function.outputs[i].value = -function.outputs[i].value;
+  reduce(result, joints);
   return result;
 }
 

@@ -4,6 +4,7 @@
 #include "dag/rebuild.h"
 #include "derive/dynamics/formulation.h"
 #include "derive/dynamics/suggestions.h"
+#include "model/followers.h"
 
 namespace qvgen::derive::dynamics {
 namespace {
@@ -74,8 +75,9 @@ Formulation forward_dynamics(const model::Robot& robot, const FormulationOptions
   const auto forces = copied(bias.function, graph);
   const auto entries = copied(mass.function, graph);
   std::vector<Scalar> rest;
-  for (std::size_t i = 0; i < robot.joints.size(); ++i)
-    rest.push_back(Scalar(graph, graph.symbol(force_of(robot.joints[i].variable))) -
+  const std::vector<std::string> variables = model::variables(robot);
+  for (std::size_t i = 0; i < variables.size(); ++i)
+    rest.push_back(Scalar(graph, graph.symbol(force_of(variables[i]))) -
                    forces.at("tau" + std::to_string(i + 1)));
   const auto x = solved(matrix_of(entries, rest.size()), rest, Scalar(graph, graph.constant(1)));
   for (std::size_t i = 0; i < x.size(); ++i)
@@ -92,12 +94,11 @@ Formulation kinetic_energy(const model::Robot& robot, const FormulationOptions& 
   result.constants = mass.constants;
   dag::Graph& graph = result.function.graph;
   const auto entries = copied(mass.function, graph);
-  const std::size_t n = robot.joints.size();
+  const std::vector<std::string> variables = model::variables(robot);
+  const std::size_t n = variables.size();
   const Matrix m = matrix_of(entries, n);
   const Scalar half(graph, graph.constant(exact::Number(cln::cl_RA(1) / 2)));
-  const auto rate = [&](std::size_t i) {
-    return Scalar(graph, graph.symbol(velocity_of(robot.joints[i].variable)));
-  };
+  const auto rate = [&](std::size_t i) { return Scalar(graph, graph.symbol(velocity_of(variables[i]))); };
   Scalar diagonal, others;
   for (std::size_t i = 0; i < n; ++i) {
     Scalar row;

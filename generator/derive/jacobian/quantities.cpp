@@ -5,6 +5,7 @@
 #include "derive/jacobian/rates.h"
 #include "derive/kinematics/forward_kinematics.h"
 #include "derive/kinematics/orientation.h"
+#include "model/followers.h"
 #include "symbolic/model.h"
 
 namespace qvgen::derive {
@@ -33,9 +34,17 @@ void output(Program& program, const Twist& twist) {
   for (std::size_t row = 0; row < 6; ++row) program.output(twist_entry(row), entries(twist)[row]);
 }
 
-Program program_of(const ColumnsForm& form) {
+/// A column for each joint that follows none.
+Columns driven(const model::Robot& robot, const Columns& columns) {
+  return model::gathered(robot, columns, [](const Twist& sum, const cln::cl_RA& ratio, const Twist& column) {
+    const ex factor = GiNaC::numeric(ratio);
+    return Twist{sum.linear + factor * column.linear, sum.angular + factor * column.angular};
+  });
+}
+
+Program program_of(const model::Robot& robot, const ColumnsForm& form) {
   Program program;
-  output(program, form.build(program));
+  output(program, driven(robot, form.build(program)));
   return program;
 }
 
@@ -67,8 +76,8 @@ Columns plain_column_rates(const model::Robot& robot, Program& program) {
   return rates;
 }
 
-void add_forms(Quantity& quantity, const std::vector<ColumnsForm>& forms) {
-  for (const ColumnsForm& form : forms) quantity.forms.push_back({form.name, program_of(form)});
+void add_forms(Quantity& quantity, const model::Robot& robot, const std::vector<ColumnsForm>& forms) {
+  for (const ColumnsForm& form : forms) quantity.forms.push_back({form.name, program_of(robot, form)});
 }
 
 /// One form for each frame in the middle.
@@ -111,7 +120,7 @@ Program plain_tool_jacobian(const model::Robot& robot) {
   for (const Twist& column : plain.columns)
     columns.push_back(
         {rotate(inverse(plain.tool.q), column.linear), rotate(inverse(plain.tool.q), column.angular)});
-  output(program, columns);
+  output(program, driven(robot, columns));
   return program;
 }
 
@@ -136,7 +145,7 @@ std::vector<Form> forms_with_orientation(const model::Robot& robot, const std::s
     const Linkage arm = linkage(robot);
     const Vector position = Frames(program, arm).position().value;
     output(program, matrix.build(program), position, prefix);
-    output(program, way.build(program));
+    output(program, driven(robot, way.build(program)));
     forms.push_back({matrix.name + ", columns " + way.name, program});
   }
   return forms;
@@ -146,7 +155,7 @@ std::vector<Form> forms_with_orientation(const model::Robot& robot, const std::s
 
 Program jacobian_definition(const model::Robot& robot) {
   Program program;
-  output(program, plain_columns(robot, program));
+  output(program, driven(robot, plain_columns(robot, program)));
   return program;
 }
 
@@ -159,13 +168,13 @@ Quantity jacobian(const model::Robot& robot) {
 std::vector<Form> jacobian_methods(const model::Robot& robot) {
   std::vector<Form> methods;
   for (const ColumnsForm& method : textbook_methods(robot))
-    methods.push_back({method.name, program_of(method)});
+    methods.push_back({method.name, program_of(robot, method)});
   return methods;
 }
 
 Quantity tool_jacobian(const model::Robot& robot) {
   Quantity quantity{"tool_jacobian", {}, plain_tool_jacobian(robot)};
-  add_forms(quantity, columns_by_frames(robot, Target::tool));
+  add_forms(quantity, robot, columns_by_frames(robot, Target::tool));
   return quantity;
 }
 
@@ -179,7 +188,7 @@ Quantity transform_and_jacobian(const model::Robot& robot) {
   Quantity quantity{"forward_kinematics_and_jacobian", forms_with_orientation(robot, ""), {}};
   const PlainJacobian plain = plain_jacobian(robot, quantity.definition);
   output(quantity.definition, to_matrix(plain.tool.q), plain.tool.p, "");
-  output(quantity.definition, plain.columns);
+  output(quantity.definition, driven(robot, plain.columns));
   return quantity;
 }
 
@@ -199,12 +208,12 @@ Quantity velocity(const model::Robot& robot) {
 
 Quantity jacobian_rate(const model::Robot& robot) {
   Quantity quantity{"jacobian_dot", {}, {}};
-  output(quantity.definition, plain_column_rates(robot, quantity.definition));
+  output(quantity.definition, driven(robot, plain_column_rates(robot, quantity.definition)));
   add_forms_by_frames(quantity, robot, [&](Program& program, std::size_t middle) {
-    return column_rates_by_frames(program, robot, middle);
+    return driven(robot, column_rates_by_frames(program, robot, middle));
   });
   add_forms_by_axes(quantity, robot, [&](Program& program, std::size_t frame) {
-    return column_rates_by_axes(program, robot, frame);
+    return driven(robot, column_rates_by_axes(program, robot, frame));
   });
   return quantity;
 }

@@ -5,10 +5,12 @@
 #include <bit>
 #include <map>
 #include <numeric>
+#include <stdexcept>
 
 #include "derive/jacobian/circle_polynomial.h"
 #include "derive/jacobian/forms.h"
 #include "derive/jacobian/wrist.h"
+#include "model/followers.h"
 
 namespace qvgen::derive {
 
@@ -213,6 +215,8 @@ Singularities factored(const model::Robot& robot) {
 }  // namespace
 
 Singularities singularities(const model::Robot& robot) {
+  if (model::has_followers(robot))
+    throw std::domain_error("a joint follows another: the factors of the determinant are not derived");
   try {
     return factored(robot);
   } catch (const TooManyTerms& error) {

@@ -3,6 +3,7 @@
 #include <cctype>
 #include <map>
 
+#include "description/followers.h"
 #include "description/names.h"
 #include "description/tree/tree.h"
 #include "model/arithmetic.h"
@@ -26,6 +27,7 @@ class ChainReader {
       const Segment segment = segment_of(node);
       pending = folded(pending, segment.before);
       if (segment.joint) {
+        note_mimic(*segment.joint, robot.joints.size());
         robot.joints.push_back(joint_of(*segment.joint, robot));
         robot.joints.back().before = pending;
         robot.joints.back().after = segment.after;
@@ -37,6 +39,7 @@ class ChainReader {
       }
     }
     robot.tool = pending;
+    tie_followers(*context_, names_, robot);
     if (!robot.joints.empty()) leave_out_partial_inertia(robot);
   }
 
@@ -57,6 +60,12 @@ class ChainReader {
     const auto is_zero = [](const model::Expression& e) { return e.is_literal_zero(); };
     return is_zero(joint.inertia.mass) && is_zero(joint.drive.rotor_inertia) &&
            std::all_of(joint.inertia.inertia.begin(), joint.inertia.inertia.end(), is_zero);
+  }
+
+  void note_mimic(const MovingJoint& joint, std::size_t index) {
+    names_.push_back(joint.name);
+    if (const auto& mimic = joint.mimic)
+      context_->followers.push_back({index, mimic->leader, mimic->ratio, mimic->offset, mimic->place});
   }
 
   const Segment& segment_of(std::size_t node) {
@@ -122,6 +131,7 @@ class ChainReader {
   const std::vector<Node>* nodes_;
   const ReadSegment* read_;
   std::vector<std::size_t> on_path_;
+  std::vector<std::string> names_;  ///< of the chain's joints, in the file
   std::map<std::size_t, Segment> segments_;
   bool crowded_ = false;
 };

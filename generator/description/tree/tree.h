@@ -12,6 +12,14 @@
 /// Files that describe a tree of links, of which one path is the robot.
 namespace qvgen::description::tree {
 
+/// What moves a joint besides its own drive: the value of another joint, by the name that the file has.
+struct Mimic {
+  std::string leader;
+  cln::cl_RA ratio;
+  model::Expression offset;
+  Place place;
+};
+
 struct MovingJoint {
   std::string name;
   Place place;
@@ -19,6 +27,7 @@ struct MovingJoint {
   model::Vector3 axis;  ///< unit vector
   std::optional<model::Limits> limits;
   model::Drive drive;
+  std::optional<Mimic> mimic = {};
 };
 
 /// A link with the joint that holds it: frame = parent's frame * before * motion * after.

@@ -126,7 +126,30 @@ tree::MovingJoint UrdfNumbers::moving(const Element& joint, const std::string& t
   result.axis = axis(joint);
   if (type != "continuous") result.limits = limits(joint, result.type);
   result.drive = drive(joint);
+  result.mimic = mimic(joint, result.type);
   return result;
+}
+
+std::optional<tree::Mimic> UrdfNumbers::mimic(const Element& joint, model::JointType type) const {
+  const Element* mimic = joint.child("mimic");
+  if (mimic == nullptr) return std::nullopt;
+  warn_of_others(*context_, *mimic, {"joint", "multiplier", "offset"});
+  const Attribute* leader = mimic->attribute("joint");
+  if (leader == nullptr) {
+    context_->error(mimic->place, "the joint '" + name_of(joint) + "' mimics none",
+                    "name the joint that leads: <mimic joint=\"...\"/>");
+    return std::nullopt;
+  }
+  const Decimal ratio = read_decimal(*context_, *mimic, "multiplier", 1);
+  const Decimal offset = read_decimal(*context_, *mimic, "offset", 0);
+  if (cln::zerop(ratio.value)) {
+    context_->error(ratio.place, "with a multiplier of 0 the joint '" + name_of(joint) + "' does not move",
+                    "make it fixed");
+    return std::nullopt;
+  }
+  const bool turns = type == model::JointType::revolute;
+  return tree::Mimic{leader->value, ratio.value,
+                     turns ? snap_.angle(offset) : model::Expression(offset.value), mimic->place};
 }
 
 tree::Body UrdfNumbers::body(const Element& link) const {
@@ -155,11 +178,6 @@ std::optional<tree::Segment> UrdfNumbers::segment(const Element& link, const Ele
   if (type == "floating" || type == "planar") {
     context_->error(joint.attribute("type")->place, "the joint '" + name_of(joint) + "' is " + type,
                     "a chain has revolute, continuous, prismatic and fixed joints: choose --base behind it");
-    return std::nullopt;
-  }
-  if (const Element* mimic = joint.child("mimic")) {
-    context_->error(mimic->place, "the joint '" + name_of(joint) + "' of the chain mimics another",
-                    "choose a --base and --tip without it, or make it a joint of its own");
     return std::nullopt;
   }
   warn_of_children(*context_, joint);

@@ -19,6 +19,7 @@ class UrdfNumbers {
   [[nodiscard]] std::optional<model::Limits> limits(const Element& joint, model::JointType type) const;
   [[nodiscard]] model::Drive drive(const Element& joint) const;
   [[nodiscard]] tree::MovingJoint moving(const Element& joint, const std::string& type) const;
+  [[nodiscard]] std::optional<tree::Mimic> mimic(const Element& joint, model::JointType type) const;
   [[nodiscard]] tree::Body body(const Element& link) const;
 
   Context* context_;

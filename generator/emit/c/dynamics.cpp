@@ -3,6 +3,7 @@
 #include "emit/cpp/symbol_table.h"
 #include "emit/cpp/template_values.h"
 #include "emit/render.h"
+#include "model/followers.h"
 
 namespace qvgen::emit::c {
 namespace {
@@ -10,7 +11,7 @@ namespace {
 Parameter inertia(const model::Robot& robot) { return {"const " + robot.name + "_inertia* ", "inertia"}; }
 
 Parameter result_of(const model::Robot& robot, Result result, std::size_t outputs) {
-  const std::size_t dof = robot.joints.size();
+  const std::size_t dof = model::driven_count(robot);
   switch (result) {
     case Result::scalar:
     case Result::vector:
@@ -79,7 +80,7 @@ Function function_of(const model::Robot& robot, const optimise::DynamicsFunction
   append(function.statements, set_up(code.set_up));
   append(function.statements, sine_cosine_statements(robot, from.function, angles));
   append(function.statements, temporaries(code.code));
-  append(function.statements, assignments(interface, robot.joints.size(), code.code));
+  append(function.statements, assignments(interface, model::driven_count(robot), code.code));
   return function;
 }
 
@@ -104,7 +105,8 @@ Part dynamics(const model::Robot& robot, const std::vector<optimise::DynamicsFun
   Part all;
   for (const optimise::DynamicsFunction& function : functions) {
     if (dynamics_interface(function.name).result == Result::derivatives)
-      all += {render("c_dynamics_derivatives.h", {{"name", robot.name}, {"dof", robot.joints.size()}})};
+      all +=
+          {render("c_dynamics_derivatives.h", {{"name", robot.name}, {"dof", model::driven_count(robot)}})};
     all += written(robot, {function_of(robot, function)});
   }
   return all;

@@ -9,6 +9,7 @@
 #include "emit/cpp/symbol_table.h"
 #include "emit/cpp/template_values.h"
 #include "emit/render.h"
+#include "model/followers.h"
 
 namespace qvgen::emit::c {
 namespace {
@@ -76,7 +77,7 @@ Part& Part::operator+=(const Part& more) {
 }
 
 Parameter joint_array(const model::Robot& robot, const std::string& name) {
-  return {"const double ", name, dimension(robot.joints.size())};
+  return {"const double ", name, dimension(model::driven_count(robot))};
 }
 
 Parameter geometry(const model::Robot& robot) { return {"const " + robot.name + "_geometry* ", "g"}; }

@@ -2,6 +2,7 @@
 #include "emit/c/parts.h"
 #include "emit/cpp/symbol_table.h"
 #include "emit/render.h"
+#include "model/followers.h"
 #include "verify/counts_json.h"
 
 namespace qvgen::emit::c {
@@ -14,7 +15,7 @@ Parameter argument(const model::Robot& robot, const JacobianFunction::Argument& 
 }
 
 Parameter result(const model::Robot& robot, const JacobianFunction& function) {
-  if (function.result == "Jacobian") return result_matrix(6, robot.joints.size());
+  if (function.result == "Jacobian") return result_matrix(6, model::driven_count(robot));
   if (function.result == "TransformAndJacobian") return result_struct(robot, "transform_and_jacobian");
   return result_array(function.targets.size());
 }
@@ -59,7 +60,7 @@ Part jacobian(const model::Robot& robot, const std::vector<JacobianFunction>& fu
   std::vector<Function> all;
   for (const JacobianFunction& function : functions)
     if (!function.targets.empty()) all.push_back(function_of(robot, function));
-  Part part{render("c_jacobian.h", {{"name", robot.name}, {"dof", robot.joints.size()}})};
+  Part part{render("c_jacobian.h", {{"name", robot.name}, {"dof", model::driven_count(robot)}})};
   return part += written(robot, all);
 }
 

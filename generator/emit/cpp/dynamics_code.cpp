@@ -9,6 +9,7 @@
 #include "emit/cpp/symbol_table.h"
 #include "emit/cpp/template_values.h"
 #include "emit/math/dynamics_choices.h"
+#include "model/followers.h"
 #include "verify/counts_json.h"
 
 namespace qvgen::emit {
@@ -55,8 +56,9 @@ json statements_of(const std::vector<Code::Value>& outputs, Result result, std::
 SymbolTable names_of(const model::Robot& robot, const std::vector<dag::Angle>& angles,
                      const std::map<std::string, std::string>& constants, const Spelling& spelling) {
   std::map<std::string, std::string> known = constants;
-  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
-    const std::string& variable = robot.joints[i].variable;
+  const std::vector<std::string> variables = model::variables(robot);
+  for (std::size_t i = 0; i < variables.size(); ++i) {
+    const std::string& variable = variables[i];
     const std::string index = "[" + std::to_string(i) + "]";
     known[derive::dynamics::velocity_of(variable)] = "qd" + index;
     known[derive::dynamics::acceleration_of(variable)] = "qdd" + index;
@@ -189,7 +191,7 @@ json dynamics_values(const model::Robot& robot, const DynamicsFunction& function
               {"stored", values_of(set_up.outputs)},
               {"named_angles", lines_of(sine_cosine_declarations(robot, function.function, angles))},
               {"temporaries", values_of(code.temporaries)},
-              {"statements", statements_of(code.outputs, interface.result, robot.joints.size())}};
+              {"statements", statements_of(code.outputs, interface.result, model::driven_count(robot))}};
   values.update(gravity_values(interface.gravity, scalar));
   values.update(wrench_values(interface.wrench, scalar));
   return values;
@@ -211,7 +213,8 @@ json base_parameter_values(const model::Robot& robot, const derive::dynamics::Re
                           {"parameter", regressor.names[i]},
                           {"expression", code.outputs[i].expression},
                           {"last", i + 1 == code.outputs.size()}});
-  return {{"parameters_of_base", parameters},
+  return {{"links", model::has_followers(robot) ? std::to_string(robot.joints.size()) : "dof"},
+          {"parameters_of_base", parameters},
           {"base_set_up", values_of(code.temporaries)},
           {"base_count", code.outputs.size()}};
 }

@@ -8,6 +8,7 @@
 #include "emit/cpp/code.h"
 #include "emit/cpp/symbol_table.h"
 #include "emit/cpp/template_values.h"
+#include "model/followers.h"
 #include "optimise/optimised_json.h"
 #include "verify/counts_json.h"
 
@@ -19,9 +20,9 @@ using nlohmann::json;
 /// Joint rates are qd[i], the free point is point[i].
 SymbolTable names_of(const model::Robot& robot, const std::vector<dag::Angle>& angles,
                      const Spelling& spelling) {
-  const auto others = [&robot](const std::string& name) -> std::string {
-    for (std::size_t i = 0; i < robot.joints.size(); ++i)
-      if (name == derive::rate_name(robot.joints[i].variable)) return "qd[" + std::to_string(i) + "]";
+  const auto others = [variables = model::variables(robot)](const std::string& name) -> std::string {
+    for (std::size_t i = 0; i < variables.size(); ++i)
+      if (name == derive::rate_name(variables[i])) return "qd[" + std::to_string(i) + "]";
     const std::string axes = "xyz";
     for (std::size_t i = 0; i < 3; ++i)
       if (name == std::string("point.") + axes[i]) return "point[" + std::to_string(i) + "]";

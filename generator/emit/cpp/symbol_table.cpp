@@ -15,6 +15,7 @@
 #include "emit/cpp/literal.h"
 #include "exact/constant_angle.h"
 #include "exact/named_constant.h"
+#include "model/followers.h"
 #include "model/private_names.h"
 
 namespace qvgen::emit {
@@ -62,9 +63,10 @@ struct Term {
 };
 
 Term term_of(const model::Robot& robot, const std::string& symbol, bool negative) {
-  for (std::size_t i = 0; i < robot.joints.size(); ++i)
-    if (robot.joints[i].variable == symbol) return {i + 1, "", negative};
-  return {robot.joints.size() + 1, symbol, negative};
+  const std::vector<std::string> variables = model::variables(robot);
+  for (std::size_t i = 0; i < variables.size(); ++i)
+    if (variables[i] == symbol) return {i + 1, "", negative};
+  return {variables.size() + 1, symbol, negative};
 }
 
 cln::cl_I common_denominator(const Angle& angle) {
@@ -184,8 +186,8 @@ SymbolTable symbol_table(const model::Robot& robot, const std::vector<Angle>& an
                          const std::function<std::string(const std::string&)>& others,
                          const Spelling& spelling) {
   std::map<std::string, std::string> known{{"pi", radians(1, spelling)}};
-  for (std::size_t i = 0; i < robot.joints.size(); ++i)
-    known[robot.joints[i].variable] = "q[" + std::to_string(i) + "]";
+  const std::vector<std::string> variables = model::variables(robot);
+  for (std::size_t i = 0; i < variables.size(); ++i) known[variables[i]] = "q[" + std::to_string(i) + "]";
   for (const model::Parameter& parameter : robot.geometry)
     known[parameter.name] = "g" + spelling.member + model::described_name(parameter.name);
   // A definition may have others in it, and constants.

@@ -7,6 +7,7 @@
 #include "dag/import.h"
 #include "derive/dynamics/formulation.h"
 #include "emit/math/notation.h"
+#include "model/followers.h"
 #include "passes/pass.h"
 #include "symbolic/model.h"
 
@@ -94,6 +95,8 @@ std::vector<ForceTerm> dynamics_closed_form(const model::Robot& robot) {
   if (robot.joints.size() > most_joints)
     throw std::domain_error("the closed form of " + std::to_string(robot.joints.size()) +
                             " joints is too long to read");
+  if (model::has_followers(robot))
+    throw std::domain_error("there is no closed form where a joint follows another");
   std::vector<ForceTerm> terms;
   const std::vector<ex> all = forces(robot);
   for (std::size_t i = 0; i < all.size(); ++i) write(robot, i, all[i], terms);

@@ -8,6 +8,7 @@
 #include "emit/cpp/inverse/arm_angle_code.h"
 #include "emit/render.h"
 #include "exact/named_constant.h"
+#include "model/followers.h"
 #include "model/private_names.h"
 #include "model/replace.h"
 #include "verify/inverse/certify_rows.h"
@@ -77,7 +78,7 @@ verify::RowCertificate certify(const model::Robot& robot, const SphericalArm& de
 }  // namespace
 
 void generate_arm_angle(const model::Robot& described, RobotOutput& output) {
-  if (!derive::inverse::has_seven_turns(described)) return;
+  if (model::has_followers(described) || !derive::inverse::has_seven_turns(described)) return;
   const model::Robot robot = canonical::for_dynamics(model::with_private_names(described));
   const SphericalArm arm = derive::inverse::spherical_arm(robot);
   if (!arm.found) {
@@ -97,7 +98,7 @@ void generate_arm_angle(const model::Robot& described, RobotOutput& output) {
 }
 
 void generate_arm_angle_c(const model::Robot& robot, RobotOutput& output) {
-  if (!derive::inverse::has_seven_turns(robot)) return;
+  if (model::has_followers(robot) || !derive::inverse::has_seven_turns(robot)) return;
   output.missing.push_back({"arm_angle", Missing::Kind::not_in_language,
                             "it is not written in C: its solver is a part of the C++ runtime"});
 }

@@ -13,6 +13,8 @@
 #include "emit/math/dynamics_choices.h"
 #include "emit/render.h"
 #include "model/evaluate.h"
+#include "model/followers.h"
+#include "optimise/described.h"
 #include "optimise/dynamics_derivatives.h"
 #include "pipeline/c_files.h"
 #include "pipeline/products/model_header.h"
@@ -68,6 +70,22 @@ std::vector<optimise::DynamicsFunction> all_functions(const model::Robot& robot,
   std::vector<optimise::DynamicsFunction> functions;
   for (const optimise::DynamicsQuantity& quantity : optimise::dynamics_quantities())
     add_to(functions, robot, quantity, with_choices_of(functions, quantity.choices_of), output);
+  return functions;
+}
+
+/// In terms of the joints that follow none, as the code has it.
+optimise::DynamicsFunction in_terms_of_leaders(const model::Robot& robot,
+                                               optimise::DynamicsFunction function) {
+  if (!model::has_followers(robot)) return function;
+  function.function = optimise::in_terms_of_leaders(function.function, robot);
+  function.counts = dag::count(function.function, derive::dynamics::is_constant_symbol);
+  return function;
+}
+
+std::vector<optimise::DynamicsFunction> in_terms_of_leaders(
+    const model::Robot& robot, std::vector<optimise::DynamicsFunction> functions) {
+  for (optimise::DynamicsFunction& function : functions)
+    function = in_terms_of_leaders(robot, std::move(function));
   return functions;
 }
 
@@ -140,6 +158,7 @@ void add_functions(const model::Robot& robot, const std::vector<optimise::Dynami
 void add_function(const model::Robot& robot, optimise::DynamicsFunction function, const std::string& part,
                   const std::vector<dag::Angle>& angles, json values, RobotOutput& output) {
   measure(robot, function);
+  function = in_terms_of_leaders(robot, std::move(function));
   const auto values_for = [&](const std::string& scalar) {
     return emit::dynamics_values(robot, function, emit::dynamics_interface(function.name), angles, scalar);
   };
@@ -168,7 +187,8 @@ std::vector<optimise::DynamicsFunction> loaded_functions(
 void add_regressor(const model::Robot& robot, RobotOutput& output) {
   const derive::dynamics::Regressor regressor = derive::dynamics::regressor(robot);
   const optimise::DynamicsFunction function = optimise::regressor_function(robot, regressor);
-  add_function(robot, function, "regressor", emit::angles_of(std::vector{function}),
+  add_function(robot, function, "regressor",
+               emit::angles_of(std::vector{in_terms_of_leaders(robot, function)}),
                emit::base_parameter_values(robot, regressor), output);
 }
 
@@ -190,13 +210,15 @@ void generate_dynamics_product(const model::Robot& described, RobotOutput& outpu
                      {"has_friction", has_friction(robot)},
                      {"has_parameters", !robot.inertia_parameters.empty()},
                      {"has_defaults", has_defaults(robot)}};
-  add_functions(robot, functions, "dynamics", inertia, output);
+  const std::vector<optimise::DynamicsFunction> written = in_terms_of_leaders(robot, functions);
+  add_functions(robot, written, "dynamics", inertia, output);
   const auto derivatives = [&](RobotOutput& made) {
     add_function(robot, inverse_dynamics_derivatives(robot, functions.front()), "dynamics_derivatives",
-                 emit::angles_of(functions), json::object(), made);
+                 emit::angles_of(written), json::object(), made);
   };
   const auto loads = [&](RobotOutput& made) {
-    add_functions(robot, loaded_functions(robot, functions, made), "dynamics_loads", json::object(), made);
+    add_functions(robot, in_terms_of_leaders(robot, loaded_functions(robot, functions, made)),
+                  "dynamics_loads", json::object(), made);
   };
   const auto regressor = [&](RobotOutput& made) { add_regressor(robot, made); };
   attempt_all({{"dynamics_derivatives", derivatives}, {"dynamics_loads", loads}, {"regressor", regressor}},
@@ -206,7 +228,8 @@ void generate_dynamics_product(const model::Robot& described, RobotOutput& outpu
 void generate_dynamics_c(const model::Robot& described, RobotOutput& output) {
   if (!has_dynamics(described, output)) return;
   const model::Robot robot = canonical::for_dynamics(described);
-  const auto add = [&robot](const std::vector<optimise::DynamicsFunction>& functions, RobotOutput& made) {
+  const auto add = [&robot](const std::vector<optimise::DynamicsFunction>& derived, RobotOutput& made) {
+    const std::vector<optimise::DynamicsFunction> functions = in_terms_of_leaders(robot, derived);
     add_c_part(made, emit::c::dynamics(robot, functions));
     for (const optimise::DynamicsFunction& function : functions)
       made.counts[function.name] = entry_of(robot, function);
@@ -224,6 +247,7 @@ void generate_dynamics_c(const model::Robot& described, RobotOutput& output) {
     const derive::dynamics::Regressor regressor = derive::dynamics::regressor(robot);
     optimise::DynamicsFunction function = optimise::regressor_function(robot, regressor);
     measure(robot, function);
+    function = in_terms_of_leaders(robot, std::move(function));
     add_c_part(made, emit::c::regressor(robot, regressor, function));
     made.counts[function.name] = entry_of(robot, function);
   };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "pipeline/products/inverse_derivation.h"
 
+#include "model/followers.h"
 #include "model/private_names.h"
 
 namespace qvgen::pipeline {
@@ -26,6 +27,10 @@ void add_eliminations(const model::Robot& described, InverseDerivation& result) 
 
 InverseDerivation derive_inverse(const model::Robot& described) {
   InverseDerivation result;
+  if (model::has_followers(described)) {
+    result.reasons = {"a joint follows another, and none is derived for such arms"};
+    return result;
+  }
   const bool is_general = derive::inverse::lacks_structure(described);
   if (is_general) add_eliminations(described, result);
   if (!result.found()) add_closed_forms(described, result);

@@ -10,6 +10,7 @@
 #include "emit/cpp/symbol_table.h"
 #include "emit/math/singularities.h"
 #include "emit/render.h"
+#include "model/followers.h"
 #include "optimise/described.h"
 #include "optimise/optimised_json.h"
 #include "passes/pass.h"
@@ -96,7 +97,7 @@ emit::JacobianFunction twist_function(const derive::Quantity& quantity,
 
 emit::JacobianFunction transform_function(const model::Robot& robot) {
   const derive::Quantity quantity = derive::transform_and_jacobian(robot);
-  const std::size_t dof = robot.joints.size();
+  const std::size_t dof = model::driven_count(robot);
   std::vector<verify::OutputGroup> groups = jacobian_groups(dof);
   groups.push_back({"r11", "r12", "r13", "r21", "r22", "r23", "r31", "r32", "r33"});
   groups.push_back({"px", "py", "pz"});
@@ -149,7 +150,7 @@ std::pair<emit::SingularityMeasures, emit::JacobianFunction> measures_of(const m
 
 std::vector<emit::JacobianFunction> functions_of(const model::Robot& robot,
                                                  const emit::JacobianFunction& measures) {
-  const std::size_t dof = robot.joints.size();
+  const std::size_t dof = model::driven_count(robot);
   return {
       matrix_function(derive::jacobian(robot), dof, {},
                       {"Jacobian of the tool point in the base frame: the twist of the tool is `jacobian(q) "

@@ -6,6 +6,7 @@
 #include "emit/c/parts.h"
 #include "emit/render.h"
 #include "model/evaluate.h"
+#include "model/followers.h"
 #include "pipeline/c_files.h"
 
 namespace qvgen::pipeline {
@@ -37,11 +38,12 @@ json joint(const model::Joint& joint, const model::Robot& robot, bool last) {
 }  // namespace
 
 void generate_model_header(const model::Robot& robot, RobotOutput& output) {
-  json values{{"name", robot.name}, {"title", robot.title}, {"dof", robot.joints.size()}};
+  json values{{"name", robot.name}, {"title", robot.title}, {"dof", model::driven_count(robot)}};
   values["source"] = robot.source.empty() ? json(false) : json(robot.source);
   values["joints"] = json::array();
-  for (const model::Joint& each : robot.joints)
-    values["joints"].push_back(joint(each, robot, &each == &robot.joints.back()));
+  const std::vector<model::Joint> joints = model::without_followers(robot).joints;
+  for (const model::Joint& each : joints)
+    values["joints"].push_back(joint(each, robot, &each == &joints.back()));
   values["parameters"] = json::array();
   bool has_defaults = false;
   bool lacks_defaults = false;
@@ -73,7 +75,7 @@ std::vector<emit::c::Constant> constants_of(const model::Robot& robot,
 
 void generate_model_c(const model::Robot& robot, RobotOutput& output) {
   std::vector<emit::c::Joint> joints;
-  for (const model::Joint& joint : robot.joints) {
+  for (const model::Joint& joint : model::without_followers(robot).joints) {
     joints.push_back({joint.variable, joint.type == model::JointType::revolute, std::nullopt});
     if (joint.limits)
       joints.back().limits = {value_of(joint.limits->lower, robot), value_of(joint.limits->upper, robot)};

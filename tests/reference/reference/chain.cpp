@@ -16,13 +16,26 @@ Isometry3d motion(const Joint& joint, double value) {
 
 }  // namespace
 
-std::vector<Isometry3d> frames(const Chain& chain, const VectorXd& q) {
-  eigen_assert(q.size() == chain.size());
+MatrixXd Chain::coupling() const {
+  const auto rows = static_cast<Eigen::Index>(joints.size());
+  MatrixXd all = MatrixXd::Zero(rows, rows);
+  std::vector<Eigen::Index> leaders;
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    const Joint& joint = joints[static_cast<std::size_t>(i)];
+    if (joint.leader < 0) leaders.push_back(i);
+    all(i, joint.leader < 0 ? i : joint.leader) = joint.leader < 0 ? 1 : joint.ratio;
+  }
+  return all(Eigen::all, leaders);
+}
+
+std::vector<Isometry3d> frames(const Chain& chain, const VectorXd& values) {
+  eigen_assert(values.size() == chain.size());
+  const VectorXd q = chain.coupling() * values;
   std::vector<Isometry3d> result;
   Isometry3d frame = chain.base;
-  for (Eigen::Index i = 0; i < chain.size(); ++i) {
-    const Joint& joint = chain.joints[static_cast<std::size_t>(i)];
-    frame = frame * joint.before * motion(joint, q[i]) * joint.after;
+  for (std::size_t i = 0; i < chain.joints.size(); ++i) {
+    const Joint& joint = chain.joints[i];
+    frame = frame * joint.before * motion(joint, q[static_cast<Eigen::Index>(i)]) * joint.after;
     result.push_back(frame);
   }
   result.push_back(frame * chain.tool);
@@ -44,8 +57,9 @@ Isometry3d forward_kinematics(const Chain& chain, const VectorXd& q) { return fr
 MatrixXd jacobian(const Chain& chain, const VectorXd& q) {
   const Vector3d tool = forward_kinematics(chain, q).translation();
   const std::vector<JointPlace> places = joint_places(chain, q);
-  MatrixXd result = MatrixXd::Zero(6, chain.size());
-  for (Eigen::Index i = 0; i < chain.size(); ++i) {
+  const auto joints = static_cast<Eigen::Index>(chain.joints.size());
+  MatrixXd result = MatrixXd::Zero(6, joints);
+  for (Eigen::Index i = 0; i < joints; ++i) {
     const auto& [axis, point] = places[static_cast<std::size_t>(i)];
     if (chain.joints[static_cast<std::size_t>(i)].revolute) {
       result.block<3, 1>(0, i) = axis.cross(tool - point);
@@ -54,7 +68,7 @@ MatrixXd jacobian(const Chain& chain, const VectorXd& q) {
       result.block<3, 1>(0, i) = axis;
     }
   }
-  return result;
+  return result * chain.coupling();
 }
 
 }  // namespace reference

@@ -32,6 +32,10 @@ struct Joint {
   double viscous_friction = 0;                 ///< N m s (N s/m)
   double coulomb_friction = 0;                 ///< N m (N)
 
+  /// The joint that moves it, and by how much of its own way; -1: it has a value of its own.
+  Eigen::Index leader = -1;
+  double ratio = 1;
+
   double lower = -std::numeric_limits<double>::infinity();  ///< rad or m
   double upper = std::numeric_limits<double>::infinity();
 };
@@ -41,7 +45,10 @@ struct Chain {
   Isometry3d base = Isometry3d::Identity();  ///< world -> base of the first joint
   std::vector<Joint> joints;
   Isometry3d tool = Isometry3d::Identity();  ///< last link frame -> tool
-  [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(joints.size()); }
+  /// Joints with a value of their own: what q, rates and torques have entries for.
+  [[nodiscard]] Eigen::Index size() const { return coupling().cols(); }
+  /// Values of all joints by those of these: a row a joint, one entry in each.
+  [[nodiscard]] MatrixXd coupling() const;
 };
 
 /// Where joint i acts, in the world frame.

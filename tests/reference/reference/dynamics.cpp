@@ -28,10 +28,13 @@ PointMotion carry(const PointMotion& motion, const Link& body, const Vector3d& f
           motion.acceleration + body.angular_acceleration.cross(r) + w.cross(w.cross(r))};
 }
 
-std::vector<Link> moving_links(const Chain& chain, const VectorXd& q, const VectorXd& qd, const VectorXd& qdd,
-                               const Vector3d& base_acceleration) {
-  const std::vector<Isometry3d> frame = frames(chain, q);
-  const std::vector<JointPlace> places = joint_places(chain, q);
+/// Rates and accelerations of the joints with values of their own.
+std::vector<Link> moving_links(const Chain& chain, const VectorXd& values, const VectorXd& rates,
+                               const VectorXd& accelerations, const Vector3d& base_acceleration) {
+  const MatrixXd coupling = chain.coupling();
+  const VectorXd q = coupling * values, qd = coupling * rates, qdd = coupling * accelerations;
+  const std::vector<Isometry3d> frame = frames(chain, values);
+  const std::vector<JointPlace> places = joint_places(chain, values);
   std::vector<Link> links;
   Link previous;  // the base: it does not turn
   Vector3d origin = chain.base.translation();
@@ -71,11 +74,13 @@ std::vector<Link> moving_links(const Chain& chain, const VectorXd& q, const Vect
 
 }  // namespace
 
-VectorXd inverse_dynamics(const Chain& chain, const VectorXd& q, const VectorXd& qd, const VectorXd& qdd,
-                          const Vector3d& base_acceleration) {
-  const std::vector<Link> links = moving_links(chain, q, qd, qdd, base_acceleration);
+VectorXd inverse_dynamics(const Chain& chain, const VectorXd& q, const VectorXd& rates,
+                          const VectorXd& accelerations, const Vector3d& base_acceleration) {
+  const std::vector<Link> links = moving_links(chain, q, rates, accelerations, base_acceleration);
+  const MatrixXd coupling = chain.coupling();
+  const VectorXd qd = coupling * rates, qdd = coupling * accelerations;
   const std::vector<JointPlace> places = joint_places(chain, q);
-  VectorXd tau(chain.size());
+  VectorXd tau(coupling.rows());
   for (std::size_t i = 0; i < links.size(); ++i) {
     const Joint& joint = chain.joints[i];
     Vector3d force = Vector3d::Zero();
@@ -89,7 +94,7 @@ VectorXd inverse_dynamics(const Chain& chain, const VectorXd& q, const VectorXd&
     tau[n] = places[i].axis.dot(joint.revolute ? moment : force) + joint.rotor_inertia * qdd[n] +
              joint.viscous_friction * qd[n] + joint.coulomb_friction * sign(qd[n]);
   }
-  return tau;
+  return coupling.transpose() * tau;  // virtual work
 }
 
 MatrixXd mass_matrix(const Chain& chain, const VectorXd& q) {
@@ -107,9 +112,10 @@ VectorXd forward_dynamics(const Chain& chain, const VectorXd& q, const VectorXd&
   return mass_matrix(chain, q).ldlt().solve(tau - bias);
 }
 
-double kinetic_energy(const Chain& chain, const VectorXd& q, const VectorXd& qd) {
+double kinetic_energy(const Chain& chain, const VectorXd& q, const VectorXd& rates) {
+  const VectorXd qd = chain.coupling() * rates;
   const std::vector<Isometry3d> frame = frames(chain, q);
-  const auto links = moving_links(chain, q, qd, VectorXd::Zero(chain.size()), Vector3d::Zero());
+  const auto links = moving_links(chain, q, rates, VectorXd::Zero(chain.size()), Vector3d::Zero());
   double energy = 0;
   for (std::size_t i = 0; i < links.size(); ++i) {
     const Joint& joint = chain.joints[i];

@@ -105,6 +105,21 @@ class Reader {
   const Values& values_;
 };
 
+/// Once all joints are read, since a joint may lead one before it.
+void tie_followers(const std::vector<Reader>& tables, Chain& chain) {
+  std::size_t i = 0;
+  for (const Reader& table : tables) {
+    if (table.text("variable").empty()) continue;
+    Joint& joint = chain.joints[i++];
+    if (!table.has("follows")) continue;
+    for (std::size_t k = 0; k < chain.joints.size(); ++k)
+      if (chain.joints[k].variable == table.text("follows")) joint.leader = static_cast<Eigen::Index>(k);
+    if (table.has("ratio")) joint.ratio = table.entry("ratio");
+    const double offset = table.entry("offset");
+    joint.before = joint.before * (joint.revolute ? turn(offset, joint.axis) : shift(offset * joint.axis));
+  }
+}
+
 void read_link(const Reader& reader, const std::string& number, Joint& joint) {
   joint.mass = reader.parameter("mass", "m" + number);
   joint.rotor_inertia = reader.parameter("rotor_inertia", "Ia" + number);
@@ -208,6 +223,7 @@ Chain read(const toml::table& file, const Values& given) {
   if (root.has("joint")) read_joints(root, chain);
   if (root.has("dh")) read_table(root, chain);
   if (root.has("screw")) read_screws(root, chain);
+  for (const char* key : {"joint", "dh", "screw"}) tie_followers(root.tables(key), chain);
   if (chain.joints.empty()) throw std::runtime_error("no joints");
   return chain;
 }

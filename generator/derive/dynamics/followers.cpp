@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "derive/dynamics/followers.h"
+
+#include "model/followers.h"
+#include "passes/constants.h"
+
+namespace qvgen::derive::dynamics {
+namespace {
+
+dag::Function multiple(const cln::cl_RA& ratio, const std::string& symbol) {
+  dag::Function function;
+  dag::Graph& graph = function.graph;
+  function.outputs.push_back(
+      {"", graph.product({graph.constant(exact::Number(ratio)), graph.symbol(symbol)})});
+  return function;
+}
+
+Scalar times(const cln::cl_RA& ratio, const Scalar& value, dag::Graph& graph) {
+  return ratio == 1 ? value : Scalar(graph, graph.constant(exact::Number(ratio))) * value;
+}
+
+}  // namespace
+
+Formulation in_rates_of_leaders(const model::Robot& robot, Formulation formulation) {
+  std::map<std::string, dag::Function> meanings;
+  for (const model::Joint& joint : robot.joints) {
+    if (!joint.follows) continue;
+    const std::string& leader = robot.joints[joint.follows->joint].variable;
+    const cln::cl_RA& ratio = joint.follows->ratio;
+    meanings.emplace(velocity_of(joint.variable), multiple(ratio, velocity_of(leader)));
+    meanings.emplace(acceleration_of(joint.variable), multiple(ratio, acceleration_of(leader)));
+    meanings.emplace(direction_of(joint.variable),
+                     multiple(cln::minusp(ratio) ? -1 : 1, direction_of(leader)));
+  }
+  formulation.function = passes::substitute(formulation.function, meanings);
+  return formulation;
+}
+
+std::vector<Scalar> gathered(const model::Robot& robot, const std::vector<Scalar>& forces,
+                             dag::Graph& graph) {
+  return model::gathered(robot, forces, [&](const Scalar& sum, const cln::cl_RA& ratio, const Scalar& force) {
+    return sum + times(ratio, force, graph);
+  });
+}
+
+Entries gathered(const model::Robot& robot, const Entries& entries, dag::Graph& graph) {
+  if (!model::has_followers(robot)) return entries;
+  const std::vector<model::Share> shares = model::shares(robot);
+  Entries result;
+  for (const auto& [place, value] : entries) {
+    const model::Share &row = shares[place.first], &column = shares[place.second];
+    Scalar& sum = result[{row.driven, column.driven}];
+    sum = sum + times(row.ratio * column.ratio, value, graph);
+  }
+  return result;
+}
+
+Entries gathered_symmetric(const model::Robot& robot, const Entries& upper, dag::Graph& graph) {
+  if (!model::has_followers(robot)) return upper;
+  Entries whole = upper;
+  for (const auto& [place, value] : upper) whole[{place.second, place.first}] = value;
+  Entries result = gathered(robot, whole, graph);
+  std::erase_if(result, [](const auto& entry) { return entry.first.first > entry.first.second; });
+  return result;
+}
+
+}  // namespace qvgen::derive::dynamics
