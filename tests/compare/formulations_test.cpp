@@ -4,10 +4,12 @@
 #include <random>
 
 #include "../strangers/random_description.h"
+#include "compare/comparison.h"
 #include "compare/measure.h"
 #include "dag/evaluate.h"
 #include "derive/dynamics/formulation.h"
 #include "leaves.h"
+#include "model/followers.h"
 #include "optimise/described.h"
 #include "optimise/dynamics_function.h"
 #include "reference/dynamics.h"
@@ -30,6 +32,10 @@ TEST_P(Formulations, AreTheDefinitionForCommittedRobots) {
   for (const auto& file : test::committed_robots()) {
     const model::Robot robot = *description::read_file(file).robot;
     if (GetParam() == What::dynamics && !optimise::has_inertia(robot)) continue;
+    if (model::has_followers(robot)) {
+      EXPECT_THROW(compare::compare(robot, {GetParam(), {}, {}}), std::domain_error);
+      continue;
+    }
     const Subject subject(robot, GetParam());
     for (const Formulation& formulation : formulations(GetParam())) {
       if (!formulation.run) continue;

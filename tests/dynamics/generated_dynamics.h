@@ -33,7 +33,7 @@ class GeneratedDynamics : public testing::TestWithParam<DynamicsFactory> {
   }
 
   const DynamicsUnderTest& robot() const { return *robot_; }
-  Eigen::Index dof() const { return static_cast<Eigen::Index>(chain_.joints.size()); }
+  Eigen::Index dof() const { return chain_.size(); }
 
   /// Masses near 2 kg, centres within a few centimetres, moments far from the triangle inequality's edge.
   double plausible(const std::string& name) {
@@ -64,8 +64,9 @@ class GeneratedDynamics : public testing::TestWithParam<DynamicsFactory> {
 
   /// Ten of each link: mass, first moments, inertia about the origin of the link frame.
   VectorXd standard_parameters() const {
-    VectorXd result(10 * dof());
-    for (Eigen::Index i = 0; i < dof(); ++i) {
+    const auto links = static_cast<Eigen::Index>(chain_.joints.size());
+    VectorXd result(10 * links);
+    for (Eigen::Index i = 0; i < links; ++i) {
       const reference::Joint& link = chain_.joints[static_cast<std::size_t>(i)];
       const Vector3d& c = link.centre_of_mass;
       const Eigen::Matrix3d about_origin =

@@ -132,14 +132,25 @@ S kinetic_minus_potential(const reference::Joint& link, Body<S> body, const Eige
          S(link.mass) * (S(0.5) * dot(body.velocity, body.velocity) + dot(vector<S>(gravity), body.position));
 }
 
+/// The value of joint i of the chain by those of the joints that have one of their own.
+template <class S>
+S value_of(const Eigen::MatrixXd& coupling, Eigen::Index i, const std::vector<S>& values) {
+  S sum(0.0);
+  for (Eigen::Index k = 0; k < coupling.cols(); ++k)
+    sum = sum + S(coupling(i, k)) * values[static_cast<std::size_t>(k)];
+  return sum;
+}
+
 template <class S>
 S lagrangian(const reference::Chain& chain, const std::vector<S>& q, const std::vector<S>& qd,
              const Eigen::Vector3d& gravity) {
   const Vector<S> none = vector<S>(Eigen::Vector3d(0, 0, 0));
   Body<S> body{matrix<S>(chain.base.linear()), vector<S>(chain.base.translation()), none, none};
+  const Eigen::MatrixXd coupling = chain.coupling();
   S sum(0.0);
   for (std::size_t i = 0; i < chain.joints.size(); ++i) {
-    body.cross_joint(chain.joints[i], q[i], qd[i]);
+    const auto row = static_cast<Eigen::Index>(i);
+    body.cross_joint(chain.joints[i], value_of(coupling, row, q), value_of(coupling, row, qd));
     sum = sum + kinetic_minus_potential(chain.joints[i], body, gravity);
   }
   return sum;

@@ -42,8 +42,11 @@ link = [${length}, 0, 0]\n
 endfunction()
 set(build ${CMAKE_COMMAND} --build ${WORK}/build --parallel 2)
 describe(0.4)
-run("configuring" ${CMAKE_COMMAND} -S ${WORK}/project -B ${WORK}/build -G "${GENERATOR}" -DCMAKE_CXX_COMPILER=${CXX}
-    -DCMAKE_PREFIX_PATH=${WORK}/moved)
+set(where -DCMAKE_PREFIX_PATH=${WORK}/moved)
+if(GENERATOR MATCHES "Makefiles")
+  set(where -DQVGEN_FOLDER=${QVGEN} -DQVGEN_TOOL=${tool})
+endif()
+run("configuring" ${CMAKE_COMMAND} -S ${WORK}/project -B ${WORK}/build -G "${GENERATOR}" -DCMAKE_CXX_COMPILER=${CXX} ${where})
 run("building" ${build})
 run("running" ${WORK}/build/own_arms 0.4)
 run("running C" ${WORK}/build/own_arms_in_c 0.4)

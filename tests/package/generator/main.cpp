@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include <qvgen/robots/left_arm.h>
 #include <qvgen/robots/my_arm.h>
 #include <qvgen/robots/rr_planar.h>
 #include <qvgen/robots/urdf_arm.h>
@@ -24,5 +25,7 @@ int main(int count, char** arguments) {
   const bool same = !found.empty() && found[0].q.isApprox(q, 1e-9);
   const other::JointVector<double> zero = other::JointVector<double>::Zero();
   if (qvgen::robots::urdf_arm::dof != 2) return 4;
+  const auto left = qvgen::robots::left_arm::forward_kinematics(zero);
+  if (left.position != other::forward_kinematics(zero).position) return 5;
   return same && other::forward_kinematics(zero).position.allFinite() ? 0 : 1;
 }

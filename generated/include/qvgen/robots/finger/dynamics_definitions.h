@@ -28,65 +28,71 @@ InverseDynamicsConstants<Scalar> inverse_dynamics_constants(const BasicGeometry<
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c2z * inertia.m2;
-  const Scalar t1 = inertia.c2x * inertia.m2;
-  const Scalar t2 = g.l1 * inertia.m2 + t1;
-  const Scalar t3 = g.l1 * Scalar(0.984807753012208);
-  const Scalar t4 = inertia.m3 * t3;
-  const Scalar t5 = Scalar(0.01) * ((Scalar(0.17364817766693036) * t0 - Scalar(0.984807753012208) * t2) - t4);
-  const Scalar t6 = g.l1 * Scalar(0.17364817766693036);
-  const Scalar t7 = inertia.m3 * t6;
-  const Scalar t8 = Scalar(0.01) * (t7 + (Scalar(0.984807753012208) * t0 + Scalar(0.17364817766693036) * t2));
-  const Scalar t9 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t10 = (inertia.c2x * t1 - (inertia.I2xx - t9)) + g.l1 * (t1 + t2);
-  const Scalar t11 = (inertia.I2xz - inertia.c2z * t1) - g.l1 * t0;
-  const Scalar t12 = (inertia.I2zz - t9) - inertia.c2z * t0;
-  const Scalar t13 = Scalar(2) * Scalar(0.984807753012208) * t11 - Scalar(0.17364817766693036) * (t10 + t12);
-  const Scalar t14 = Scalar(0.17364817766693036) * t13;
-  const Scalar t15 = (t10 + t14) + t3 * t4;
-  const Scalar t16 = t6 * t7 - (t14 + t12);
-  const Scalar t17 = t6 * t4 + (t11 - Scalar(0.984807753012208) * t13);
-  const Scalar t18 = inertia.c3y * inertia.m3;
-  const Scalar t19 = inertia.c2y * inertia.m2;
-  const Scalar t20 = g.l1 * t19 - (inertia.I2xy - inertia.c2y * t1);
-  const Scalar t21 = inertia.I2yz - inertia.c2z * t19;
-  const Scalar t22 = t3 * t18 + (Scalar(0.984807753012208) * t20 + Scalar(0.17364817766693036) * t21);
-  const Scalar t23 = (Scalar(0.984807753012208) * t21 - Scalar(0.17364817766693036) * t20) - t6 * t18;
-  const Scalar t24 = inertia.c3z * inertia.m3;
-  const Scalar t25 = inertia.c3x * inertia.m3;
-  const Scalar t26 = g.l2 * inertia.m3 + t25;
-  const Scalar t27 = g.l2 * t24 - (inertia.I3xz - inertia.c3z * t25);
-  const Scalar t28 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t29 = (inertia.I3zz - t28) - inertia.c3z * t24;
-  const Scalar t30 = g.l2 * (t26 + t25) + (inertia.c3x * t25 - (inertia.I3xx - t28));
-  const Scalar t31 = inertia.c1x * inertia.m1;
-  const Scalar t32 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t33 = Scalar(0.01) * ((Scalar(0.01) * inertia.m1 + t31) + t31)
-      + (inertia.c1x * t31 - (inertia.I1xx - t32));
-  const Scalar t34 = ((inertia.I3yy - t28) - inertia.c3y * t18) + ((inertia.I2yy - t9) - inertia.c2y * t19);
-  const Scalar t35 = t34 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t32));
-  return { t5,
-           t8,
-           t15 - t16,
-           Scalar(2) * t17,
-           t17,
+  const Scalar t0 = g.l1 * Scalar(0.984807753012208);
+  const Scalar t1 = inertia.c3x * inertia.m3;
+  const Scalar t2 = g.l2 * inertia.m3 + t1;
+  const Scalar t3 = inertia.c3z * inertia.m3;
+  const Scalar t4 = Scalar(0.01) / t0;
+  const Scalar t5 = g.l1 * Scalar(0.17364817766693036);
+  const Scalar t6 = inertia.m3 * t5;
+  const Scalar t7 = inertia.c2z * inertia.m2;
+  const Scalar t8 = inertia.c2x * inertia.m2;
+  const Scalar t9 = g.l1 * inertia.m2 + t8;
+  const Scalar t10 = (t6 + (Scalar(0.984807753012208) * t7 + Scalar(0.17364817766693036) * t9)) / t5;
+  const Scalar t11 = t0 * t10;
+  const Scalar t12 = t0 * t11;
+  const Scalar t13 = g.l2 * t3 - (inertia.I3xz - inertia.c3z * t1);
+  const Scalar t14 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t15 = (inertia.I3zz - t14) - inertia.c3z * t3;
+  const Scalar t16 = g.l2 * (t2 + t1) + (inertia.c3x * t1 - (inertia.I3xx - t14));
+  const Scalar t17 = inertia.c3y * inertia.m3;
+  const Scalar t18 = inertia.m3 * t0;
+  const Scalar t19 = t11 + ((Scalar(0.17364817766693036) * t7 - Scalar(0.984807753012208) * t9) - t18);
+  const Scalar t20 = t0 * t19;
+  const Scalar t21 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t22 = (inertia.c2x * t8 - (inertia.I2xx - t21)) + g.l1 * (t8 + t9);
+  const Scalar t23 = (inertia.I2xz - inertia.c2z * t8) - g.l1 * t7;
+  const Scalar t24 = (inertia.I2zz - t21) - inertia.c2z * t7;
+  const Scalar t25 = Scalar(2) * Scalar(0.984807753012208) * t23 - Scalar(0.17364817766693036) * (t22 + t24);
+  const Scalar t26 = Scalar(0.17364817766693036) * t25;
+  const Scalar t27 = ((t22 + t26) + t0 * t18) - t12;
+  const Scalar t28 = (t5 * t6 - (t26 + t24)) - t5 * t5 * t10;
+  const Scalar t29 = t11 * t5 - (t5 * t18 + (t23 - Scalar(0.984807753012208) * t25));
+  const Scalar t30 = inertia.c2y * inertia.m2;
+  const Scalar t31 = g.l1 * t30 - (inertia.I2xy - inertia.c2y * t8);
+  const Scalar t32 = inertia.I2yz - inertia.c2z * t30;
+  const Scalar t33 = t0 * t17 + (Scalar(0.984807753012208) * t31 + Scalar(0.17364817766693036) * t32);
+  const Scalar t34 = (Scalar(0.984807753012208) * t32 - Scalar(0.17364817766693036) * t31) - t5 * t17;
+  const Scalar t35 = inertia.c1x * inertia.m1;
+  const Scalar t36 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t37 = Scalar(0.01) * ((Scalar(0.01) * inertia.m1 + t35) + t35)
+      + (inertia.c1x * t35 - (inertia.I1xx - t36));
+  const Scalar t38 = (Scalar(0.0001) * (inertia.m2 + inertia.m3) + t37) - Scalar(0.0001) * t10;
+  const Scalar t39 = ((inertia.I3yy - t14) - inertia.c3y * t17) + ((inertia.I2yy - t21) - inertia.c2y * t30);
+  const Scalar t40 = t39 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t36));
+  return { t0 * t2,
+           t0 * t3,
+           t4,
+           t5 / t0,
+           t12,
+           Scalar(2) * t13,
+           t15 + t16,
+           t13,
+           t16,
+           inertia.I3yz - inertia.c3z * t17,
+           g.l2 * t17 - (inertia.I3xy - inertia.c3y * t1),
            t15,
-           t22,
-           t23,
-           Scalar(0.01) * t24,
-           Scalar(0.01) * t26,
-           Scalar(100) * t6,
-           Scalar(2) * t27,
-           t29 + t30,
-           t27,
+           t20 * t4,
+           t27 - t28,
+           Scalar(2) * t29,
            t29,
-           inertia.I3yz - inertia.c3z * t18,
-           g.l2 * t18 - (inertia.I3xy - inertia.c3y * t25),
-           Scalar(100) * t3,
-           t30,
-           (Scalar(0.0001) * (inertia.m2 + inertia.m3) + t33) - t35,
-           Scalar(100) * gravity,
-           t15 + t16 };
+           t27,
+           t33,
+           t34,
+           t20,
+           t38 - t40,
+           gravity / t0,
+           t27 + t28 };
 }
 
 namespace detail {
@@ -99,66 +105,64 @@ inline JointVector<Scalar> inverse_dynamics([[maybe_unused]] const JointVector<S
   const Scalar& c_0 = angles.cosine[0];
   const Scalar& s_1 = angles.sine[1];
   const Scalar& c_1 = angles.cosine[1];
-  const Scalar t0 = k[9] * c_0 + k[8] * s_0;
-  const Scalar t1 = qdd[0] * c_1;
-  const Scalar t2 = qd[1] * qd[0];
-  const Scalar t3 = s_1 * t2;
-  const Scalar t4 = t1 - Scalar(3.3333333333333335) * t3;
-  const Scalar t5 = k[8] * c_0 - k[9] * s_0;
-  const Scalar t6 = c_1 * t2;
-  const Scalar t7 = qdd[0] * s_1;
-  const Scalar t8 = Scalar(3.3333333333333335) * t6 + t7;
-  const Scalar t9 = t0 * t4 + t5 * t8;
-  const Scalar t10 = Scalar(2) * t6 + t7;
-  const Scalar t11 = Scalar(2) * t3 - t1;
-  const Scalar t12 = k[12] * s_0 - k[11] * c_0;
-  const Scalar t13 = s_0 * t12;
-  const Scalar t14 = k[14] - t13;
-  const Scalar t15 = k[13] + c_0 * t12;
-  const Scalar t16 = qd[0] * qd[0];
-  const Scalar t17 = s_1 * t16;
-  const Scalar t18 = s_1 * t17;
-  const Scalar t19 = qd[1] * qd[1];
-  const Scalar t20 = Scalar(2.7777777777777777) * t19;
-  const Scalar t21 = t18 + t20;
-  const Scalar t22 = t16 - t21;
-  const Scalar t23 = k[16] * s_0 + k[15] * c_0;
-  const Scalar t24 = (t14 * t8 + t4 * t15) - t22 * t23;
-  const Scalar t25 = Scalar(1.6666666666666667) * qdd[1];
-  const Scalar t26 = c_1 * t17;
-  const Scalar t27 = t25 + t26;
-  const Scalar t28 = k[15] * s_0 - k[16] * c_0;
-  const Scalar t29 = qdd[0] + (k[10] * t10 - k[17] * t11);
-  const Scalar t30 = k[10] * t9 - ((t24 + t27 * t28) - t5 * t29);
-  const Scalar t31 = k[18] - t13;
-  const Scalar t32 = t18 - t20;
-  const Scalar t33 = t25 - t26;
-  const Scalar t34 = (t8 * t15 - t31 * t4) - (t32 * t28 + t23 * t33);
-  const Scalar t35 = c_1 * (k[17] * t9 + (t0 * t29 - t34));
-  const Scalar t36 = k[3] * c_1 - k[2] * s_1;
-  const Scalar t37 = k[4] - c_1 * t36;
-  const Scalar t38 = Scalar(2) * t37 * t2 - qdd[0] * (k[5] + s_1 * t36);
-  const Scalar t39 = k[7] * c_1 + k[6] * s_1;
-  const Scalar t40 = (k[7] * s_1 - k[6] * c_1) * t19 - qdd[1] * t39;
-  const Scalar t41 = (k[0] * t1 - k[1] * t7) + (t38 + t40);
-  const Scalar t42 = (t9 + (k[1] * t10 + k[0] * t11)) + ((s_1 * t30 + t35) - t41);
-  const Scalar t43 = t18 + t19;
-  const Scalar t44 = k[20] * c_1 - t17;
-  const Scalar t45 = (k[10] * t43 + k[17] * (qdd[1] + t26)) - t44;
-  const Scalar t46 = k[20] * s_1 + c_1 * t16;
-  const Scalar t47 = t22 - t32;
-  const Scalar t48 = k[10] * (qdd[1] - t26) - k[17] * (t47 + t43);
-  const Scalar t49 = (t27 * t31 - t14 * t33) + t47 * t15;
-  const Scalar t50 = (t0 * t45 - t5 * (t46 - t48)) - ((t7 * t28 - t23 * t1) - t49);
-  const Scalar t51 = k[10] * (t5 * t33 - t0 * (t16 - t32));
-  const Scalar t52 = k[17] * (t5 * t21 + t27 * t0) + t51;
-  const Scalar t53 = (k[21] * qdd[1] + t16 * t37) + qdd[0] * t39;
-  const Scalar t54 = (t50 + t52) + ((k[0] * t44 - k[1] * t46) + t53);
-  const Scalar t55 = Scalar(0.6666666666666666) * (t50 + Scalar(0.002) * direction(qd[1]))
-      + (t54 + Scalar(0.001) * qd[1]);
+  const Scalar t0 = qd[1] * qd[1];
+  const Scalar t1 = k[17] * s_1 + k[18] * c_1;
+  const Scalar t2 = t0 * (k[17] * c_1 - k[18] * s_1) + qdd[1] * t1;
+  const Scalar t3 = k[14] * c_1 + k[13] * s_1;
+  const Scalar t4 = qd[1] * qd[0];
+  const Scalar t5 = k[15] - c_1 * t3;
+  const Scalar t6 = qdd[0] * (k[16] - s_1 * t3) + Scalar(2) * t4 * t5;
+  const Scalar t7 = qdd[0] * c_1;
+  const Scalar t8 = c_1 * t4;
+  const Scalar t9 = qdd[0] * s_1;
+  const Scalar t10 = s_1 * t4;
+  const Scalar t11 = Scalar(2) * t10 - t7;
+  const Scalar t12 = k[2] * qdd[0] + (k[3] * (Scalar(2) * t8 + t9) - t11);
+  const Scalar t13 = k[1] * c_0 - k[0] * s_0;
+  const Scalar t14 = Scalar(3.3333333333333335) * t8 + t9;
+  const Scalar t15 = k[0] * c_0 + k[1] * s_0;
+  const Scalar t16 = t7 - Scalar(3.3333333333333335) * t10;
+  const Scalar t17 = k[4] * t12 + (t13 * t14 + t15 * t16);
+  const Scalar t18 = k[10] * c_0 - k[9] * s_0;
+  const Scalar t19 = Scalar(2.7777777777777777) * t0;
+  const Scalar t20 = qd[0] * s_1;
+  const Scalar t21 = t20 * t20;
+  const Scalar t22 = t19 - t21;
+  const Scalar t23 = k[10] * s_0 + k[9] * c_0;
+  const Scalar t24 = Scalar(0.6666666666666666) * qdd[1];
+  const Scalar t25 = t20 * qd[0] * c_1;
+  const Scalar t26 = qdd[1] - t25;
+  const Scalar t27 = t24 + t26;
+  const Scalar t28 = k[6] * s_0 - k[5] * c_0;
+  const Scalar t29 = k[7] + c_0 * t28;
+  const Scalar t30 = s_0 * t28;
+  const Scalar t31 = k[8] - t30;
+  const Scalar t32 = (t18 * t22 + t23 * t27) - (t29 * t14 - t31 * t16);
+  const Scalar t33 = qdd[1] + t25;
+  const Scalar t34 = t33 + t24;
+  const Scalar t35 = t19 + t21;
+  const Scalar t36 = qd[0] * qd[0];
+  const Scalar t37 = t35 - t36;
+  const Scalar t38 = k[11] - t30;
+  const Scalar t39 = t37 * t23 + (t14 * t38 + t29 * t16);
+  const Scalar t40 = (t13 * t12 + (t34 * t18 - t39)) + k[3] * t17;
+  const Scalar t41 = c_1 * (t17 + (t15 * t12 + t32)) + s_1 * t40;
+  const Scalar t42 = (((t2 + t6) - k[12] * t7) + t41) + k[2] * (t17 + k[19] * t11);
+  const Scalar t43 = k[2] * t36;
+  const Scalar t44 = t0 + t21;
+  const Scalar t45 = t37 - t22;
+  const Scalar t46 = (k[21] * s_1 + c_1 * t43) + ((t44 - t45) - k[3] * t26);
+  const Scalar t47 = k[21] * c_1 - s_1 * t43;
+  const Scalar t48 = t47 - (t33 + k[3] * t44);
+  const Scalar t49 = t29 * t45 - (t31 * t34 - t27 * t38);
+  const Scalar t50 = (t46 * t13 + t48 * t15) - ((t23 * t7 + t9 * t18) - t49);
+  const Scalar t51 = (t15 * t34 + t35 * t13) - k[4] * t48;
+  const Scalar t52 = ((t36 + t22) * t15 - t13 * t27) + k[4] * t46;
+  const Scalar t53 = (k[22] * qdd[1] - t36 * t5) + qdd[0] * t1;
+  const Scalar t54 = ((t51 - k[3] * t52) - t50) + (k[19] * t47 + t53);
   JointVector<Scalar> result;
-  result[0] = t42 + k[19] * qdd[0];
-  result[1] = t55;
+  result[0] = t42 + k[20] * qdd[0];
+  result[1] = t54 - Scalar(0.6666666666666666) * t50;
   return result;
 }
 
@@ -189,12 +193,12 @@ GravityTorqueConstants<Scalar> gravity_torque_constants(const BasicGeometry<Scal
   using std::sin;
   const Scalar t0 = inertia.c2z * inertia.m2;
   const Scalar t1 = g.l1 * inertia.m2 + inertia.c2x * inertia.m2;
-  const Scalar t2 = (Scalar(0.17364817766693036) * t0 - Scalar(0.984807753012208) * t1) - inertia.m3 * g.l1
-      * Scalar(0.984807753012208);
-  const Scalar t3 = inertia.m3 * g.l1 * Scalar(0.17364817766693036)
+  const Scalar t2 = inertia.m3 * g.l1 * Scalar(0.17364817766693036)
       + (Scalar(0.984807753012208) * t0 + Scalar(0.17364817766693036) * t1);
-  return { gravity * (g.l2 * inertia.m3 + inertia.c3x * inertia.m3),
-           gravity * inertia.c3z * inertia.m3,
+  const Scalar t3 = (Scalar(0.17364817766693036) * t0 - Scalar(0.984807753012208) * t1) - inertia.m3 * g.l1
+      * Scalar(0.984807753012208);
+  return { gravity * inertia.c3z * inertia.m3,
+           gravity * (g.l2 * inertia.m3 + inertia.c3x * inertia.m3),
            gravity * t2,
            gravity * t3 };
 }
@@ -208,11 +212,11 @@ inline JointVector<Scalar> gravity_torque([[maybe_unused]] const JointVector<Sca
   const Scalar& c_0 = angles.cosine[0];
   const Scalar& s_1 = angles.sine[1];
   const Scalar& c_1 = angles.cosine[1];
-  const Scalar t0 = k[0] * (c_0 * c_1 - s_0 * s_1) + k[1] * (c_1 * s_0 + c_0 * s_1);
-  const Scalar t1 = Scalar(0.6666666666666666) * t0 + (t0 + (k[3] * s_1 - k[2] * c_1));
+  const Scalar t0 = k[1] * (c_0 * c_1 - s_0 * s_1) + k[0] * (c_1 * s_0 + c_0 * s_1);
+  const Scalar t1 = ((k[3] * c_1 - k[2] * s_1) - t0) - Scalar(0.6666666666666666) * t0;
   JointVector<Scalar> result;
   result[0] = Scalar(0);
-  result[1] = -t1;
+  result[1] = t1;
   return result;
 }
 
@@ -238,57 +242,56 @@ CoriolisTorqueConstants<Scalar> coriolis_torque_constants(const BasicGeometry<Sc
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = g.l1 * Scalar(0.984807753012208);
-  const Scalar t1 = inertia.c3y * inertia.m3;
-  const Scalar t2 = inertia.c2y * inertia.m2;
-  const Scalar t3 = inertia.c2x * inertia.m2;
-  const Scalar t4 = g.l1 * t2 - (inertia.I2xy - inertia.c2y * t3);
-  const Scalar t5 = inertia.I2yz - inertia.c2z * t2;
-  const Scalar t6 = t0 * t1 + (Scalar(0.984807753012208) * t4 + Scalar(0.17364817766693036) * t5);
-  const Scalar t7 = g.l1 * Scalar(0.17364817766693036);
-  const Scalar t8 = (Scalar(0.984807753012208) * t5 - Scalar(0.17364817766693036) * t4) - t7 * t1;
-  const Scalar t9 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t10 = g.l1 * inertia.m2 + t3;
-  const Scalar t11 = (inertia.c2x * t3 - (inertia.I2xx - t9)) + g.l1 * (t3 + t10);
-  const Scalar t12 = inertia.c2z * inertia.m2;
-  const Scalar t13 = (inertia.I2xz - inertia.c2z * t3) - g.l1 * t12;
-  const Scalar t14 = (inertia.I2zz - t9) - inertia.c2z * t12;
-  const Scalar t15 = Scalar(2) * Scalar(0.984807753012208) * t13 - Scalar(0.17364817766693036) * (t11 + t14);
-  const Scalar t16 = Scalar(0.17364817766693036) * t15;
-  const Scalar t17 = inertia.m3 * t0;
-  const Scalar t18 = inertia.m3 * t7;
-  const Scalar t19 = ((t11 + t16) + t0 * t17) - (t7 * t18 - (t16 + t14));
-  const Scalar t20 = t7 * t17 + (t13 - Scalar(0.984807753012208) * t15);
-  const Scalar t21 = inertia.c3x * inertia.m3;
-  const Scalar t22 = inertia.c3z * inertia.m3;
-  const Scalar t23 = g.l2 * t22 - (inertia.I3xz - inertia.c3z * t21);
-  const Scalar t24 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t25 = (inertia.I3zz - t24) - inertia.c3z * t22;
-  const Scalar t26 = g.l2 * inertia.m3 + t21;
-  const Scalar t27 = g.l2 * (t26 + t21) + (inertia.c3x * t21 - (inertia.I3xx - t24));
-  const Scalar t28 = Scalar(0.01) * (t18 + (Scalar(0.984807753012208) * t12 + Scalar(0.17364817766693036) * t10));
-  const Scalar t29 = Scalar(0.01) * ((Scalar(0.17364817766693036) * t12 - Scalar(0.984807753012208) * t10) - t17);
-  return { t6,
+  const Scalar t0 = inertia.c3x * inertia.m3;
+  const Scalar t1 = g.l2 * inertia.m3 + t0;
+  const Scalar t2 = inertia.c3z * inertia.m3;
+  const Scalar t3 = inertia.c2z * inertia.m2;
+  const Scalar t4 = inertia.c2x * inertia.m2;
+  const Scalar t5 = g.l1 * inertia.m2 + t4;
+  const Scalar t6 = g.l1 * Scalar(0.984807753012208);
+  const Scalar t7 = inertia.m3 * t6;
+  const Scalar t8 = Scalar(0.01) * ((Scalar(0.17364817766693036) * t3 - Scalar(0.984807753012208) * t5) - t7);
+  const Scalar t9 = g.l1 * Scalar(0.17364817766693036);
+  const Scalar t10 = inertia.m3 * t9;
+  const Scalar t11 = Scalar(0.01) * (t10 + (Scalar(0.984807753012208) * t3 + Scalar(0.17364817766693036) * t5));
+  const Scalar t12 = inertia.c3y * inertia.m3;
+  const Scalar t13 = g.l2 * t2 - (inertia.I3xz - inertia.c3z * t0);
+  const Scalar t14 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t15 = (inertia.I3zz - t14) - inertia.c3z * t2;
+  const Scalar t16 = g.l2 * (t1 + t0) + (inertia.c3x * t0 - (inertia.I3xx - t14));
+  const Scalar t17 = inertia.c2y * inertia.m2;
+  const Scalar t18 = inertia.I2yz - inertia.c2z * t17;
+  const Scalar t19 = g.l1 * t17 - (inertia.I2xy - inertia.c2y * t4);
+  const Scalar t20 = (Scalar(0.984807753012208) * t18 - Scalar(0.17364817766693036) * t19) - t9 * t12;
+  const Scalar t21 = t6 * t12 + (Scalar(0.984807753012208) * t19 + Scalar(0.17364817766693036) * t18);
+  const Scalar t22 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t23 = (inertia.c2x * t4 - (inertia.I2xx - t22)) + g.l1 * (t4 + t5);
+  const Scalar t24 = (inertia.I2xz - inertia.c2z * t4) - g.l1 * t3;
+  const Scalar t25 = (inertia.I2zz - t22) - inertia.c2z * t3;
+  const Scalar t26 = Scalar(2) * Scalar(0.984807753012208) * t24 - Scalar(0.17364817766693036) * (t23 + t25);
+  const Scalar t27 = Scalar(0.17364817766693036) * t26;
+  const Scalar t28 = ((t23 + t27) + t6 * t7) - (t9 * t10 - (t27 + t25));
+  const Scalar t29 = t9 * t7 + (t24 - Scalar(0.984807753012208) * t26);
+  return { Scalar(0.01) * t1,
+           Scalar(0.01) * t2,
            t8,
-           t19,
-           Scalar(2) * t20,
+           t11,
+           Scalar(100) * t9,
+           Scalar(200) * t6,
+           Scalar(200) * t9,
+           g.l2 * t12 - (inertia.I3xy - inertia.c3y * t0),
+           inertia.I3yz - inertia.c3z * t12,
+           Scalar(2) * t13,
+           t15 + t16,
+           t15,
+           t13,
+           t16,
+           Scalar(100) * t6,
            t20,
-           g.l2 * t1 - (inertia.I3xy - inertia.c3y * t21),
-           inertia.I3yz - inertia.c3z * t1,
-           Scalar(2) * t23,
-           t25 + t27,
-           t25,
-           t23,
-           Scalar(200) * t7,
-           Scalar(200) * t0,
-           Scalar(0.01) * t22,
-           Scalar(0.01) * t26,
-           Scalar(333.3333333333333) * t7,
-           Scalar(100) * t0,
-           t27,
+           t21,
            t28,
-           t29,
-           Scalar(100) * t7 };
+           Scalar(2) * t29,
+           t29 };
 }
 
 namespace detail {
@@ -301,49 +304,47 @@ inline JointVector<Scalar> coriolis_torque([[maybe_unused]] const JointVector<Sc
   const Scalar& c_0 = angles.cosine[0];
   const Scalar& s_1 = angles.sine[1];
   const Scalar& c_1 = angles.cosine[1];
-  const Scalar t0 = qd[1] * qd[0];
-  const Scalar t1 = k[18] * c_1 + k[19] * s_1;
-  const Scalar t2 = s_1 * t0;
-  const Scalar t3 = k[13] * s_0 + k[14] * c_0;
-  const Scalar t4 = k[13] * c_0 - k[14] * s_0;
-  const Scalar t5 = c_1 * t0;
-  const Scalar t6 = t2 * t3 - t4 * t5;
-  const Scalar t7 = k[7] * c_0 - k[8] * s_0;
-  const Scalar t8 = k[10] - c_0 * t7;
+  const Scalar t0 = k[1] * c_0 - k[0] * s_0;
+  const Scalar t1 = qd[1] * qd[0];
+  const Scalar t2 = c_1 * t1;
+  const Scalar t3 = s_1 * t1;
+  const Scalar t4 = k[0] * c_0 + k[1] * s_0;
+  const Scalar t5 = t0 * t2 - t3 * t4;
+  const Scalar t6 = k[5] * t3 - k[6] * t2;
+  const Scalar t7 = k[10] * s_0 - k[9] * c_0;
+  const Scalar t8 = k[12] + c_0 * t7;
   const Scalar t9 = s_0 * t7;
-  const Scalar t10 = k[9] + t9;
-  const Scalar t11 = k[5] * s_0 + k[6] * c_0;
-  const Scalar t12 = qd[1] * qd[1];
-  const Scalar t13 = Scalar(2.7777777777777777) * t12;
-  const Scalar t14 = qd[0] * qd[0];
+  const Scalar t10 = k[13] - t9;
+  const Scalar t11 = qd[1] * qd[1];
+  const Scalar t12 = Scalar(2.7777777777777777) * t11;
+  const Scalar t13 = qd[0] * qd[0];
+  const Scalar t14 = c_1 * t13;
   const Scalar t15 = c_1 * t14;
-  const Scalar t16 = c_1 * t15;
-  const Scalar t17 = t13 - t16;
-  const Scalar t18 = Scalar(3.3333333333333335) * (t2 * t8 - t5 * t10) - t11 * t17;
-  const Scalar t19 = s_1 * t14;
-  const Scalar t20 = c_1 * t19;
-  const Scalar t21 = k[6] * s_0 - k[5] * c_0;
-  const Scalar t22 = k[11] * t5 - k[12] * t2;
-  const Scalar t23 = ((t18 - t20 * t21) + t4 * t22) - k[15] * t6;
-  const Scalar t24 = t13 + t16;
-  const Scalar t25 = t24 - t14;
-  const Scalar t26 = k[17] + t9;
-  const Scalar t27 = (t21 * t25 + t11 * t20) + Scalar(3.3333333333333335) * (t8 * t5 + t2 * t26);
-  const Scalar t28 = (t3 * t22 - t27) - Scalar(3.3333333333333335) * k[16] * t6;
-  const Scalar t29 = k[4] - c_1 * (k[3] * c_1 - k[2] * s_1);
-  const Scalar t30 = Scalar(2) * t29 * t0 + t12 * (k[1] * s_1 - k[0] * c_1);
-  const Scalar t31 = (Scalar(2) * t0 * t1 - Scalar(3.3333333333333335) * t6) + ((s_1 * t23 + c_1 * t28) - t30);
-  const Scalar t32 = t17 - t25;
-  const Scalar t33 = t12 + t16;
-  const Scalar t34 = (k[16] * t20 + k[20] * (t33 + t32)) + t19;
-  const Scalar t35 = ((k[20] * t20 + k[16] * t33) + t15) * t4;
-  const Scalar t36 = (t8 * t32 - (t26 + t10) * t20) - (t3 * t34 - t35);
-  const Scalar t37 = k[16] * (t4 * (t24 + t32) + t3 * t20);
-  const Scalar t38 = t37 - k[20] * (t20 * t4 + t3 * t24);
-  const Scalar t39 = Scalar(0.6666666666666666) * t36 - ((t38 - t36) + (t29 - t1) * t14);
+  const Scalar t16 = t12 + t15;
+  const Scalar t17 = t12 - t15;
+  const Scalar t18 = t13 + t17;
+  const Scalar t19 = t16 - t18;
+  const Scalar t20 = k[7] * c_0 - k[8] * s_0;
+  const Scalar t21 = s_1 * t14;
+  const Scalar t22 = k[8] * c_0 + k[7] * s_0;
+  const Scalar t23 = Scalar(3.3333333333333335) * (t2 * t8 + t3 * t10) - ((t19 + t17) * t20 - t21 * t22);
+  const Scalar t24 = Scalar(3.3333333333333335) * k[14] * t5 - (t4 * t6 + t23);
+  const Scalar t25 = k[11] - t9;
+  const Scalar t26 = t17 * t22 + Scalar(3.3333333333333335) * (t25 * t2 - t3 * t8);
+  const Scalar t27 = ((t20 * t21 - t26) - t0 * t6) + Scalar(3.3333333333333335) * k[4] * t5;
+  const Scalar t28 = k[19] + c_1 * (k[17] * s_1 - k[18] * c_1);
+  const Scalar t29 = Scalar(2) * t1 * t28 - (k[16] * c_1 - k[15] * s_1) * t11;
+  const Scalar t30 = k[3] * c_1 + k[2] * s_1;
+  const Scalar t31 = ((c_1 * t24 + s_1 * t27) - t29) + (Scalar(3.3333333333333335) * t5 + Scalar(2) * t30 * t1);
+  const Scalar t32 = t11 + t15;
+  const Scalar t33 = s_1 * t13 - (k[4] * (t19 - t32) - k[14] * t21);
+  const Scalar t34 = t0 * ((k[4] * t21 + k[14] * t32) + t14);
+  const Scalar t35 = (t4 * t33 - t34) + (t21 * (t10 + t25) + t19 * t8);
+  const Scalar t36 = k[14] * (t0 * t18 + t21 * t4) - k[4] * (t0 * t21 + t4 * t16);
+  const Scalar t37 = Scalar(0.6666666666666666) * t35 - (t13 * (t30 - t28) - (t35 + t36));
   JointVector<Scalar> result;
   result[0] = t31;
-  result[1] = -t39;
+  result[1] = t37;
   return result;
 }
 
@@ -374,58 +375,61 @@ MassMatrixConstants<Scalar> mass_matrix_constants(const BasicGeometry<Scalar>& g
   const Scalar t1 = inertia.c3x * inertia.m3;
   const Scalar t2 = g.l2 * inertia.m3 + t1;
   const Scalar t3 = inertia.c3z * inertia.m3;
-  const Scalar t4 = inertia.c2z * inertia.m2;
-  const Scalar t5 = inertia.c2x * inertia.m2;
-  const Scalar t6 = g.l1 * inertia.m2 + t5;
-  const Scalar t7 = inertia.m3 * t0;
-  const Scalar t8 = t0 * ((Scalar(0.17364817766693036) * t4 - Scalar(0.984807753012208) * t6) - t7);
-  const Scalar t9 = g.l1 * Scalar(0.17364817766693036);
-  const Scalar t10 = inertia.m3 * t9;
-  const Scalar t11 = t0 * (t10 + (Scalar(0.984807753012208) * t4 + Scalar(0.17364817766693036) * t6));
+  const Scalar t4 = g.l1 * Scalar(0.17364817766693036);
+  const Scalar t5 = inertia.m3 * t4;
+  const Scalar t6 = inertia.c2z * inertia.m2;
+  const Scalar t7 = inertia.c2x * inertia.m2;
+  const Scalar t8 = g.l1 * inertia.m2 + t7;
+  const Scalar t9 = t0 * (t5 + (Scalar(0.984807753012208) * t6 + Scalar(0.17364817766693036) * t8));
+  const Scalar t10 = inertia.m3 * t0;
+  const Scalar t11 = t0 * ((Scalar(0.17364817766693036) * t6 - Scalar(0.984807753012208) * t8) - t10);
   const Scalar t12 = g.l2 * t3 - (inertia.I3xz - inertia.c3z * t1);
   const Scalar t13 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
   const Scalar t14 = (inertia.I3zz - t13) - inertia.c3z * t3;
   const Scalar t15 = g.l2 * (t2 + t1) + (inertia.c3x * t1 - (inertia.I3xx - t13));
-  const Scalar t16 = t14 - t15;
-  const Scalar t17 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t18 = (inertia.c2x * t5 - (inertia.I2xx - t17)) + g.l1 * (t5 + t6);
-  const Scalar t19 = (inertia.I2xz - inertia.c2z * t5) - g.l1 * t4;
-  const Scalar t20 = (inertia.I2zz - t17) - inertia.c2z * t4;
-  const Scalar t21 = Scalar(2) * Scalar(0.984807753012208) * t19 - Scalar(0.17364817766693036) * (t18 + t20);
-  const Scalar t22 = Scalar(0.17364817766693036) * t21;
+  const Scalar t16 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t17 = (inertia.c2x * t7 - (inertia.I2xx - t16)) + g.l1 * (t7 + t8);
+  const Scalar t18 = (inertia.I2xz - inertia.c2z * t7) - g.l1 * t6;
+  const Scalar t19 = (inertia.I2zz - t16) - inertia.c2z * t6;
+  const Scalar t20 = Scalar(2) * Scalar(0.984807753012208) * t18 - Scalar(0.17364817766693036) * (t17 + t19);
+  const Scalar t21 = Scalar(0.17364817766693036) * t20;
+  const Scalar t22 = t4 / t0;
   const Scalar t23 = inertia.c1x * inertia.m1;
   const Scalar t24 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
   const Scalar t25 = Scalar(0.01) * ((Scalar(0.01) * inertia.m1 + t23) + t23)
       + (inertia.c1x * t23 - (inertia.I1xx - t24));
   const Scalar t26 = inertia.c3y * inertia.m3;
   const Scalar t27 = inertia.c2y * inertia.m2;
-  const Scalar t28 = ((inertia.I3yy - t13) - inertia.c3y * t26) + ((inertia.I2yy - t17) - inertia.c2y * t27);
+  const Scalar t28 = ((inertia.I3yy - t13) - inertia.c3y * t26) + ((inertia.I2yy - t16) - inertia.c2y * t27);
   const Scalar t29 = t28 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t24));
-  const Scalar t30 = inertia.I2yz - inertia.c2z * t27;
-  const Scalar t31 = g.l1 * t27 - (inertia.I2xy - inertia.c2y * t5);
-  const Scalar t32 = (Scalar(0.984807753012208) * t30 - Scalar(0.17364817766693036) * t31) - t9 * t26;
-  const Scalar t33 = t0 * t26 + (Scalar(0.984807753012208) * t31 + Scalar(0.17364817766693036) * t30);
+  const Scalar t30 = g.l1 * t27 - (inertia.I2xy - inertia.c2y * t7);
+  const Scalar t31 = inertia.I2yz - inertia.c2z * t27;
+  const Scalar t32 = t0 * t26 + (Scalar(0.984807753012208) * t30 + Scalar(0.17364817766693036) * t31);
+  const Scalar t33 = (Scalar(0.984807753012208) * t31 - Scalar(0.17364817766693036) * t30) - t4 * t26;
+  const Scalar t34 = t14 - t15;
   return { t0 * t2,
            t0 * t3,
-           t8,
+           t9,
            t11,
            Scalar(2) * Scalar(0.01) / t0,
            Scalar(2) * t12,
            t14 + t15,
-           t14,
-           t16,
-           (t18 + t22) + t0 * t7,
-           t9 / t0,
+           t15,
+           (t17 + t21) + t0 * t10,
            t12,
-           t9 * t7 + (t19 - Scalar(0.984807753012208) * t21),
-           t9 * t10 - (t22 + t20),
+           t22,
+           t4 * t10 + (t18 - Scalar(0.984807753012208) * t20),
+           t14,
+           Scalar(2) * t22,
+           t4 * t5 - (t21 + t19),
            Scalar(0.0001) * (inertia.m2 + inertia.m3) + t25,
            t29,
-           inertia.I3yz - inertia.c3z * t26,
            g.l2 * t26 - (inertia.I3xy - inertia.c3y * t1),
+           inertia.I3yz - inertia.c3z * t26,
            t32,
            t33,
-           Scalar(0.4444444444444444) * t16 };
+           t34,
+           Scalar(0.4444444444444444) * t34 };
 }
 
 namespace detail {
@@ -437,26 +441,25 @@ inline Eigen::Matrix<Scalar, dof, dof> mass_matrix([[maybe_unused]] const JointV
   const Scalar& c_0 = angles.cosine[0];
   const Scalar& s_1 = angles.sine[1];
   const Scalar& c_1 = angles.cosine[1];
-  const Scalar t0 = k[6] * s_0 - k[5] * c_0;
-  const Scalar t1 = k[7] - s_0 * t0;
-  const Scalar t2 = k[0] * c_0 + k[1] * s_0;
-  const Scalar t3 = k[9] - ((k[8] - t1) - Scalar(2) * t2);
-  const Scalar t4 = k[1] * c_0 - k[0] * s_0;
-  const Scalar t5 = k[10] * t4;
-  const Scalar t6 = k[13] - (t1 - Scalar(2) * t5);
-  const Scalar t7 = (t4 - (k[11] + c_0 * t0)) + k[10] * t2;
-  const Scalar t8 = s_1 * (t6 - t3) + Scalar(2) * c_1 * (k[12] + t7);
-  const Scalar t9 = c_1 * (k[2] - t2) - s_1 * (k[3] + t4);
-  const Scalar t10 = k[14] + ((t3 + s_1 * t8) - k[4] * t9);
-  const Scalar t11 = k[17] * s_0 + k[16] * c_0;
-  const Scalar t12 = k[17] * c_0 - k[16] * s_0;
-  const Scalar t13 = c_1 * (k[18] + t11) + s_1 * (k[19] + t12);
-  const Scalar t14 = Scalar(0.6666666666666666) * (c_1 * t11 + s_1 * t12) + t13;
-  const Scalar t15 = Scalar(0.6666666666666666) * (k[8] - (t2 + t5));
+  const Scalar t0 = k[1] * c_0 - k[0] * s_0;
+  const Scalar t1 = k[0] * c_0 + k[1] * s_0;
+  const Scalar t2 = s_1 * (k[2] + t0) - c_1 * (k[3] - t1);
+  const Scalar t3 = k[6] * s_0 - k[5] * c_0;
+  const Scalar t4 = (t0 - (k[9] + c_0 * t3)) + k[10] * t1;
+  const Scalar t5 = s_0 * t3;
+  const Scalar t6 = k[8] + ((k[7] - t5) + Scalar(2) * t1);
+  const Scalar t7 = k[14] + (k[13] * t0 - (k[12] - t5));
+  const Scalar t8 = Scalar(2) * c_1 * (k[11] + t4) - s_1 * (t6 - t7);
+  const Scalar t9 = k[15] + (k[4] * t2 + (s_1 * t8 + t6));
+  const Scalar t10 = k[17] * s_0 + k[18] * c_0;
+  const Scalar t11 = k[18] * s_0 - k[17] * c_0;
+  const Scalar t12 = c_1 * (k[20] + t10) + s_1 * (k[19] - t11);
+  const Scalar t13 = t12 + Scalar(0.6666666666666666) * (c_1 * t10 - s_1 * t11);
+  const Scalar t14 = Scalar(0.6666666666666666) * (k[21] - (t1 + k[10] * t0));
   Eigen::Matrix<Scalar, dof, dof> result;
-  result(0, 0) = t10 - k[15];
-  result(0, 1) = result(1, 0) = t14;
-  result(1, 1) = -k[20] - ((t15 - (t6 + t3)) + t15);
+  result(0, 0) = t9 - k[16];
+  result(0, 1) = result(1, 0) = t13;
+  result(1, 1) = -k[22] - (t14 + (t14 - (t6 + t7)));
   return result;
 }
 
@@ -485,51 +488,52 @@ CoriolisMatrixConstants<Scalar> coriolis_matrix_constants(const BasicGeometry<Sc
   const Scalar t1 = inertia.c3z * inertia.m3;
   const Scalar t2 = inertia.c3x * inertia.m3;
   const Scalar t3 = g.l2 * inertia.m3 + t2;
-  const Scalar t4 = g.l1 * Scalar(0.17364817766693036);
-  const Scalar t5 = inertia.m3 * t4;
-  const Scalar t6 = inertia.c2z * inertia.m2;
-  const Scalar t7 = inertia.c2x * inertia.m2;
-  const Scalar t8 = g.l1 * inertia.m2 + t7;
-  const Scalar t9 = t0 * (t5 + (Scalar(0.984807753012208) * t6 + Scalar(0.17364817766693036) * t8));
-  const Scalar t10 = inertia.m3 * t0;
-  const Scalar t11 = t0 * ((Scalar(0.17364817766693036) * t6 - Scalar(0.984807753012208) * t8) - t10);
-  const Scalar t12 = g.l2 * t1 - (inertia.I3xz - inertia.c3z * t2);
-  const Scalar t13 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t14 = (inertia.I3zz - t13) - inertia.c3z * t1;
-  const Scalar t15 = g.l2 * (t3 + t2) + (inertia.c3x * t2 - (inertia.I3xx - t13));
-  const Scalar t16 = t4 / t0;
-  const Scalar t17 = (inertia.I2xz - inertia.c2z * t7) - g.l1 * t6;
-  const Scalar t18 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t19 = (inertia.c2x * t7 - (inertia.I2xx - t18)) + g.l1 * (t7 + t8);
-  const Scalar t20 = (inertia.I2zz - t18) - inertia.c2z * t6;
-  const Scalar t21 = Scalar(2) * Scalar(0.984807753012208) * t17 - Scalar(0.17364817766693036) * (t19 + t20);
-  const Scalar t22 = Scalar(0.17364817766693036) * t21;
+  const Scalar t4 = g.l2 * t1 - (inertia.I3xz - inertia.c3z * t2);
+  const Scalar t5 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t6 = (inertia.I3zz - t5) - inertia.c3z * t1;
+  const Scalar t7 = g.l2 * (t3 + t2) + (inertia.c3x * t2 - (inertia.I3xx - t5));
+  const Scalar t8 = inertia.c2x * inertia.m2;
+  const Scalar t9 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t10 = g.l1 * inertia.m2 + t8;
+  const Scalar t11 = (inertia.c2x * t8 - (inertia.I2xx - t9)) + g.l1 * (t8 + t10);
+  const Scalar t12 = inertia.c2z * inertia.m2;
+  const Scalar t13 = (inertia.I2xz - inertia.c2z * t8) - g.l1 * t12;
+  const Scalar t14 = (inertia.I2zz - t9) - inertia.c2z * t12;
+  const Scalar t15 = Scalar(2) * Scalar(0.984807753012208) * t13 - Scalar(0.17364817766693036) * (t11 + t14);
+  const Scalar t16 = Scalar(0.17364817766693036) * t15;
+  const Scalar t17 = inertia.m3 * t0;
+  const Scalar t18 = g.l1 * Scalar(0.17364817766693036);
+  const Scalar t19 = t18 / t0;
+  const Scalar t20 = inertia.m3 * t18;
+  const Scalar t21 = t0 * ((Scalar(0.17364817766693036) * t12 - Scalar(0.984807753012208) * t10) - t17);
+  const Scalar t22 = t0 * (t20 + (Scalar(0.984807753012208) * t12 + Scalar(0.17364817766693036) * t10));
   const Scalar t23 = inertia.c3y * inertia.m3;
   const Scalar t24 = g.l2 * t23 - (inertia.I3xy - inertia.c3y * t2);
   const Scalar t25 = inertia.I3yz - inertia.c3z * t23;
   const Scalar t26 = inertia.c2y * inertia.m2;
-  const Scalar t27 = g.l1 * t26 - (inertia.I2xy - inertia.c2y * t7);
+  const Scalar t27 = g.l1 * t26 - (inertia.I2xy - inertia.c2y * t8);
   const Scalar t28 = inertia.I2yz - inertia.c2z * t26;
   const Scalar t29 = t0 * t23 + (Scalar(0.984807753012208) * t27 + Scalar(0.17364817766693036) * t28);
-  const Scalar t30 = (Scalar(0.984807753012208) * t28 - Scalar(0.17364817766693036) * t27) - t4 * t23;
+  const Scalar t30 = (Scalar(0.984807753012208) * t28 - Scalar(0.17364817766693036) * t27) - t18 * t23;
   return { t0 * t1,
            t0 * t3,
-           t9,
-           t11,
+           Scalar(2) * t4,
+           t6 + t7,
+           t6,
+           t6 - t7,
+           (t11 + t16) + t0 * t17,
+           Scalar(0.6666666666666666) * t4,
+           Scalar(0.6666666666666666) * t6,
+           Scalar(0.6666666666666666) * t7,
+           t19,
+           t4,
+           t18 * t17 + (t13 - Scalar(0.984807753012208) * t15),
+           Scalar(2) * t19,
+           t18 * t20 - (t16 + t14),
+           t21,
+           t22,
            Scalar(0.01) / t0,
-           Scalar(2) * t12,
-           t14 + t15,
-           t14,
-           Scalar(2) * t16,
-           t4 * t5 - (t22 + t20),
-           t16,
-           Scalar(0.6666666666666666) * t14,
-           Scalar(0.6666666666666666) * t12,
-           Scalar(0.6666666666666666) * t15,
-           t12,
-           t4 * t10 + (t17 - Scalar(0.984807753012208) * t21),
-           t15,
-           (t19 + t22) + t0 * t10,
+           t7,
            Scalar(1.6666666666666667) * t24,
            Scalar(1.6666666666666667) * t25,
            t24,
@@ -549,59 +553,59 @@ inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix([[maybe_unused]] const Jo
   const Scalar& s_1 = angles.sine[1];
   const Scalar& c_1 = angles.cosine[1];
   const Scalar t0 = k[0] * c_0 - k[1] * s_0;
-  const Scalar t1 = qd[1] * t0;
-  const Scalar t2 = qd[1] * s_0;
-  const Scalar t3 = qd[1] * c_0;
-  const Scalar t4 = k[12] * t3;
-  const Scalar t5 = k[12] * t2;
-  const Scalar t6 = s_0 * (k[13] * t2 - t4) - c_0 * (t5 + k[11] * t3);
-  const Scalar t7 = k[6] * s_0 - k[5] * c_0;
-  const Scalar t8 = s_0 * t7;
-  const Scalar t9 = k[9] + (k[8] * t0 - (k[7] - t8));
-  const Scalar t10 = (Scalar(0.6666666666666666) * k[10] * t1 + t6) + qd[1] * t9;
-  const Scalar t11 = k[1] * c_0 + k[0] * s_0;
-  const Scalar t12 = k[10] * t11 + (t0 - (k[14] + c_0 * t7));
-  const Scalar t13 = k[15] + t12;
-  const Scalar t14 = t5 + k[13] * t3;
-  const Scalar t15 = t4 - k[11] * t2;
-  const Scalar t16 = qd[1] * t11;
-  const Scalar t17 = Scalar(0.6666666666666666) * k[10] * t16;
-  const Scalar t18 = qd[1] * t13 - ((s_0 * t14 - c_0 * t15) - t17);
-  const Scalar t19 = Scalar(0.6666666666666666) * t1;
-  const Scalar t20 = t17 - t19;
-  const Scalar t21 = k[17] + (Scalar(2) * t11 + (k[16] - t8));
-  const Scalar t22 = Scalar(0.6666666666666666) * t16;
-  const Scalar t23 = qd[1] * t21 + (t22 + (c_0 * t14 + s_0 * t15));
-  const Scalar t24 = c_1 * (c_1 * (t20 - t18) + s_1 * t23);
-  const Scalar t25 = s_1 * (c_1 * t10 - s_1 * t18) - t24;
-  const Scalar t26 = k[3] - t11;
-  const Scalar t27 = k[2] + t0;
-  const Scalar t28 = s_1 * (t22 - qd[1] * t26) - c_1 * (qd[1] * t27 + t19);
+  const Scalar t1 = k[16] + t0;
+  const Scalar t2 = qd[1] * t0;
+  const Scalar t3 = Scalar(0.6666666666666666) * t2;
+  const Scalar t4 = k[1] * c_0 + k[0] * s_0;
+  const Scalar t5 = qd[1] * t4;
+  const Scalar t6 = Scalar(0.6666666666666666) * t5;
+  const Scalar t7 = k[15] - t4;
+  const Scalar t8 = c_1 * (qd[1] * t1 + t3) - s_1 * (t6 - qd[1] * t7);
+  const Scalar t9 = k[2] * c_0 - k[3] * s_0;
+  const Scalar t10 = k[10] * t4 + (t0 - (k[11] - c_0 * t9));
+  const Scalar t11 = k[12] + t10;
+  const Scalar t12 = qd[1] * s_0;
+  const Scalar t13 = k[7] * t12;
+  const Scalar t14 = qd[1] * c_0;
+  const Scalar t15 = t13 + k[9] * t14;
+  const Scalar t16 = k[7] * t14;
+  const Scalar t17 = k[8] * t12 - t16;
+  const Scalar t18 = Scalar(0.6666666666666666) * k[10] * t5;
+  const Scalar t19 = qd[1] * t11 - ((s_0 * t15 + c_0 * t17) - t18);
+  const Scalar t20 = t18 - t3;
+  const Scalar t21 = k[4] + s_0 * t9;
+  const Scalar t22 = k[6] + (Scalar(2) * t4 - (k[5] - t21));
+  const Scalar t23 = qd[1] * t22 + (t6 + (c_0 * t15 - s_0 * t17));
+  const Scalar t24 = c_1 * (c_1 * (t19 - t20) - s_1 * t23);
+  const Scalar t25 = k[14] - (t21 - k[13] * t0);
+  const Scalar t26 = s_0 * (t16 - k[9] * t12) + c_0 * (t13 + k[8] * t14);
+  const Scalar t27 = qd[1] * t25 - (t26 - Scalar(0.6666666666666666) * k[10] * t2);
+  const Scalar t28 = t24 + s_1 * (c_1 * t27 - s_1 * t19);
   const Scalar t29 = qd[0] * c_1;
   const Scalar t30 = qd[0] * s_1;
-  const Scalar t31 = s_0 * t29 + c_0 * t30;
-  const Scalar t32 = s_0 * t30 - c_0 * t29;
-  const Scalar t33 = k[1] * t31 + k[0] * t32;
-  const Scalar t34 = (k[14] * t31 - k[7] * t32) + k[19] * qd[1];
-  const Scalar t35 = (k[14] * t32 + k[16] * t31) - k[18] * qd[1];
-  const Scalar t36 = c_1 * (t33 + (s_0 * t34 + c_0 * t35));
-  const Scalar t37 = (s_0 * t35 - c_0 * t34) - k[10] * t33;
-  const Scalar t38 = (t36 - s_1 * t37) + k[4] * t33;
-  const Scalar t39 = k[20] * s_0 + k[21] * c_0;
-  const Scalar t40 = qd[1] * t39;
-  const Scalar t41 = Scalar(0.6666666666666666) * t40 + qd[1] * (k[23] + t39);
-  const Scalar t42 = s_1 * (t41 - (t9 * t29 - t30 * t13));
-  const Scalar t43 = k[21] * s_0 - k[20] * c_0;
-  const Scalar t44 = qd[1] * t43;
-  const Scalar t45 = qd[1] * (k[22] - t43) - Scalar(0.6666666666666666) * t44;
-  const Scalar t46 = c_1 * ((t30 * t21 - t13 * t29) - t45);
-  const Scalar t47 = (t42 + t46) - k[4] * (t30 * t26 + t27 * t29);
-  const Scalar t48 = Scalar(1.6666666666666667) * c_1 * t44 + Scalar(1.6666666666666667) * s_1 * t40;
-  const Scalar t49 = Scalar(0.6666666666666666) * (t38 - t48) - ((s_1 * t41 - c_1 * t45) - t47);
+  const Scalar t31 = k[22] * c_0 + k[21] * s_0;
+  const Scalar t32 = qd[1] * t31;
+  const Scalar t33 = Scalar(0.6666666666666666) * t32 + qd[1] * (k[24] + t31);
+  const Scalar t34 = s_1 * ((t25 * t29 - t30 * t11) - t33);
+  const Scalar t35 = k[22] * s_0 - k[21] * c_0;
+  const Scalar t36 = qd[1] * t35;
+  const Scalar t37 = qd[1] * (k[23] - t35) - Scalar(0.6666666666666666) * t36;
+  const Scalar t38 = c_1 * (t37 - (t22 * t30 - t11 * t29));
+  const Scalar t39 = k[17] * (t29 * t1 + t7 * t30) + (t34 + t38);
+  const Scalar t40 = s_0 * t29 + c_0 * t30;
+  const Scalar t41 = s_0 * t30 - c_0 * t29;
+  const Scalar t42 = k[1] * t40 + k[0] * t41;
+  const Scalar t43 = k[20] * qd[1] - (k[4] * t41 - k[11] * t40);
+  const Scalar t44 = k[19] * qd[1] - (k[11] * t41 + k[18] * t40);
+  const Scalar t45 = (c_0 * t43 + s_0 * t44) + k[10] * t42;
+  const Scalar t46 = c_1 * ((c_0 * t44 - s_0 * t43) - t42);
+  const Scalar t47 = k[17] * t42 + (s_1 * t45 - t46);
+  const Scalar t48 = Scalar(1.6666666666666667) * c_1 * t36 + Scalar(1.6666666666666667) * s_1 * t32;
+  const Scalar t49 = ((s_1 * t33 - c_1 * t37) + t39) - Scalar(0.6666666666666666) * (t47 - t48);
   Eigen::Matrix<Scalar, dof, dof> result;
-  result(0, 0) = t25 - k[4] * t28;
-  result(0, 1) = -Scalar(0.6666666666666666) * t38 - t47;
-  result(1, 0) = t49;
+  result(0, 0) = k[17] * t8 + t28;
+  result(0, 1) = t39 - Scalar(0.6666666666666666) * t47;
+  result(1, 0) = -t49;
   result(1, 1) = -Scalar(1.6666666666666667) * t20;
   return result;
 }
@@ -630,72 +634,73 @@ ForwardDynamicsConstants<Scalar> forward_dynamics_constants(const BasicGeometry<
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = g.l1 * Scalar(0.984807753012208);
-  const Scalar t1 = inertia.c3x * inertia.m3;
-  const Scalar t2 = g.l2 * inertia.m3 + t1;
-  const Scalar t3 = inertia.c3z * inertia.m3;
-  const Scalar t4 = inertia.c2z * inertia.m2;
-  const Scalar t5 = inertia.c2x * inertia.m2;
-  const Scalar t6 = g.l1 * inertia.m2 + t5;
-  const Scalar t7 = inertia.m3 * t0;
-  const Scalar t8 = t0 * ((Scalar(0.17364817766693036) * t4 - Scalar(0.984807753012208) * t6) - t7);
-  const Scalar t9 = g.l1 * Scalar(0.17364817766693036);
-  const Scalar t10 = inertia.m3 * t9;
-  const Scalar t11 = t0 * (t10 + (Scalar(0.984807753012208) * t4 + Scalar(0.17364817766693036) * t6));
-  const Scalar t12 = Scalar(0.01) / t0;
-  const Scalar t13 = g.l2 * t3 - (inertia.I3xz - inertia.c3z * t1);
-  const Scalar t14 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t15 = (inertia.I3zz - t14) - inertia.c3z * t3;
-  const Scalar t16 = g.l2 * (t2 + t1) + (inertia.c3x * t1 - (inertia.I3xx - t14));
-  const Scalar t17 = (inertia.I2xz - inertia.c2z * t5) - g.l1 * t4;
-  const Scalar t18 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t19 = (inertia.c2x * t5 - (inertia.I2xx - t18)) + g.l1 * (t5 + t6);
-  const Scalar t20 = (inertia.I2zz - t18) - inertia.c2z * t4;
-  const Scalar t21 = Scalar(2) * Scalar(0.984807753012208) * t17 - Scalar(0.17364817766693036) * (t19 + t20);
-  const Scalar t22 = Scalar(0.17364817766693036) * t21;
-  const Scalar t23 = t9 * t10 - (t22 + t20);
-  const Scalar t24 = t15 - t16;
-  const Scalar t25 = (t19 + t22) + t0 * t7;
-  const Scalar t26 = t9 * t7 + (t17 - Scalar(0.984807753012208) * t21);
-  const Scalar t27 = inertia.c1x * inertia.m1;
-  const Scalar t28 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t29 = Scalar(0.01) * ((Scalar(0.01) * inertia.m1 + t27) + t27)
-      + (inertia.c1x * t27 - (inertia.I1xx - t28));
-  const Scalar t30 = inertia.c3y * inertia.m3;
-  const Scalar t31 = inertia.c2y * inertia.m2;
-  const Scalar t32 = ((inertia.I3yy - t14) - inertia.c3y * t30) + ((inertia.I2yy - t18) - inertia.c2y * t31);
-  const Scalar t33 = t32 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t28));
-  const Scalar t34 = inertia.I2yz - inertia.c2z * t31;
-  const Scalar t35 = g.l1 * t31 - (inertia.I2xy - inertia.c2y * t5);
-  const Scalar t36 = (Scalar(0.984807753012208) * t34 - Scalar(0.17364817766693036) * t35) - t9 * t30;
-  const Scalar t37 = t0 * t30 + (Scalar(0.984807753012208) * t35 + Scalar(0.17364817766693036) * t34);
-  return { t0 * t2,
-           t0 * t3,
+  const Scalar t0 = inertia.c3z * inertia.m3;
+  const Scalar t1 = g.l1 * Scalar(0.17364817766693036);
+  const Scalar t2 = inertia.c3x * inertia.m3;
+  const Scalar t3 = g.l2 * inertia.m3 + t2;
+  const Scalar t4 = g.l1 * Scalar(0.984807753012208);
+  const Scalar t5 = g.l2 * t0 - (inertia.I3xz - inertia.c3z * t2);
+  const Scalar t6 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t7 = (inertia.I3zz - t6) - inertia.c3z * t0;
+  const Scalar t8 = g.l2 * (t3 + t2) + (inertia.c3x * t2 - (inertia.I3xx - t6));
+  const Scalar t9 = inertia.c2x * inertia.m2;
+  const Scalar t10 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t11 = g.l1 * inertia.m2 + t9;
+  const Scalar t12 = (inertia.c2x * t9 - (inertia.I2xx - t10)) + g.l1 * (t9 + t11);
+  const Scalar t13 = inertia.c2z * inertia.m2;
+  const Scalar t14 = (inertia.I2xz - inertia.c2z * t9) - g.l1 * t13;
+  const Scalar t15 = (inertia.I2zz - t10) - inertia.c2z * t13;
+  const Scalar t16 = Scalar(2) * Scalar(0.984807753012208) * t14 - Scalar(0.17364817766693036) * (t12 + t15);
+  const Scalar t17 = Scalar(0.17364817766693036) * t16;
+  const Scalar t18 = inertia.m3 * t4;
+  const Scalar t19 = (t12 + t17) + t4 * t18;
+  const Scalar t20 = inertia.m3 * t1;
+  const Scalar t21 = t1 * t20 - (t17 + t15);
+  const Scalar t22 = t1 * t18 + (t14 - Scalar(0.984807753012208) * t16);
+  const Scalar t23 = t1 * (t20 + (Scalar(0.984807753012208) * t13 + Scalar(0.17364817766693036) * t11));
+  const Scalar t24 = t1 * ((Scalar(0.17364817766693036) * t13 - Scalar(0.984807753012208) * t11) - t18);
+  const Scalar t25 = Scalar(0.01) / t1;
+  const Scalar t26 = inertia.c1x * inertia.m1;
+  const Scalar t27 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t28 = Scalar(0.01) * ((Scalar(0.01) * inertia.m1 + t26) + t26)
+      + (inertia.c1x * t26 - (inertia.I1xx - t27));
+  const Scalar t29 = inertia.c3y * inertia.m3;
+  const Scalar t30 = inertia.c2y * inertia.m2;
+  const Scalar t31 = ((inertia.I3yy - t6) - inertia.c3y * t29) + ((inertia.I2yy - t10) - inertia.c2y * t30);
+  const Scalar t32 = t31 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t27));
+  const Scalar t33 = t7 - t8;
+  const Scalar t34 = g.l1 * t30 - (inertia.I2xy - inertia.c2y * t9);
+  const Scalar t35 = inertia.I2yz - inertia.c2z * t30;
+  const Scalar t36 = t4 * t29 + (Scalar(0.984807753012208) * t34 + Scalar(0.17364817766693036) * t35);
+  const Scalar t37 = (Scalar(0.984807753012208) * t35 - Scalar(0.17364817766693036) * t34) - t1 * t29;
+  return { t0 * t1,
+           t3 * t1,
+           t4 / t1,
+           Scalar(2) * t5,
+           t7 + t8,
            t8,
-           t11,
-           Scalar(2) * t12,
-           Scalar(2) * t13,
-           t15 + t16,
-           t15,
-           t9 / t0,
+           t19,
+           t7,
+           t21,
+           t5,
+           t22,
            t23,
            t24,
-           t25,
-           t13,
-           t26,
-           Scalar(0.0001) * (inertia.m2 + inertia.m3) + t29,
+           Scalar(2) * t25,
+           Scalar(0.0001) * (inertia.m2 + inertia.m3) + t28,
+           t32,
            t33,
-           Scalar(0.4444444444444444) * t24,
-           inertia.I3yz - inertia.c3z * t30,
-           g.l2 * t30 - (inertia.I3xy - inertia.c3y * t1),
+           Scalar(0.4444444444444444) * t33,
+           g.l2 * t29 - (inertia.I3xy - inertia.c3y * t2),
+           inertia.I3yz - inertia.c3z * t29,
            t36,
            t37,
-           Scalar(2) * t26,
-           t25 - t23,
-           Scalar(2) * t11,
-           Scalar(2) * t8,
-           t12,
-           gravity / t0 };
+           gravity / t1,
+           t25,
+           t19 - t21,
+           Scalar(2) * t22,
+           Scalar(2) * t24,
+           Scalar(2) * t23 };
 }
 
 namespace detail {
@@ -708,68 +713,67 @@ inline JointVector<Scalar> forward_dynamics([[maybe_unused]] const JointVector<S
   const Scalar& c_0 = angles.cosine[0];
   const Scalar& s_1 = angles.sine[1];
   const Scalar& c_1 = angles.cosine[1];
-  const Scalar t0 = k[1] * c_0 - k[0] * s_0;
-  const Scalar t1 = k[8] * t0;
-  const Scalar t2 = k[0] * c_0 + k[1] * s_0;
-  const Scalar t3 = Scalar(0.6666666666666666) * (k[10] - (t1 + t2));
-  const Scalar t4 = k[6] * s_0 - k[5] * c_0;
-  const Scalar t5 = k[7] - s_0 * t4;
-  const Scalar t6 = k[9] - (t5 - Scalar(2) * t1);
-  const Scalar t7 = k[10] - t5;
-  const Scalar t8 = k[11] - (t7 - Scalar(2) * t2);
-  const Scalar t9 = Scalar(1) / (k[16] + (t3 + (t3 - (t6 + t8))));
-  const Scalar t10 = k[17] * s_0 - k[18] * c_0;
-  const Scalar t11 = k[18] * s_0 + k[17] * c_0;
-  const Scalar t12 = s_1 * t10 - c_1 * t11;
-  const Scalar t13 = Scalar(0.6666666666666666) * t12 + (t12 - (k[19] * c_1 + k[20] * s_1));
-  const Scalar t14 = t9 * t13;
-  const Scalar t15 = qd[0] * qd[0];
-  const Scalar t16 = s_1 * s_1;
-  const Scalar t17 = t15 * t16;
-  const Scalar t18 = qd[1] * qd[1];
-  const Scalar t19 = Scalar(2.7777777777777777) * t18;
-  const Scalar t20 = t17 - t19;
-  const Scalar t21 = c_1 * s_1;
-  const Scalar t22 = t21 * t15;
-  const Scalar t23 = k[8] * (t2 * (t15 - t20) + t0 * t22);
-  const Scalar t24 = t17 + t19;
-  const Scalar t25 = t24 - t15;
-  const Scalar t26 = t25 + t20;
-  const Scalar t27 = k[12] + c_0 * t4;
-  const Scalar t28 = t17 + t18;
-  const Scalar t29 = k[25] * t15;
-  const Scalar t30 = s_1 * t29 - k[26] * c_1;
-  const Scalar t31 = c_1 * t29 + k[26] * s_1;
-  const Scalar t32 = t0 * (t31 + (k[8] * t22 + (t28 - t26)));
-  const Scalar t33 = t2 * ((k[8] * t28 + t22) + t30) - t32;
-  const Scalar t34 = (t26 * t27 - (t5 - t7) * t22) - t33;
-  const Scalar t35 = (t23 - (t24 * t0 + t2 * t22)) + t34;
-  const Scalar t36 = k[13] - c_1 * (k[21] * c_1 - k[22] * s_1);
-  const Scalar t37 = t36 * t15 - (k[3] * t31 + k[2] * t30);
-  const Scalar t38 = ((t35 - t37) - Scalar(0.001) * qd[1]) - Scalar(0.6666666666666666)
-      * (Scalar(0.002) * direction(qd[1]) - t34);
-  const Scalar t39 = torque[1] + t38;
-  const Scalar t40 = qd[1] * qd[0];
-  const Scalar t41 = Scalar(2) * t36 * t40 - (k[20] * c_1 - k[19] * s_1) * t18;
-  const Scalar t42 = s_1 * t40;
-  const Scalar t43 = c_1 * t40;
-  const Scalar t44 = Scalar(3.3333333333333335) * t42 * t2 - Scalar(3.3333333333333335) * t0 * t43;
-  const Scalar t45 = Scalar(3.3333333333333335) * t42 * t27 - Scalar(3.3333333333333335) * t5 * t43;
-  const Scalar t46 = t42 - k[8] * t43;
-  const Scalar t47 = (t22 * t10 - (t45 - t11 * t25)) + Scalar(2) * t0 * t46;
-  const Scalar t48 = Scalar(3.3333333333333335) * t27 * t43 - Scalar(3.3333333333333335) * t42 * t7;
-  const Scalar t49 = Scalar(2) * t2 * t46 + (t48 + (t11 * t22 - t10 * t20));
-  const Scalar t50 = s_1 * (k[8] * t44 + t47) + c_1 * (t49 + t44);
-  const Scalar t51 = k[25] * ((k[24] * t42 + k[23] * t43) - t44);
-  const Scalar t52 = t14 * t39 - (torque[0] + ((t41 + t50) - t51));
-  const Scalar t53 = (k[13] + (k[8] * t2 + (t0 - t27))) * t21;
-  const Scalar t54 = (Scalar(2) * t53 + t16 * (t6 - t8)) + t8;
-  const Scalar t55 = c_1 * (k[2] - t2) - s_1 * (k[3] + t0);
-  const Scalar t56 = t14 * t13 - (k[15] - (k[14] + (t54 - k[4] * t55)));
-  const Scalar t57 = t52 * Scalar(1) / t56;
+  const Scalar t0 = k[0] * c_0 - k[1] * s_0;
+  const Scalar t1 = qd[1] * qd[0];
+  const Scalar t2 = s_1 * t1;
+  const Scalar t3 = c_1 * t1;
+  const Scalar t4 = k[2] * t2 - t3;
+  const Scalar t5 = k[19] * s_0 - k[18] * c_0;
+  const Scalar t6 = c_1 * s_1;
+  const Scalar t7 = qd[0] * qd[0];
+  const Scalar t8 = t6 * t7;
+  const Scalar t9 = k[18] * s_0 + k[19] * c_0;
+  const Scalar t10 = s_1 * s_1;
+  const Scalar t11 = t7 * t10;
+  const Scalar t12 = qd[1] * qd[1];
+  const Scalar t13 = Scalar(2.7777777777777777) * t12;
+  const Scalar t14 = t11 + t13;
+  const Scalar t15 = k[3] * c_0 - k[4] * s_0;
+  const Scalar t16 = s_0 * t15;
+  const Scalar t17 = k[7] + t16;
+  const Scalar t18 = k[9] - c_0 * t15;
+  const Scalar t19 = t9 * (t14 - t7) + Scalar(3.3333333333333335) * (t17 * t3 - t2 * t18);
+  const Scalar t20 = Scalar(2) * t0 * t4 + (t5 * t8 + t19);
+  const Scalar t21 = k[1] * c_0 + k[0] * s_0;
+  const Scalar t22 = t0 * t3 - t2 * t21;
+  const Scalar t23 = Scalar(3.3333333333333335) * t22;
+  const Scalar t24 = t11 - t13;
+  const Scalar t25 = k[5] + t16;
+  const Scalar t26 = (t5 * t24 - t9 * t8) - Scalar(3.3333333333333335) * (t2 * t25 + t18 * t3);
+  const Scalar t27 = (t26 - Scalar(2) * t4 * t21) + Scalar(3.3333333333333335) * k[2] * t22;
+  const Scalar t28 = k[10] - c_1 * (k[25] * c_1 - k[24] * s_1);
+  const Scalar t29 = t12 * (k[20] * c_1 - k[21] * s_1) - Scalar(2) * t28 * t1;
+  const Scalar t30 = (s_1 * (t20 - t23) - c_1 * t27) - t29;
+  const Scalar t31 = k[23] * ((k[26] * t2 + k[27] * t3) + t23);
+  const Scalar t32 = k[2] * t21;
+  const Scalar t33 = Scalar(0.6666666666666666) * (k[16] - (t0 + t32));
+  const Scalar t34 = k[8] - (t17 - Scalar(2) * t0);
+  const Scalar t35 = k[6] + (Scalar(2) * t32 + t25);
+  const Scalar t36 = Scalar(1) / (k[17] + ((t33 - (t34 + t35)) + t33));
+  const Scalar t37 = k[23] * t7;
+  const Scalar t38 = k[22] * c_1 - s_1 * t37;
+  const Scalar t39 = t11 + t12;
+  const Scalar t40 = t7 - t24;
+  const Scalar t41 = t14 - t40;
+  const Scalar t42 = c_1 * t37 + k[22] * s_1;
+  const Scalar t43 = t0 * ((k[2] * (t41 - t39) - t8) - t42);
+  const Scalar t44 = (t38 - (k[2] * t8 + t39)) * t21 - t43;
+  const Scalar t45 = t44 + (t41 * t18 - (t25 + t17) * t8);
+  const Scalar t46 = k[2] * (t14 * t0 + t8 * t21) - (t40 * t21 + t0 * t8);
+  const Scalar t47 = (k[11] * t42 - k[12] * t38) - t28 * t7;
+  const Scalar t48 = torque[1] + (Scalar(0.6666666666666666) * t45 - ((t46 - t45) - t47));
+  const Scalar t49 = t36 * t48;
+  const Scalar t50 = s_1 * t5 - c_1 * t9;
+  const Scalar t51 = Scalar(0.6666666666666666) * t50 - ((k[21] * c_1 + k[20] * s_1) - t50);
+  const Scalar t52 = t36 * t51;
+  const Scalar t53 = (k[10] - ((t18 - k[2] * t0) - t21)) * t6;
+  const Scalar t54 = ((t34 - t35) * t10 + Scalar(2) * t53) + t35;
+  const Scalar t55 = c_1 * (k[12] - t21) - s_1 * (k[11] + t0);
+  const Scalar t56 = t52 * t51 - (k[15] - (k[14] + (t54 - k[13] * t55)));
+  const Scalar t57 = ((torque[0] + (t30 - t31)) - t49 * t51) * Scalar(1) / t56;
   JointVector<Scalar> result;
-  result[0] = -t57;
-  result[1] = t57 * t14 - t9 * t39;
+  result[0] = t57;
+  result[1] = -t49 - t52 * t57;
   return result;
 }
 
@@ -799,61 +803,62 @@ KineticEnergyConstants<Scalar> kinetic_energy_constants(const BasicGeometry<Scal
   using std::sin;
   const Scalar t0 = inertia.c3y * inertia.m3;
   const Scalar t1 = inertia.c3x * inertia.m3;
-  const Scalar t2 = inertia.c2y * inertia.m2;
-  const Scalar t3 = inertia.I2yz - inertia.c2z * t2;
+  const Scalar t2 = g.l1 * Scalar(0.984807753012208);
+  const Scalar t3 = inertia.c2y * inertia.m2;
   const Scalar t4 = inertia.c2x * inertia.m2;
-  const Scalar t5 = g.l1 * t2 - (inertia.I2xy - inertia.c2y * t4);
-  const Scalar t6 = g.l1 * Scalar(0.17364817766693036);
-  const Scalar t7 = (Scalar(0.984807753012208) * t3 - Scalar(0.17364817766693036) * t5) - t6 * t0;
-  const Scalar t8 = g.l1 * Scalar(0.984807753012208);
-  const Scalar t9 = t8 * t0 + (Scalar(0.984807753012208) * t5 + Scalar(0.17364817766693036) * t3);
-  const Scalar t10 = g.l2 * inertia.m3 + t1;
-  const Scalar t11 = inertia.c3z * inertia.m3;
-  const Scalar t12 = inertia.c2z * inertia.m2;
-  const Scalar t13 = g.l1 * inertia.m2 + t4;
-  const Scalar t14 = inertia.m3 * t8;
-  const Scalar t15 = t8 * ((Scalar(0.17364817766693036) * t12 - Scalar(0.984807753012208) * t13) - t14);
-  const Scalar t16 = inertia.m3 * t6;
-  const Scalar t17 = t8 * (t16 + (Scalar(0.984807753012208) * t12 + Scalar(0.17364817766693036) * t13));
-  const Scalar t18 = g.l2 * t11 - (inertia.I3xz - inertia.c3z * t1);
-  const Scalar t19 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t20 = (inertia.I3zz - t19) - inertia.c3z * t11;
-  const Scalar t21 = g.l2 * (t10 + t1) + (inertia.c3x * t1 - (inertia.I3xx - t19));
-  const Scalar t22 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t23 = (inertia.c2x * t4 - (inertia.I2xx - t22)) + g.l1 * (t4 + t13);
-  const Scalar t24 = (inertia.I2xz - inertia.c2z * t4) - g.l1 * t12;
-  const Scalar t25 = (inertia.I2zz - t22) - inertia.c2z * t12;
-  const Scalar t26 = Scalar(2) * Scalar(0.984807753012208) * t24 - Scalar(0.17364817766693036) * (t23 + t25);
-  const Scalar t27 = Scalar(0.17364817766693036) * t26;
-  const Scalar t28 = inertia.c1x * inertia.m1;
-  const Scalar t29 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t30 = Scalar(0.01) * ((Scalar(0.01) * inertia.m1 + t28) + t28)
-      + (inertia.c1x * t28 - (inertia.I1xx - t29));
-  const Scalar t31 = ((inertia.I3yy - t19) - inertia.c3y * t0) + ((inertia.I2yy - t22) - inertia.c2y * t2);
-  const Scalar t32 = t31 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t29));
-  const Scalar t33 = t20 - t21;
-  return { inertia.I3yz - inertia.c3z * t0,
-           g.l2 * t0 - (inertia.I3xy - inertia.c3y * t1),
+  const Scalar t5 = g.l1 * t3 - (inertia.I2xy - inertia.c2y * t4);
+  const Scalar t6 = inertia.I2yz - inertia.c2z * t3;
+  const Scalar t7 = t2 * t0 + (Scalar(0.984807753012208) * t5 + Scalar(0.17364817766693036) * t6);
+  const Scalar t8 = g.l1 * Scalar(0.17364817766693036);
+  const Scalar t9 = (Scalar(0.984807753012208) * t6 - Scalar(0.17364817766693036) * t5) - t8 * t0;
+  const Scalar t10 = inertia.c3z * inertia.m3;
+  const Scalar t11 = g.l2 * inertia.m3 + t1;
+  const Scalar t12 = t8 / t2;
+  const Scalar t13 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t14 = (inertia.I3zz - t13) - inertia.c3z * t10;
+  const Scalar t15 = g.l2 * (t11 + t1) + (inertia.c3x * t1 - (inertia.I3xx - t13));
+  const Scalar t16 = t14 - t15;
+  const Scalar t17 = g.l2 * t10 - (inertia.I3xz - inertia.c3z * t1);
+  const Scalar t18 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t19 = g.l1 * inertia.m2 + t4;
+  const Scalar t20 = (inertia.c2x * t4 - (inertia.I2xx - t18)) + g.l1 * (t4 + t19);
+  const Scalar t21 = inertia.c2z * inertia.m2;
+  const Scalar t22 = (inertia.I2xz - inertia.c2z * t4) - g.l1 * t21;
+  const Scalar t23 = (inertia.I2zz - t18) - inertia.c2z * t21;
+  const Scalar t24 = Scalar(2) * Scalar(0.984807753012208) * t22 - Scalar(0.17364817766693036) * (t20 + t23);
+  const Scalar t25 = Scalar(0.17364817766693036) * t24;
+  const Scalar t26 = inertia.m3 * t2;
+  const Scalar t27 = inertia.m3 * t8;
+  const Scalar t28 = t2 * (t27 + (Scalar(0.984807753012208) * t21 + Scalar(0.17364817766693036) * t19));
+  const Scalar t29 = t2 * ((Scalar(0.17364817766693036) * t21 - Scalar(0.984807753012208) * t19) - t26);
+  const Scalar t30 = inertia.c1x * inertia.m1;
+  const Scalar t31 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t32 = Scalar(0.01) * ((Scalar(0.01) * inertia.m1 + t30) + t30)
+      + (inertia.c1x * t30 - (inertia.I1xx - t31));
+  const Scalar t33 = ((inertia.I3yy - t13) - inertia.c3y * t0) + ((inertia.I2yy - t18) - inertia.c2y * t3);
+  const Scalar t34 = t33 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t31));
+  return { g.l2 * t0 - (inertia.I3xy - inertia.c3y * t1),
+           inertia.I3yz - inertia.c3z * t0,
            t7,
            t9,
-           t8 * t10,
-           t8 * t11,
+           t2 * t10,
+           t2 * t11,
+           Scalar(2) * t12,
+           t16,
+           Scalar(2) * t17,
+           t14 + t15,
            t15,
+           (t20 + t25) + t2 * t26,
+           t8 * t27 - (t25 + t23),
+           Scalar(0.4444444444444444) * t16,
            t17,
-           Scalar(2) * Scalar(0.01) / t8,
-           Scalar(2) * t18,
-           t20 + t21,
-           t21,
-           (t23 + t27) + t8 * t14,
-           t6 / t8,
-           t18,
-           t6 * t14 + (t24 - Scalar(0.984807753012208) * t26),
-           t20,
-           t6 * t16 - (t27 + t25),
-           Scalar(0.0001) * (inertia.m2 + inertia.m3) + t30,
-           t32,
-           t33,
-           Scalar(0.4444444444444444) * t33 };
+           t12,
+           t8 * t26 + (t22 - Scalar(0.984807753012208) * t24),
+           t28,
+           t29,
+           Scalar(2) * Scalar(0.01) / t2,
+           Scalar(0.0001) * (inertia.m2 + inertia.m3) + t32,
+           t34 };
 }
 
 namespace detail {
@@ -866,26 +871,26 @@ inline Scalar kinetic_energy([[maybe_unused]] const JointVector<Scalar>& q, cons
   const Scalar& c_0 = angles.cosine[0];
   const Scalar& s_1 = angles.sine[1];
   const Scalar& c_1 = angles.cosine[1];
-  const Scalar t0 = k[10] * s_0 - k[9] * c_0;
-  const Scalar t1 = s_0 * t0;
-  const Scalar t2 = k[4] * c_0 + k[5] * s_0;
-  const Scalar t3 = k[12] + ((k[11] - t1) + Scalar(2) * t2);
-  const Scalar t4 = k[4] * s_0 - k[5] * c_0;
-  const Scalar t5 = k[13] * t4;
-  const Scalar t6 = k[17] - ((k[16] - t1) + Scalar(2) * t5);
-  const Scalar t7 = Scalar(0.6666666666666666) * (k[20] - (t2 - t5));
-  const Scalar t8 = qd[1] * (k[21] - (((t3 + t6) - t7) - t7));
-  const Scalar t9 = k[13] * t2 - ((k[14] + c_0 * t0) + t4);
-  const Scalar t10 = s_1 * (t3 - t6) - Scalar(2) * c_1 * (k[15] + t9);
-  const Scalar t11 = s_1 * (k[7] - t4) - c_1 * (k[6] - t2);
-  const Scalar t12 = k[18] + ((t3 - s_1 * t10) + k[8] * t11);
-  const Scalar t13 = qd[1] * t8 + qd[0] * qd[0] * (k[19] - t12);
-  const Scalar t14 = k[0] * c_0 + k[1] * s_0;
-  const Scalar t15 = k[1] * c_0 - k[0] * s_0;
-  const Scalar t16 = c_1 * (k[2] + t14) + s_1 * (k[3] + t15);
-  const Scalar t17 = Scalar(0.6666666666666666) * (c_1 * t14 + s_1 * t15) + t16;
+  const Scalar t0 = k[1] * c_0 + k[0] * s_0;
+  const Scalar t1 = k[0] * c_0 - k[1] * s_0;
+  const Scalar t2 = c_1 * (k[3] + t0) + s_1 * (k[2] + t1);
+  const Scalar t3 = t2 + Scalar(0.6666666666666666) * (c_1 * t0 + s_1 * t1);
+  const Scalar t4 = k[4] * s_0 + k[5] * c_0;
+  const Scalar t5 = k[4] * c_0 - k[5] * s_0;
+  const Scalar t6 = c_1 * (k[18] - t4) - s_1 * (k[17] + t5);
+  const Scalar t7 = k[8] * c_0 - k[9] * s_0;
+  const Scalar t8 = k[10] + s_0 * t7;
+  const Scalar t9 = k[11] + (t8 + Scalar(2) * t4);
+  const Scalar t10 = (t5 - (k[14] - c_0 * t7)) + k[15] * t4;
+  const Scalar t11 = k[6] * t5;
+  const Scalar t12 = k[12] - ((k[7] + t8) - t11);
+  const Scalar t13 = Scalar(2) * c_1 * (k[16] + t10) + s_1 * (t12 - t9);
+  const Scalar t14 = k[20] - (k[19] * t6 - (t9 + s_1 * t13));
+  const Scalar t15 = Scalar(0.6666666666666666) * (k[7] - (t4 + Scalar(0.5) * t11));
+  const Scalar t16 = qd[1] * (k[13] + (t15 + (t15 - (t12 + t9))));
+  const Scalar t17 = qd[0] * qd[0] * (k[21] - t14) + qd[1] * t16;
   Scalar result;
-  result = qd[0] * qd[1] * t17 - Scalar(0.5) * t13;
+  result = qd[0] * qd[1] * t3 - Scalar(0.5) * t17;
   return result;
 }
 
@@ -916,10 +921,10 @@ PotentialEnergyConstants<Scalar> potential_energy_constants(const BasicGeometry<
   const Scalar t2 = Scalar(0.02) * inertia.m1;
   return { inertia.c3z * inertia.m3,
            g.l2 * inertia.m3 + inertia.c3x * inertia.m3,
-           inertia.m3 * g.l1 * Scalar(0.17364817766693036),
-           Scalar(0.984807753012208) * t0 + Scalar(0.17364817766693036) * t1,
            inertia.m3 * g.l1 * Scalar(0.984807753012208),
            Scalar(0.17364817766693036) * t0 - Scalar(0.984807753012208) * t1,
+           inertia.m3 * g.l1 * Scalar(0.17364817766693036),
+           Scalar(0.984807753012208) * t0 + Scalar(0.17364817766693036) * t1,
            t2 - (t2 + inertia.c1z * inertia.m1),
            Scalar(0.02) * (inertia.m1 + (inertia.m2 + inertia.m3)),
            gravity };
@@ -934,9 +939,9 @@ inline Scalar potential_energy([[maybe_unused]] const JointVector<Scalar>& q, co
   const Scalar& c_0 = angles.cosine[0];
   const Scalar& s_1 = angles.sine[1];
   const Scalar& c_1 = angles.cosine[1];
-  const Scalar t0 = k[3] + (k[2] + (k[0] * c_0 - k[1] * s_0));
-  const Scalar t1 = k[5] - (k[4] + (k[1] * c_0 + k[0] * s_0));
-  const Scalar t2 = k[7] - (k[6] - (c_1 * t0 + s_1 * t1));
+  const Scalar t0 = k[3] - (k[2] + (k[1] * c_0 + k[0] * s_0));
+  const Scalar t1 = k[5] + (k[4] + (k[0] * c_0 - k[1] * s_0));
+  const Scalar t2 = k[7] - (k[6] - (s_1 * t0 + c_1 * t1));
   Scalar result;
   result = k[8] * t2;
   return result;

@@ -20,64 +20,71 @@ InverseDynamicsDerivativesConstants<Scalar> inverse_dynamics_derivatives_constan
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c1x * inertia.m1;
-  const Scalar t1 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t2 = Scalar(0.01) * ((Scalar(0.01) * inertia.m1 + t0) + t0) + (inertia.c1x * t0 - (inertia.I1xx - t1));
-  const Scalar t3 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t4 = inertia.c3y * inertia.m3;
-  const Scalar t5 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t6 = inertia.c2y * inertia.m2;
-  const Scalar t7 = ((inertia.I3yy - t3) - inertia.c3y * t4) + ((inertia.I2yy - t5) - inertia.c2y * t6);
-  const Scalar t8 = t7 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t1));
-  const Scalar t9 = inertia.c3z * inertia.m3;
+  const Scalar t0 = g.l1 * Scalar(0.984807753012208);
+  const Scalar t1 = Scalar(0.01) / t0;
+  const Scalar t2 = g.l1 * Scalar(0.17364817766693036);
+  const Scalar t3 = inertia.m3 * t2;
+  const Scalar t4 = inertia.c2z * inertia.m2;
+  const Scalar t5 = inertia.c2x * inertia.m2;
+  const Scalar t6 = g.l1 * inertia.m2 + t5;
+  const Scalar t7 = (t3 + (Scalar(0.984807753012208) * t4 + Scalar(0.17364817766693036) * t6)) / t2;
+  const Scalar t8 = t0 * t7;
+  const Scalar t9 = t0 * t8;
   const Scalar t10 = inertia.c3x * inertia.m3;
   const Scalar t11 = g.l2 * inertia.m3 + t10;
-  const Scalar t12 = g.l1 * Scalar(0.17364817766693036);
-  const Scalar t13 = g.l2 * t9 - (inertia.I3xz - inertia.c3z * t10);
-  const Scalar t14 = (inertia.I3zz - t3) - inertia.c3z * t9;
-  const Scalar t15 = g.l2 * (t11 + t10) + (inertia.c3x * t10 - (inertia.I3xx - t3));
-  const Scalar t16 = g.l1 * Scalar(0.984807753012208);
-  const Scalar t17 = inertia.m3 * t16;
-  const Scalar t18 = inertia.c2x * inertia.m2;
-  const Scalar t19 = inertia.c2z * inertia.m2;
-  const Scalar t20 = (inertia.I2xz - inertia.c2z * t18) - g.l1 * t19;
-  const Scalar t21 = g.l1 * inertia.m2 + t18;
-  const Scalar t22 = (inertia.c2x * t18 - (inertia.I2xx - t5)) + g.l1 * (t18 + t21);
-  const Scalar t23 = (inertia.I2zz - t5) - inertia.c2z * t19;
-  const Scalar t24 = Scalar(2) * Scalar(0.984807753012208) * t20 - Scalar(0.17364817766693036) * (t22 + t23);
-  const Scalar t25 = t12 * t17 + (t20 - Scalar(0.984807753012208) * t24);
-  const Scalar t26 = Scalar(0.17364817766693036) * t24;
-  const Scalar t27 = (t22 + t26) + t16 * t17;
-  const Scalar t28 = inertia.m3 * t12;
-  const Scalar t29 = t12 * t28 - (t26 + t23);
-  const Scalar t30 = inertia.I2yz - inertia.c2z * t6;
-  const Scalar t31 = g.l1 * t6 - (inertia.I2xy - inertia.c2y * t18);
-  const Scalar t32 = (Scalar(0.984807753012208) * t30 - Scalar(0.17364817766693036) * t31) - t12 * t4;
-  const Scalar t33 = t16 * t4 + (Scalar(0.984807753012208) * t31 + Scalar(0.17364817766693036) * t30);
-  const Scalar t34 = Scalar(0.01) * ((Scalar(0.17364817766693036) * t19 - Scalar(0.984807753012208) * t21) - t17);
-  const Scalar t35 = Scalar(0.01) * (t28 + (Scalar(0.984807753012208) * t19 + Scalar(0.17364817766693036) * t21));
-  return { (Scalar(0.0001) * (inertia.m2 + inertia.m3) + t2) - t8,
-           Scalar(0.01) * t9,
-           Scalar(0.01) * t11,
-           Scalar(100) * t12,
-           Scalar(2) * t13,
-           t14 + t15,
-           t14,
-           t13,
-           g.l2 * t4 - (inertia.I3xy - inertia.c3y * t10),
-           inertia.I3yz - inertia.c3z * t4,
-           Scalar(100) * t16,
+  const Scalar t12 = inertia.c3z * inertia.m3;
+  const Scalar t13 = inertia.m3 * t0;
+  const Scalar t14 = t8 + ((Scalar(0.17364817766693036) * t4 - Scalar(0.984807753012208) * t6) - t13);
+  const Scalar t15 = t0 * t14;
+  const Scalar t16 = inertia.c3y * inertia.m3;
+  const Scalar t17 = inertia.c2y * inertia.m2;
+  const Scalar t18 = g.l1 * t17 - (inertia.I2xy - inertia.c2y * t5);
+  const Scalar t19 = inertia.I2yz - inertia.c2z * t17;
+  const Scalar t20 = t0 * t16 + (Scalar(0.984807753012208) * t18 + Scalar(0.17364817766693036) * t19);
+  const Scalar t21 = (Scalar(0.984807753012208) * t19 - Scalar(0.17364817766693036) * t18) - t2 * t16;
+  const Scalar t22 = (inertia.I2xz - inertia.c2z * t5) - g.l1 * t4;
+  const Scalar t23 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t24 = (inertia.c2x * t5 - (inertia.I2xx - t23)) + g.l1 * (t5 + t6);
+  const Scalar t25 = (inertia.I2zz - t23) - inertia.c2z * t4;
+  const Scalar t26 = Scalar(2) * Scalar(0.984807753012208) * t22 - Scalar(0.17364817766693036) * (t24 + t25);
+  const Scalar t27 = t8 * t2 - (t2 * t13 + (t22 - Scalar(0.984807753012208) * t26));
+  const Scalar t28 = Scalar(0.17364817766693036) * t26;
+  const Scalar t29 = ((t24 + t28) + t0 * t13) - t9;
+  const Scalar t30 = (t2 * t3 - (t28 + t25)) - t2 * t2 * t7;
+  const Scalar t31 = g.l2 * t12 - (inertia.I3xz - inertia.c3z * t10);
+  const Scalar t32 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t33 = (inertia.I3zz - t32) - inertia.c3z * t12;
+  const Scalar t34 = g.l2 * (t11 + t10) + (inertia.c3x * t10 - (inertia.I3xx - t32));
+  const Scalar t35 = inertia.c1x * inertia.m1;
+  const Scalar t36 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t37 = Scalar(0.01) * ((Scalar(0.01) * inertia.m1 + t35) + t35)
+      + (inertia.c1x * t35 - (inertia.I1xx - t36));
+  const Scalar t38 = (Scalar(0.0001) * (inertia.m2 + inertia.m3) + t37) - Scalar(0.0001) * t7;
+  const Scalar t39 = ((inertia.I3yy - t32) - inertia.c3y * t16) + ((inertia.I2yy - t23) - inertia.c2y * t17);
+  const Scalar t40 = t39 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t36));
+  return { t1,
+           t2 / t0,
+           t9,
+           t0 * t11,
+           t0 * t12,
            t15,
-           Scalar(2) * t25,
-           t27 - t29,
+           t20,
+           t21,
+           Scalar(2) * t27,
+           t29 - t30,
+           t29,
            t27,
-           t25,
-           t32,
-           t33,
+           t15 * t1,
+           g.l2 * t16 - (inertia.I3xy - inertia.c3y * t10),
+           inertia.I3yz - inertia.c3z * t16,
+           Scalar(2) * t31,
+           t33 + t34,
            t34,
-           t35,
-           Scalar(100) * gravity,
-           t27 + t29 };
+           t31,
+           t33,
+           t38 - t40,
+           gravity / t0,
+           t29 + t30 };
 }
 
 namespace detail {
@@ -90,161 +97,161 @@ inline InverseDynamicsDerivatives<Scalar> inverse_dynamics_derivatives([[maybe_u
   const Scalar& c_0 = angles.cosine[0];
   const Scalar& s_1 = angles.sine[1];
   const Scalar& c_1 = angles.cosine[1];
-  const Scalar t0 = qd[1] * qd[0] * s_1;
-  const Scalar t1 = qdd[0] * c_1;
-  const Scalar t2 = Scalar(3.3333333333333335) * t0 - t1;
-  const Scalar t3 = k[2] * c_0 + k[1] * s_0;
-  const Scalar t4 = k[1] * c_0 - k[2] * s_0;
-  const Scalar t5 = qd[0] * c_1;
-  const Scalar t6 = qd[1] * t5;
-  const Scalar t7 = qdd[0] * s_1;
-  const Scalar t8 = Scalar(3.3333333333333335) * t6 + t7;
-  const Scalar t9 = t2 * t3 - t4 * t8;
-  const Scalar t10 = Scalar(2) * t0 - t1;
-  const Scalar t11 = Scalar(2) * t6 + t7;
-  const Scalar t12 = qd[1] * qd[1];
-  const Scalar t13 = k[16] * s_1 - k[17] * c_1;
-  const Scalar t14 = k[16] * c_1 + k[17] * s_1;
-  const Scalar t15 = k[12] * c_1 - k[13] * s_1;
-  const Scalar t16 = s_1 * t15;
-  const Scalar t17 = c_1 * t15;
-  const Scalar t18 = k[15] - t17;
-  const Scalar t19 = qd[1] * t18;
-  const Scalar t20 = qdd[0] * (k[14] + t16) - Scalar(2) * qd[0] * t19;
-  const Scalar t21 = ((t12 * t13 - qdd[1] * t14) - t20) + (k[18] * t1 - k[19] * t7);
-  const Scalar t22 = k[4] * c_0 - k[5] * s_0;
-  const Scalar t23 = s_0 * t22;
-  const Scalar t24 = k[6] + t23;
-  const Scalar t25 = c_0 * t22;
-  const Scalar t26 = k[7] - t25;
-  const Scalar t27 = t2 * t26;
-  const Scalar t28 = qd[0] * t5;
-  const Scalar t29 = c_1 * t28;
-  const Scalar t30 = Scalar(2.7777777777777777) * t12;
-  const Scalar t31 = t29 - t30;
-  const Scalar t32 = k[9] * c_0 + k[8] * s_0;
-  const Scalar t33 = t31 * t32;
-  const Scalar t34 = Scalar(1.6666666666666667) * qdd[1];
-  const Scalar t35 = qd[0] * s_1;
-  const Scalar t36 = qd[0] * t35;
-  const Scalar t37 = c_1 * t36;
-  const Scalar t38 = t34 + t37;
-  const Scalar t39 = k[8] * c_0 - k[9] * s_0;
-  const Scalar t40 = t38 * t39;
-  const Scalar t41 = qdd[0] - (k[10] * t10 - k[3] * t11);
-  const Scalar t42 = t4 * t41;
-  const Scalar t43 = (((t24 * t8 - t27) - t33) - t40) - t42;
-  const Scalar t44 = t43 + k[3] * t9;
-  const Scalar t45 = t41 * t3;
-  const Scalar t46 = k[11] + t23;
-  const Scalar t47 = t8 * t26;
-  const Scalar t48 = t35 * t35;
-  const Scalar t49 = t29 - t48;
-  const Scalar t50 = t49 * t39;
-  const Scalar t51 = t39 * t31;
-  const Scalar t52 = t34 - t37;
-  const Scalar t53 = (t46 * t2 + t47) - ((t50 - t51) + t52 * t32);
-  const Scalar t54 = k[10] * t9 - (t45 - t53);
-  const Scalar t55 = (t9 - (k[18] * t10 + k[19] * t11)) + (t21 + (s_1 * t44 + c_1 * t54));
-  const Scalar t56 = t49 * t26 - (t24 * t52 - t46 * t38);
-  const Scalar t57 = k[20] * c_1 - t36;
-  const Scalar t58 = k[10] * (qdd[1] + t37) + k[3] * (t12 + t48);
-  const Scalar t59 = t57 - t58;
-  const Scalar t60 = k[20] * s_1 + t28;
-  const Scalar t61 = k[3] * (qdd[1] - t37) - k[10] * (t29 + t12);
-  const Scalar t62 = t60 - t61;
-  const Scalar t63 = (t56 + (t32 * t1 + t39 * t7)) - (t59 * t3 + t4 * t62);
-  const Scalar t64 = t29 + t30;
-  const Scalar t65 = t4 * t64 + t52 * t3;
-  const Scalar t66 = t38 - t52;
-  const Scalar t67 = t66 * t3 - t4 * t49;
-  const Scalar t68 = t64 * t3 - t4 * t52;
-  const Scalar t69 = t63 + (k[10] * (t65 + t67) - k[3] * t68);
-  const Scalar t70 = t29 + t48;
-  const Scalar t71 = (k[21] * qdd[1] + t18 * t70) + qdd[0] * t14;
-  const Scalar t72 = t69 + (t71 - (k[19] * t60 - k[18] * t57));
-  const Scalar t73 = (t72 + Scalar(0.001) * qd[1]) + Scalar(0.6666666666666666)
-      * (t63 + Scalar(0.002) * direction(qd[1]));
-  const Scalar t74 = qd[1] * s_1;
-  const Scalar t75 = qd[1] * c_1;
-  const Scalar t76 = Scalar(2) * k[10] * t74 - Scalar(2) * k[3] * t75;
-  const Scalar t77 = c_1 * t24;
-  const Scalar t78 = Scalar(3.3333333333333335) * qd[1] * t77 - Scalar(3.3333333333333335) * t74 * t26;
-  const Scalar t79 = Scalar(2) * qd[0] * s_1 * s_1;
-  const Scalar t80 = t79 - Scalar(2) * qd[0];
-  const Scalar t81 = (t78 + t32 * t80) - Scalar(2) * qd[0] * s_1 * c_1 * t39;
-  const Scalar t82 = Scalar(3.3333333333333335) * t74 * t3 - Scalar(3.3333333333333335) * t4 * t75;
-  const Scalar t83 = s_1 * ((t4 * t76 + t81) + k[3] * t82);
-  const Scalar t84 = s_1 * t46;
-  const Scalar t85 = Scalar(3.3333333333333335) * t75 * t26 + Scalar(3.3333333333333335) * qd[1] * t84;
-  const Scalar t86 = c_1 * t32;
-  const Scalar t87 = Scalar(2) * qd[0] * s_1 * s_1 * t39 + Scalar(2) * qd[0] * s_1 * t86;
-  const Scalar t88 = (t76 * t3 + (t85 + t87)) + k[10] * t82;
-  const Scalar t89 = Scalar(2) * k[19] * t75 + Scalar(2) * k[18] * t74;
-  const Scalar t90 = ((t83 + c_1 * t88) + Scalar(2) * t19) + (t82 - t89);
-  const Scalar t91 = Scalar(2) * t84 * t5 + Scalar(2) * qd[0] * s_1 * t77;
-  const Scalar t92 = Scalar(2) * k[10] * qd[0] * c_1 * s_1 + Scalar(2) * k[3] * qd[0] * s_1 * s_1;
-  const Scalar t93 = (k[10] * t80 - Scalar(2) * k[3] * s_1 * t5) - Scalar(2) * t5;
-  const Scalar t94 = (Scalar(2) * t35 + t92) * t3 + t4 * t93;
-  const Scalar t95 = (t91 - t26 * (t79 + t80)) + t94;
-  const Scalar t96 = c_1 * t4;
-  const Scalar t97 = k[3] * (t80 * t3 - Scalar(2) * qd[0] * s_1 * t96);
-  const Scalar t98 = Scalar(2) * qd[0] * s_1 * s_1 * t4 + Scalar(2) * qd[0] * s_1 * c_1 * t3;
-  const Scalar t99 = Scalar(2) * qd[0] * t18;
-  const Scalar t100 = Scalar(2) * k[19] * t5 + Scalar(2) * k[18] * qd[0] * s_1;
-  const Scalar t101 = ((t97 + k[10] * t98) + t95) + (t99 - t100);
-  const Scalar t102 = k[10] * t11 + k[3] * t10;
-  const Scalar t103 = Scalar(2) * qd[0] * qd[0] * s_1 * t86 - (t24 * t2 + t47);
-  const Scalar t104 = t8 * t3 + t4 * t2;
-  const Scalar t105 = k[3] * t104;
-  const Scalar t106 = s_1 * ((t4 * t102 - (t50 - t103)) + t105);
-  const Scalar t107 = t39 * t66;
-  const Scalar t108 = t49 * t32;
-  const Scalar t109 = ((t46 * t8 - t27) + (t107 + t108)) + t102 * t3;
-  const Scalar t110 = k[10] * t104;
-  const Scalar t111 = (c_1 * t44 + t106) - (s_1 * t54 - c_1 * (t109 + t110));
-  const Scalar t112 = t16 + (k[13] + t16);
-  const Scalar t113 = Scalar(2) * qd[1] * qd[0] * t112 + qdd[0] * ((k[12] - t17) - t17);
-  const Scalar t114 = (k[19] * t1 + k[18] * t7) - ((t14 * t12 + qdd[1] * t13) + t113);
-  const Scalar t115 = (t111 - t114) + (t104 + (k[19] * t10 - k[18] * t11));
-  const Scalar t116 = t25 - (k[4] - t25);
-  const Scalar t117 = (k[5] + t23) + t23;
-  const Scalar t118 = (t2 * t116 + t8 * t117) - ((t33 - t108) + (t40 - t107));
-  const Scalar t119 = t38 * t32 - ((t2 * t117 - t8 * t116) + t51);
-  const Scalar t120 = c_1 * ((t118 - t42) + t110) + s_1 * ((t45 + t119) + t105);
-  const Scalar t121 = t39 * t1 - t32 * t7;
-  const Scalar t122 = (t4 * t59 - t62 * t3) - ((t49 * t117 + t116 * t66) + t121);
-  const Scalar t123 = t49 * t3 + Scalar(2) * qd[0] * qd[0] * s_1 * t96;
-  const Scalar t124 = t122 + (k[10] * (t68 - t123) + k[3] * t65);
-  const Scalar t125 = (t112 * t70 - qdd[0] * t13) - (k[19] * t57 + k[18] * t60);
-  const Scalar t126 = t57 - (Scalar(2) * k[10] * qd[0] * qd[0] * c_1 * s_1 - k[3] * t49);
-  const Scalar t127 = (t60 + (k[3] * t66 + k[10] * t49)) * t3;
-  const Scalar t128 = t26 * t35;
-  const Scalar t129 = Scalar(4) * t128 * t5 - (t24 * t49 + t46 * t49);
-  const Scalar t130 = (t4 * t126 - t127) - (t121 - t129);
-  const Scalar t131 = t125 - (t130 - (k[10] * t123 + k[3] * t67));
-  const Scalar t132 = Scalar(0.6666666666666666) * (t124 + Scalar(0.6666666666666666) * t122)
-      - (t131 - Scalar(0.6666666666666666) * t130);
-  const Scalar t133 = Scalar(3.3333333333333335) * t35 * t3 - Scalar(3.3333333333333335) * qd[0] * t96;
-  const Scalar t134 = Scalar(2) * k[3] * t5 - Scalar(2) * k[10] * qd[0] * s_1;
-  const Scalar t135 = Scalar(5.555555555555555) * qd[1] * t32
-      - (Scalar(3.3333333333333335) * t128 - Scalar(3.3333333333333335) * qd[0] * t77);
-  const Scalar t136 = s_1 * (k[3] * t133 - (t4 * t134 - t135));
-  const Scalar t137 = Scalar(3.3333333333333335) * t26 * t5 + Scalar(3.3333333333333335) * t46 * t35;
-  const Scalar t138 = (t137 - Scalar(5.555555555555555) * qd[1] * t39) - t134 * t3;
-  const Scalar t139 = (t136 + c_1 * (k[10] * t133 + t138)) + (t99 + Scalar(2) * qd[1] * t13);
-  const Scalar t140 = Scalar(2) * k[10] * qd[1] * t4 - Scalar(2) * qd[1] * k[3] * t3;
+  const Scalar t0 = qdd[0] * c_1;
+  const Scalar t1 = k[9] * c_1 - k[8] * s_1;
+  const Scalar t2 = s_1 * t1;
+  const Scalar t3 = k[8] + t2;
+  const Scalar t4 = k[11] - t3;
+  const Scalar t5 = c_1 * t1;
+  const Scalar t6 = k[9] - t5;
+  const Scalar t7 = Scalar(2) * qd[1] * qd[0] * t4 + qdd[0] * (k[10] - t6);
+  const Scalar t8 = k[7] * s_1 - k[6] * c_1;
+  const Scalar t9 = qd[1] * t8;
+  const Scalar t10 = k[7] * c_1 + k[6] * s_1;
+  const Scalar t11 = k[12] * t0 - (t7 - (qd[1] * t9 - qdd[1] * t10));
+  const Scalar t12 = qd[1] * s_1;
+  const Scalar t13 = qd[0] * t12;
+  const Scalar t14 = Scalar(2) * t13 - t0;
+  const Scalar t15 = qdd[0] * s_1;
+  const Scalar t16 = qd[1] * c_1;
+  const Scalar t17 = qd[0] * t16;
+  const Scalar t18 = t15 + Scalar(2) * t17;
+  const Scalar t19 = k[0] * qdd[0] - (t14 - k[1] * t18);
+  const Scalar t20 = k[4] * c_0 - k[3] * s_0;
+  const Scalar t21 = Scalar(3.3333333333333335) * t17 + t15;
+  const Scalar t22 = Scalar(3.3333333333333335) * t13 - t0;
+  const Scalar t23 = k[3] * c_0 + k[4] * s_0;
+  const Scalar t24 = k[2] * t19 + (t20 * t21 - t22 * t23);
+  const Scalar t25 = t19 * t23;
+  const Scalar t26 = k[13] * c_0 - k[14] * s_0;
+  const Scalar t27 = qd[0] * c_1;
+  const Scalar t28 = t27 * t27;
+  const Scalar t29 = qd[1] * qd[1];
+  const Scalar t30 = Scalar(2.7777777777777777) * t29;
+  const Scalar t31 = t28 - t30;
+  const Scalar t32 = t26 * t31;
+  const Scalar t33 = t28 + t30;
+  const Scalar t34 = qd[0] * qd[0];
+  const Scalar t35 = t34 - t31;
+  const Scalar t36 = t33 - t35;
+  const Scalar t37 = t36 * t26;
+  const Scalar t38 = k[13] * s_0 + k[14] * c_0;
+  const Scalar t39 = qd[0] * s_1;
+  const Scalar t40 = t39 * t27;
+  const Scalar t41 = qdd[1] + t40;
+  const Scalar t42 = Scalar(2) * t40;
+  const Scalar t43 = t41 - t42;
+  const Scalar t44 = Scalar(0.6666666666666666) * qdd[1];
+  const Scalar t45 = t43 + t44;
+  const Scalar t46 = k[15] * s_0 + k[16] * c_0;
+  const Scalar t47 = c_0 * t46;
+  const Scalar t48 = k[16] - t47;
+  const Scalar t49 = k[17] - t48;
+  const Scalar t50 = s_0 * t46;
+  const Scalar t51 = k[15] - t50;
+  const Scalar t52 = k[18] - t51;
+  const Scalar t53 = t52 * t21;
+  const Scalar t54 = ((t32 - t37) - t38 * t45) + (t22 * t49 + t53);
+  const Scalar t55 = t24 + (t25 - t54);
+  const Scalar t56 = t20 * t19;
+  const Scalar t57 = k[19] - t48;
+  const Scalar t58 = t52 * t22;
+  const Scalar t59 = t38 * t31;
+  const Scalar t60 = t41 + t44;
+  const Scalar t61 = ((t57 * t21 - t58) - t59) - t26 * t60;
+  const Scalar t62 = (t56 - t61) + k[1] * t24;
+  const Scalar t63 = (t11 - (c_1 * t55 + s_1 * t62)) - k[0] * (t24 + k[5] * t14);
+  const Scalar t64 = k[0] * qd[0];
+  const Scalar t65 = c_1 * t64;
+  const Scalar t66 = qd[0] * t65 + k[21] * s_1;
+  const Scalar t67 = t28 + t29;
+  const Scalar t68 = t66 - (k[1] * t43 - t67);
+  const Scalar t69 = k[21] * c_1 - t39 * t64;
+  const Scalar t70 = t69 - (t41 - k[1] * (t36 - t67));
+  const Scalar t71 = t36 * t52 - (t45 * t57 - t60 * t49);
+  const Scalar t72 = (t68 * t20 + t70 * t23) - (t71 + (t38 * t0 + t26 * t15));
+  const Scalar t73 = t60 * t23 + t20 * t35;
+  const Scalar t74 = t23 * t33 - t45 * t20;
+  const Scalar t75 = (k[2] * t70 - t73) + k[1] * (k[2] * t68 + t74);
+  const Scalar t76 = (k[22] * qdd[1] - t4 * t34) + qdd[0] * t10;
+  const Scalar t77 = Scalar(0.6666666666666666) * t72 + ((t75 + t72) - (t76 + k[5] * t69));
+  const Scalar t78 = k[1] * qd[1];
+  const Scalar t79 = Scalar(2) * c_1 * t78 - Scalar(2) * t12;
+  const Scalar t80 = qd[1] * t20;
+  const Scalar t81 = Scalar(3.3333333333333335) * c_1 * t80 - Scalar(3.3333333333333335) * t12 * t23;
+  const Scalar t82 = k[2] * t79 + t81;
+  const Scalar t83 = Scalar(2) * c_1 * t38 * t39 + Scalar(2) * s_1 * t39 * t26;
+  const Scalar t84 = Scalar(3.3333333333333335) * t12 * t49 + Scalar(3.3333333333333335) * t16 * t52;
+  const Scalar t85 = c_1 * (((t83 + t84) - t79 * t23) - t82);
+  const Scalar t86 = Scalar(2) * s_1 * t39;
+  const Scalar t87 = t86 - Scalar(2) * qd[0];
+  const Scalar t88 = Scalar(3.3333333333333335) * t16 * t57 - Scalar(3.3333333333333335) * t12 * t52;
+  const Scalar t89 = Scalar(2) * c_1 * t39 * t26 - (t38 * t87 + t88);
+  const Scalar t90 = s_1 * ((t79 * t20 + t89) + k[1] * t82);
+  const Scalar t91 = k[0] * (Scalar(2) * k[5] * t12 + t82) + (Scalar(2) * qd[1] * t4 - (t85 - t90));
+  const Scalar t92 = Scalar(2) * c_1 * t57 * t39 + Scalar(2) * c_1 * t39 * t49;
+  const Scalar t93 = k[1] * c_1;
+  const Scalar t94 = Scalar(2) * t65 + (Scalar(2) * t39 * t93 - t87);
+  const Scalar t95 = Scalar(2) * c_1 * t39 + Scalar(2) * k[1] * s_1 * t39;
+  const Scalar t96 = Scalar(2) * k[0] * t39 + t95;
+  const Scalar t97 = ((t86 + t87) * t52 - t92) + (t20 * t94 - t23 * t96);
+  const Scalar t98 = k[2] * t94 - (t23 * t87 - Scalar(2) * c_1 * t20 * t39);
+  const Scalar t99 = Scalar(2) * c_1 * t39 * t23 + Scalar(2) * s_1 * t20 * t39;
+  const Scalar t100 = (k[1] * t98 - (k[2] * t96 + t99)) + t97;
+  const Scalar t101 = Scalar(2) * qd[0] * t4;
+  const Scalar t102 = Scalar(0.6666666666666666) * t97 + (t100 + (t101 + Scalar(2) * k[0] * k[5] * t39));
+  const Scalar t103 = t5 - t6;
+  const Scalar t104 = Scalar(2) * qd[1] * qd[0] * t103 + qdd[0] * (t2 + t3);
+  const Scalar t105 = (t104 + (t10 * t29 + qdd[1] * t8)) - k[12] * t15;
+  const Scalar t106 = t20 * t22 + t21 * t23;
+  const Scalar t107 = k[1] * t14 + t18;
+  const Scalar t108 = t106 + k[2] * t107;
+  const Scalar t109 = (t57 * t22 + t53) - Scalar(2) * t38 * t39 * t27;
+  const Scalar t110 = k[1] * t108 - ((t109 + t37) - t107 * t20);
+  const Scalar t111 = t36 * t38;
+  const Scalar t112 = (t21 * t49 - t58) + (t111 + Scalar(2) * t39 * t26 * t27);
+  const Scalar t113 = s_1 * t55 + c_1 * (t108 + (t107 * t23 + t112));
+  const Scalar t114 = t105 + ((s_1 * t110 - c_1 * t62) + t113);
+  const Scalar t115 = t51 - t50;
+  const Scalar t116 = t48 - t47;
+  const Scalar t117 = (t115 * t22 - t116 * t21) - (t45 * t26 - (t111 - t59));
+  const Scalar t118 = (t32 - (t115 * t21 + t116 * t22)) - t38 * t60;
+  const Scalar t119 = c_1 * ((t56 - t117) - t106) - s_1 * (k[1] * t106 - (t118 - t25));
+  const Scalar t120 = (t114 + k[0] * (t108 - k[5] * t18)) + Scalar(0.6666666666666666) * (k[0] * t106 - t119);
+  const Scalar t121 = t26 * t0 - t38 * t15;
+  const Scalar t122 = t121 - (t36 * t116 - Scalar(2) * t115 * t39 * t27);
+  const Scalar t123 = (t70 * t20 - t68 * t23) - t122;
+  const Scalar t124 = Scalar(2) * t20 * t39 * t27 + t36 * t23;
+  const Scalar t125 = t45 * t23 + t20 * t33;
+  const Scalar t126 = Scalar(0.6666666666666666) * t123 + (t123 - ((t124 - t74) - k[1] * t125));
+  const Scalar t127 = t69 + (k[1] * t36 - t42);
+  const Scalar t128 = (t36 + Scalar(2) * k[1] * t39 * t27) + t66;
+  const Scalar t129 = (t36 * t49 + t36 * t57) - Scalar(4) * t52 * t40;
+  const Scalar t130 = (t127 * t20 - t128 * t23) - (t129 + t121);
+  const Scalar t131 = (t34 * t103 - qdd[0] * t8) - k[5] * t66;
+  const Scalar t132 = k[1] * ((t73 - t125) - k[2] * t127) + (t124 + k[2] * t128);
+  const Scalar t133 = Scalar(0.6666666666666666) * t126 + (Scalar(0.6666666666666666) * t130 - (t131 + (t132 - t130)));
+  const Scalar t134 = Scalar(3.3333333333333335) * t20 * t27 - Scalar(3.3333333333333335) * t39 * t23;
+  const Scalar t135 = Scalar(2) * t39 - Scalar(2) * qd[0] * t93;
+  const Scalar t136 = t134 - k[2] * t135;
+  const Scalar t137 = Scalar(3.3333333333333335) * t57 * t27 - Scalar(3.3333333333333335) * t52 * t39;
+  const Scalar t138 = t135 * t20 + (Scalar(5.555555555555555) * qd[1] * t38 + t137);
+  const Scalar t139 = Scalar(3.3333333333333335) * t52 * t27 + Scalar(3.3333333333333335) * t39 * t49;
+  const Scalar t140 = (Scalar(5.555555555555555) * qd[1] * t26 - t139) - t135 * t23;
+  const Scalar t141 = s_1 * (t138 - k[1] * t136) - c_1 * (t136 + t140);
+  const Scalar t142 = k[0] * (t136 + Scalar(2) * k[5] * t39) - (t141 + (Scalar(2) * t9 - t101));
+  const Scalar t143 = Scalar(1.1111111111111112) * (Scalar(2) * t78 * t23 - Scalar(2) * t80);
   InverseDynamicsDerivatives<Scalar> result;
-  result.torque[0] = k[0] * qdd[0] - t55;
-  result.torque[1] = t73;
+  result.torque[0] = k[20] * qdd[0] - t63;
+  result.torque[1] = -t77;
   result.by_position(0, 0) = Scalar(0);
   result.by_position(1, 0) = Scalar(0);
-  result.by_rate(0, 0) = -t90;
-  result.by_rate(1, 0) = Scalar(0.6666666666666666) * t95 + t101;
-  result.by_position(0, 1) = -t115 - Scalar(0.6666666666666666) * (t104 + t120);
-  result.by_position(1, 1) = -t132;
-  result.by_rate(0, 1) = -(t133 - t100) - t139;
-  result.by_rate(1, 1) = (Scalar(0.001) + Scalar(1.7777777777777777) * t140) - Scalar(0.6666666666666666) * t140;
+  result.by_rate(0, 0) = t91;
+  result.by_rate(1, 0) = -t102;
+  result.by_position(0, 1) = -t120;
+  result.by_position(1, 1) = -t133;
+  result.by_rate(0, 1) = t142;
+  result.by_rate(1, 1) = -t143;
   return result;
 }
 

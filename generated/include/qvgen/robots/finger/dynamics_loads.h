@@ -26,14 +26,15 @@ LoadAngles<Scalar> load_angles(const JointVector<Scalar>& q);
 
 /// Joint forces for a motion, under gravity in any direction.
 ///
-/// 96 multiplications, 85 additions, 3 sine/cosine pairs. Set-up: 71 multiplications, 66 additions.
+/// 97 multiplications, 80 additions, 3 sine/cosine pairs. Set-up: 74 multiplications, 74 additions, 6 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
+/// The unit of length is l1*cos(0.174533), which must not be zero.
 template <class Scalar>
 JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
 template <class Scalar>
-using InverseDynamicsWithGravityVectorConstants = std::array<Scalar, 24>;
+using InverseDynamicsWithGravityVectorConstants = std::array<Scalar, 27>;
 template <class Scalar>
 InverseDynamicsWithGravityVectorConstants<Scalar> inverse_dynamics_with_gravity_vector_constants(
     const BasicGeometry<Scalar>& g,
@@ -45,15 +46,16 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint forces for a motion while a wrench acts on the tool from outside: those without it minus jacobian(q)^T wrench.
 ///
-/// 126 multiplications, 100 additions, 3 sine/cosine pairs. Set-up: 73 multiplications, 69 additions.
+/// 117 multiplications, 101 additions, 3 sine/cosine pairs. Set-up: 72 multiplications, 73 additions, 7 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
+/// The unit of length is l1*cos(0.174533), which must not be zero.
 template <class Scalar>
 JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity,
         const NonDeduced<Wrench<Scalar>>& wrench);
 template <class Scalar>
-using InverseDynamicsWithWrenchConstants = std::array<Scalar, 27>;
+using InverseDynamicsWithWrenchConstants = std::array<Scalar, 26>;
 template <class Scalar>
 InverseDynamicsWithWrenchConstants<Scalar> inverse_dynamics_with_wrench_constants(const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
@@ -81,10 +83,10 @@ JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const LoadAngle
 
 /// Joint accelerations for given joint forces, under gravity in any direction.
 ///
-/// 109 multiplications, 95 additions, 2 divisions, 3 sine/cosine pairs. Set-up: 71 multiplications, 67 additions, 5
+/// 108 multiplications, 93 additions, 2 divisions, 3 sine/cosine pairs. Set-up: 71 multiplications, 67 additions, 5
 /// divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
-/// The unit of length is l1*cos(0.174533), which must not be zero.
+/// The unit of length is -l1*sin(0.174533), which must not be zero.
 template <class Scalar>
 JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g,
@@ -102,10 +104,10 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint accelerations for given joint forces while a wrench acts on the tool from outside.
 ///
-/// 132 multiplications, 113 additions, 2 divisions, 3 sine/cosine pairs. Set-up: 71 multiplications, 68 additions, 6
+/// 129 multiplications, 111 additions, 2 divisions, 3 sine/cosine pairs. Set-up: 71 multiplications, 68 additions, 6
 /// divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
-/// The unit of length is l1*cos(0.174533), which must not be zero.
+/// The unit of length is -l1*sin(0.174533), which must not be zero.
 template <class Scalar>
 JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g,

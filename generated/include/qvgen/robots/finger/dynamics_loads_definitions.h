@@ -29,66 +29,77 @@ InverseDynamicsWithGravityVectorConstants<Scalar> inverse_dynamics_with_gravity_
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c1x * inertia.m1;
-  const Scalar t1 = Scalar(0.01) * inertia.m1 + t0;
-  const Scalar t2 = inertia.m2 + inertia.m3;
-  const Scalar t3 = inertia.c3y * inertia.m3;
-  const Scalar t4 = inertia.c2y * inertia.m2;
-  const Scalar t5 = inertia.c1y * inertia.m1;
-  const Scalar t6 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t7 = Scalar(0.01) * (t1 + t0) + (inertia.c1x * t0 - (inertia.I1xx - t6));
-  const Scalar t8 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t9 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t10 = ((inertia.I3yy - t8) - inertia.c3y * t3) + ((inertia.I2yy - t9) - inertia.c2y * t4);
-  const Scalar t11 = (Scalar(0.0001) * t2 + t7) - (t10 - (inertia.c1y * t5 - (inertia.I1yy - t6)));
-  const Scalar t12 = g.l1 * Scalar(0.17364817766693036);
-  const Scalar t13 = inertia.m3 * t12;
-  const Scalar t14 = inertia.c2z * inertia.m2;
-  const Scalar t15 = inertia.c2x * inertia.m2;
-  const Scalar t16 = g.l1 * inertia.m2 + t15;
-  const Scalar t17 = Scalar(0.01) * (t13 + (Scalar(0.984807753012208) * t14 + Scalar(0.17364817766693036) * t16));
-  const Scalar t18 = g.l1 * Scalar(0.984807753012208);
-  const Scalar t19 = inertia.m3 * t18;
-  const Scalar t20 = Scalar(0.01) * ((Scalar(0.17364817766693036) * t14 - Scalar(0.984807753012208) * t16) - t19);
-  const Scalar t21 = inertia.c3z * inertia.m3;
-  const Scalar t22 = inertia.c3x * inertia.m3;
-  const Scalar t23 = g.l2 * inertia.m3 + t22;
-  const Scalar t24 = g.l2 * t21 - (inertia.I3xz - inertia.c3z * t22);
-  const Scalar t25 = (inertia.I3zz - t8) - inertia.c3z * t21;
-  const Scalar t26 = g.l2 * (t23 + t22) + (inertia.c3x * t22 - (inertia.I3xx - t8));
-  const Scalar t27 = g.l1 * t4 - (inertia.I2xy - inertia.c2y * t15);
-  const Scalar t28 = inertia.I2yz - inertia.c2z * t4;
-  const Scalar t29 = t18 * t3 + (Scalar(0.984807753012208) * t27 + Scalar(0.17364817766693036) * t28);
-  const Scalar t30 = (Scalar(0.984807753012208) * t28 - Scalar(0.17364817766693036) * t27) - t12 * t3;
-  const Scalar t31 = (inertia.I2xz - inertia.c2z * t15) - g.l1 * t14;
-  const Scalar t32 = (inertia.c2x * t15 - (inertia.I2xx - t9)) + g.l1 * (t15 + t16);
-  const Scalar t33 = (inertia.I2zz - t9) - inertia.c2z * t14;
-  const Scalar t34 = Scalar(2) * Scalar(0.984807753012208) * t31 - Scalar(0.17364817766693036) * (t32 + t33);
-  const Scalar t35 = Scalar(0.17364817766693036) * t34;
-  return { Scalar(100) * gravity[1],
-           Scalar(100) * gravity[0],
-           Scalar(0.01) * (t1 + Scalar(0.01) * t2),
-           Scalar(0.01) * ((t3 + t4) + t5),
-           t11,
+  const Scalar t0 = g.l1 * Scalar(0.984807753012208);
+  const Scalar t1 = inertia.c3z * inertia.m3;
+  const Scalar t2 = inertia.c3x * inertia.m3;
+  const Scalar t3 = g.l2 * inertia.m3 + t2;
+  const Scalar t4 = g.l1 * Scalar(0.17364817766693036);
+  const Scalar t5 = t4 / t0;
+  const Scalar t6 = inertia.m3 * t4;
+  const Scalar t7 = inertia.c2z * inertia.m2;
+  const Scalar t8 = inertia.c2x * inertia.m2;
+  const Scalar t9 = g.l1 * inertia.m2 + t8;
+  const Scalar t10 = (t6 + (Scalar(0.984807753012208) * t7 + Scalar(0.17364817766693036) * t9)) / t4;
+  const Scalar t11 = t0 * t10;
+  const Scalar t12 = t0 * t11;
+  const Scalar t13 = inertia.m3 * t0;
+  const Scalar t14 = t11 + ((Scalar(0.17364817766693036) * t7 - Scalar(0.984807753012208) * t9) - t13);
+  const Scalar t15 = inertia.c3y * inertia.m3;
+  const Scalar t16 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t17 = (inertia.I3zz - t16) - inertia.c3z * t1;
+  const Scalar t18 = g.l2 * (t3 + t2) + (inertia.c3x * t2 - (inertia.I3xx - t16));
+  const Scalar t19 = g.l2 * t1 - (inertia.I3xz - inertia.c3z * t2);
+  const Scalar t20 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t21 = (inertia.c2x * t8 - (inertia.I2xx - t20)) + g.l1 * (t8 + t9);
+  const Scalar t22 = (inertia.I2xz - inertia.c2z * t8) - g.l1 * t7;
+  const Scalar t23 = (inertia.I2zz - t20) - inertia.c2z * t7;
+  const Scalar t24 = Scalar(2) * Scalar(0.984807753012208) * t22 - Scalar(0.17364817766693036) * (t21 + t23);
+  const Scalar t25 = Scalar(0.17364817766693036) * t24;
+  const Scalar t26 = ((t21 + t25) + t0 * t13) - t12;
+  const Scalar t27 = (t4 * t6 - (t25 + t23)) - t4 * t4 * t10;
+  const Scalar t28 = t11 * t4 - (t4 * t13 + (t22 - Scalar(0.984807753012208) * t24));
+  const Scalar t29 = inertia.c2y * inertia.m2;
+  const Scalar t30 = g.l1 * t29 - (inertia.I2xy - inertia.c2y * t8);
+  const Scalar t31 = inertia.I2yz - inertia.c2z * t29;
+  const Scalar t32 = t0 * t15 + (Scalar(0.984807753012208) * t30 + Scalar(0.17364817766693036) * t31);
+  const Scalar t33 = (Scalar(0.984807753012208) * t31 - Scalar(0.17364817766693036) * t30) - t4 * t15;
+  const Scalar t34 = inertia.c1x * inertia.m1;
+  const Scalar t35 = Scalar(0.01) * inertia.m1 + t34;
+  const Scalar t36 = inertia.m2 + inertia.m3;
+  const Scalar t37 = t0 * (Scalar(0.01) * t10 - (t35 + Scalar(0.01) * t36));
+  const Scalar t38 = inertia.c1y * inertia.m1;
+  const Scalar t39 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t40 = Scalar(0.01) * (t35 + t34) + (inertia.c1x * t34 - (inertia.I1xx - t39));
+  const Scalar t41 = ((inertia.I3yy - t16) - inertia.c3y * t15) + ((inertia.I2yy - t20) - inertia.c2y * t29);
+  const Scalar t42 = ((Scalar(0.0001) * t36 + t40) - Scalar(0.0001) * t10)
+      - (t41 - (inertia.c1y * t38 - (inertia.I1yy - t39)));
+  return { t0 * t1,
+           t0 * t3,
+           t5,
+           gravity[1] / t0,
+           gravity[0] / t0,
+           Scalar(0.01) / t0,
+           t12,
+           t0 * t14,
+           g.l2 * t15 - (inertia.I3xy - inertia.c3y * t2),
+           inertia.I3yz - inertia.c3z * t15,
+           t17 + t18,
+           Scalar(2) * t19,
+           t18,
+           t19,
            t17,
-           t20,
-           Scalar(0.01) * t21,
-           Scalar(0.01) * t23,
-           Scalar(100) * t12,
-           Scalar(100) * t18,
-           g.l2 * t3 - (inertia.I3xy - inertia.c3y * t22),
-           inertia.I3yz - inertia.c3z * t3,
-           Scalar(2) * t24,
-           t25 + t26,
-           t25,
-           t24,
-           t29,
-           t30,
-           t12 * t13 - (t35 + t33),
-           t12 * t19 + (t31 - Scalar(0.984807753012208) * t34),
+           t26 - t27,
+           Scalar(2) * t28,
            t26,
-           (t32 + t35) + t18 * t19,
-           Scalar(100) * gravity[2] };
+           t28,
+           t32,
+           t33,
+           t37,
+           t0 * ((t15 + t29) + t38),
+           t42,
+           gravity[2] / t0,
+           t5 * t12,
+           t26 + t27 };
 }
 
 namespace detail {
@@ -103,71 +114,69 @@ inline JointVector<Scalar> inverse_dynamics_with_gravity_vector([[maybe_unused]]
   const Scalar& c1 = angles.cosine[1];
   const Scalar& s_2 = angles.sine[2];
   const Scalar& c_2 = angles.cosine[2];
-  const Scalar t0 = k[7] * c_0 - k[8] * s_0;
-  const Scalar t1 = qd[0] * c_2;
-  const Scalar t2 = qd[1] * t1;
-  const Scalar t3 = qdd[0] * s_2;
-  const Scalar t4 = Scalar(3.3333333333333335) * t2 + t3;
-  const Scalar t5 = qd[0] * s_2;
-  const Scalar t6 = qd[1] * t5;
-  const Scalar t7 = qdd[0] * c_2;
-  const Scalar t8 = Scalar(3.3333333333333335) * t6 - t7;
-  const Scalar t9 = k[8] * c_0 + k[7] * s_0;
-  const Scalar t10 = t0 * t4 - t8 * t9;
-  const Scalar t11 = Scalar(2) * t2 + t3;
-  const Scalar t12 = Scalar(2) * t6 - t7;
-  const Scalar t13 = k[1] * s1 - k[0] * c1;
-  const Scalar t14 = qdd[0] + t13;
-  const Scalar t15 = (k[9] * t11 - k[10] * t12) + t14;
-  const Scalar t16 = k[12] * s_0 - k[11] * c_0;
-  const Scalar t17 = Scalar(1.6666666666666667) * qdd[1];
-  const Scalar t18 = t5 * t1;
-  const Scalar t19 = t17 + t18;
-  const Scalar t20 = k[11] * s_0 + k[12] * c_0;
-  const Scalar t21 = qd[1] * qd[1];
-  const Scalar t22 = t5 * t5;
-  const Scalar t23 = t21 - t22;
-  const Scalar t24 = qd[0] * qd[0];
-  const Scalar t25 = t21 + t22;
-  const Scalar t26 = t24 - t25;
-  const Scalar t27 = t23 + t26;
-  const Scalar t28 = Scalar(2.7777777777777777) * t21 - t22;
-  const Scalar t29 = t27 - t28;
-  const Scalar t30 = k[13] * c_0 - k[14] * s_0;
-  const Scalar t31 = s_0 * t30;
-  const Scalar t32 = k[15] + t31;
-  const Scalar t33 = k[16] - c_0 * t30;
-  const Scalar t34 = t20 * t29 - (t4 * t32 - t8 * t33);
-  const Scalar t35 = k[9] * t10 + (t0 * t15 - (t16 * t19 - t34));
-  const Scalar t36 = qdd[1] + t18;
-  const Scalar t37 = (k[20] * t12 - k[19] * t11) - k[18] * t26;
-  const Scalar t38 = t35 + (k[5] * t14 + (k[17] * t36 - t37));
-  const Scalar t39 = k[21] + t31;
-  const Scalar t40 = t17 - t18;
-  const Scalar t41 = (t8 * t39 + t4 * t33) - (t40 * t20 - t16 * t28);
-  const Scalar t42 = qdd[1] - t18;
-  const Scalar t43 = (k[18] * t42 + k[17] * t23) - (k[22] * t12 - k[20] * t11);
-  const Scalar t44 = ((t15 * t9 - t41) + k[10] * t10) - (k[6] * t14 - t43);
-  const Scalar t45 = (t10 + (k[5] * t11 + k[6] * t12)) + (s_2 * t38 + c_2 * t44);
-  const Scalar t46 = k[1] * c1 + k[0] * s1;
-  const Scalar t47 = (k[2] * t13 + k[3] * t46) + k[4] * qdd[0];
-  const Scalar t48 = t46 + t24;
-  const Scalar t49 = k[23] * s_2 - c_2 * t48;
-  const Scalar t50 = (k[9] * t42 - k[10] * (t23 + t24)) + t49;
-  const Scalar t51 = s_2 * t48 + k[23] * c_2;
-  const Scalar t52 = t9 * (t51 + (k[9] * t25 + k[10] * t36));
-  const Scalar t53 = (t40 * t32 - t19 * t39) - t27 * t33;
-  const Scalar t54 = (t50 * t0 + t52) - (t53 - (t20 * t7 - t16 * t3));
-  const Scalar t55 = t24 - t29;
-  const Scalar t56 = k[9] * ((t55 + t27) * t9 - t0 * t40);
-  const Scalar t57 = k[10] * (t19 * t9 + t55 * t0) - t56;
-  const Scalar t58 = (k[19] * t42 + k[22] * t36) - k[20] * t27;
-  const Scalar t59 = (t58 + (k[18] * t7 + k[17] * t3)) + (k[5] * t49 - k[6] * t51);
-  const Scalar t60 = Scalar(0.6666666666666666) * (Scalar(0.002) * direction(qd[1]) + t54)
-      + (Scalar(0.001) * qd[1] + ((t54 + t57) + t59));
+  const Scalar t0 = k[4] * s1 - k[3] * c1;
+  const Scalar t1 = k[3] * s1 + k[4] * c1;
+  const Scalar t2 = (k[21] * t0 - k[22] * t1) - k[23] * qdd[0];
+  const Scalar t3 = qd[1] * qd[0];
+  const Scalar t4 = s_2 * t3;
+  const Scalar t5 = qdd[0] * c_2;
+  const Scalar t6 = Scalar(2) * t4 - t5;
+  const Scalar t7 = k[0] * c_0 - k[1] * s_0;
+  const Scalar t8 = c_2 * t3;
+  const Scalar t9 = qdd[0] * s_2;
+  const Scalar t10 = Scalar(3.3333333333333335) * t8 + t9;
+  const Scalar t11 = t5 - Scalar(3.3333333333333335) * t4;
+  const Scalar t12 = k[1] * c_0 + k[0] * s_0;
+  const Scalar t13 = k[5] * qdd[0] + t0;
+  const Scalar t14 = (k[2] * (Scalar(2) * t8 + t9) - t6) + t13;
+  const Scalar t15 = (t7 * t10 + t11 * t12) + k[6] * t14;
+  const Scalar t16 = k[8] * c_0 - k[9] * s_0;
+  const Scalar t17 = qd[0] * c_2;
+  const Scalar t18 = qd[0] * s_2 * t17;
+  const Scalar t19 = qdd[1] + t18;
+  const Scalar t20 = Scalar(0.6666666666666666) * qdd[1];
+  const Scalar t21 = t19 + t20;
+  const Scalar t22 = k[9] * c_0 + k[8] * s_0;
+  const Scalar t23 = t17 * t17;
+  const Scalar t24 = qd[1] * qd[1];
+  const Scalar t25 = Scalar(2.7777777777777777) * t24;
+  const Scalar t26 = t23 - t25;
+  const Scalar t27 = k[10] * s_0 - k[11] * c_0;
+  const Scalar t28 = k[13] + c_0 * t27;
+  const Scalar t29 = s_0 * t27;
+  const Scalar t30 = k[14] - t29;
+  const Scalar t31 = t22 * t26 - (t11 * t28 + t30 * t10);
+  const Scalar t32 = ((t16 * t21 + t31) + t7 * t14) + k[2] * t15;
+  const Scalar t33 = qd[0] * qd[0];
+  const Scalar t34 = t23 + t25;
+  const Scalar t35 = t33 - t34;
+  const Scalar t36 = qdd[1] - t18;
+  const Scalar t37 = t20 + t36;
+  const Scalar t38 = k[12] - t29;
+  const Scalar t39 = (t16 * t35 - t37 * t22) + (t10 * t28 - t38 * t11);
+  const Scalar t40 = s_2 * t32 - c_2 * ((t39 - t14 * t12) - t15);
+  const Scalar t41 = k[16] * c_2 + k[15] * s_2;
+  const Scalar t42 = k[18] - c_2 * t41;
+  const Scalar t43 = Scalar(2) * t42 * t3 + qdd[0] * (k[17] - s_2 * t41);
+  const Scalar t44 = k[20] * c_2 + k[19] * s_2;
+  const Scalar t45 = qdd[1] * t44 + (k[19] * c_2 - k[20] * s_2) * t24;
+  const Scalar t46 = t40 - (k[7] * c_2 * t13 - (t43 + t45));
+  const Scalar t47 = t2 - (k[5] * (k[7] * t6 + t15) + t46);
+  const Scalar t48 = t35 - t26;
+  const Scalar t49 = (t38 * t21 - t30 * t37) - t48 * t28;
+  const Scalar t50 = t23 + t24;
+  const Scalar t51 = k[5] * t33 + t1;
+  const Scalar t52 = (k[2] * t36 - t50) - (c_2 * t51 - k[24] * s_2);
+  const Scalar t53 = s_2 * t51 + k[24] * c_2;
+  const Scalar t54 = (t19 + k[2] * (t48 + t50)) + t53;
+  const Scalar t55 = (t49 + (t22 * t5 + t16 * t9)) + (t7 * t52 + t54 * t12);
+  const Scalar t56 = qdd[0] * t44 - (t42 * t33 - k[26] * qdd[1]);
+  const Scalar t57 = k[2] * (t34 * t12 - t7 * t37) - k[25] * t52;
+  const Scalar t58 = k[6] * t54 + (t7 * (t48 + t34) + t21 * t12);
+  const Scalar t59 = (k[7] * t53 - t56) + ((t57 - t58) - t55);
   JointVector<Scalar> result;
-  result[0] = t45 + t47;
-  result[1] = t60;
+  result[0] = -t47;
+  result[1] = Scalar(0.6666666666666666) * t55 - t59;
   return result;
 }
 
@@ -197,72 +206,74 @@ InverseDynamicsWithWrenchConstants<Scalar> inverse_dynamics_with_wrench_constant
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c3x * inertia.m3;
-  const Scalar t1 = g.l2 * inertia.m3 + t0;
-  const Scalar t2 = inertia.c3z * inertia.m3;
-  const Scalar t3 = g.l1 * Scalar(0.17364817766693036);
-  const Scalar t4 = g.l1 * Scalar(0.984807753012208);
-  const Scalar t5 = inertia.c3y * inertia.m3;
-  const Scalar t6 = g.l2 * t2 - (inertia.I3xz - inertia.c3z * t0);
-  const Scalar t7 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t8 = (inertia.I3zz - t7) - inertia.c3z * t2;
-  const Scalar t9 = g.l2 * (t1 + t0) + (inertia.c3x * t0 - (inertia.I3xx - t7));
-  const Scalar t10 = inertia.m3 * t3;
-  const Scalar t11 = inertia.c2z * inertia.m2;
-  const Scalar t12 = inertia.c2x * inertia.m2;
-  const Scalar t13 = g.l1 * inertia.m2 + t12;
-  const Scalar t14 = Scalar(0.01) * (t10 + (Scalar(0.984807753012208) * t11 + Scalar(0.17364817766693036) * t13));
-  const Scalar t15 = inertia.m3 * t4;
-  const Scalar t16 = Scalar(0.01) * ((Scalar(0.17364817766693036) * t11 - Scalar(0.984807753012208) * t13) - t15);
-  const Scalar t17 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t18 = (inertia.c2x * t12 - (inertia.I2xx - t17)) + g.l1 * (t12 + t13);
-  const Scalar t19 = (inertia.I2xz - inertia.c2z * t12) - g.l1 * t11;
-  const Scalar t20 = (inertia.I2zz - t17) - inertia.c2z * t11;
-  const Scalar t21 = Scalar(2) * Scalar(0.984807753012208) * t19 - Scalar(0.17364817766693036) * (t18 + t20);
-  const Scalar t22 = Scalar(0.17364817766693036) * t21;
-  const Scalar t23 = (t18 + t22) + t4 * t15;
-  const Scalar t24 = t3 * t10 - (t22 + t20);
-  const Scalar t25 = t3 * t15 + (t19 - Scalar(0.984807753012208) * t21);
-  const Scalar t26 = inertia.c2y * inertia.m2;
-  const Scalar t27 = g.l1 * t26 - (inertia.I2xy - inertia.c2y * t12);
-  const Scalar t28 = inertia.I2yz - inertia.c2z * t26;
-  const Scalar t29 = t4 * t5 + (Scalar(0.984807753012208) * t27 + Scalar(0.17364817766693036) * t28);
-  const Scalar t30 = (Scalar(0.984807753012208) * t28 - Scalar(0.17364817766693036) * t27) - t3 * t5;
-  const Scalar t31 = inertia.c1x * inertia.m1;
-  const Scalar t32 = Scalar(0.01) * inertia.m1 + t31;
-  const Scalar t33 = inertia.m2 + inertia.m3;
-  const Scalar t34 = inertia.c1y * inertia.m1;
-  const Scalar t35 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t36 = Scalar(0.01) * (t32 + t31) + (inertia.c1x * t31 - (inertia.I1xx - t35));
-  const Scalar t37 = ((inertia.I3yy - t7) - inertia.c3y * t5) + ((inertia.I2yy - t17) - inertia.c2y * t26);
-  const Scalar t38 = (Scalar(0.0001) * t33 + t36) - (t37 - (inertia.c1y * t34 - (inertia.I1yy - t35)));
-  return { Scalar(0.01) * t1,
-           Scalar(0.01) * t2,
-           Scalar(100) * t3,
-           Scalar(100) * t4,
-           Scalar(100) * gravity[1],
-           Scalar(100) * gravity[0],
-           g.l2 * t5 - (inertia.I3xy - inertia.c3y * t0),
-           inertia.I3yz - inertia.c3z * t5,
-           Scalar(2) * t6,
-           t8 + t9,
-           t9,
-           t6,
-           Scalar(100) * (Scalar(0.02) + g.l2),
-           t8,
-           t14,
-           t16,
-           t23 - t24,
-           Scalar(2) * t25,
-           t23,
+  const Scalar t0 = g.l1 * Scalar(0.984807753012208);
+  const Scalar t1 = g.l1 * Scalar(0.17364817766693036);
+  const Scalar t2 = inertia.m3 * t1;
+  const Scalar t3 = inertia.c2z * inertia.m2;
+  const Scalar t4 = inertia.c2x * inertia.m2;
+  const Scalar t5 = g.l1 * inertia.m2 + t4;
+  const Scalar t6 = (t2 + (Scalar(0.984807753012208) * t3 + Scalar(0.17364817766693036) * t5)) / t1;
+  const Scalar t7 = t0 * t6;
+  const Scalar t8 = inertia.m3 * t0;
+  const Scalar t9 = t7 + ((Scalar(0.17364817766693036) * t3 - Scalar(0.984807753012208) * t5) - t8);
+  const Scalar t10 = inertia.c3z * inertia.m3;
+  const Scalar t11 = inertia.c3x * inertia.m3;
+  const Scalar t12 = g.l2 * inertia.m3 + t11;
+  const Scalar t13 = t0 * t7;
+  const Scalar t14 = (inertia.I2xz - inertia.c2z * t4) - g.l1 * t3;
+  const Scalar t15 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t16 = (inertia.c2x * t4 - (inertia.I2xx - t15)) + g.l1 * (t4 + t5);
+  const Scalar t17 = (inertia.I2zz - t15) - inertia.c2z * t3;
+  const Scalar t18 = Scalar(2) * Scalar(0.984807753012208) * t14 - Scalar(0.17364817766693036) * (t16 + t17);
+  const Scalar t19 = t7 * t1 - (t1 * t8 + (t14 - Scalar(0.984807753012208) * t18));
+  const Scalar t20 = Scalar(0.17364817766693036) * t18;
+  const Scalar t21 = inertia.c2y * inertia.m2;
+  const Scalar t22 = inertia.I2yz - inertia.c2z * t21;
+  const Scalar t23 = g.l1 * t21 - (inertia.I2xy - inertia.c2y * t4);
+  const Scalar t24 = inertia.c3y * inertia.m3;
+  const Scalar t25 = (Scalar(0.984807753012208) * t22 - Scalar(0.17364817766693036) * t23) - t1 * t24;
+  const Scalar t26 = t0 * t24 + (Scalar(0.984807753012208) * t23 + Scalar(0.17364817766693036) * t22);
+  const Scalar t27 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t28 = (inertia.I3zz - t27) - inertia.c3z * t10;
+  const Scalar t29 = g.l2 * (t12 + t11) + (inertia.c3x * t11 - (inertia.I3xx - t27));
+  const Scalar t30 = g.l2 * t10 - (inertia.I3xz - inertia.c3z * t11);
+  const Scalar t31 = (t1 * t2 - (t20 + t17)) - t1 * t1 * t6;
+  const Scalar t32 = inertia.c1x * inertia.m1;
+  const Scalar t33 = Scalar(0.01) * inertia.m1 + t32;
+  const Scalar t34 = inertia.m2 + inertia.m3;
+  const Scalar t35 = t0 * (Scalar(0.01) * t6 - (t33 + Scalar(0.01) * t34));
+  const Scalar t36 = inertia.c1y * inertia.m1;
+  const Scalar t37 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t38 = Scalar(0.01) * (t33 + t32) + (inertia.c1x * t32 - (inertia.I1xx - t37));
+  const Scalar t39 = ((inertia.I3yy - t27) - inertia.c3y * t24) + ((inertia.I2yy - t15) - inertia.c2y * t21);
+  const Scalar t40 = ((Scalar(0.0001) * t34 + t38) - Scalar(0.0001) * t6)
+      - (t39 - (inertia.c1y * t36 - (inertia.I1yy - t37)));
+  return { t0 * t9,
+           t0 * t10,
+           t0 * t12,
+           t1 / t0,
+           gravity[1] / t0,
+           gravity[0] / t0,
+           Scalar(0.01) / t0,
+           t13,
+           t0,
+           t19,
+           ((t16 + t20) + t0 * t8) - t13,
            t25,
-           t29,
+           t26,
+           (Scalar(0.02) + g.l2) / t0,
+           t28 + t29,
+           Scalar(2) * t30,
            t30,
-           Scalar(0.01) * (t32 + Scalar(0.01) * t33),
-           Scalar(0.01) * ((t5 + t26) + t34),
-           t38,
-           Scalar(100) * gravity[2],
-           t23 + t24 };
+           t29,
+           g.l2 * t24 - (inertia.I3xy - inertia.c3y * t11),
+           inertia.I3yz - inertia.c3z * t24,
+           t28,
+           t31,
+           t35,
+           t0 * ((t24 + t21) + t36),
+           t40,
+           gravity[2] / t0 };
 }
 
 namespace detail {
@@ -277,83 +288,81 @@ inline JointVector<Scalar> inverse_dynamics_with_wrench([[maybe_unused]] const J
   const Scalar& c1 = angles.cosine[1];
   const Scalar& s_2 = angles.sine[2];
   const Scalar& c_2 = angles.cosine[2];
-  const Scalar t0 = k[4] * c1 - k[5] * s1;
-  const Scalar t1 = k[5] * c1 + k[4] * s1;
-  const Scalar t2 = (k[22] * t0 - k[23] * t1) - k[24] * qdd[0];
-  const Scalar t3 = k[1] * c_0 - k[0] * s_0;
-  const Scalar t4 = qd[1] * qd[0];
-  const Scalar t5 = c_2 * t4;
-  const Scalar t6 = qdd[0] * s_2;
-  const Scalar t7 = Scalar(3.3333333333333335) * t5 + t6;
-  const Scalar t8 = k[0] * c_0 + k[1] * s_0;
-  const Scalar t9 = qdd[0] * c_2;
-  const Scalar t10 = s_2 * t4;
-  const Scalar t11 = t9 - Scalar(3.3333333333333335) * t10;
-  const Scalar t12 = Scalar(0.01) * (wrench[0] * s1 - wrench[1] * c1);
-  const Scalar t13 = (t3 * t7 + t8 * t11) + t12;
-  const Scalar t14 = wrench[3] * c1 + wrench[4] * s1;
-  const Scalar t15 = k[12] * c_0;
-  const Scalar t16 = (wrench[5] * c_2 + s_2 * t14) - t15 * t12;
-  const Scalar t17 = k[6] * s_0 + k[7] * c_0;
-  const Scalar t18 = Scalar(1.6666666666666667) * qdd[1];
-  const Scalar t19 = qd[0] * s_2;
-  const Scalar t20 = t19 * qd[0] * c_2;
-  const Scalar t21 = t18 - t20;
-  const Scalar t22 = k[7] * s_0 - k[6] * c_0;
-  const Scalar t23 = qd[1] * qd[1];
-  const Scalar t24 = Scalar(2.7777777777777777) * t23;
-  const Scalar t25 = t19 * t19;
-  const Scalar t26 = t24 - t25;
-  const Scalar t27 = k[8] * c_0 - k[9] * s_0;
-  const Scalar t28 = s_0 * t27;
-  const Scalar t29 = k[10] + t28;
-  const Scalar t30 = k[11] - c_0 * t27;
-  const Scalar t31 = (t17 * t21 - t22 * t26) + (t29 * t11 - t7 * t30);
-  const Scalar t32 = Scalar(2) * t5 + t6;
-  const Scalar t33 = Scalar(2) * t10 - t9;
-  const Scalar t34 = qdd[0] - t0;
-  const Scalar t35 = (k[2] * t32 - k[3] * t33) + t34;
-  const Scalar t36 = k[3] * t13 - (t16 - (t31 + t8 * t35));
-  const Scalar t37 = k[12] * s_0;
-  const Scalar t38 = t37 * t12 + (wrench[5] * s_2 - c_2 * t14);
-  const Scalar t39 = t18 + t20;
-  const Scalar t40 = t24 + t25;
-  const Scalar t41 = qd[0] * qd[0];
-  const Scalar t42 = t40 - t41;
-  const Scalar t43 = k[13] + t28;
-  const Scalar t44 = t42 * t17 + (t7 * t43 + t30 * t11);
-  const Scalar t45 = t38 - (t3 * t35 - (t39 * t22 + t44));
-  const Scalar t46 = c_2 * t36 + s_2 * (k[2] * t13 - t45);
-  const Scalar t47 = k[16] * s_2 - k[17] * c_2;
-  const Scalar t48 = k[19] + c_2 * t47;
-  const Scalar t49 = qdd[0] * (k[18] - s_2 * t47) - Scalar(2) * t4 * t48;
-  const Scalar t50 = k[20] * s_2 + k[21] * c_2;
-  const Scalar t51 = qdd[1] * t50 + (k[20] * c_2 - k[21] * s_2) * t23;
-  const Scalar t52 = (k[15] * c_2 - k[14] * s_2) * t34 - (t49 + t51);
-  const Scalar t53 = (t46 - t52) + ((k[15] * t33 + k[14] * t32) + t13);
-  const Scalar t54 = t1 + t41;
-  const Scalar t55 = c_2 * t54 - k[25] * s_2;
-  const Scalar t56 = s_2 * t54 + k[25] * c_2;
-  const Scalar t57 = (k[26] * qdd[1] + t41 * t48) + qdd[0] * t50;
-  const Scalar t58 = wrench[1] * s1 + wrench[0] * c1;
-  const Scalar t59 = Scalar(0.01) * (c_2 * t58 - wrench[2] * s_2);
-  const Scalar t60 = t59 - (t3 * t21 - (t41 + t26) * t8);
-  const Scalar t61 = Scalar(0.01) * (wrench[2] * c_2 + s_2 * t58);
-  const Scalar t62 = k[3] * ((t8 * t39 + t40 * t3) + t61);
-  const Scalar t63 = (wrench[3] * s1 - wrench[4] * c1) + (t37 * t59 + t61 * t15);
-  const Scalar t64 = t23 + t25;
-  const Scalar t65 = (k[3] * (qdd[1] + t20) + k[2] * t64) + t56;
-  const Scalar t66 = t42 - t26;
-  const Scalar t67 = k[2] * (qdd[1] - t20) - k[3] * (t64 - t66);
-  const Scalar t68 = t30 * t66 + (t21 * t43 - t29 * t39);
-  const Scalar t69 = (t8 * t65 + t3 * (t67 - t55)) + ((t17 * t9 - t6 * t22) - t68);
-  const Scalar t70 = t63 + t69;
-  const Scalar t71 = ((k[14] * t55 + k[15] * t56) - t57) + ((k[2] * t60 - t62) - t70);
-  const Scalar t72 = (t71 - Scalar(0.001) * qd[1]) - Scalar(0.6666666666666666)
-      * (Scalar(0.002) * direction(qd[1]) + t70);
+  const Scalar t0 = qd[0] * s_2;
+  const Scalar t1 = qd[1] * t0;
+  const Scalar t2 = qdd[0] * c_2;
+  const Scalar t3 = Scalar(2) * t1 - t2;
+  const Scalar t4 = Scalar(3.3333333333333335) * t1 - t2;
+  const Scalar t5 = k[2] * c_0 + k[1] * s_0;
+  const Scalar t6 = k[1] * c_0 - k[2] * s_0;
+  const Scalar t7 = qd[0] * c_2;
+  const Scalar t8 = qd[1] * t7;
+  const Scalar t9 = qdd[0] * s_2;
+  const Scalar t10 = Scalar(3.3333333333333335) * t8 + t9;
+  const Scalar t11 = k[4] * c1 - k[5] * s1;
+  const Scalar t12 = t11 - k[6] * qdd[0];
+  const Scalar t13 = Scalar(2) * t8 + t9;
+  const Scalar t14 = t12 + (t3 - k[3] * t13);
+  const Scalar t15 = (t4 * t5 - t6 * t10) + k[7] * t14;
+  const Scalar t16 = k[8] * (wrench[0] * s1 - wrench[1] * c1);
+  const Scalar t17 = t15 - t16;
+  const Scalar t18 = k[18] * s_0 + k[19] * c_0;
+  const Scalar t19 = t7 * t7;
+  const Scalar t20 = qd[1] * qd[1];
+  const Scalar t21 = Scalar(2.7777777777777777) * t20;
+  const Scalar t22 = t19 - t21;
+  const Scalar t23 = k[15] * c_0 - k[14] * s_0;
+  const Scalar t24 = k[16] - c_0 * t23;
+  const Scalar t25 = s_0 * t23;
+  const Scalar t26 = k[20] + t25;
+  const Scalar t27 = t18 * t22 + (t4 * t24 - t10 * t26);
+  const Scalar t28 = Scalar(1.6666666666666667) * qdd[1];
+  const Scalar t29 = t0 * t7;
+  const Scalar t30 = t28 + t29;
+  const Scalar t31 = k[19] * s_0 - k[18] * c_0;
+  const Scalar t32 = wrench[3] * c1 + wrench[4] * s1;
+  const Scalar t33 = k[13] * s_0;
+  const Scalar t34 = (wrench[5] * s_2 - c_2 * t32) + t33 * t16;
+  const Scalar t35 = (t6 * t14 - (t27 - t30 * t31)) + t34;
+  const Scalar t36 = qd[0] * qd[0];
+  const Scalar t37 = t19 + t21;
+  const Scalar t38 = t36 - t37;
+  const Scalar t39 = t38 - t22;
+  const Scalar t40 = t19 + t20;
+  const Scalar t41 = t40 - t36;
+  const Scalar t42 = (k[9] * t3 + k[21] * t13) - k[11] * (t39 + t41);
+  const Scalar t43 = qdd[1] + t29;
+  const Scalar t44 = (k[3] * t17 + t35) - (t42 + k[12] * t43);
+  const Scalar t45 = qdd[1] - t29;
+  const Scalar t46 = (k[9] * t13 + k[10] * t3) - (k[11] * t45 + k[12] * t41);
+  const Scalar t47 = t28 - t29;
+  const Scalar t48 = k[17] + t25;
+  const Scalar t49 = (t31 * t38 + t47 * t18) - (t4 * t48 + t10 * t24);
+  const Scalar t50 = k[13] * c_0;
+  const Scalar t51 = (wrench[5] * c_2 + s_2 * t32) - t50 * t16;
+  const Scalar t52 = (t46 - k[0] * t12) + (t17 + ((t14 * t5 - t49) + t51));
+  const Scalar t53 = k[6] * (k[0] * t3 - t17) - (s_2 * t44 + c_2 * t52);
+  const Scalar t54 = k[5] * c1 + k[4] * s1;
+  const Scalar t55 = k[24] * qdd[0] + (k[22] * t11 + k[23] * t54);
+  const Scalar t56 = (k[21] * t45 + k[10] * t43) - k[9] * t39;
+  const Scalar t57 = t54 + k[6] * t36;
+  const Scalar t58 = k[25] * c_2 + s_2 * t57;
+  const Scalar t59 = (t56 + (k[12] * t9 + k[11] * t2)) - k[0] * t58;
+  const Scalar t60 = wrench[1] * s1 + wrench[0] * c1;
+  const Scalar t61 = k[8] * (c_2 * t60 - wrench[2] * s_2);
+  const Scalar t62 = (t40 - k[3] * t45) - (k[25] * s_2 - c_2 * t57);
+  const Scalar t63 = k[7] * t62 - (t6 * t47 - t5 * t37);
+  const Scalar t64 = k[8] * (wrench[2] * c_2 + s_2 * t60);
+  const Scalar t65 = t58 + (t43 + k[3] * (t39 + t40));
+  const Scalar t66 = k[7] * t65 + (t6 * (t39 + t37) + t30 * t5);
+  const Scalar t67 = (wrench[3] * s1 - wrench[4] * c1) + (t61 * t33 + t64 * t50);
+  const Scalar t68 = t39 * t24 - (t30 * t48 - t47 * t26);
+  const Scalar t69 = (t68 - (t18 * t2 - t9 * t31)) + (t6 * t62 - t65 * t5);
+  const Scalar t70 = t67 - t69;
+  const Scalar t71 = (k[3] * (t61 + t63) - (t64 + t66)) - t70;
   JointVector<Scalar> result;
-  result[0] = t53 - t2;
-  result[1] = -t72;
+  result[0] = t53 + t55;
+  result[1] = (t59 - t71) + Scalar(0.6666666666666666) * t70;
   return result;
 }
 
@@ -384,21 +393,21 @@ GravityTorqueWithGravityVectorConstants<Scalar> gravity_torque_with_gravity_vect
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = (inertia.c3y * inertia.m3 + inertia.c2y * inertia.m2) + inertia.c1y * inertia.m1;
-  const Scalar t1 = (Scalar(0.01) * inertia.m1 + inertia.c1x * inertia.m1) + Scalar(0.01) * (inertia.m2 + inertia.m3);
-  const Scalar t2 = inertia.c2z * inertia.m2;
-  const Scalar t3 = g.l1 * inertia.m2 + inertia.c2x * inertia.m2;
-  const Scalar t4 = inertia.m3 * g.l1 * Scalar(0.17364817766693036)
-      + (Scalar(0.984807753012208) * t2 + Scalar(0.17364817766693036) * t3);
-  const Scalar t5 = (Scalar(0.17364817766693036) * t2 - Scalar(0.984807753012208) * t3) - inertia.m3 * g.l1
+  const Scalar t0 = inertia.c2z * inertia.m2;
+  const Scalar t1 = g.l1 * inertia.m2 + inertia.c2x * inertia.m2;
+  const Scalar t2 = inertia.m3 * g.l1 * Scalar(0.17364817766693036)
+      + (Scalar(0.984807753012208) * t0 + Scalar(0.17364817766693036) * t1);
+  const Scalar t3 = (Scalar(0.17364817766693036) * t0 - Scalar(0.984807753012208) * t1) - inertia.m3 * g.l1
       * Scalar(0.984807753012208);
+  const Scalar t4 = (inertia.c3y * inertia.m3 + inertia.c2y * inertia.m2) + inertia.c1y * inertia.m1;
+  const Scalar t5 = (Scalar(0.01) * inertia.m1 + inertia.c1x * inertia.m1) + Scalar(0.01) * (inertia.m2 + inertia.m3);
   return { gravity[1],
            gravity[0],
-           t0,
-           t1,
-           t4,
-           g.l2 * inertia.m3 + inertia.c3x * inertia.m3,
            inertia.c3z * inertia.m3,
+           g.l2 * inertia.m3 + inertia.c3x * inertia.m3,
+           t2,
+           t3,
+           t4,
            t5,
            gravity[2] };
 }
@@ -415,19 +424,19 @@ inline JointVector<Scalar> gravity_torque_with_gravity_vector([[maybe_unused]] c
   const Scalar& c1 = angles.cosine[1];
   const Scalar& s_2 = angles.sine[2];
   const Scalar& c_2 = angles.cosine[2];
-  const Scalar t0 = k[1] * c1 + k[0] * s1;
-  const Scalar t1 = k[1] * s1 - k[0] * c1;
-  const Scalar t2 = k[6] * t1;
-  const Scalar t3 = k[5] * t1;
-  const Scalar t4 = (c_0 * t2 - s_0 * t3) + k[4] * t1;
-  const Scalar t5 = k[7] * t1 - (c_0 * t3 + s_0 * t2);
-  const Scalar t6 = (k[2] * t0 + k[3] * t1) + (s_2 * t4 - c_2 * t5);
-  const Scalar t7 = c_2 * t0 - k[8] * s_2;
-  const Scalar t8 = s_2 * t0 + k[8] * c_2;
-  const Scalar t9 = k[5] * (s_0 * t7 + c_0 * t8) - k[6] * (c_0 * t7 - s_0 * t8);
-  const Scalar t10 = Scalar(0.6666666666666666) * t9 - ((k[7] * t8 + k[4] * t7) - t9);
+  const Scalar t0 = k[1] * s1 - k[0] * c1;
+  const Scalar t1 = k[3] * t0;
+  const Scalar t2 = k[2] * t0;
+  const Scalar t3 = (s_0 * t1 - c_0 * t2) - k[4] * t0;
+  const Scalar t4 = (s_0 * t2 + c_0 * t1) - k[5] * t0;
+  const Scalar t5 = k[1] * c1 + k[0] * s1;
+  const Scalar t6 = (s_2 * t3 - c_2 * t4) - (k[7] * t0 + k[6] * t5);
+  const Scalar t7 = c_2 * t5 - k[8] * s_2;
+  const Scalar t8 = s_2 * t5 + k[8] * c_2;
+  const Scalar t9 = k[3] * (s_0 * t7 + c_0 * t8) - k[2] * (c_0 * t7 - s_0 * t8);
+  const Scalar t10 = Scalar(0.6666666666666666) * t9 - ((k[5] * t8 + k[4] * t7) - t9);
   JointVector<Scalar> result;
-  result[0] = t6;
+  result[0] = -t6;
   result[1] = t10;
   return result;
 }
@@ -457,75 +466,75 @@ ForwardDynamicsWithGravityVectorConstants<Scalar> forward_dynamics_with_gravity_
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = g.l1 * Scalar(0.984807753012208);
-  const Scalar t1 = inertia.c3z * inertia.m3;
-  const Scalar t2 = inertia.c3x * inertia.m3;
-  const Scalar t3 = g.l2 * inertia.m3 + t2;
-  const Scalar t4 = inertia.c2z * inertia.m2;
-  const Scalar t5 = inertia.c2x * inertia.m2;
-  const Scalar t6 = g.l1 * inertia.m2 + t5;
-  const Scalar t7 = inertia.m3 * t0;
-  const Scalar t8 = t0 * ((Scalar(0.17364817766693036) * t4 - Scalar(0.984807753012208) * t6) - t7);
-  const Scalar t9 = g.l1 * Scalar(0.17364817766693036);
-  const Scalar t10 = inertia.m3 * t9;
-  const Scalar t11 = t0 * (t10 + (Scalar(0.984807753012208) * t4 + Scalar(0.17364817766693036) * t6));
-  const Scalar t12 = Scalar(0.01) / t0;
-  const Scalar t13 = (inertia.I2xz - inertia.c2z * t5) - g.l1 * t4;
-  const Scalar t14 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t15 = (inertia.c2x * t5 - (inertia.I2xx - t14)) + g.l1 * (t5 + t6);
-  const Scalar t16 = (inertia.I2zz - t14) - inertia.c2z * t4;
-  const Scalar t17 = Scalar(2) * Scalar(0.984807753012208) * t13 - Scalar(0.17364817766693036) * (t15 + t16);
-  const Scalar t18 = t9 * t7 + (t13 - Scalar(0.984807753012208) * t17);
-  const Scalar t19 = Scalar(0.17364817766693036) * t17;
-  const Scalar t20 = (t15 + t19) + t0 * t7;
-  const Scalar t21 = t9 * t10 - (t19 + t16);
-  const Scalar t22 = inertia.c2y * inertia.m2;
-  const Scalar t23 = inertia.I2yz - inertia.c2z * t22;
-  const Scalar t24 = g.l1 * t22 - (inertia.I2xy - inertia.c2y * t5);
-  const Scalar t25 = inertia.c3y * inertia.m3;
-  const Scalar t26 = (Scalar(0.984807753012208) * t23 - Scalar(0.17364817766693036) * t24) - t9 * t25;
-  const Scalar t27 = t0 * t25 + (Scalar(0.984807753012208) * t24 + Scalar(0.17364817766693036) * t23);
-  const Scalar t28 = g.l2 * t1 - (inertia.I3xz - inertia.c3z * t2);
-  const Scalar t29 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t30 = (inertia.I3zz - t29) - inertia.c3z * t1;
-  const Scalar t31 = g.l2 * (t3 + t2) + (inertia.c3x * t2 - (inertia.I3xx - t29));
-  const Scalar t32 = t30 - t31;
+  const Scalar t0 = inertia.c3x * inertia.m3;
+  const Scalar t1 = g.l2 * inertia.m3 + t0;
+  const Scalar t2 = g.l1 * Scalar(0.17364817766693036);
+  const Scalar t3 = inertia.c3z * inertia.m3;
+  const Scalar t4 = g.l1 * Scalar(0.984807753012208);
+  const Scalar t5 = g.l2 * t3 - (inertia.I3xz - inertia.c3z * t0);
+  const Scalar t6 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t7 = (inertia.I3zz - t6) - inertia.c3z * t3;
+  const Scalar t8 = g.l2 * (t1 + t0) + (inertia.c3x * t0 - (inertia.I3xx - t6));
+  const Scalar t9 = t7 - t8;
+  const Scalar t10 = inertia.c3y * inertia.m3;
+  const Scalar t11 = inertia.c2x * inertia.m2;
+  const Scalar t12 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t13 = g.l1 * inertia.m2 + t11;
+  const Scalar t14 = (inertia.c2x * t11 - (inertia.I2xx - t12)) + g.l1 * (t11 + t13);
+  const Scalar t15 = inertia.c2z * inertia.m2;
+  const Scalar t16 = (inertia.I2xz - inertia.c2z * t11) - g.l1 * t15;
+  const Scalar t17 = (inertia.I2zz - t12) - inertia.c2z * t15;
+  const Scalar t18 = Scalar(2) * Scalar(0.984807753012208) * t16 - Scalar(0.17364817766693036) * (t14 + t17);
+  const Scalar t19 = Scalar(0.17364817766693036) * t18;
+  const Scalar t20 = inertia.m3 * t4;
+  const Scalar t21 = (t14 + t19) + t4 * t20;
+  const Scalar t22 = inertia.m3 * t2;
+  const Scalar t23 = t2 * t22 - (t19 + t17);
+  const Scalar t24 = t2 * t20 + (t16 - Scalar(0.984807753012208) * t18);
+  const Scalar t25 = inertia.c2y * inertia.m2;
+  const Scalar t26 = g.l1 * t25 - (inertia.I2xy - inertia.c2y * t11);
+  const Scalar t27 = inertia.I2yz - inertia.c2z * t25;
+  const Scalar t28 = t4 * t10 + (Scalar(0.984807753012208) * t26 + Scalar(0.17364817766693036) * t27);
+  const Scalar t29 = (Scalar(0.984807753012208) * t27 - Scalar(0.17364817766693036) * t26) - t2 * t10;
+  const Scalar t30 = t2 * (t22 + (Scalar(0.984807753012208) * t15 + Scalar(0.17364817766693036) * t13));
+  const Scalar t31 = t2 * ((Scalar(0.17364817766693036) * t15 - Scalar(0.984807753012208) * t13) - t20);
+  const Scalar t32 = Scalar(0.01) / t2;
   const Scalar t33 = inertia.c1x * inertia.m1;
   const Scalar t34 = Scalar(0.01) * inertia.m1 + t33;
   const Scalar t35 = inertia.m2 + inertia.m3;
   const Scalar t36 = inertia.c1y * inertia.m1;
   const Scalar t37 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
   const Scalar t38 = Scalar(0.01) * (t34 + t33) + (inertia.c1x * t33 - (inertia.I1xx - t37));
-  const Scalar t39 = ((inertia.I3yy - t29) - inertia.c3y * t25) + ((inertia.I2yy - t14) - inertia.c2y * t22);
-  return { t0 * t1,
-           t0 * t3,
-           Scalar(2) * t8,
-           Scalar(2) * t11,
-           t12,
-           gravity[1] / t0,
-           gravity[0] / t0,
-           t11,
-           t8,
-           Scalar(2) * t18,
-           t20 - t21,
-           t18,
-           t26,
-           t27,
-           inertia.I3yz - inertia.c3z * t25,
-           g.l2 * t25 - (inertia.I3xy - inertia.c3y * t2),
-           Scalar(2) * t28,
-           t30 + t31,
+  const Scalar t39 = ((inertia.I3yy - t6) - inertia.c3y * t10) + ((inertia.I2yy - t12) - inertia.c2y * t25);
+  return { t1 * t2,
+           t3 * t2,
+           t4 / t2,
+           gravity[1] / t2,
+           gravity[0] / t2,
+           Scalar(2) * t5,
+           t7 + t8,
+           t7,
+           t9,
+           t5,
+           inertia.I3yz - inertia.c3z * t10,
+           g.l2 * t10 - (inertia.I3xy - inertia.c3y * t0),
+           t21 - t23,
+           Scalar(2) * t24,
+           t24,
            t28,
+           t29,
            t30,
+           t31,
+           Scalar(2) * t30,
+           Scalar(2) * t31,
            t32,
-           t9 / t0,
-           t0 * (t34 + Scalar(0.01) * t35),
-           t0 * ((t25 + t22) + t36),
-           t20,
+           t2 * (t34 + Scalar(0.01) * t35),
+           t2 * ((t10 + t25) + t36),
+           gravity[2] / t2,
            t21,
-           Scalar(0.4444444444444444) * t32,
-           gravity[2] / t0,
-           Scalar(2) * t12,
+           t23,
+           Scalar(0.4444444444444444) * t9,
+           Scalar(2) * t32,
            Scalar(0.0001) * t35 + t38,
            t39 - (inertia.c1y * t36 - (inertia.I1yy - t37)) };
 }
@@ -542,71 +551,68 @@ inline JointVector<Scalar> forward_dynamics_with_gravity_vector([[maybe_unused]]
   const Scalar& c1 = angles.cosine[1];
   const Scalar& s_2 = angles.sine[2];
   const Scalar& c_2 = angles.cosine[2];
-  const Scalar t0 = k[15] * c_0 - k[14] * s_0;
-  const Scalar t1 = k[15] * s_0 + k[14] * c_0;
-  const Scalar t2 = s_2 * t0 + c_2 * t1;
-  const Scalar t3 = ((k[12] * c_2 + k[13] * s_2) + t2) + Scalar(0.6666666666666666) * t2;
-  const Scalar t4 = k[0] * c_0 - k[1] * s_0;
-  const Scalar t5 = k[21] * t4;
-  const Scalar t6 = k[1] * c_0 + k[0] * s_0;
-  const Scalar t7 = Scalar(0.6666666666666666) * (k[20] - (t5 + t6));
-  const Scalar t8 = k[17] * s_0 - k[16] * c_0;
-  const Scalar t9 = k[19] - s_0 * t8;
-  const Scalar t10 = k[25] - (t9 - Scalar(2) * t5);
-  const Scalar t11 = k[20] - t9;
-  const Scalar t12 = k[24] + (Scalar(2) * t6 - t11);
-  const Scalar t13 = Scalar(1) / (k[26] + (t7 + (t7 - (t10 + t12))));
+  const Scalar t0 = k[10] * s_0 - k[11] * c_0;
+  const Scalar t1 = k[10] * c_0 + k[11] * s_0;
+  const Scalar t2 = s_2 * t0 - c_2 * t1;
+  const Scalar t3 = Scalar(0.6666666666666666) * t2 + (t2 - (k[16] * c_2 + k[15] * s_2));
+  const Scalar t4 = k[1] * c_0 - k[0] * s_0;
+  const Scalar t5 = k[6] * s_0 - k[5] * c_0;
+  const Scalar t6 = k[7] - s_0 * t5;
+  const Scalar t7 = k[26] + (Scalar(2) * t4 - t6);
+  const Scalar t8 = k[0] * c_0 + k[1] * s_0;
+  const Scalar t9 = k[2] * t8;
+  const Scalar t10 = k[8] - t6;
+  const Scalar t11 = k[25] + (Scalar(2) * t9 - t10);
+  const Scalar t12 = Scalar(0.6666666666666666) * (k[8] - (t9 + t4));
+  const Scalar t13 = Scalar(1) / (k[27] - (((t7 + t11) - t12) - t12));
   const Scalar t14 = t3 * t13;
-  const Scalar t15 = c_2 * (k[8] - t6) - s_2 * (k[7] + t4);
-  const Scalar t16 = s_2 * s_2;
-  const Scalar t17 = c_2 * s_2;
-  const Scalar t18 = k[18] + c_0 * t8;
-  const Scalar t19 = t17 * (k[11] + ((t4 - t18) + k[21] * t6));
-  const Scalar t20 = (t16 * (t10 - t12) + Scalar(2) * t19) + t12;
-  const Scalar t21 = t3 * t14 - (k[30] - (k[29] - (k[28] * t15 - t20)));
-  const Scalar t22 = qd[0] * qd[0];
-  const Scalar t23 = t22 * t16;
-  const Scalar t24 = qd[1] * qd[1];
-  const Scalar t25 = Scalar(2.7777777777777777) * t24;
-  const Scalar t26 = t23 + t25;
-  const Scalar t27 = t17 * t22;
-  const Scalar t28 = t26 - t22;
-  const Scalar t29 = t23 - t25;
-  const Scalar t30 = t28 + t29;
-  const Scalar t31 = k[21] * (t4 * t27 + (t26 - t30) * t6);
-  const Scalar t32 = k[6] * c1 + k[5] * s1;
-  const Scalar t33 = t32 + k[4] * t22;
-  const Scalar t34 = k[27] * c_2 + s_2 * t33;
-  const Scalar t35 = t23 + t24;
-  const Scalar t36 = c_2 * t33 - k[27] * s_2;
-  const Scalar t37 = t4 * ((k[21] * t27 + (t35 - t30)) + t36);
-  const Scalar t38 = (t34 + (k[21] * t35 + t27)) * t6 - t37;
-  const Scalar t39 = (t18 * t30 - t27 * (t9 - t11)) - t38;
-  const Scalar t40 = ((t26 * t4 + t27 * t6) - t31) - t39;
-  const Scalar t41 = k[11] + c_2 * (k[10] * s_2 - k[9] * c_2);
-  const Scalar t42 = t22 * t41 - (k[7] * t36 + k[8] * t34);
-  const Scalar t43 = (Scalar(0.001) * qd[1] + (t40 + t42)) + Scalar(0.6666666666666666)
-      * (Scalar(0.002) * direction(qd[1]) - t39);
-  const Scalar t44 = torque[1] - t43;
-  const Scalar t45 = qd[1] * qd[0];
-  const Scalar t46 = s_2 * t45;
-  const Scalar t47 = c_2 * t45;
-  const Scalar t48 = Scalar(3.3333333333333335) * t46 * t6 - Scalar(3.3333333333333335) * t4 * t47;
-  const Scalar t49 = k[4] * (t48 - (k[3] * t47 + k[2] * t46));
-  const Scalar t50 = Scalar(3.3333333333333335) * t9 * t47 - Scalar(3.3333333333333335) * t18 * t46;
-  const Scalar t51 = k[5] * c1 - k[6] * s1;
-  const Scalar t52 = Scalar(2) * (t46 - k[21] * t47) + t51;
-  const Scalar t53 = (t0 * t27 - (t1 * t28 + t50)) - t4 * t52;
-  const Scalar t54 = Scalar(3.3333333333333335) * t18 * t47 - Scalar(3.3333333333333335) * t46 * t11;
-  const Scalar t55 = ((t0 * t29 + t27 * t1) + t54) + t52 * t6;
-  const Scalar t56 = s_2 * (t53 - k[21] * t48) - c_2 * (t48 + t55);
-  const Scalar t57 = Scalar(2) * t45 * t41 + t24 * (k[12] * s_2 - k[13] * c_2);
-  const Scalar t58 = t57 + (k[7] * s_2 - k[8] * c_2) * t51;
-  const Scalar t59 = (t49 - (t56 - t58)) + (k[22] * t51 - k[23] * t32);
-  const Scalar t60 = Scalar(1) / t21 * (t44 * t14 + (torque[0] + t59));
+  const Scalar t15 = k[9] + c_0 * t5;
+  const Scalar t16 = c_2 * (k[14] + (t8 + (k[2] * t4 - t15)));
+  const Scalar t17 = s_2 * (Scalar(2) * t16 + s_2 * (t7 - t11));
+  const Scalar t18 = s_2 * (k[17] + t4) - c_2 * (k[18] - t8);
+  const Scalar t19 = k[30] - (k[29] + ((t17 + t11) + k[28] * t18));
+  const Scalar t20 = qd[0] * c_2;
+  const Scalar t21 = t20 * t20;
+  const Scalar t22 = qd[1] * qd[1];
+  const Scalar t23 = Scalar(2.7777777777777777) * t22;
+  const Scalar t24 = t21 + t23;
+  const Scalar t25 = qd[0] * s_2;
+  const Scalar t26 = t25 * t20;
+  const Scalar t27 = qd[0] * qd[0];
+  const Scalar t28 = t21 - t23;
+  const Scalar t29 = t27 - t28;
+  const Scalar t30 = (t8 * t24 + t4 * t26) - k[2] * (t8 * t26 + t4 * t29);
+  const Scalar t31 = t24 - t29;
+  const Scalar t32 = t21 + t22;
+  const Scalar t33 = k[3] * s1 + k[4] * c1;
+  const Scalar t34 = k[21] * t27 + t33;
+  const Scalar t35 = k[24] * c_2 + s_2 * t34;
+  const Scalar t36 = ((k[2] * t26 - (t31 - t32)) + t35) * t8;
+  const Scalar t37 = c_2 * t34 - k[24] * s_2;
+  const Scalar t38 = t36 - t4 * (t37 + (k[2] * t32 + t26));
+  const Scalar t39 = (t31 * t15 + (t6 - t10) * t26) + t38;
+  const Scalar t40 = k[14] + c_2 * (k[12] * s_2 - k[13] * c_2);
+  const Scalar t41 = (k[18] * t35 + k[17] * t37) - t40 * t27;
+  const Scalar t42 = torque[1] + (((t30 - t39) + t41) - Scalar(0.6666666666666666) * t39);
+  const Scalar t43 = qd[1] * t25;
+  const Scalar t44 = qd[1] * t20;
+  const Scalar t45 = Scalar(3.3333333333333335) * t43 * t8 - Scalar(3.3333333333333335) * t4 * t44;
+  const Scalar t46 = k[21] * ((k[20] * t43 + k[19] * t44) - t45);
+  const Scalar t47 = k[4] * s1 - k[3] * c1;
+  const Scalar t48 = t47 + Scalar(2) * (t44 - k[2] * t43);
+  const Scalar t49 = Scalar(3.3333333333333335) * t44 * t15 - Scalar(3.3333333333333335) * t43 * t10;
+  const Scalar t50 = (t0 * (t31 - t28) + t1 * t26) + t49;
+  const Scalar t51 = c_2 * (k[2] * t45 - (t48 * t8 - t50));
+  const Scalar t52 = Scalar(3.3333333333333335) * t44 * t6 - Scalar(3.3333333333333335) * t43 * t15;
+  const Scalar t53 = t48 * t4 + ((t1 * t28 - t52) - t0 * t26);
+  const Scalar t54 = (k[15] * c_2 - k[16] * s_2) * t22 - Scalar(2) * t40 * qd[1] * qd[0];
+  const Scalar t55 = t47 * (k[17] * s_2 - k[18] * c_2) + t54;
+  const Scalar t56 = t46 - ((t51 - s_2 * (t53 - t45)) - t55);
+  const Scalar t57 = torque[0] - (t56 + (k[23] * t33 + k[22] * t47));
+  const Scalar t58 = Scalar(1) / (t14 * t3 - t19) * (t14 * t42 - t57);
   JointVector<Scalar> result;
-  result[0] = t60;
-  result[1] = t60 * t14 - t44 * t13;
+  result[0] = -t58;
+  result[1] = t14 * t58 - t42 * t13;
   return result;
 }
 
@@ -636,79 +642,79 @@ ForwardDynamicsWithWrenchConstants<Scalar> forward_dynamics_with_wrench_constant
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c2y * inertia.m2;
-  const Scalar t1 = inertia.I2yz - inertia.c2z * t0;
-  const Scalar t2 = inertia.c2x * inertia.m2;
-  const Scalar t3 = g.l1 * t0 - (inertia.I2xy - inertia.c2y * t2);
-  const Scalar t4 = g.l1 * Scalar(0.17364817766693036);
-  const Scalar t5 = inertia.c3y * inertia.m3;
-  const Scalar t6 = (Scalar(0.984807753012208) * t1 - Scalar(0.17364817766693036) * t3) - t4 * t5;
-  const Scalar t7 = g.l1 * Scalar(0.984807753012208);
-  const Scalar t8 = t7 * t5 + (Scalar(0.984807753012208) * t3 + Scalar(0.17364817766693036) * t1);
-  const Scalar t9 = inertia.c3x * inertia.m3;
-  const Scalar t10 = Scalar(0.01) / t7;
-  const Scalar t11 = inertia.c2z * inertia.m2;
-  const Scalar t12 = g.l1 * inertia.m2 + t2;
-  const Scalar t13 = inertia.m3 * t7;
-  const Scalar t14 = t7 * ((Scalar(0.17364817766693036) * t11 - Scalar(0.984807753012208) * t12) - t13);
-  const Scalar t15 = inertia.m3 * t4;
-  const Scalar t16 = t7 * (t15 + (Scalar(0.984807753012208) * t11 + Scalar(0.17364817766693036) * t12));
-  const Scalar t17 = (inertia.I2xz - inertia.c2z * t2) - g.l1 * t11;
-  const Scalar t18 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t19 = (inertia.c2x * t2 - (inertia.I2xx - t18)) + g.l1 * (t2 + t12);
-  const Scalar t20 = (inertia.I2zz - t18) - inertia.c2z * t11;
-  const Scalar t21 = Scalar(2) * Scalar(0.984807753012208) * t17 - Scalar(0.17364817766693036) * (t19 + t20);
-  const Scalar t22 = t4 * t13 + (t17 - Scalar(0.984807753012208) * t21);
-  const Scalar t23 = Scalar(0.17364817766693036) * t21;
-  const Scalar t24 = (t19 + t23) + t7 * t13;
-  const Scalar t25 = t4 * t15 - (t23 + t20);
-  const Scalar t26 = g.l2 * inertia.m3 + t9;
-  const Scalar t27 = inertia.c3z * inertia.m3;
-  const Scalar t28 = g.l2 * t27 - (inertia.I3xz - inertia.c3z * t9);
-  const Scalar t29 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t30 = (inertia.I3zz - t29) - inertia.c3z * t27;
-  const Scalar t31 = g.l2 * (t26 + t9) + (inertia.c3x * t9 - (inertia.I3xx - t29));
-  const Scalar t32 = t30 - t31;
-  const Scalar t33 = inertia.c1x * inertia.m1;
-  const Scalar t34 = Scalar(0.01) * inertia.m1 + t33;
-  const Scalar t35 = inertia.m2 + inertia.m3;
-  const Scalar t36 = inertia.c1y * inertia.m1;
-  const Scalar t37 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t38 = Scalar(0.01) * (t34 + t33) + (inertia.c1x * t33 - (inertia.I1xx - t37));
-  const Scalar t39 = ((inertia.I3yy - t29) - inertia.c3y * t5) + ((inertia.I2yy - t18) - inertia.c2y * t0);
-  return { t6,
-           t8,
-           g.l2 * t5 - (inertia.I3xy - inertia.c3y * t9),
-           inertia.I3yz - inertia.c3z * t5,
-           t10,
-           gravity[1] / t7,
-           gravity[0] / t7,
-           gravity[2] / t7,
-           t14,
-           t16,
-           Scalar(2) * t22,
-           t24 - t25,
-           t22,
-           t7,
-           t7 * t26,
-           t7 * t27,
-           t4 / t7,
-           Scalar(2) * t28,
-           t30 + t31,
-           t28,
-           t31,
-           t32,
-           (Scalar(0.02) + g.l2) / t7,
+  const Scalar t0 = inertia.c3z * inertia.m3;
+  const Scalar t1 = inertia.c3x * inertia.m3;
+  const Scalar t2 = g.l2 * t0 - (inertia.I3xz - inertia.c3z * t1);
+  const Scalar t3 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t4 = (inertia.I3zz - t3) - inertia.c3z * t0;
+  const Scalar t5 = g.l2 * inertia.m3 + t1;
+  const Scalar t6 = g.l2 * (t5 + t1) + (inertia.c3x * t1 - (inertia.I3xx - t3));
+  const Scalar t7 = g.l1 * Scalar(0.17364817766693036);
+  const Scalar t8 = g.l1 * Scalar(0.984807753012208);
+  const Scalar t9 = inertia.c2x * inertia.m2;
+  const Scalar t10 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t11 = g.l1 * inertia.m2 + t9;
+  const Scalar t12 = (inertia.c2x * t9 - (inertia.I2xx - t10)) + g.l1 * (t9 + t11);
+  const Scalar t13 = inertia.c2z * inertia.m2;
+  const Scalar t14 = (inertia.I2xz - inertia.c2z * t9) - g.l1 * t13;
+  const Scalar t15 = (inertia.I2zz - t10) - inertia.c2z * t13;
+  const Scalar t16 = Scalar(2) * Scalar(0.984807753012208) * t14 - Scalar(0.17364817766693036) * (t12 + t15);
+  const Scalar t17 = Scalar(0.17364817766693036) * t16;
+  const Scalar t18 = inertia.m3 * t8;
+  const Scalar t19 = (t12 + t17) + t8 * t18;
+  const Scalar t20 = t7 * t18 + (t14 - Scalar(0.984807753012208) * t16);
+  const Scalar t21 = t4 - t6;
+  const Scalar t22 = inertia.m3 * t7;
+  const Scalar t23 = t7 * t22 - (t17 + t15);
+  const Scalar t24 = t7 * (t22 + (Scalar(0.984807753012208) * t13 + Scalar(0.17364817766693036) * t11));
+  const Scalar t25 = t7 * ((Scalar(0.17364817766693036) * t13 - Scalar(0.984807753012208) * t11) - t18);
+  const Scalar t26 = Scalar(0.01) / t7;
+  const Scalar t27 = inertia.m2 + inertia.m3;
+  const Scalar t28 = inertia.c1x * inertia.m1;
+  const Scalar t29 = Scalar(0.01) * inertia.m1 + t28;
+  const Scalar t30 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t31 = Scalar(0.01) * (t29 + t28) + (inertia.c1x * t28 - (inertia.I1xx - t30));
+  const Scalar t32 = inertia.c3y * inertia.m3;
+  const Scalar t33 = inertia.c2y * inertia.m2;
+  const Scalar t34 = ((inertia.I3yy - t3) - inertia.c3y * t32) + ((inertia.I2yy - t10) - inertia.c2y * t33);
+  const Scalar t35 = inertia.c1y * inertia.m1;
+  const Scalar t36 = g.l1 * t33 - (inertia.I2xy - inertia.c2y * t9);
+  const Scalar t37 = inertia.I2yz - inertia.c2z * t33;
+  const Scalar t38 = t8 * t32 + (Scalar(0.984807753012208) * t36 + Scalar(0.17364817766693036) * t37);
+  const Scalar t39 = (Scalar(0.984807753012208) * t37 - Scalar(0.17364817766693036) * t36) - t7 * t32;
+  return { Scalar(2) * t2,
+           t4 + t6,
+           t6,
+           t5 * t7,
+           t0 * t7,
+           t8 / t7,
+           t19,
+           t2,
+           t20,
+           t21,
+           t23,
            t24,
            t25,
-           Scalar(0.4444444444444444) * t32,
-           t7 * (t34 + Scalar(0.01) * t35),
-           t7 * ((t5 + t0) + t36),
-           Scalar(2) * t14,
-           Scalar(2) * t16,
-           Scalar(2) * t10,
-           Scalar(0.0001) * t35 + t38,
-           t39 - (inertia.c1y * t36 - (inertia.I1yy - t37)) };
+           Scalar(2) * t26,
+           Scalar(0.0001) * t27 + t31,
+           t34 - (inertia.c1y * t35 - (inertia.I1yy - t30)),
+           inertia.I3yz - inertia.c3z * t32,
+           g.l2 * t32 - (inertia.I3xy - inertia.c3y * t1),
+           t38,
+           t39,
+           Scalar(0.4444444444444444) * t21,
+           Scalar(2) * t24,
+           Scalar(2) * t25,
+           t7,
+           t26,
+           t19 - t23,
+           Scalar(2) * t20,
+           gravity[1] / t7,
+           gravity[0] / t7,
+           (Scalar(0.02) + g.l2) / t7,
+           t7 * (t29 + Scalar(0.01) * t27),
+           t7 * ((t32 + t33) + t35),
+           gravity[2] / t7 };
 }
 
 namespace detail {
@@ -724,81 +730,81 @@ inline JointVector<Scalar> forward_dynamics_with_wrench([[maybe_unused]] const J
   const Scalar& c1 = angles.cosine[1];
   const Scalar& s_2 = angles.sine[2];
   const Scalar& c_2 = angles.cosine[2];
-  const Scalar t0 = k[3] * c_0 + k[2] * s_0;
-  const Scalar t1 = k[2] * c_0 - k[3] * s_0;
+  const Scalar t0 = k[17] * s_0 + k[16] * c_0;
+  const Scalar t1 = k[17] * c_0 - k[16] * s_0;
   const Scalar t2 = c_2 * t0 + s_2 * t1;
-  const Scalar t3 = ((k[1] * s_2 + k[0] * c_2) + t2) + Scalar(0.6666666666666666) * t2;
-  const Scalar t4 = k[18] * s_0 - k[17] * c_0;
-  const Scalar t5 = k[20] - s_0 * t4;
-  const Scalar t6 = k[21] + t5;
-  const Scalar t7 = k[14] * s_0 - k[15] * c_0;
-  const Scalar t8 = k[16] * t7;
-  const Scalar t9 = k[24] - (t6 + Scalar(2) * t8);
-  const Scalar t10 = k[15] * s_0 + k[14] * c_0;
-  const Scalar t11 = k[23] + (t5 + Scalar(2) * t10);
-  const Scalar t12 = Scalar(0.6666666666666666) * (k[21] - (t10 - t8));
-  const Scalar t13 = Scalar(1) / (k[25] - (((t9 + t11) - t12) - t12));
+  const Scalar t3 = Scalar(0.6666666666666666) * t2 + ((k[19] * c_2 + k[18] * s_2) + t2);
+  const Scalar t4 = k[3] * c_0 + k[4] * s_0;
+  const Scalar t5 = k[5] * t4;
+  const Scalar t6 = k[4] * c_0 - k[3] * s_0;
+  const Scalar t7 = Scalar(0.6666666666666666) * (k[9] - (t5 + t6));
+  const Scalar t8 = k[0] * c_0 - k[1] * s_0;
+  const Scalar t9 = k[2] + s_0 * t8;
+  const Scalar t10 = k[9] + t9;
+  const Scalar t11 = k[10] - (t10 - Scalar(2) * t6);
+  const Scalar t12 = k[6] + (t9 + Scalar(2) * t5);
+  const Scalar t13 = Scalar(1) / (k[20] + (t7 - ((t11 + t12) - t7)));
   const Scalar t14 = t3 * t13;
-  const Scalar t15 = s_2 * (k[9] - t7) - c_2 * (k[8] - t10);
-  const Scalar t16 = k[19] + c_0 * t4;
-  const Scalar t17 = c_2 * (k[12] + (k[16] * t10 - (t16 + t7)));
-  const Scalar t18 = s_2 * (s_2 * (t9 - t11) + Scalar(2) * t17);
-  const Scalar t19 = k[32] - (k[31] + (k[30] * t15 + (t18 + t11)));
-  const Scalar t20 = k[22] * c_0;
-  const Scalar t21 = wrench[1] * s1 + wrench[0] * c1;
-  const Scalar t22 = k[13] * (wrench[2] * c_2 + s_2 * t21);
-  const Scalar t23 = k[22] * s_0;
-  const Scalar t24 = k[13] * (c_2 * t21 - wrench[2] * s_2);
-  const Scalar t25 = (wrench[3] * s1 - wrench[4] * c1) + (t20 * t22 + t23 * t24);
-  const Scalar t26 = k[5] * s1 + k[6] * c1;
-  const Scalar t27 = qd[0] * qd[0];
-  const Scalar t28 = t26 + k[4] * t27;
-  const Scalar t29 = s_2 * t28 + k[7] * c_2;
-  const Scalar t30 = qd[0] * c_2;
-  const Scalar t31 = t30 * t30;
-  const Scalar t32 = qd[1] * qd[1];
-  const Scalar t33 = Scalar(2.7777777777777777) * t32;
-  const Scalar t34 = t31 + t33;
-  const Scalar t35 = t27 - t34;
-  const Scalar t36 = t31 - t33;
-  const Scalar t37 = t35 - t36;
-  const Scalar t38 = t31 + t32;
-  const Scalar t39 = qd[0] * s_2 * t30;
-  const Scalar t40 = (t29 + (k[16] * (t37 + t38) + t39)) * t10;
-  const Scalar t41 = c_2 * t28 - k[7] * s_2;
-  const Scalar t42 = t40 + ((t38 + k[16] * t39) + t41) * t7;
-  const Scalar t43 = t42 + (t39 * (t6 + t5) - t37 * t16);
-  const Scalar t44 = t25 + t43;
-  const Scalar t45 = k[12] + c_2 * (k[11] * s_2 - k[10] * c_2);
-  const Scalar t46 = t45 * t27 - (k[9] * t41 + k[8] * t29);
-  const Scalar t47 = (t10 * t39 - t7 * (t27 - t36)) + t22;
-  const Scalar t48 = k[16] * ((t10 * t34 - t39 * t7) + t24);
-  const Scalar t49 = Scalar(0.001) * qd[1] + (t46 + ((t47 - t48) + t44));
-  const Scalar t50 = torque[1] - (Scalar(0.6666666666666666) * (Scalar(0.002) * direction(qd[1]) + t44) + t49);
-  const Scalar t51 = t13 * t50;
-  const Scalar t52 = k[6] * s1 - k[5] * c1;
+  const Scalar t15 = k[7] - c_0 * t8;
+  const Scalar t16 = c_2 * s_2;
+  const Scalar t17 = (k[8] + ((k[5] * t6 - t15) + t4)) * t16;
+  const Scalar t18 = s_2 * s_2;
+  const Scalar t19 = t12 + (Scalar(2) * t17 + t18 * (t11 - t12));
+  const Scalar t20 = c_2 * (k[12] - t4) - s_2 * (k[11] + t6);
+  const Scalar t21 = t14 * t3 - (k[15] - (k[14] + (t19 - k[13] * t20)));
+  const Scalar t22 = qd[0] * qd[0];
+  const Scalar t23 = t16 * t22;
+  const Scalar t24 = t22 * t18;
+  const Scalar t25 = qd[1] * qd[1];
+  const Scalar t26 = Scalar(2.7777777777777777) * t25;
+  const Scalar t27 = t24 + t26;
+  const Scalar t28 = t27 - t22;
+  const Scalar t29 = t24 - t26;
+  const Scalar t30 = t28 + t29;
+  const Scalar t31 = t24 + t25;
+  const Scalar t32 = k[28] * c1 + k[27] * s1;
+  const Scalar t33 = k[24] * t22 + t32;
+  const Scalar t34 = s_2 * t33 + k[32] * c_2;
+  const Scalar t35 = c_2 * t33 - k[32] * s_2;
+  const Scalar t36 = t6 * (t35 + (t23 + k[5] * (t31 - t30)));
+  const Scalar t37 = ((t31 + k[5] * t23) + t34) * t4 - t36;
+  const Scalar t38 = ((t9 + t10) * t23 - t15 * t30) + t37;
+  const Scalar t39 = k[29] * c_0;
+  const Scalar t40 = wrench[1] * s1 + wrench[0] * c1;
+  const Scalar t41 = k[23] * (wrench[2] * c_2 + s_2 * t40);
+  const Scalar t42 = k[29] * s_0;
+  const Scalar t43 = k[23] * (c_2 * t40 - wrench[2] * s_2);
+  const Scalar t44 = (wrench[3] * s1 - wrench[4] * c1) + (t39 * t41 + t42 * t43);
+  const Scalar t45 = t38 + t44;
+  const Scalar t46 = k[5] * (t41 + (t27 * t6 + t23 * t4));
+  const Scalar t47 = ((t22 - t29) * t4 + t6 * t23) + t43;
+  const Scalar t48 = k[8] - c_2 * (k[26] * c_2 - k[25] * s_2);
+  const Scalar t49 = (k[11] * t35 + k[12] * t34) - t22 * t48;
+  const Scalar t50 = ((t45 + (t46 - t47)) - t49) + Scalar(0.6666666666666666) * t45;
+  const Scalar t51 = torque[1] - t50;
+  const Scalar t52 = k[27] * c1 - k[28] * s1;
   const Scalar t53 = qd[1] * qd[0];
-  const Scalar t54 = Scalar(2) * t45 * t53 + t32 * (k[0] * s_2 - k[1] * c_2);
-  const Scalar t55 = (k[9] * s_2 - k[8] * c_2) * t52 - t54;
-  const Scalar t56 = s_2 * t53;
-  const Scalar t57 = c_2 * t53;
-  const Scalar t58 = Scalar(3.3333333333333335) * (t56 * t5 + t16 * t57) + (t1 * t35 + t0 * t39);
-  const Scalar t59 = t52 - Scalar(2) * (t56 - k[16] * t57);
-  const Scalar t60 = wrench[3] * c1 + wrench[4] * s1;
-  const Scalar t61 = k[13] * (wrench[0] * s1 - wrench[1] * c1);
-  const Scalar t62 = (wrench[5] * c_2 + s_2 * t60) - t61 * t20;
-  const Scalar t63 = Scalar(3.3333333333333335) * (t57 * t7 + t56 * t10) - t61;
-  const Scalar t64 = c_2 * (((t58 - t59 * t10) + t62) + t63);
-  const Scalar t65 = t23 * t61 + (wrench[5] * s_2 - c_2 * t60);
-  const Scalar t66 = t0 * t36 - Scalar(3.3333333333333335) * (t6 * t57 - t56 * t16);
-  const Scalar t67 = t65 - ((t66 + t39 * t1) - t59 * t7);
-  const Scalar t68 = t55 - (t64 + s_2 * (t67 + k[16] * t63));
-  const Scalar t69 = k[4] * ((k[29] * t57 + k[28] * t56) - t63);
-  const Scalar t70 = (t68 + t69) + (k[27] * t26 + k[26] * t52);
-  const Scalar t71 = Scalar(1) / (t14 * t3 - t19) * (t51 * t3 + (torque[0] - t70));
+  const Scalar t54 = c_2 * t53;
+  const Scalar t55 = s_2 * t53;
+  const Scalar t56 = k[23] * (wrench[0] * s1 - wrench[1] * c1);
+  const Scalar t57 = Scalar(3.3333333333333335) * (t6 * t54 - t55 * t4) + t56;
+  const Scalar t58 = k[24] * ((k[21] * t54 + k[22] * t55) + t57);
+  const Scalar t59 = t0 * t28 + Scalar(3.3333333333333335) * (t10 * t54 - t55 * t15);
+  const Scalar t60 = t52 + Scalar(2) * (k[5] * t55 - t54);
+  const Scalar t61 = wrench[3] * c1 + wrench[4] * s1;
+  const Scalar t62 = t42 * t56 + (wrench[5] * s_2 - c_2 * t61);
+  const Scalar t63 = ((t59 - t1 * t23) + t60 * t6) + t62;
+  const Scalar t64 = (wrench[5] * c_2 + s_2 * t61) - t39 * t56;
+  const Scalar t65 = (t0 * t23 + t1 * t29) + Scalar(3.3333333333333335) * (t55 * t9 + t15 * t54);
+  const Scalar t66 = k[5] * t57 - (t64 + (t65 + t60 * t4));
+  const Scalar t67 = Scalar(2) * t53 * t48 - t25 * (k[18] * c_2 - k[19] * s_2);
+  const Scalar t68 = (k[11] * s_2 - k[12] * c_2) * t52 + t67;
+  const Scalar t69 = (s_2 * (t57 - t63) + c_2 * t66) - t68;
+  const Scalar t70 = (k[31] * t32 - k[30] * t52) + (t58 + t69);
+  const Scalar t71 = Scalar(1) / t21 * (t14 * t51 + (torque[0] - t70));
   JointVector<Scalar> result;
   result[0] = t71;
-  result[1] = t14 * t71 - t51;
+  result[1] = t14 * t71 - t13 * t51;
   return result;
 }
 
@@ -829,25 +835,25 @@ PotentialEnergyWithGravityVectorConstants<Scalar> potential_energy_with_gravity_
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = (inertia.c3y * inertia.m3 + inertia.c2y * inertia.m2) + inertia.c1y * inertia.m1;
-  const Scalar t1 = inertia.c2z * inertia.m2;
-  const Scalar t2 = g.l1 * inertia.m2 + inertia.c2x * inertia.m2;
+  const Scalar t0 = inertia.c2z * inertia.m2;
+  const Scalar t1 = g.l1 * inertia.m2 + inertia.c2x * inertia.m2;
+  const Scalar t2 = Scalar(0.02) * inertia.m1;
   const Scalar t3 = inertia.m2 + inertia.m3;
-  const Scalar t4 = Scalar(0.02) * inertia.m1;
-  return { t0,
+  const Scalar t4 = (inertia.c3y * inertia.m3 + inertia.c2y * inertia.m2) + inertia.c1y * inertia.m1;
+  return { g.l2 * inertia.m3 + inertia.c3x * inertia.m3,
            inertia.c3z * inertia.m3,
-           g.l2 * inertia.m3 + inertia.c3x * inertia.m3,
            inertia.m3 * g.l1 * Scalar(0.984807753012208),
-           Scalar(0.17364817766693036) * t1 - Scalar(0.984807753012208) * t2,
+           Scalar(0.17364817766693036) * t0 - Scalar(0.984807753012208) * t1,
            inertia.m3 * g.l1 * Scalar(0.17364817766693036),
-           Scalar(0.984807753012208) * t1 + Scalar(0.17364817766693036) * t2,
+           Scalar(0.984807753012208) * t0 + Scalar(0.17364817766693036) * t1,
+           t2 - (t2 + inertia.c1z * inertia.m1),
+           Scalar(0.02) * (inertia.m1 + t3),
+           gravity[2],
            Scalar(0.01) * t3,
            Scalar(0.01) * inertia.m1 + inertia.c1x * inertia.m1,
-           gravity[1],
+           t4,
            gravity[0],
-           t4 - (t4 + inertia.c1z * inertia.m1),
-           Scalar(0.02) * (inertia.m1 + t3),
-           gravity[2] };
+           gravity[1] };
 }
 
 namespace detail {
@@ -861,13 +867,13 @@ inline Scalar potential_energy_with_gravity_vector([[maybe_unused]] const JointV
   const Scalar& c1 = angles.cosine[1];
   const Scalar& s_2 = angles.sine[2];
   const Scalar& c_2 = angles.cosine[2];
-  const Scalar t0 = k[4] - (k[3] + (k[2] * c_0 + k[1] * s_0));
-  const Scalar t1 = k[6] + (k[5] + (k[1] * c_0 - k[2] * s_0));
-  const Scalar t2 = k[12] - (k[11] - (s_2 * t0 + c_2 * t1));
-  const Scalar t3 = k[8] + (k[7] + (s_2 * t1 - c_2 * t0));
-  const Scalar t4 = k[10] * (c1 * t3 - k[0] * s1) + k[9] * (s1 * t3 + k[0] * c1);
+  const Scalar t0 = k[3] - (k[2] + (k[0] * c_0 + k[1] * s_0));
+  const Scalar t1 = k[5] + (k[4] + (k[1] * c_0 - k[0] * s_0));
+  const Scalar t2 = k[7] - (k[6] - (s_2 * t0 + c_2 * t1));
+  const Scalar t3 = k[10] + (k[9] - (c_2 * t0 - s_2 * t1));
+  const Scalar t4 = k[12] * (k[11] * s1 - c1 * t3) - k[13] * (k[11] * c1 + s1 * t3);
   Scalar result;
-  result = -k[13] * t2 - t4;
+  result = t4 - k[8] * t2;
   return result;
 }
 
