@@ -17,6 +17,7 @@
 #include "emit/math/notation.h"
 #include "emit/math/singularities.h"
 #include "emit/render.h"
+#include "model/followers.h"
 #include "optimise/described.h"
 #include "optimise/dynamics_function.h"
 #include "passes/differentiate.h"
@@ -59,7 +60,7 @@ symbolic::Program linear_definition(const model::Robot& robot) {
 /// where there is no closed form.
 std::optional<dag::Function> linear_rows(const model::Robot& robot) {
   const auto program = derive::closed_form(robot);
-  if (!program) return std::nullopt;
+  if (!program || model::has_followers(robot)) return std::nullopt;
   dag::Function function = dag::import(*program);
   std::erase_if(function.outputs, [](const dag::Output& output) { return output.name.front() != 'p'; });
   std::vector<passes::Direction> directions;
@@ -169,7 +170,8 @@ Section forward_section(const model::Robot& robot) {
 }
 
 Section jacobian_section(const model::Robot& robot) {
-  return {"jacobian", "Jacobian and singularities", jacobian_html(robot) + singularities_html(robot)};
+  return {"jacobian", "Jacobian and singularities",
+          jacobian_html(robot) + (model::has_followers(robot) ? "" : singularities_html(robot))};
 }
 
 Section dynamics_section(const model::Robot& robot) {

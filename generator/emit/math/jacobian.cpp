@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -15,6 +16,7 @@
 #include "derive/kinematics/forward_kinematics.h"
 #include "derive/kinematics/position.h"
 #include "emit/math/tidy.h"
+#include "model/followers.h"
 #include "optimise/described.h"
 #include "symbolic/model.h"
 #include "verify/certificate.h"
@@ -149,6 +151,8 @@ std::optional<Quaternion> orientation(const model::Robot& robot) {
 }  // namespace
 
 JacobianFormulas jacobian_formulas(const model::Robot& described, Notation notation) {
+  if (model::has_followers(described))
+    throw std::domain_error("a joint follows another: the methods give each joint a rate of its own");
   const canonical::Arm arm = canonical::for_kinematics(described);
   const auto chain = derive::zero_reference_chain(arm.robot);
   const auto q = orientation(arm.robot);
