@@ -158,6 +158,8 @@ void add_show(CommandLine& line) {
   command.add_flag("--inverse", line.show.inverse, "the derivation of inverse kinematics");
   command.add_flag("--class", line.show.structure,
                    "the class of the arm by its first three joints: two letters, workspace");
+  command.add_flag("--workspace", line.show.workspace,
+                   "the workspace of three joints or of a wrist centre: boundary curves, reach, volume");
   command.add_flag("--functions", line.functions,
                    "the functions that were generated, and why any is missing");
   add_output(line, command, "for --functions: folder that was generated");

@@ -21,6 +21,7 @@
 #include "pipeline/output_folder.h"
 #include "pipeline/products/inverse_derivation.h"
 #include "report/class_lines.h"
+#include "report/workspace.h"
 
 namespace qvgen::cli {
 namespace {
@@ -115,6 +116,15 @@ int show_class(const model::Robot& robot) {
   return failure;
 }
 
+int show_workspace(const model::Robot& robot, emit::Notation notation) {
+  const auto lines = report::workspace_lines(robot, notation);
+  for (const std::string& line : lines) fmt::print("{}\n", line);
+  if (!lines.empty()) return success;
+  fmt::print(stderr, "qvgen: {} has no workspace in closed form: {}\n", robot.name,
+             report::workspace_section(robot).missing);
+  return failure;
+}
+
 void show_closed_form(const model::Robot& described, const derive::inverse::Derivation& derivation,
                       const std::string& more, emit::Notation notation) {
   const derive::inverse::Problem& problem = derivation.problem;
@@ -165,6 +175,7 @@ int run_show(const ShowArguments& arguments) {
     for (const std::string& line : emit::jacobian_lines(robots->front(), notation)) fmt::print("{}\n", line);
     return success;
   }
+  if (arguments.workspace) return show_workspace(robots->front(), notation);
   if (arguments.inverse) return show_inverse(robots->front(), notation);
   const auto lines = emit::closed_form_lines(robots->front(), notation);
   if (lines.empty()) {

@@ -51,6 +51,7 @@ struct ShowArguments {
   bool dynamics = false;   ///< the joint forces in place of the pose
   bool transform = false;  ///< the homogeneous matrices instead
   bool jacobian = false;   ///< the Jacobian by three methods instead
+  bool workspace = false;  ///< the section of the workspace instead
   bool structure = false;  ///< the class of the arm instead
   bool inverse = false;    ///< the derivation of inverse kinematics instead of the closed form of the pose
 };

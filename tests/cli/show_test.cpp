@@ -112,6 +112,14 @@ TEST_F(CommandLine, ShowsTheJacobian) {
       has(run("show rpp --jacobian --latex"), "\\[v_{2} = \\begin{bmatrix}\n0 \\\\\n0 \\\\\n\\dot{d_{2}}"));
 }
 
+TEST_F(CommandLine, ShowsTheWorkspace) {
+  EXPECT_TRUE(has(run("show rrr --workspace"), "\nreach from the origin of joint 1: 0.2 to 1.217 m\n"));
+  const ToolRun none = run("show ur5 --workspace");
+  EXPECT_EQ(none.code, 1);
+  EXPECT_TRUE(has(none, "ur5 has no workspace in closed form: its last three axes do not meet"))
+      << none.output;
+}
+
 TEST_F(CommandLine, ShowsFactorsAloneWhereATwistIsASymbol) {
   const ToolRun shown = run("show general_6r --transform");
   EXPECT_EQ(shown.code, 0);

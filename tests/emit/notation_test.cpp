@@ -27,6 +27,22 @@ TEST(Notation, NamesAndNumbers) {
             "-\\tfrac{3}{2}");
 }
 
+TEST(Notation, FractionsThatEndAsDecimals) {
+  dag::Graph g;
+  const auto text = [&](int numerator, int denominator) {
+    const auto edge = g.constant(exact::Number(cln::cl_RA(numerator) / denominator));
+    const auto name = [](const std::string& symbol) { return symbol; };
+    return emit::formula(g, edge, Notation::text, name, emit::Numbers::decimal);
+  };
+  EXPECT_EQ(text(2159, 5000), "0.4318");
+  EXPECT_EQ(text(-3001, 20000), "-0.15005");
+  EXPECT_EQ(text(-1, 1000), "-0.001");
+  EXPECT_EQ(text(241, 100), "2.41");
+  EXPECT_EQ(text(1, 2), "1/2");
+  EXPECT_EQ(text(1, 3), "1/3");
+  EXPECT_EQ(text(7, 1), "7");
+}
+
 TEST(Notation, SumsAndProducts) {
   dag::Graph g;
   const dag::Edge a = g.symbol("a1");

@@ -66,10 +66,9 @@ std::string latex_number(const exact::Number& number) {
   return text;
 }
 
-/// A fraction that ends within twelve decimals and is no small one (1/2, 3/4); else nothing.
+/// A fraction that ends within twelve decimals and is not halves; else nothing.
 std::string decimal(const cln::cl_RA& value) {
-  constexpr int small = 8;
-  if (cln::denominator(value) <= small) return {};
+  if (cln::denominator(value) <= 2) return {};
   cln::cl_RA scaled = cln::abs(value);
   std::size_t places = 0;
   for (; cln::denominator(scaled) != 1; ++places) {
