@@ -35,11 +35,23 @@ json joint(const model::Joint& joint, const model::Robot& robot, bool last) {
           {"last", last}};
 }
 
+/// What is said of joints that have no variable of their own.
+json follower_lines(const model::Robot& robot) {
+  json lines = json::array();
+  for (const model::Joint& joint : robot.joints)
+    if (joint.follows)
+      lines.push_back(
+          {{"text", joint.variable + " follows " + robot.joints[joint.follows->joint].variable +
+                        " by the ratio " + to_string(model::Expression(joint.follows->ratio)) + "."}});
+  return lines;
+}
+
 }  // namespace
 
 void generate_model_header(const model::Robot& robot, RobotOutput& output) {
   json values{{"name", robot.name}, {"title", robot.title}, {"dof", model::driven_count(robot)}};
   values["source"] = robot.source.empty() ? json(false) : json(robot.source);
+  values["followers"] = follower_lines(robot);
   values["joints"] = json::array();
   const std::vector<model::Joint> joints = model::without_followers(robot).joints;
   for (const model::Joint& each : joints)

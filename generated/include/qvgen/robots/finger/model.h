@@ -14,6 +14,7 @@ namespace qvgen::robots::finger {
 inline constexpr int dof = 2;
 
 /// Joint variables in the order of the chain: radians (revolute) or metres (prismatic).
+/// curl follows bend by the ratio 2/3.
 template <class Scalar>
 using JointVector = Eigen::Matrix<Scalar, dof, 1>;
 
