@@ -14,6 +14,7 @@
 #include "derive/jacobian/wrist.h"
 #include "derive/kinematics/position.h"
 #include "exact/named_constant.h"
+#include "model/followers.h"
 #include "optimise/described.h"
 #include "passes/pass.h"
 #include "report/swept_area.h"
@@ -77,6 +78,7 @@ Program factors_of(const ex& value, const std::vector<ex>& variables) {
 }  // namespace
 
 WorkspaceSection workspace_section(const model::Robot& described) {
+  if (model::has_followers(described)) return none("a joint follows another");
   const canonical::Arm arm = canonical::for_kinematics(described);
   const auto& joints = arm.robot.joints;
   if (joints.size() != 3 && joints.size() != 6) return none("it has neither three joints nor six");

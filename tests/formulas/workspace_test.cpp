@@ -122,6 +122,7 @@ TEST(Workspace, VolumeIsThatOfSampledPoints) {
 TEST(Workspace, SaysWhyThereIsNone) {
   EXPECT_NE(report::workspace_section(robot_of("iiwa14")).missing.find("neither three joints nor six"),
             std::string::npos);
+  EXPECT_NE(report::workspace_section(robot_of("finger")).missing.find("follows"), std::string::npos);
   EXPECT_NE(report::workspace_section(robot_of("ss")).missing.find("slides"), std::string::npos);
   EXPECT_NE(report::workspace_section(robot_of("ur5")).missing.find("do not meet"), std::string::npos);
   EXPECT_NE(report::workspace_section(robot_of("planar_3r")).missing.find("no volume"), std::string::npos);
