@@ -16,9 +16,9 @@ using model::Expression;
 /// A rational number other than 0; reported if it is none.
 cln::cl_RA read_ratio(const Table& table) {
   if (!table.has("ratio")) return 1;
-  const Entry entry = entry_or_zero(table, "ratio", {Role::constant});
-  if (!symbols(entry.value).empty()) return 1;
-  const auto ratio = model::rational_value(model::evaluate(entry.value));
+  const auto entry = read_entry(table.context(), *table.find("ratio"), {Role::constant}, "'ratio'");
+  if (!entry || !symbols(entry->value).empty()) return 1;
+  const auto ratio = model::rational_value(model::evaluate(entry->value));
   if (ratio && !cln::zerop(*ratio)) return *ratio;
   table.context().error(table.place_of("ratio"),
                         ratio ? "with a ratio of 0 the joint does not move" : "the ratio is not rational",
@@ -93,7 +93,7 @@ std::optional<std::size_t> leader_of(Context& context, const Follower& follower,
 
 }  // namespace
 
-void read_follower(const Table& table) {
+void read_follower(const Table& table, model::JointType type) {
   Context& context = table.context();
   if (!table.has("follows")) {
     for (const char* key : {"ratio", "offset"})
@@ -103,6 +103,10 @@ void read_follower(const Table& table) {
     return;
   }
   const Entry offset = entry_or_zero(table, "offset", {});
+  if (type == model::JointType::revolute)
+    check_angle(context, offset);
+  else
+    check_length(context, offset, "offset");
   context.followers.push_back({context.joint_places.size() - 1, table.text("follows").value_or(""),
                                read_ratio(table), offset.value, table.place_of("follows")});
 }

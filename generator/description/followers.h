@@ -6,7 +6,7 @@
 namespace qvgen::description {
 
 /// `follows`, `ratio` and `offset` of a joint in a TOML description; nothing where it follows none.
-void read_follower(const Table& table);
+void read_follower(const Table& table, model::JointType type);
 
 /// Ties the followers that the context has met to the joints that lead them; `names` are those of all joints,
 /// as the file has them. Offsets go into the frames, and limits to the leader: it stays where its followers

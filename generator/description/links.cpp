@@ -150,7 +150,7 @@ void read_link(const Table& table, const FreeParameters& free, model::Joint& joi
   read_masses(table, free.inertia, joint.inertia);
   read_tensor(table, free.inertia, joint.inertia);
   read_drive(table, free.drives, joint.drive);
-  read_follower(table);
+  read_follower(table, joint.type);
 }
 
 }  // namespace qvgen::description

@@ -82,6 +82,8 @@ TEST(Followers, MistakesAreReported) {
             "with a ratio of 0 the joint does not move");
   EXPECT_EQ(complaint(leader + joint("b", "follows = \"theta1\"\nratio = \"sqrt(2)\"\n")),
             "the ratio is not rational");
+  EXPECT_EQ(complaint(leader + joint("b", "follows = \"theta1\"\nratio = \"1/0\"\n")), "division by zero");
+  EXPECT_EQ(complaint(leader + joint("b", "follows = \"theta1\"\nratio = \"x\"\n")), "undefined symbol 'x'");
   EXPECT_EQ(complaint(leader + joint("b", "ratio = 2\n")), "'ratio' without 'follows'");
   EXPECT_EQ(complaint(leader + joint("b", "offset = 2\n")), "'offset' without 'follows'");
   EXPECT_EQ(complaint(leader + joint("b", "follows = 3\n")), "'follows' is a number");

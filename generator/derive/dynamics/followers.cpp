@@ -7,14 +7,6 @@
 namespace qvgen::derive::dynamics {
 namespace {
 
-dag::Function multiple(const cln::cl_RA& ratio, const std::string& symbol) {
-  dag::Function function;
-  dag::Graph& graph = function.graph;
-  function.outputs.push_back(
-      {"", graph.product({graph.constant(exact::Number(ratio)), graph.symbol(symbol)})});
-  return function;
-}
-
 Scalar times(const cln::cl_RA& ratio, const Scalar& value, dag::Graph& graph) {
   return ratio == 1 ? value : Scalar(graph, graph.constant(exact::Number(ratio))) * value;
 }
@@ -22,17 +14,16 @@ Scalar times(const cln::cl_RA& ratio, const Scalar& value, dag::Graph& graph) {
 }  // namespace
 
 Formulation in_rates_of_leaders(const model::Robot& robot, Formulation formulation) {
-  std::map<std::string, dag::Function> meanings;
+  std::map<std::string, passes::Multiple> rates;
   for (const model::Joint& joint : robot.joints) {
     if (!joint.follows) continue;
     const std::string& leader = robot.joints[joint.follows->joint].variable;
     const cln::cl_RA& ratio = joint.follows->ratio;
-    meanings.emplace(velocity_of(joint.variable), multiple(ratio, velocity_of(leader)));
-    meanings.emplace(acceleration_of(joint.variable), multiple(ratio, acceleration_of(leader)));
-    meanings.emplace(direction_of(joint.variable),
-                     multiple(cln::minusp(ratio) ? -1 : 1, direction_of(leader)));
+    rates[velocity_of(joint.variable)] = {velocity_of(leader), ratio};
+    rates[acceleration_of(joint.variable)] = {acceleration_of(leader), ratio};
+    rates[direction_of(joint.variable)] = {direction_of(leader), cln::signum(ratio)};
   }
-  formulation.function = passes::substitute(formulation.function, meanings);
+  formulation.function = passes::substitute(formulation.function, rates);
   return formulation;
 }
 

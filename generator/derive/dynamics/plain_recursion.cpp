@@ -204,8 +204,10 @@ PlainRecursion::Values PlainRecursion::inverse_dynamics(const Values& rates, con
                                                         const Load& load) const {
   const Values forces = forces_of_chain(of_chain(rates), of_chain(accelerations), load);
   Values result(size());
-  for (std::size_t i = 0; i < forces.size(); ++i)
-    result[shares_[i].driven] = result[shares_[i].driven] + Number(shares_[i].ratio) * forces[i];
+  for (std::size_t i = 0; i < forces.size(); ++i) {
+    Number& sum = result[shares_[i].driven];
+    sum = sum + Number(shares_[i].ratio) * forces[i];
+  }
   return result;
 }
 
