@@ -12,6 +12,14 @@ bool is_atom(const ex& value) {
          GiNaC::is_a<GiNaC::symbol>(-value);
 }
 
+void add_names(const ex& value, const std::set<std::string>& except, std::set<std::string>& names) {
+  if (GiNaC::is_a<GiNaC::symbol>(value)) {
+    const std::string name = GiNaC::ex_to<GiNaC::symbol>(value).get_name();
+    if (except.count(name) == 0) names.insert(name);
+  }
+  for (std::size_t i = 0; i < value.nops(); ++i) add_names(value.op(i), except, names);
+}
+
 }  // namespace
 
 ex Program::let(const ex& value) {
@@ -32,6 +40,18 @@ void Program::output(const std::string& name, const ex& value) { outputs_.push_b
 void Program::output(const GiNaC::symbol& name, const ex& value) {
   steps_.push_back({name, value});
   outputs_.push_back({name.get_name(), name});
+}
+
+const std::set<std::string>& Program::reads() const {
+  for (; read_.steps < steps_.size(); ++read_.steps) {
+    const Step& step = steps_[read_.steps];
+    add_names(step.value, read_.own, read_.names);
+    read_.own.insert(step.name.get_name());
+    read_.names.erase(step.name.get_name());
+  }
+  for (; read_.outputs < outputs_.size(); ++read_.outputs)
+    add_names(outputs_[read_.outputs].value, read_.own, read_.names);
+  return read_.names;
 }
 
 std::vector<Program::Output> Program::expanded() const {

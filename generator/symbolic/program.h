@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -36,12 +37,22 @@ class Program {
 
   [[nodiscard]] const std::vector<Step>& steps() const { return steps_; }
   [[nodiscard]] const std::vector<Output>& outputs() const { return outputs_; }
+  /// Names of the symbols that the values read, those of the steps not among them. Each value is looked
+  /// through once: plans are asked for this again and again.
+  [[nodiscard]] const std::set<std::string>& reads() const;
   /// Every output written out in the model's symbols alone (may be large).
   [[nodiscard]] std::vector<Output> expanded() const;
 
  private:
   std::vector<Step> steps_;
   std::vector<Output> outputs_;
+
+  /// What is known of the first so many steps and outputs.
+  struct Read {
+    std::set<std::string> names, own;
+    std::size_t steps = 0, outputs = 0;
+  };
+  mutable Read read_;
 };
 
 }  // namespace qvgen::symbolic

@@ -11,19 +11,9 @@ namespace qvgen::derive::inverse {
 
 namespace {
 
-void collect(const GiNaC::ex& value, std::set<std::string>& names) {
-  if (GiNaC::is_a<GiNaC::symbol>(value)) names.insert(GiNaC::ex_to<GiNaC::symbol>(value).get_name());
-  for (std::size_t i = 0; i < value.nops(); ++i) collect(value.op(i), names);
-}
-
 void collect(const symbolic::Program& program, std::set<std::string>& names) {
-  std::set<std::string> own;
-  for (const auto& step : program.steps()) {
-    collect(step.value, names);
-    own.insert(step.name.get_name());
-  }
-  for (const auto& output : program.outputs()) collect(output.value, names);
-  for (const std::string& name : own) names.erase(name);
+  names.insert(program.reads().begin(), program.reads().end());
+  for (const auto& step : program.steps()) names.erase(step.name.get_name());
 }
 
 /// Names that a step leaves.
