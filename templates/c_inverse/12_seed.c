@@ -85,10 +85,16 @@ static unsigned open_forks(const Forks* forks, double least) {
   return open;
 }
 
-/// Whether a row is so near to the seed that no other needs to be asked for: 10 mrad, or 2 mrad on a
-/// continuum, on which rounding may have moved it along.
+/// Whether a row of the equations alone, which leave free joints where the seed has them, is so near to the
+/// seed that no other needs to be asked for: 10 mrad.
+static bool is_by_seed(const Nearest* found, const Preference* seed) {
+  return nearest_apart(found, seed) < 1e-4;
+}
+
+/// The same of a row that Newton's steps have led to: they may have moved it along a continuum, on which it
+/// has to be within 2 mrad.
 static bool is_next_to(const Nearest* found, const Preference* seed) {
-  return found->count > 0 && nearest_apart(found, seed) < (found->row.continuum ? 4e-6 : 1e-4);
+  return is_by_seed(found, seed) && (!found->row.continuum || nearest_apart(found, seed) < 4e-6);
 }
 
 /// Keeps the row that is nearer to the seed, and counts what both have cost.

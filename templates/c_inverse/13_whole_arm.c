@@ -90,13 +90,49 @@ static Arm without_joint(const Arm* arm, int still, double value) {
   return rest;
 }
 
+/// How far joint values leave the points off their goals, the largest distance squared.
+static double miss_square(const Matching* task, const JointValues* values) {
+  double largest = 0;
+  for (int p = 0; p < task->points; ++p) {
+    double x[3];
+    memcpy(x, task->start[p], sizeof x);
+    for (int i = task->joints; i-- > 0;) move_point(&task->arm[i], values->of[i], x);
+    difference(task->goal[p], x, x);
+    largest = larger(largest, dot(x, x));
+  }
+  return largest;
+}
+
+/// The share of the way between them by which two joint values miss each other's pose if nothing between them
+/// is nearly free.
+static const double least_miss = 0.05;
+
+/// Whether a row of the equations that rounding may have decided is to be taken: it brings the tool to the
+/// pose, but for rounding, and nothing between the seed and it is nearly free, along which rounding would
+/// have moved it.
+static bool is_certain_row(const Arm* arm, int points, const Pose* pose, const Preference* seed,
+                           const Nearest* found) {
+  const double rounding = 32 * DBL_EPSILON;
+  Matching task;
+  JointValues row, start;
+  set_matching(arm, pose, points, &task);
+  for (int i = 0; i < arm->joints; ++i) {
+    const double q = found->row.q[i];
+    row.of[i] = arm->of[i].revolute ? rotor(cos(q), sin(q)) : rotor(q, 0);
+    start.of[i] = arm->of[i].revolute ? seed->turn[i] : rotor(seed->slide[i], 0);
+  }
+  if (!(miss_square(&task, &row) <= rounding * rounding * task.size_square)) return false;
+  return miss_square(&task, &start) >=
+         least_miss * least_miss * nearest_apart(found, seed) * task.size_square;
+}
+
 /// Whether the seed misses the pose by much less than its way to a row lets expect: something between them is
 /// nearly free.
 static bool is_nearly_free(const Matching* task, const JointValues* seed, double row_apart, Budget* budget) {
   if (!may_step(budget)) return false;
   Reached at;
   reach(task, seed, &at);
-  return at.error < 0.05 * 0.05 * row_apart * task->size_square;
+  return at.error < least_miss * least_miss * row_apart * task->size_square;
 }
 
 /// The row to which Newton's steps of the whole arm lead from the seed, if they lead to the pose; one joint

@@ -2,6 +2,8 @@
 // What poses near singular ones cost: counted, not timed.
 #include <algorithm>
 
+#include <qvgen/robots/ur5.h>
+
 #include "check.h"
 
 namespace qvgen::test {
@@ -91,6 +93,23 @@ TEST(Effort, OfKnownPoses) {
 }
 
 std::string name_of(const testing::TestParamInfo<InverseUnderTest>& info) { return info.param.name; }
+/// What `inverse_kinematics_near` adds to the equations where two solutions meet and where a joint is free:
+/// no step, as long as nothing but rounding stands between the seed and the pose.
+TEST(Effort, NextToASeedTheEquationsSuffice) {
+  namespace arm = qvgen::robots::ur5;
+  const std::pair<double, double> elbow_and_wrist[] = {{0, -0.9}, {1e-9, -0.9}, {1e-5, -0.9}, {pi, -0.9},
+                                                       {0.7, 0},  {0.7, 1e-6},  {0.7, pi},    {0.7, 1e-3}};
+  for (const auto& [theta3, theta5] : elbow_and_wrist) {
+    const arm::JointVector<double> q(0.1, -1.2, theta3, -1.4, theta5, 0.2);
+    const auto pose = arm::forward_kinematics<double>(q);
+    const arm::JointVector<double> seed = q + arm::JointVector<double>(3e-4, -2e-4, 5e-4, 1e-4, -6e-4, 3e-4);
+    const auto found = arm::inverse_kinematics_near(pose, seed);
+    ASSERT_EQ(found.size(), 1);
+    EXPECT_EQ(found.effort.passes + found.effort.steps, 0) << "theta3 " << theta3 << ", theta5 " << theta5;
+    EXPECT_LT((found[0].q - q).norm(), 2e-3);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Robots, InverseEffort, testing::ValuesIn(inverses()), name_of);
 
 }  // namespace

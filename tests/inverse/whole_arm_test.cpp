@@ -33,6 +33,37 @@ Set with_row(Set set, const Joints<2>& seed, const Joints<2>& row) {
   return set;
 }
 
+/// Two turns about one axis, the tool a metre from it.
+ArmAtZero<2> two_turns_about_one_axis() {
+  const Screw<double> joint{true, {0, 0, 1}, {0, 0, 0}};
+  ArmAtZero<2> arm;
+  arm.joints = {joint, joint};
+  arm.tool = {Quaternion<double>::Identity(), Vector3<double>(1, 0, 0)};
+  return arm;
+}
+
+bool is_certain(const Joints<2>& row, const Joints<2>& seed, double turn) {
+  constexpr bool turns[] = {true, true};
+  const Pose<double> pose{Quaternion<double>(std::cos(turn / 2), 0, 0, std::sin(turn / 2)),
+                          Vector3<double>(std::cos(turn), std::sin(turn), 0)};
+  Row found;
+  append(found, row, 0, false);
+  return is_certain_row<3>(two_turns_about_one_axis(), pose, preference<2>(seed), found, turns);
+}
+
+TEST(CertainRow, BringsTheToolToThePose) {
+  EXPECT_TRUE(is_certain({0.3, 0.4}, {0.299, 0.4}, 0.7));
+  EXPECT_FALSE(is_certain({0.3, 0.4 + 1e-13}, {0.299, 0.4}, 0.7));
+  EXPECT_FALSE(is_certain({0.3, std::nan("")}, {0.299, 0.4}, 0.7));
+}
+
+TEST(CertainRow, IsNotWhereRoundingMayHaveMovedIt) {
+  // The way from the seed is nearly free: what one joint turns the other turns back.
+  EXPECT_FALSE(is_certain({0.301, 0.399}, {0.3, 0.4}, 0.7));
+  EXPECT_FALSE(is_certain({0.301, 0.399}, {0.3, 0.39999}, 0.7));
+  EXPECT_TRUE(is_certain({0.301, 0.399}, {0.3, 0.3989}, 0.7));
+}
+
 TEST(RowAtSeed, OneThatIsMissingComesFirstWithANumberOfItsOwn) {
   const Set set = with_row(set_of({{1, 0.5}, {2, 0.5}}), joints(0.2, 0.5), joints(0.3, 0.5));
   ASSERT_EQ(set.size(), 3);

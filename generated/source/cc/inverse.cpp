@@ -268,12 +268,11 @@ bool is_open(const Pose<double>& pose, Target& t, NearRow& found) {
   return true;
 }
 
-/// Returns whether rounding has decided nothing.
-bool solve_near_seed(const Target& t, NearRow& found) {
+/// Returns whether rounding has decided nothing. What is outside by no more than rounding counts as the boundary.
+bool solve_near_seed(Target& t, NearRow& found) {
+  t.boundary.accept = t.boundary.beyond;
   const auto follow = [&](inverse::Forks& forks, NearRow& row) { return follow_seed(t, forks, row); };
-  const bool is_sure = inverse::follow_forks(*t.preference, is_revolute.data(), follow, found);
-  if (!is_sure) found.clear();
-  return is_sure;
+  return inverse::follow_forks(*t.preference, is_revolute.data(), follow, found);
 }
 
 /// Where the equations lead near a singular pose, if that is nearer to the seed than what has been found.
@@ -298,6 +297,13 @@ NearRow follow_to(const Pose<double>& pose, const inverse::Preference<6>& prefer
   Target t = given(g, tolerance, preference);
   if (!is_open(pose, t, found)) return found;
   const bool is_sure = solve_near_seed(t, found);
+
+  if (inverse::is_by_seed(found, preference, is_revolute.data())
+      && (is_sure || inverse::is_certain_row<3>(arm_at_zero(g), pose, preference, found, is_revolute.data()))) {
+    found.conclude();
+    return found;
+  }
+  if (!is_sure) found.clear();
 
   if (!inverse::is_next_to(found, preference, is_revolute.data()))
     follow_whole_arm(pose, preference, g, tolerance, is_sure, found);

@@ -188,11 +188,18 @@ class SeedTracker {
   Budget budget_ = near_effort;
 };
 
-/// Whether a row is so near to the seed that no other needs to be asked for: 10 mrad, or 2 mrad on a
-/// continuum, on which rounding may have moved it along.
+/// Whether a row of the equations alone, which leave free joints where the seed has them, is so near to the
+/// seed that no other needs to be asked for: 10 mrad.
+template <int dof>
+bool is_by_seed(const Solutions<dof, 1>& found, const Preference<dof>& seed, const bool* revolute) {
+  return apart(found, seed, revolute) < 1e-4;
+}
+
+/// The same of a row that Newton's steps have led to: they may have moved it along a continuum, on which it
+/// has to be within 2 mrad.
 template <int dof>
 bool is_next_to(const Solutions<dof, 1>& found, const Preference<dof>& seed, const bool* revolute) {
-  return !found.empty() && apart(found, seed, revolute) < (found[0].continuum ? 4e-6 : 1e-4);
+  return is_by_seed(found, seed, revolute) && (!found[0].continuum || apart(found, seed, revolute) < 4e-6);
 }
 
 /// The same near a singular pose, `follow(start, goal, tracker, forks, found)`, from several starts, of which

@@ -35,15 +35,65 @@ ArmMatching<dof, points> matching(const ArmAtZero<dof>& arm, const Pose<double>&
   return task;
 }
 
+/// How far joint values leave the points off their goals, the largest distance squared. All points side by
+/// side and no Jacobian: a quarter of what an evaluation for a Newton step takes.
+template <int points, int dof>
+double miss_square(const ArmMatching<dof, points>& task, const Preference<dof>& values) {
+  // Coordinates in the vector types of GCC and clang; the fourth point is the first once more.
+  using Four [[gnu::vector_size(32)]] = double;
+  constexpr std::size_t b = 1 % points, c = 2 % points;
+  Four x[3], goal[3];
+  for (std::size_t k = 0; k < 3; ++k) {
+    x[k] = Four{task.start[0][k], task.start[b][k], task.start[c][k], task.start[0][k]};
+    goal[k] = Four{task.goal[0][k], task.goal[b][k], task.goal[c][k], task.goal[0][k]};
+  }
+  for (std::size_t i = dof; i-- > 0;) {
+    const Screw<double>& screw = task.arm[i];
+    const Triple<double>& a = screw.axis;
+    if (!screw.revolute) {
+      for (std::size_t k = 0; k < 3; ++k) x[k] += values.slide[static_cast<int>(i)] * a[k];
+      continue;
+    }
+    const Rotor<double>& turn = values.turn[i];
+    const Four u = x[0] - screw.point[0];
+    const Four v = x[1] - screw.point[1];
+    const Four w = x[2] - screw.point[2];
+    const Four along = (a[0] * u + a[1] * v + a[2] * w) * (1 - turn.cosine);
+    x[0] = screw.point[0] + turn.cosine * u + turn.sine * (a[1] * w - a[2] * v) + along * a[0];
+    x[1] = screw.point[1] + turn.cosine * v + turn.sine * (a[2] * u - a[0] * w) + along * a[1];
+    x[2] = screw.point[2] + turn.cosine * w + turn.sine * (a[0] * v - a[1] * u) + along * a[2];
+  }
+  Four error{};
+  for (std::size_t k = 0; k < 3; ++k) error += (goal[k] - x[k]) * (goal[k] - x[k]);
+  return std::max({error[0], error[1], error[2]});
+}
+
+/// The share of the way between them by which two joint values miss each other's pose if nothing between them
+/// is nearly free.
+inline constexpr double least_miss = 0.05;
+
+/// Whether a row of the equations that rounding may have decided is to be taken: it brings the tool to the
+/// pose, but for rounding, and nothing between the seed and it is nearly free, along which rounding would
+/// have moved it.
+template <int points, int dof>
+bool is_certain_row(const ArmAtZero<dof>& arm, const Pose<double>& pose, const Preference<dof>& seed,
+                    const Solutions<dof, 1>& found, const bool* revolute) {
+  constexpr double rounding = 32 * std::numeric_limits<double>::epsilon();
+  const auto task = matching<points>(arm, pose);
+  if (!(miss_square<points>(task, preference<dof>(found[0].q)) <= rounding * rounding * task.size_square))
+    return false;
+  const double way = apart(found, seed, revolute);
+  return miss_square<points>(task, seed) >= least_miss * least_miss * way * task.size_square;
+}
+
 /// Whether the seed misses the pose by much less than its way to a row lets expect: something between them is
 /// nearly free.
 template <std::size_t joints, std::size_t points>
 bool is_nearly_free(const PointMatching<double, joints, points>& task,
                     const JointValues<double, joints>& seed, double row_apart, Budget& budget) {
-  constexpr double share = 0.05;
   if (!budget.step()) return false;
   const double error = polishing::Newton<double, joints, points>(task).reached(seed).error;
-  return error < share * share * row_apart * task.size_square;
+  return error < least_miss * least_miss * row_apart * task.size_square;
 }
 
 /// Keeps the row that is nearer to the seed, and counts what both have cost.
