@@ -2,13 +2,22 @@
 # SPDX-License-Identifier: MIT
 # singular_instructions.sh PROGRAM [POSES]: a table, instructions of a call of inverse kinematics at singular poses and near
 # them, as valgrind counts them: median, 99.9 %, worst and mean, and worst and mean as multiples of a random pose's median;
-# then the same of the one solution next to a seed.
+# then the same of the one solution next to a seed. Fails if a pose takes more than the robot's header says.
 # PROGRAM is qvgen_singular_instructions, compiled for no more than AVX2, beyond which valgrind knows none.
 set -euo pipefail
 
 poses=${2:-200}
 folder=$(mktemp -d)
 trap 'rm -r "$folder"' EXIT
+
+headers=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)/generated/include/qvgen/robots
+
+# check_bound ROBOT WORST REGULAR: whether the worst pose adds no more to a regular one than the header says.
+check_bound() {
+  local bound
+  bound=$(sed -n 's/^\/\/\/ \([0-9,]*\) instructions (x86-64, AVX2).*/\1/p' "$headers/$1/inverse.h" | head -n 1)
+  (($2 - $3 <= ${bound//,/})) || { echo "$1: $2 instructions, but its header says at most $bound" >&2; exit 1; }
+}
 
 # count_sets ROBOT FUNCTION PROGRAM: a line for each set.
 count_sets() {
@@ -28,6 +37,7 @@ count_sets() {
       }')
     [[ $regular != 0 ]] || regular=$(awk '{ print $1 }' <<<"$row")
     printf '%-32s%s\n' "${label/_/ }, $set" "$row"
+    [[ $function != inverse_kinematics ]] || check_bound "$robot" "$(awk '{ print $3 }' <<<"$row")" "$regular"
   done
 }
 
