@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -39,6 +40,19 @@ void append(std::vector<T>& rows, const Eigen::Transform<T, 3, Eigen::Isometry>&
 template <class T>
 bool same_bits(T a, T b) {
   return std::memcmp(&a, &b, sizeof a) == 0 || (std::isnan(a) && std::isnan(b));
+}
+
+/// The geometry with numbers for symbols to which the description gives none.
+template <class T, class Geometry>
+Geometry with_numbers(Geometry g) {
+  if constexpr (sizeof(Geometry) >= sizeof(T)) {
+    std::array<T, sizeof(Geometry) / sizeof(T)> numbers;
+    std::memcpy(numbers.data(), &g, sizeof g);
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      if (std::isnan(numbers[i])) numbers[i] = T(0.3) + T(0.07) * static_cast<T>(i);
+    std::memcpy(static_cast<void*>(&g), numbers.data(), sizeof g);
+  }
+  return g;
 }
 
 /// An owned batch, one number behind every row and `margin` numbers in front of the first.

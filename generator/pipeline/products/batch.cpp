@@ -1,14 +1,28 @@
 // SPDX-License-Identifier: MIT
 #include "pipeline/products/batch.h"
 
+#include <algorithm>
+
 #include "emit/cpp/batch_forms.h"
 #include "emit/render.h"
 #include "pipeline/products/inverse_batch.h"
+#include "pipeline/products/jacobian.h"
 
 namespace qvgen::pipeline {
 namespace {
 
+using nlohmann::json;
+
 constexpr const char* part = "batch";
+
+/// Of the inverse velocity, which every robot with Jacobians has: a list of one or none.
+json rates_values(const model::Robot& robot, const std::vector<emit::BatchForm>& forms) {
+  const bool has_jacobian =
+      std::any_of(forms.begin(), forms.end(), [](const auto& form) { return form.name == "jacobian"; });
+  if (!has_jacobian) return json::array();
+  const json scalars{{{"scalar", "double"}}, {{"scalar", "float"}}};
+  return json::array({{{"has_wrist", has_wrist_centre(robot)}, {"scalars", scalars}}});
+}
 
 }  // namespace
 
@@ -23,8 +37,9 @@ void add_batch(const model::Robot& robot, RobotOutput& output) {
                               "kinematics,inverse,jacobian,dynamics,batch"});
     return;
   }
-  nlohmann::json values = emit::batch_values(robot.name, forms);
-  values["inverse"] = has_inverse ? inverse_batch_values(robot) : nlohmann::json(false);
+  json values = emit::batch_values(robot.name, forms);
+  values["rates"] = rates_values(robot, forms);
+  values["inverse"] = has_inverse ? inverse_batch_values(robot) : json(false);
   output.files.push_back(
       {"include/qvgen/robots/" + robot.name + "/batch.h", emit::render("batch.h", values)});
   const std::string sources = "source/" + robot.name + "/";

@@ -252,6 +252,10 @@ void generate_jacobian(const model::Robot& described, RobotOutput& output) {
   output.files.push_back({"source/" + robot.name + "/jacobian.cpp", emit::render("jacobian.cpp", values)});
 }
 
+bool has_wrist_centre(const model::Robot& described) {
+  return derive::wrist_centre(canonical::for_kinematics(described).robot).has_value();
+}
+
 void generate_jacobian_c(const model::Robot& described, RobotOutput& output) {
   const Jacobians found = jacobians_of(described, output);
   add_c_part(output, emit::c::jacobian(found.robot, found.functions));
