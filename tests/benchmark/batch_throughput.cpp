@@ -3,17 +3,20 @@
 // and what the memory would allow. ./qvgen benchmark batches [LARGEST], 1000000 if not given.
 #include <algorithm>
 #include <cstdlib>
+#include <fstream>
 #include <functional>
 #include <random>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 #include <oneapi/tbb/global_control.h>
 #include <qvgen/batch/threads.h>
 #include <qvgen/robots/iiwa14/batch.h>
 #include <qvgen/robots/puma560/batch.h>
 
+#include "peaks.h"
 #include "throughput.h"
 
 namespace {
@@ -109,23 +112,50 @@ std::vector<Function<T>> functions() {
   };
 }
 
-/// Bytes a second that a copy reads and writes.
-double bandwidth() {
-  const std::vector<double> from(1 << 24, 1.0);
-  std::vector<double> to(from.size());
-  return 2 * 8 * static_cast<double>(from.size()) /
-         shortest([&] { std::copy(from.begin(), from.end(), to.begin()); });
+/// Products, sums, quotients and roots a configuration; a sine and cosine in a lane
+/// takes 22, in double; what is fused counts once, as in time.
+double operations(const std::string& robot_and_function) {
+  static const nlohmann::json counts =
+      nlohmann::json::parse(std::ifstream(QVGEN_SOURCE_DIR "/generated/operation_counts.json"));
+  const std::size_t space = robot_and_function.find(' ');
+  const auto& emitted =
+      counts.at(robot_and_function.substr(0, space)).at(robot_and_function.substr(space + 1)).at("emitted");
+  constexpr double of_angle = 22;
+  double sum = of_angle * emitted.at("sincos").get<double>();
+  for (const char* kind : {"mul", "add", "div", "sqrt"}) sum += emitted.at(kind).get<double>();
+  return sum;
+}
+
+/// What one core of the machine does in a second at most.
+struct Machine {
+  double bytes;
+  double numbers[2];  ///< operations on doubles, on floats
+};
+
+Machine measure_machine() {
+  const InstructionSet set = qvgen::widest_instruction_set();
+  return {throughput::bandwidth(), {throughput::arithmetic<double>(set), throughput::arithmetic<float>(set)}};
+}
+
+/// What bounds a function whose numbers come from memory: the longer of the times that they and the
+/// arithmetic take at the least.
+std::string roof(double bytes, double work, double moved, double computed) {
+  const double memory = 1e9 * bytes / moved, arithmetic = 1e9 * work / computed;
+  return fmt::format(
+      "{:.0f} operations, {:.1f} a byte; at least {:.2f} ns in memory, {:.2f} ns in arithmetic: {} bound",
+      work, work / bytes, memory, arithmetic, memory > arithmetic ? "bandwidth" : "compute");
 }
 
 template <class T>
-void measure(const char* scalar, std::size_t largest, double copied) {
+void measure(const char* scalar, std::size_t largest, const Machine& machine) {
+  const double copied = machine.bytes, computed = machine.numbers[std::is_same_v<T, float> ? 1 : 0];
   for (const Function<T>& function : functions<T>()) {
     Rows<T> some(function.in, 1000);
     volatile T sink = 0;
     const double single = shortest([&] { sink = function.singles(some.numbers.data(), 1000); }) / 1000;
     const double bytes = static_cast<double>((function.in + function.out) * sizeof(T));
-    fmt::print("{} {}: {} bytes a configuration, single calls {:.1f} ns\n", function.name, scalar, bytes,
-               single * 1e9);
+    fmt::print("{} {}: {} bytes a configuration, single calls {:.1f} ns; {}\n", function.name, scalar, bytes,
+               single * 1e9, roof(bytes, operations(function.name), copied, computed));
     for (std::size_t count = 1; count <= largest; count *= 10) {
       Rows<T> in(function.in, count), out(function.out, count);
       const Batch<const T> given = in.view();
@@ -144,9 +174,9 @@ void measure(const char* scalar, std::size_t largest, double copied) {
       fmt::print(
           "{:>10}  AVX2 {:8.2f} ns ({:4.1f} x)   widest {:8.2f} ns ({:4.1f} x)   threads {:8.2f} ns ({:4.1f} "
           "x)"
-          "   {:3.0f} % of a copy's bandwidth\n",
+          "   {:3.0f} % of a copy's bandwidth, {:3.0f} % of the arithmetic\n",
           count, avx2 * 1e9, single / avx2, widest * 1e9, single / widest, threads * 1e9, single / threads,
-          100 * bytes / widest / copied);
+          100 * bytes / widest / copied, 100 * operations(function.name) / widest / computed);
     }
   }
 }
@@ -155,16 +185,20 @@ void measure(const char* scalar, std::size_t largest, double copied) {
 
 int main(int argc, char** argv) {
   const std::size_t largest = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 1000000;
-  const double copied = bandwidth();
-  fmt::print("a copy in memory moves {:.1f} GB/s; {} threads\n", copied / 1e9,
-             tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
-  for (const std::size_t poses : {1000U, 10000U}) {
+  const Machine machine = measure_machine();
+  fmt::print(
+      "one core: a copy in memory moves {:.1f} GB/s, {:.1f} G operations a second on doubles, {:.1f} on "
+      "floats; "
+      "{} threads\n",
+      machine.bytes / 1e9, machine.numbers[0] / 1e9, machine.numbers[1] / 1e9,
+      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+  for (const std::size_t poses : {1000U, 10000U, 1000000U}) {
     if (poses > largest) continue;
     fmt::print("all solutions of {} poses: share at the boundary of reach, ns a pose singly and in batches\n",
                poses);
     for (const auto measure_arm : throughput::inverse_of_arms()) measure_arm(poses);
   }
-  measure<double>("double", largest, copied);
-  measure<float>("float", largest, copied);
+  measure<double>("double", largest, machine);
+  measure<float>("float", largest, machine);
   return 0;
 }
