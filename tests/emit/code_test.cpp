@@ -47,6 +47,21 @@ TEST(SymbolTable, DefinitionsMayHaveOthersInThem) {
   EXPECT_EQ(emit::symbol_table(robot, {}).symbol("a"), "((g.l * g.l) + Scalar(0.5))");
 }
 
+/// float's and any other number type's own functions, not the C library's for double.
+TEST(SymbolTable, FunctionsInDefinitionsAreThoseOfTheScalar) {
+  using model::Expression;
+  using Kind = Expression::Kind;
+  model::Robot robot;
+  robot.geometry.push_back({"l", std::nullopt});
+  for (const auto& [kind, function] :
+       {std::pair{Kind::root, "sqrt"}, {Kind::sine, "sin"}, {Kind::cosine, "cos"}}) {
+    robot.definitions.insert_or_assign("a", Expression::make(kind, {Expression::symbol("l")}));
+    const std::string name = function;
+    EXPECT_EQ(emit::symbol_table(robot, {}).symbol("a"),
+              "[](const Scalar& operand) { using std::" + name + "; return " + name + "(operand); }(g.l)");
+  }
+}
+
 TEST_F(CodeTest, SumsAndProducts) {
   EXPECT_EQ(text_of(g.sum({a, -b, g.product({b, c})})), "g.a - g.b + g.b * g.c");
   EXPECT_EQ(text_of(g.product({a, g.sum({b, c})})), "g.a * (g.b + g.c)");
@@ -62,7 +77,8 @@ TEST_F(CodeTest, Signs) {
 
 TEST_F(CodeTest, QuotientsRootsArctangents) {
   EXPECT_EQ(text_of(g.quotient(g.sum({a, b}), g.product({b, c}))), "(g.a + g.b) / (g.b * g.c)");
-  EXPECT_EQ(text_of(g.root(g.sum({a, b}))), "sqrt(g.a + g.b)");
+  EXPECT_EQ(text_of(g.root(g.sum({a, b}))),
+            "[](const Scalar& operand) { using std::sqrt; return sqrt(operand); }(g.a + g.b)");
   EXPECT_EQ(text_of(g.arctangent(-a, b)), "atan2(-g.a, g.b)");
 }
 

@@ -62,9 +62,10 @@ std::string dimension(std::size_t size) { return "[" + std::to_string(size) + "]
 }  // namespace
 
 const Spelling& spelling() {
-  static const Spelling c_spelling{number, "->", [](const std::string& rate) {
-                                     return "(" + rate + " > 0 ? 1.0 : " + rate + " < 0 ? -1.0 : 0.0)";
-                                   }};
+  static const Spelling c_spelling{
+      number, "->",
+      [](const std::string& rate) { return "(" + rate + " > 0 ? 1.0 : " + rate + " < 0 ? -1.0 : 0.0)"; },
+      [](const std::string& function, const std::string& value) { return function + "(" + value + ")"; }};
   return c_spelling;
 }
 

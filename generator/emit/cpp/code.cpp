@@ -70,7 +70,7 @@ class Writer {
       case Op::quotient:
         return factor(node.operands[0]) + " / " + factor(node.operands[1], true);
       case Op::root:
-        return "sqrt(" + signed_text(node.operands[0]) + ")";
+        return names_.spelling.call("sqrt", signed_text(node.operands[0]));
       case Op::arctangent:
         return "atan2(" + signed_text(node.operands[0]) + ", " + signed_text(node.operands[1]) + ")";
     }
@@ -128,7 +128,12 @@ class Writer {
 
 const Spelling& cpp_spelling() {
   static const Spelling spelling{[](const std::string& literal) { return "Scalar(" + literal + ")"; }, ".",
-                                 [](const std::string& rate) { return "direction(" + rate + ")"; }};
+                                 [](const std::string& rate) { return "direction(" + rate + ")"; },
+                                 [](const std::string& function, const std::string& value) {
+                                   // Scalar's own function, or the standard library's for its type.
+                                   return "[](const Scalar& operand) { using std::" + function + "; return " +
+                                          function + "(operand); }(" + value + ")";
+                                 }};
   return spelling;
 }
 

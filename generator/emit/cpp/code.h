@@ -15,6 +15,8 @@ struct Spelling {
   std::function<std::string(const std::string& literal)> number;  ///< "Scalar(2)"
   std::string member;                                             ///< behind what holds constants: "."
   std::function<std::string(const std::string& rate)> direction;  ///< 1, -1 or 0
+  /// sqrt, sin or cos of a value, where no declaration in front has named the function.
+  std::function<std::string(const std::string& function, const std::string& value)> call;
 };
 const Spelling& cpp_spelling();
 

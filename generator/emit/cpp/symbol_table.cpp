@@ -127,11 +127,11 @@ std::string code_of(const model::Expression& e, const Meaning& meaning, const Sp
       return e.exponent() < 0 ? "(" + scalar(1, spelling) + " / (" + product + "))" : "(" + product + ")";
     }
     case Kind::root:
-      return "sqrt(" + operand(0) + ")";
+      return spelling.call("sqrt", operand(0));
     case Kind::sine:
-      return "sin(" + operand(0) + ")";
+      return spelling.call("sin", operand(0));
     case Kind::cosine:
-      return "cos(" + operand(0) + ")";
+      return spelling.call("cos", operand(0));
   }
   throw std::logic_error("unknown kind of expression");
 }

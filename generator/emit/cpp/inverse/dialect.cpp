@@ -31,7 +31,14 @@ Dialect::Arguments places(const Dialect::Arguments& names) {
 
 class Cpp : public Dialect {
  public:
-  Spelling spelling() const override { return cpp_spelling(); }
+  Spelling spelling() const override {
+    Spelling result = cpp_spelling();
+    // The functions of the inverse kinematics begin with `using std::sqrt;`.
+    result.call = [other = result.call](const std::string& function, const std::string& value) {
+      return function == "sqrt" ? function + "(" + value + ")" : other(function, value);
+    };
+    return result;
+  }
   std::string scalar(const std::string& value) const override { return "Scalar(" + value + ")"; }
   std::string member(const std::string& of, const std::string& name) const override {
     return of + "." + name;
