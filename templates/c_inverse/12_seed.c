@@ -66,12 +66,19 @@ typedef struct Forks {
 
 static const Forks no_forks = {0, 0, {0}, 0};
 
+/// Whether two solutions meet, but for rounding: both in doubt, and as far from the seed to half the digits.
+static bool are_one(const Branch* other, double other_apart, const Branch* branch, double apart) {
+  const double difference = other_apart - apart;
+  return other->unsure && branch->unsure && difference * difference <= 1e-12 * apart;
+}
+
 /// Whether the other of two solutions is to be taken.
 static bool takes_other(Forks* forks, const Branch* other, double other_apart, const Branch* branch,
                         double apart) {
   const bool is_nearer = other->exists && (!branch->exists || other_apart < apart);
   const bool is_other = is_nearer != ((forks->flipped >> forks->count & 1U) != 0);
-  const bool has_rest = is_other ? branch->exists : other->exists;
+  const bool has_rest =
+      (is_other ? branch->exists : other->exists) && !are_one(other, other_apart, branch, apart);
   forks->left[forks->count++] = has_rest ? (is_other ? apart : other_apart) : HUGE_VAL;
   forks->label = 2 * forks->label + (is_other ? 1 : 0);
   return is_other;

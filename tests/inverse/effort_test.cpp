@@ -92,7 +92,6 @@ TEST(Effort, OfKnownPoses) {
   }
 }
 
-std::string name_of(const testing::TestParamInfo<InverseUnderTest>& info) { return info.param.name; }
 /// What `inverse_kinematics_near` adds to the equations where two solutions meet and where a joint is free:
 /// no step, as long as nothing but rounding stands between the seed and the pose.
 TEST(Effort, NextToASeedTheEquationsSuffice) {
@@ -110,6 +109,7 @@ TEST(Effort, NextToASeedTheEquationsSuffice) {
   }
 }
 
+std::string name_of(const testing::TestParamInfo<InverseUnderTest>& info) { return info.param.name; }
 INSTANTIATE_TEST_SUITE_P(Robots, InverseEffort, testing::ValuesIn(inverses()), name_of);
 
 }  // namespace

@@ -51,6 +51,22 @@ bool is_certain(const Joints<2>& row, const Joints<2>& seed, double turn) {
   return is_certain_row<3>(two_turns_about_one_axis(), pose, preference<2>(seed), found, turns);
 }
 
+/// How far from the seed, squared, the solution of two is that is not taken.
+double left_over(double other, double taken, bool in_doubt) {
+  Branch<double> branch;
+  branch.unsure = in_doubt;
+  Forks forks;
+  forks.takes_other(branch, other * other, branch, taken * taken);
+  return forks.left[0];
+}
+
+TEST(Forks, SolutionsThatMeetAreOne) {
+  EXPECT_EQ(left_over(1e-3 + 1e-8, 1e-3, true), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(left_over(1e-3, 1e-3, true), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(left_over(1.1e-3, 1e-3, true), 1.1e-3 * 1.1e-3);
+  EXPECT_EQ(left_over(1e-3 + 1e-8, 1e-3, false), (1e-3 + 1e-8) * (1e-3 + 1e-8));
+}
+
 TEST(CertainRow, BringsTheToolToThePose) {
   EXPECT_TRUE(is_certain({0.3, 0.4}, {0.299, 0.4}, 0.7));
   EXPECT_FALSE(is_certain({0.3, 0.4 + 1e-13}, {0.299, 0.4}, 0.7));

@@ -235,13 +235,8 @@ bool is_open(const Pose<double>& pose, Target& t, NearRow& found) {
 /// Returns whether rounding has decided nothing. What is outside by no more than rounding counts as the boundary.
 bool solve_near_seed(Target& t, NearRow& found) {
   t.boundary.accept = t.boundary.beyond;
-  bool is_sure = true;
-  const auto follow = [&](inverse::Forks& forks, NearRow& row) {
-    if (!follow_seed(t, forks, row)) is_sure = false;
-    return true;
-  };
-  inverse::follow_forks(*t.preference, is_revolute.data(), follow, found);
-  return is_sure;
+  const auto follow = [&](inverse::Forks& forks, NearRow& row) { return follow_seed(t, forks, row); };
+  return inverse::follow_forks(*t.preference, is_revolute.data(), follow, found);
 }
 
 /// Where the equations lead near a singular pose, if that is nearer to the seed than what has been found.

@@ -35,12 +35,21 @@ struct Forks {
       {};  ///< squared distance from the seed of what was not taken, infinite if it is nothing
   int label = 0;
 
+  /// Whether two solutions meet, but for rounding: both in doubt, and as far from the seed to half the
+  /// digits.
+  static bool are_one(const Branch<double>& other, double other_apart, const Branch<double>& branch,
+                      double apart) {
+    const double difference = other_apart - apart;
+    return other.unsure && branch.unsure && difference * difference <= 1e-12 * apart;
+  }
+
   /// Whether the other of two solutions is to be taken.
   bool takes_other(const Branch<double>& other, double other_apart, const Branch<double>& branch,
                    double apart) {
     const bool is_nearer = other.exists && (!branch.exists || other_apart < apart);
     const bool is_other = is_nearer != ((flipped >> count & 1U) != 0);
-    const bool has_rest = is_other ? branch.exists : other.exists;
+    const bool has_rest =
+        (is_other ? branch.exists : other.exists) && !are_one(other, other_apart, branch, apart);
     left[count++] = has_rest ? (is_other ? apart : other_apart) : std::numeric_limits<double>::infinity();
     label = 2 * label + (is_other ? 1 : 0);
     return is_other;
@@ -84,15 +93,16 @@ double apart(const Solutions<dof, 1>& found, const Preference<dof>& seed, const 
 }
 
 /// The nearest solution to the seed. `follow(forks, found)` is one way along the equations, each solution the
-/// nearer one but where the forks say otherwise; returns whether rounding has decided nothing. If what it
-/// comes to is as far from the seed as another choice would have been, or is nothing, the others are followed
-/// too: where two solutions meet the nearer value of one joint may lead the others far away.
+/// nearer one but where the forks say otherwise; returns whether rounding has decided nothing, as this does
+/// of all ways. If what it comes to is as far from the seed as another choice would have been, or is nothing,
+/// the others are followed too: where two solutions meet the nearer value of one joint may lead the others
+/// far away.
 template <int dof, class Follow>
 bool follow_forks(const Preference<dof>& seed, const bool* revolute, const Follow& follow,
                   Solutions<dof, 1>& found) {
   constexpr double margin = 20 * 20;
   Forks taken;
-  if (!follow(taken, found)) return false;
+  bool is_sure = follow(taken, found);
   double least = apart(found, seed, revolute);
   unsigned open = 0;
   for (int i = 0; i < taken.count; ++i)
@@ -102,13 +112,13 @@ bool follow_forks(const Preference<dof>& seed, const bool* revolute, const Follo
     Forks other;
     other.flipped = flipped;
     Solutions<dof, 1> row;
-    if (!follow(other, row)) return false;
+    is_sure = follow(other, row) && is_sure;
     const double its_apart = apart(row, seed, revolute);
     if (!(its_apart < least)) continue;
     least = its_apart;
     found = row;
   }
-  return true;
+  return is_sure;
 }
 
 /// From where Newton's steps start.
