@@ -169,7 +169,7 @@ static const double widest_blur = 64;
 
 /// A pair brought to length one. Where its squared length is below `tiny` it is the choice, and the branch is
 /// marked.
-static Rotor direction(Rotor v, double tiny, Rotor choice, bool opposites, Branch* branch) {
+static Rotor direction(bool opposites, Rotor v, double tiny, Rotor choice, Branch* branch) {
   const double square = square_of(v);
   const bool is_free = square <= tiny;
   branch->continuum = branch->continuum || (branch->exists && is_free);
@@ -197,7 +197,7 @@ static Rotor chosen_if_free(Rotor v, double square, double tiny, Rotor brief_cho
 }
 
 /// The same, and its length.
-static inline Rotor span(Rotor v, double tiny, Rotor brief_choice, bool opposites, double* length,
+static inline Rotor span(bool opposites, Rotor v, double tiny, Rotor brief_choice, double* length,
                          Branch* branch) {
   const double square = square_of(v);
   *length = sqrt(square);
@@ -206,7 +206,7 @@ static inline Rotor span(Rotor v, double tiny, Rotor brief_choice, bool opposite
 
 /// The same where the length is known but for rounding: a Newton step makes it good without waiting for a
 /// root.
-static inline Rotor span_of_length(Rotor v, double about, double tiny, Rotor brief_choice, bool opposites,
+static inline Rotor span_of_length(bool opposites, Rotor v, double about, double tiny, Rotor brief_choice,
                                    double* length, Branch* branch) {
   const double square = square_of(v);
   *length = 0.5 * about + square * (0.5 / about);

@@ -117,7 +117,7 @@ static Rotor chosen_direction(Rotor v, Rotor choice, const Boundary* boundary, B
   const double noise = 16 * DBL_EPSILON;
   const double little = 1e-20;
   doubt(branch, square_of(v) <= little);
-  return direction(v, boundary->choose ? little : noise * noise * noise * noise, choice, false, branch);
+  return direction(false, v, boundary->choose ? little : noise * noise * noise * noise, choice, branch);
 }
 
 /// +-sqrt(square), where `square` = r^2 - m^2 may be negative by rounding, `scale` = m^2 telling how much

@@ -40,7 +40,7 @@ TEST_P(InverseCertificate, RefusesAWrongEquation) {
   EXPECT_NO_THROW(certify(arm, plan));
   Plan wrong = plan;
   for (derive::inverse::Step& step : wrong.steps)
-    if (step.kind == derive::inverse::Kind::circle) step.before = falsified(step.before, "low");
+    if (step.is<derive::inverse::kind::Circle>()) step.before = falsified(step.before, "low");
   EXPECT_THROW(certify(arm, wrong), verify::CertificateError);
 }
 
@@ -107,7 +107,7 @@ TEST(RangeTest, DividesByNoDirection) {
   const auto read = description::read_text(first_joint_by_orientation, "first_by_orientation.toml");
   const auto derivation = derive::inverse::derive(read.robot.value());
   ASSERT_TRUE(derivation.found);
-  ASSERT_EQ(derivation.plan.steps.front().kind, derive::inverse::Kind::opposite);
+  ASSERT_TRUE(derivation.plan.steps.front().is<derive::inverse::kind::Opposite>());
   EXPECT_FALSE(derivation.plan.range_test.exists());
 }
 

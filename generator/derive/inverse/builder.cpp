@@ -37,7 +37,7 @@ bool Builder::is_constant(const ex& value) const {
 
 Step& Builder::add(Kind kind, const Screw* screw, int branches, const std::string& equation) {
   Step step;
-  step.kind = kind;
+  step.kind = std::move(kind);
   step.branches = branches;
   step.equation = equation;
   if (screw != nullptr) {
@@ -131,8 +131,9 @@ std::optional<Flat> Builder::without_root(const Flat& k, const ex& rhs) const {
 void Builder::turn_by_line(const Screw& screw, const Flat& k, const ex& rhs, const std::string& equation,
                            int degree) {
   if (scope_.is_zero(rhs)) {
-    Step& step = add(Kind::opposite, &screw, 2, equation);
-    step.degree = degree;
+    kind::Opposite opposite;
+    opposite.degree = degree;
+    Step& step = add(opposite, &screw, 2, equation);
     step.before.output("x", -k.y);
     step.before.output("y", k.x);
     step.degenerate = "the point lies on the axis: " + screw.variable + " is free";
@@ -141,7 +142,7 @@ void Builder::turn_by_line(const Screw& screw, const Flat& k, const ex& rhs, con
   }
   if (is_constant(k.x) && is_constant(k.y)) {
     const Polar amplitude = polar(k, scope_);
-    Step& step = add(Kind::circle, &screw, 2, equation);
+    Step& step = add(kind::Circle{}, &screw, 2, equation);
     step.before.output("low", amplitude.length - rhs);
     step.before.output("high", amplitude.length + rhs);
     step.before.output("scale", 1 / (2 * amplitude.length));
@@ -150,8 +151,7 @@ void Builder::turn_by_line(const Screw& screw, const Flat& k, const ex& rhs, con
     return;
   }
   if (const auto factors = without_root(k, rhs)) {
-    Step& step = add(Kind::factored, &screw, 2, equation);
-    step.degree = degree;
+    Step& step = add(kind::FactoredCircle{degree}, &screw, 2, equation);
     step.before.output("x", k.x);
     step.before.output("y", k.y);
     step.before.output("rhs", rhs);
@@ -163,8 +163,7 @@ void Builder::turn_by_line(const Screw& screw, const Flat& k, const ex& rhs, con
     set_turn(step, screw, result_turn());
     return;
   }
-  Step& step = add(Kind::free_circle, &screw, 2, equation);
-  step.degree = degree;
+  Step& step = add(kind::FreeCircle{degree}, &screw, 2, equation);
   const ex amplitude = GiNaC::sqrt(k.x * k.x + k.y * k.y);
   step.before.output("x", k.x);
   step.before.output("y", k.y);
@@ -194,7 +193,7 @@ void Builder::turn_by_distance(const Screw& screw, int sign, const Flat& v, cons
   const ex low = outer - square;
   const ex high = square - inner;
   if (v_fixed && x_fixed) {
-    Step& step = add(Kind::circle, &screw, 2, equation);
+    Step& step = add(kind::Circle{}, &screw, 2, equation);
     step.before.output("low", low);
     step.before.output("high", high);
     step.before.output("scale", 1 / (4 * base.length * arm.length));
@@ -205,8 +204,7 @@ void Builder::turn_by_distance(const Screw& screw, int sign, const Flat& v, cons
   }
   // Unnormalised: v conj(x0), mirrored for a joint that is read backwards.
   const Flat direction = base.direction * conjugate(arm.direction);
-  Step& step = add(Kind::free_circle, &screw, 2, equation);
-  step.degree = (v_fixed ? 0 : 1) + (x_fixed ? 0 : 1);
+  Step& step = add(kind::FreeCircle{(v_fixed ? 0 : 1) + (x_fixed ? 0 : 1)}, &screw, 2, equation);
   step.before.output("x", direction.x);
   step.before.output("y", sign * direction.y);
   step.before.output("low", low);
@@ -219,9 +217,10 @@ void Builder::turn_by_distance(const Screw& screw, int sign, const Flat& v, cons
 
 void Builder::turn_by_pair(const Screw& screw, const Flat& direction, const std::string& equation,
                            const ex& length) {
-  Step& step = add(Kind::pair, &screw, 1, equation);
-  step.length = length;
-  step.degree = 4;
+  kind::Pair pair;
+  pair.length = length;
+  pair.degree = 4;
+  Step& step = add(pair, &screw, 1, equation);
   step.before.output("x", direction.x);
   step.before.output("y", direction.y);
   step.degenerate = "the point lies on the axis: " + screw.variable + " is free";
@@ -230,9 +229,8 @@ void Builder::turn_by_pair(const Screw& screw, const Flat& direction, const std:
 
 Scope::Turn Builder::turn_by_pair(const std::string& name, const Flat& direction, const Scope::Turn& choice,
                                   const std::string& equation) {
-  Step& step = add(Kind::pair, nullptr, 1, equation);
+  Step& step = add(kind::ChosenPair{}, nullptr, 1, equation);
   step.unknown = name;
-  step.degree = 0;
   step.before.output("x", direction.x);
   step.before.output("y", direction.y);
   step.before.output("choice_x", choice.cosine);
@@ -245,7 +243,7 @@ Scope::Turn Builder::turn_by_pair(const std::string& name, const Flat& direction
 
 void Builder::slide_by_root(const Screw& screw, const ex& foot, const ex& square, const ex& height_square,
                             const std::string& equation) {
-  Step& step = add(Kind::root, &screw, 2, equation);
+  Step& step = add(kind::Root{}, &screw, 2, equation);
   step.before.output("square", square - height_square);
   step.before.output("scale", height_square);
   step.degenerate = "the point at the foot of the perpendicular: the two solutions coincide";
@@ -254,14 +252,17 @@ void Builder::slide_by_root(const Screw& screw, const ex& foot, const ex& square
 }
 
 void Builder::slide_by_value(const Screw& screw, const ex& value, const std::string& equation) {
-  set_length(add(Kind::linear, &screw, 1, equation), screw, value);
+  set_length(add(kind::Linear{}, &screw, 1, equation), screw, value);
 }
 
 void Builder::slide_by_line(const Screw& screw, const Flat& along, const Flat& rhs,
                             const std::optional<Reach>& reach, const std::string& equation) {
   const bool flat = !along.y.is_zero();
   if (!flat && is_constant(along.x)) return slide_by_value(screw, rhs.x / along.x, equation);
-  Step& step = add(Kind::line, &screw, 1, equation);
+  kind::Line line{flat};
+  using Reached = kind::Line::Reach;
+  if (reach) line.reach = reach->outer ? Reached::between : Reached::beyond;
+  Step& step = add(line, &screw, 1, equation);
   const auto input = [&](const std::string& name, const Flat& v) {
     step.before.output(name + "x", v.x);
     step.before.output(name + "y", v.y);
@@ -287,7 +288,7 @@ void Builder::slide_by_line(const Screw& screw, const Flat& along, const Flat& r
 
 void Builder::two_slides(const Screw& s, const Screw& t, const Slides& slides, const std::string& equation) {
   const bool equally_inclined = scope_.is_zero(slides.a * slides.a - slides.b * slides.b);
-  Step& step = add(Kind::slides, &s, equally_inclined ? 1 : 2, equation);
+  Step& step = add(kind::Slides{}, &s, equally_inclined ? 1 : 2, equation);
   step.before.output("a", slides.a);
   step.before.output("b", slides.b);
   step.before.output("k", slides.k);
@@ -304,7 +305,7 @@ void Builder::two_slides(const Screw& s, const Screw& t, const Slides& slides, c
 }
 
 void Builder::turn_by_conic(const Screw& screw, const std::array<ex, 6>& conic, const std::string& equation) {
-  Step& step = add(Kind::conic, &screw, 4, equation);
+  Step& step = add(kind::Conic{}, &screw, 4, equation);
   const std::array<const char*, 6> names = {"xx", "xy", "yy", "x", "y", "one"};
   for (std::size_t i = 0; i < 6; ++i) step.before.output(names[i], conic[i]);
   step.degenerate = "boundary of reach: solutions coincide";
@@ -313,8 +314,7 @@ void Builder::turn_by_conic(const Screw& screw, const std::array<ex, 6>& conic, 
 
 void Builder::slide_and_turn(const Screw& slide, const Screw& turn, const SlideAndTurn& equations,
                              const std::string& equation) {
-  Step& step = add(Kind::slide_turn, &turn, 4, equation);
-  step.slide = slide.joint;
+  Step& step = add(kind::SlideTurn{slide.joint}, &turn, 4, equation);
   step.before.output("divisor", equations.divisor);
   step.before.output("h", equations.h);
   step.before.output("level", equations.level);
@@ -331,11 +331,10 @@ void Builder::slide_and_turn(const Screw& slide, const Screw& turn, const SlideA
   slide_by_value(slide, offset, "the same two equations");
 }
 
-Scope::Turn Builder::reachable(const std::string& name, const std::vector<Step::Seed>& seeds,
+Scope::Turn Builder::reachable(const std::string& name, const std::vector<kind::Reach::Seed>& seeds,
                                const Flat& point, const Flat& offset, const ex& inner, const ex& outer) {
-  Step& step = add(Kind::reach, nullptr, 1, "the distance that the two links between leave open");
+  Step& step = add(kind::Reach{seeds}, nullptr, 1, "the distance that the two links between leave open");
   step.unknown = name;
-  step.seeds = seeds;
   step.before.output("point_x", point.x);
   step.before.output("point_y", point.y);
   step.before.output("offset_x", offset.x);
@@ -348,17 +347,18 @@ Scope::Turn Builder::reachable(const std::string& name, const std::vector<Step::
 }
 
 void Builder::require_zero(const ex& residual, const ex& scale, const std::string& equation) {
-  Step& step = add(Kind::require, nullptr, 1, equation);
+  Step& step = add(kind::Require{}, nullptr, 1, equation);
   step.before.output("residual", residual);
   step.before.output("scale", scale);
 }
 
 void Builder::polish(const std::vector<Screw>& arm, const std::vector<symbolic::Vector>& start,
                      const std::vector<symbolic::Vector>& goal) {
-  Step& step = add(Kind::polish, nullptr, 1,
+  kind::Newton newton{{}, static_cast<int>(start.size())};
+  for (const Screw& screw : arm) newton.variables.push_back(screw.variable);
+  Step& step = add(newton, nullptr, 1,
                    "Newton steps: near a singular place, and after a quartic, closed forms lose digits");
   step.unknown = "arm";
-  step.points = static_cast<int>(start.size());
   const auto input = [&](const std::string& name, std::size_t i, const symbolic::Vector& v) {
     const std::string full = name + std::to_string(i + 1);
     step.before.output(full + "_x", v.x);
@@ -368,7 +368,6 @@ void Builder::polish(const std::vector<Screw>& arm, const std::vector<symbolic::
   for (std::size_t i = 0; i < arm.size(); ++i) {
     input("axis", i, arm[i].axis);
     input("point", i, arm[i].revolute ? arm[i].point : symbolic::Vector{0, 0, 0});
-    step.turns.push_back(arm[i].variable);
   }
   for (std::size_t i = 0; i < start.size(); ++i) {
     input("start", i, start[i]);
@@ -377,7 +376,7 @@ void Builder::polish(const std::vector<Screw>& arm, const std::vector<symbolic::
 }
 
 Scope::Turn Builder::half(const std::string& name, const ex& cosine, const ex& sine) {
-  Step& step = add(Kind::half, nullptr, 1, "half angle of " + name);
+  Step& step = add(kind::Half{}, nullptr, 1, "half angle of " + name);
   step.unknown = name;
   step.before.output("cosine", cosine);
   step.before.output("sine", sine);

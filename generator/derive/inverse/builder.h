@@ -58,7 +58,7 @@ class Builder {
 
   [[nodiscard]] Ring ring(const Flat& v, const Flat& x0) const;
 
-  /// alpha cos q + beta sin q = rhs; `degree` as in Step.
+  /// alpha cos q + beta sin q = rhs; `degree` as in kind::Direction.
   void turn_by_line(const Screw& screw, const Flat& coefficients, const GiNaC::ex& rhs,
                     const std::string& equation, int degree = 1);
   /// The angle φ between direction and q: |v + x| = δ, given squares; (cos q, sign sin q) = φ * direction.
@@ -94,8 +94,9 @@ class Builder {
                       const std::string& equation);
   /// The direction of a free angle for which |point + turned offset|² lies in [inner, outer]: names cos_NAME,
   /// sin_NAME.
-  Scope::Turn reachable(const std::string& name, const std::vector<Step::Seed>& seeds, const Flat& point,
-                        const Flat& offset, const GiNaC::ex& inner, const GiNaC::ex& outer);
+  Scope::Turn reachable(const std::string& name, const std::vector<kind::Reach::Seed>& seeds,
+                        const Flat& point, const Flat& offset, const GiNaC::ex& inner,
+                        const GiNaC::ex& outer);
   void require_zero(const GiNaC::ex& residual, const GiNaC::ex& scale, const std::string& equation);
   /// Newton steps on arm start = goal, for one point or several, once all these joints are known.
   void polish(const std::vector<Screw>& arm, const std::vector<symbolic::Vector>& start,

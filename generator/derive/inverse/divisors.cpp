@@ -8,13 +8,13 @@
 namespace qvgen::derive::inverse {
 namespace {
 
-bool is_circle(Kind kind) {
-  return kind == Kind::circle || kind == Kind::free_circle || kind == Kind::factored;
+bool is_circle(const Step& step) {
+  return step.is<kind::Circle>() || step.is<kind::FreeCircle>() || step.is<kind::FactoredCircle>();
 }
 
 /// cos φ = (high - low) / (high + low).
 bool divides_by(const Step& step, const GiNaC::symbol& symbol) {
-  if (!is_circle(step.kind)) return false;
+  if (!is_circle(step)) return false;
   const GiNaC::ex divisor = step.input("low") + step.input("high");
   return divisor.has(symbol) && divisor.subs(symbol == 0).expand().is_zero();
 }

@@ -75,22 +75,12 @@ Derivation derive_position(const Problem& problem) {
 
 Derivation derive_orientation(const Problem& problem) { return first_of(problem, {by_orientation}); }
 
-namespace {
-
-bool has_oblique_wrist(const Derivation& derivation) {
-  const auto& steps = derivation.plan.steps;
-  return derivation.found && std::any_of(steps.begin(), steps.end(),
-                                         [](const Step& step) { return step.kind == Kind::oblique_wrist; });
-}
-
-}  // namespace
-
 Derivation in_canonical_frames(const Problem& problem,
                                const std::function<Derivation(const Problem&)>& derived) {
   Derivation derivation = derived(of_canonical_arm(problem, canonical::for_kinematics(problem.robot)));
-  if (!has_oblique_wrist(derivation)) return derivation;
+  if (!derivation.plan.has_oblique_wrist()) return derivation;
   Derivation other = derived(of_canonical_arm(problem, canonical::along_normals(problem.robot)));
-  return other.found && !has_oblique_wrist(other) ? other : derivation;
+  return other.found && !other.plan.has_oblique_wrist() ? other : derivation;
 }
 
 }  // namespace qvgen::derive::inverse

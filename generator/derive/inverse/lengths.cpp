@@ -58,25 +58,40 @@ std::optional<Program> by_length(const Step& step, const Names& names, const Sco
   return program;
 }
 
+kind::Direction* direction_of(Step& step) {
+  if (auto* const opposite = std::get_if<kind::Opposite>(&step.kind)) return opposite;
+  return std::get_if<kind::Pair>(&step.kind);
+}
+
+/// A wrist with oblique axes reads cosines and sines.
+void halves_of_unit_length(Plan& plan) {
+  for (Step& step : plan.steps)
+    if (auto* const half = std::get_if<kind::Half>(&step.kind)) half->of_any_length = false;
+}
+
 }  // namespace
 
 void spare_lengths(Plan& plan, const Scope& scope) {
-  if (!plan.wrist.right || plan.quartic()) return;
+  if (plan.has_oblique_wrist()) return halves_of_unit_length(plan);
+  if (plan.quartic()) return;
   for (Step& step : plan.steps) {
-    if (step.kind != Kind::pair && step.kind != Kind::opposite) continue;
+    kind::Direction* const direction = direction_of(step);
+    if (direction == nullptr) continue;
     const Names names(step);
     const bool halves_alone = std::all_of(plan.steps.begin(), plan.steps.end(), [&](const Step& other) {
-      return &other == &step || other.kind == Kind::half || !names.are_read_by(other);
+      return &other == &step || other.is<kind::Half>() || !names.are_read_by(other);
     });
     if (!halves_alone) continue;
     const std::optional<Program> after = by_length(step, names, scope);
     if (!after) continue;
-    step.unit = false;
-    step.length_known = !step.length.is_zero();
-    if (step.length_known) step.before.output("length", step.length);
+    direction->unit = false;
+    direction->length_known = !direction->length.is_zero();
+    if (direction->length_known) step.before.output("length", direction->length);
     step.after = *after;
     for (Step& other : plan.steps)
-      if (other.kind == Kind::half && names.are_read_by(other)) other.lengths.push_back(step.unknown);
+      if (auto* const half = std::get_if<kind::Half>(&other.kind);
+          half != nullptr && names.are_read_by(other))
+        half->lengths.push_back(step.unknown);
   }
 }
 

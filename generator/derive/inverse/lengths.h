@@ -7,8 +7,9 @@
 namespace qvgen::derive::inverse {
 
 /// Finds the directions that need not be brought to length one, since nothing but half angles, in which a
-/// length cancels, and the output's arctangent read them: `Step::unit`, `Step::lengths`. What an opposite
-/// direction's own step computes from it is written with its length r, x cos φ + y sin φ = r, to that end.
+/// length cancels, and the output's arctangent read them: `Direction::unit`, `Half::lengths`. What an
+/// opposite direction's own step computes from it is written with its length r, x cos φ + y sin φ = r, to
+/// that end.
 void spare_lengths(Plan& plan, const Scope& scope);
 
 }  // namespace qvgen::derive::inverse

@@ -35,9 +35,9 @@ LoweredPlan lower(const Plan& plan) {
 
 std::string step_name(const LoweredPlan& plan, std::size_t index) {
   const Step& step = plan.plan.steps[index];
-  if (step.is_wrist()) return "wrist";
-  if (step.kind == Kind::half) return "half_" + step.unknown;
-  if (step.kind == Kind::require) return "condition_" + std::to_string(index + 1);
+  if (step.wrist() != nullptr) return "wrist";
+  if (step.is<kind::Half>()) return "half_" + step.unknown;
+  if (step.is<kind::Require>()) return "condition_" + std::to_string(index + 1);
   return step.unknown;
 }
 

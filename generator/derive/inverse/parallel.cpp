@@ -104,10 +104,7 @@ class ParallelAxes {
     Screw sum = three_[0];
     sum.variable = sum_name;
     sum.joint = -1;
-    solve_wrist(builder_, sum, a_, b_, rotation);
-    attempt_.plan.wrist.ends_the_plan = false;
-    attempt_.plan.steps.back().before.output("choice_x", free.cosine);
-    attempt_.plan.steps.back().before.output("choice_y", free.sine);
+    solve_wrist(builder_, sum, a_, b_, rotation, &free);
   }
 
   [[nodiscard]] std::string three() const {
@@ -229,7 +226,7 @@ class ParallelAxes {
     };
     const ex first = length(0);
     const ex second = length(1);
-    std::vector<Step::Seed> seeds;
+    std::vector<kind::Reach::Seed> seeds;
     for (const Screw& screw : three_) seeds.push_back({screw.joint, sense(screw)});
     return builder_.reachable(std::string("free_") + sum_name, seeds, point_, offset_,
                               scope_.clean(GiNaC::pow(first - second, 2)),

@@ -45,7 +45,7 @@ struct Known {
 
 /// ±(x, y): k is the direction's length.
 Signed opposite(const Step& step, const ex& x, const ex& y, const ex& square) {
-  if (!step.unit) return {{{symbolic::symbol("result"), k()}}, square};
+  if (step.keeps_length()) return {{{symbolic::symbol("result"), k()}}, square};
   return {{{symbolic::symbol("cos_result"), k() * x / square},
            {symbolic::symbol("sin_result"), k() * y / square}},
           square};
@@ -62,20 +62,19 @@ std::optional<Signed> line_angle(const ex& low, const ex& high, const ex& x, con
 }
 
 std::optional<Signed> by_sign(const Step& step, const Known& known, const Scope& scope) {
-  if (step.kind == Kind::root)
-    return Signed{{{symbolic::symbol("result"), k()}}, known.input(step, "square")};
+  if (step.is<kind::Root>()) return Signed{{{symbolic::symbol("result"), k()}}, known.input(step, "square")};
   const ex x = known.input(step, "x");
   const ex y = known.input(step, "y");
   const ex square = x * x + y * y;
-  if (step.kind == Kind::opposite) return opposite(step, x, y, square);
-  if (step.kind == Kind::free_circle)
+  if (step.is<kind::Opposite>()) return opposite(step, x, y, square);
+  if (step.is<kind::FreeCircle>())
     return line_angle(known.input(step, "low"), known.input(step, "high"), x, y, square, scope);
   return std::nullopt;
 }
 
 /// Takes over what a step leaves; whether that can be said by k. What does not depend on the sign is named.
 bool take(const Step& step, Known& known, Program& program, const Scope& scope) {
-  const bool solves = step.kind != Kind::linear && step.kind != Kind::require;
+  const bool solves = !step.is<kind::Linear>() && !step.is<kind::Require>();
   if (solves && known.sign) return false;
   if (solves) known.sign = by_sign(step, known, scope);
   if (solves && !known.sign) return false;
@@ -107,7 +106,7 @@ void write(const Step& circle, const Known& known, Program& program) {
 
 RangeTest range_test(const Plan& plan, const Scope& scope) {
   const auto circle = std::find_if(plan.steps.begin(), plan.steps.end(),
-                                   [](const Step& step) { return step.kind == Kind::circle; });
+                                   [](const Step& step) { return step.is<kind::Circle>(); });
   if (circle == plan.steps.end() || plan.quartic()) return {};
   RangeTest test{{}, circle->unknown, circle->equation};
   Known known;

@@ -45,7 +45,7 @@ class Turned {
 
 void read_results(Plan& plan, const Scope& scope) {
   for (Step& step : plan.steps) {
-    if (step.kind != Kind::circle) continue;
+    if (!step.is<kind::Circle>()) continue;
     const Turned turned(step, scope);
     Program program;
     for (const Program::Step& value : step.after.steps())

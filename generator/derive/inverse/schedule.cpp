@@ -20,16 +20,15 @@ void collect(const symbolic::Program& program, std::set<std::string>& names) {
 std::vector<std::string> writes(const Step& step) {
   std::vector<std::string> names;
   for (const auto& output : step.after.outputs()) names.push_back(output.name);
-  // Polished values are better ones of what has been known already.
-  if (step.kind == Kind::polish) return names;
-  for (const std::string& turn : step.turns) {
-    names.push_back("cos_" + turn);
-    names.push_back("sin_" + turn);
+  if (step.wrist() == nullptr) return names;
+  for (const std::string& variable : step.wrist()->variables) {
+    names.push_back("cos_" + variable);
+    names.push_back("sin_" + variable);
   }
   return names;
 }
 
-bool moves(const Step& step) { return step.kind == Kind::half; }
+bool moves(const Step& step) { return step.is<kind::Half>(); }
 
 }  // namespace
 
@@ -82,7 +81,7 @@ std::vector<bool> needed_before(const Plan& plan, std::size_t end) {
 
 std::size_t polish_of(const Plan& plan) {
   std::size_t i = 0;
-  while (i < plan.steps.size() && plan.steps[i].kind != Kind::polish) ++i;
+  while (i < plan.steps.size() && !plan.steps[i].is<kind::Newton>()) ++i;
   return i;
 }
 

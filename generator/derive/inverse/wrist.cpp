@@ -65,15 +65,56 @@ void name_joint(Builder& builder, const Screw& screw) {
   value = {true, "cos_" + screw.variable, "sin_" + screw.variable};
 }
 
-void set_right(Step& step, WristPlan& wrist, bool opposite_normals, const Quaternion& u) {
+/// Constants of a wrist: its twists in half angles, and the angle between its normals.
+struct Shape {
+  ex cosine_sum, sine_sum, cosine_difference, sine_difference, product, cosine_delta, sine_delta;
+
+  [[nodiscard]] bool is_right() const {
+    return cosine_sum.is_zero() && sine_difference.is_zero() && sine_delta.is_zero();
+  }
+};
+
+Shape shape_of(const Screw& first, const Screw& middle, const Screw& last, const Vector& first_normal,
+               const Vector& last_normal, const Scope& scope) {
+  const HalfAngle a = half_angle(first.axis, middle.axis, scope);
+  const HalfAngle b = half_angle(middle.axis, last.axis, scope);
+  return {scope.clean(a.cosine * b.cosine - a.sine * b.sine),
+          scope.clean(a.sine * b.cosine + a.cosine * b.sine),
+          scope.clean(a.cosine * b.cosine + a.sine * b.sine),
+          -scope.clean(a.sine * b.cosine - a.cosine * b.sine),
+          scope.clean(4 * a.cosine * a.sine * b.cosine * b.sine),
+          scope.clean(dot(first_normal, last_normal)),
+          scope.clean(dot(middle.axis, cross(first_normal, last_normal)))};
+}
+
+kind::RightWrist right_wrist(Step& step, const kind::Wrist& wrist, bool opposite_normals,
+                             const Quaternion& u) {
   // u = -i conj(U11), v = -i conj(U12) with U11 = u_w - i u_z, U12 = -u_y - i u_x; at opposite normals the
   // branch with the positive middle angle has the other sign of u.
   const int sign = opposite_normals ? -1 : 1;
-  wrist.middle_swapped = !opposite_normals;
   step.before.output("u_x", sign * u.z);
   step.before.output("u_y", -sign * u.w);
   step.before.output("v_x", u.x);
   step.before.output("v_y", u.y);
+  step.degenerate = "first and last axis in line: their sum or difference is free";
+  return {wrist, !opposite_normals};
+}
+
+kind::ObliqueWrist oblique_wrist(Step& step, const kind::Wrist& wrist, const Shape& shape,
+                                 const Quaternion& u) {
+  step.before.output("u_x", u.w);
+  step.before.output("u_y", -u.z);
+  step.before.output("v_x", -u.y);
+  step.before.output("v_y", -u.x);
+  step.before.output("cosine_sum", shape.cosine_sum);
+  step.before.output("sine_sum", shape.sine_sum);
+  step.before.output("cosine_difference", shape.cosine_difference);
+  step.before.output("sine_difference", shape.sine_difference);
+  step.before.output("product", shape.product);
+  step.before.output("cosine_delta", shape.cosine_delta);
+  step.before.output("sine_delta", shape.sine_delta);
+  step.degenerate = "edge of the wrist's range: the two solutions coincide";
+  return {wrist};
 }
 
 }  // namespace
@@ -89,51 +130,35 @@ bool is_wrist(const Screw& first, const Screw& middle, const Screw& last, const 
 }
 
 void solve_wrist(Builder& builder, const Screw& first, const Screw& middle, const Screw& last,
-                 const Quaternion& rotation) {
+                 const Quaternion& rotation, const Scope::Turn* choice) {
   const Scope& scope = builder.scope();
-  Plan& plan = builder.plan();
   const Frame f4 = frame(cross(first.axis, middle.axis), first.axis, scope);
   const Frame f6 = frame(cross(middle.axis, last.axis), last.axis, scope);
   const Quaternion product = symbolic::inverse(f4.orientation) * (rotation * f6.orientation);
   const Quaternion u{scope.clean(product.w), scope.clean(product.x), scope.clean(product.y),
                      scope.clean(product.z)};
-  const HalfAngle a = half_angle(first.axis, middle.axis, scope);
-  const HalfAngle b = half_angle(middle.axis, last.axis, scope);
-  const ex cosine_delta = scope.clean(dot(f4.normal, f6.normal));
-  const ex sine_delta = scope.clean(dot(middle.axis, cross(f4.normal, f6.normal)));
-  const ex cosine_sum = scope.clean(a.cosine * b.cosine - a.sine * b.sine);
-  const ex sine_difference = scope.clean(a.sine * b.cosine - a.cosine * b.sine);
-  plan.wrist.joints = {first.joint, middle.joint, last.joint};
-  plan.wrist.right = cosine_sum.is_zero() && sine_difference.is_zero() && sine_delta.is_zero();
+  const Shape shape = shape_of(first, middle, last, f4.normal, f6.normal, scope);
+  kind::Wrist wrist;
+  wrist.ends_the_plan = choice == nullptr;
+  for (const Screw* screw : {&first, &middle, &last}) {
+    name_joint(builder, *screw);
+    wrist.variables.push_back(screw->variable);
+    wrist.joints.push_back(screw->joint);
+  }
   Step step;
-  step.kind = plan.wrist.right ? Kind::right_wrist : Kind::oblique_wrist;
   step.branches = 2;
   step.joint = middle.joint;
   step.unknown = first.variable + ", " + middle.variable + ", " + last.variable;
   step.equation = "the orientation that the wrist's three axes have to make, in half angles";
-  step.degenerate = plan.wrist.right ? "first and last axis in line: their sum or difference is free"
-                                     : "edge of the wrist's range: the two solutions coincide";
-  if (plan.wrist.right) {
-    set_right(step, plan.wrist, scope.sample(cosine_delta) < 0, u);
-  } else {
-    const ex four = 4 * a.cosine * a.sine * b.cosine * b.sine;
-    step.before.output("u_x", u.w);
-    step.before.output("u_y", -u.z);
-    step.before.output("v_x", -u.y);
-    step.before.output("v_y", -u.x);
-    step.before.output("cosine_sum", cosine_sum);
-    step.before.output("sine_sum", scope.clean(a.sine * b.cosine + a.cosine * b.sine));
-    step.before.output("cosine_difference", scope.clean(a.cosine * b.cosine + a.sine * b.sine));
-    step.before.output("sine_difference", -sine_difference);
-    step.before.output("product", scope.clean(four));
-    step.before.output("cosine_delta", cosine_delta);
-    step.before.output("sine_delta", sine_delta);
+  if (shape.is_right())
+    step.kind = right_wrist(step, wrist, scope.sample(shape.cosine_delta) < 0, u);
+  else
+    step.kind = oblique_wrist(step, wrist, shape, u);
+  if (choice != nullptr) {
+    step.before.output("choice_x", choice->cosine);
+    step.before.output("choice_y", choice->sine);
   }
-  for (const Screw* screw : {&first, &middle, &last}) {
-    name_joint(builder, *screw);
-    step.turns.push_back(screw->variable);
-  }
-  plan.steps.push_back(std::move(step));
+  builder.plan().steps.push_back(std::move(step));
 }
 
 }  // namespace qvgen::derive::inverse

@@ -6,50 +6,13 @@
 
 namespace qvgen::emit {
 
-using derive::inverse::Kind;
 using derive::inverse::LoweredPlan;
 using derive::inverse::Step;
 
 namespace {
 
-std::string kind_name(Kind kind) {
-  switch (kind) {
-    case Kind::circle:
-      return "line or circle meets circle";
-    case Kind::free_circle:
-      return "line or circle meets circle";
-    case Kind::factored:
-      return "line meets circle, its discriminant in factors";
-    case Kind::opposite:
-      return "two opposite directions";
-    case Kind::pair:
-      return "turn of one known vector into another";
-    case Kind::root:
-      return "foot of the perpendicular and square root";
-    case Kind::slides:
-      return "two slides by a linear and a quadratic equation";
-    case Kind::linear:
-      return "linear";
-    case Kind::line:
-      return "linear, with a divisor that may vanish";
-    case Kind::conic:
-      return "conic meets circle (quartic)";
-    case Kind::slide_turn:
-      return "turn and slide by a linear equation and a distance (quartic)";
-    case Kind::require:
-      return "condition";
-    case Kind::reach:
-      return "a choice within reach";
-    case Kind::half:
-      return "half angle";
-    case Kind::polish:
-      return "Newton steps";
-    case Kind::right_wrist:
-      return "wrist with right angles, half-angle form";
-    case Kind::oblique_wrist:
-      return "wrist with oblique axes, half-angle form";
-  }
-  return {};
+std::string kind_name(const Step& step) {
+  return std::visit([](const auto& kind) { return kind.title; }, step.kind);
 }
 
 std::string branches(const Step& step) {
@@ -59,7 +22,7 @@ std::string branches(const Step& step) {
 }
 
 std::string headline(const Step& step) {
-  return step.unknown + ": " + kind_name(step.kind) + ", " + branches(step);
+  return step.unknown + ": " + kind_name(step) + ", " + branches(step);
 }
 
 }  // namespace
@@ -72,84 +35,6 @@ std::vector<std::string> step_comment(const LoweredPlan& plan, std::size_t index
 }
 
 namespace {
-
-/// How the block's result follows from its inputs.
-std::string solution(const Step& step, bool latex) {
-  const auto both = [&](const char* text, const char* typeset) {
-    return std::string(latex ? typeset : text);
-  };
-  switch (step.kind) {
-    case Kind::circle:
-    case Kind::free_circle:
-      return both("phi = +-2*atan2(sqrt(low), sqrt(high))",
-                  "\\varphi = \\pm 2\\,\\mathrm{atan2}(\\sqrt{\\mathrm{low}}, \\sqrt{\\mathrm{high}})") +
-             (step.kind == Kind::circle
-                  ? ""
-                  : both(", from the direction (x, y)", "\\text{ from the direction } (x, y)"));
-    case Kind::factored:
-      return both("phi = +-atan2(sqrt(low*high), rhs), from the direction (x, y)",
-                  "\\varphi = \\pm\\mathrm{atan2}(\\sqrt{\\mathrm{low}\\,\\mathrm{high}}, "
-                  "\\mathrm{rhs})\\text{ from the direction } (x, y)");
-    case Kind::opposite:
-      return both("phi = atan2(y, x) or atan2(-y, -x)", "\\varphi = \\mathrm{atan2}(\\pm y, \\pm x)") +
-             (step.unit ? "" : both(", r = +-sqrt(x^2 + y^2)", ",\\ r = \\pm\\sqrt{x^2 + y^2}"));
-    case Kind::pair:
-      return both("phi = atan2(y, x)", "\\varphi = \\mathrm{atan2}(y, x)");
-    case Kind::root:
-      return both("r = +-sqrt(square)", "r = \\pm\\sqrt{\\mathrm{square}}");
-    case Kind::line:
-      if (step.has_input("divisor"))
-        return both("r = rhs/divisor", "r = \\frac{\\mathrm{rhs}}{\\mathrm{divisor}}");
-      return both("r = (x*rhs_x + y*rhs_y)/(x^2 + y^2)",
-                  "r = \\frac{x\\,\\mathrm{rhs}_x + y\\,\\mathrm{rhs}_y}{x^2 + y^2}");
-    case Kind::slides:
-      return both("a*r_1 - b*r_2 = k, r_1^2 + 2*g*r_1 - r_2^2 - 2*f*r_2 + gap = 0",
-                  "0 = a r_1 - b r_2 - k = r_1^2 + 2 g r_1 - r_2^2 - 2 f r_2 + \\mathrm{gap}");
-    case Kind::conic:
-      return both("xx*cos(phi)^2 + xy*cos(phi)*sin(phi) + yy*sin(phi)^2 + x*cos(phi) + y*sin(phi) + one = 0",
-                  "0 = \\mathrm{xx} \\cos^2\\varphi + \\mathrm{xy} \\cos\\varphi \\sin\\varphi + "
-                  "\\mathrm{yy} \\sin^2\\varphi + x \\cos\\varphi + y \\sin\\varphi + \\mathrm{one}");
-    case Kind::slide_turn:
-      return both(
-          "divisor*r = level + l_x*cos(phi) + l_y*sin(phi), r^2 + 2*h*r + mean + m_x*cos(phi) + m_y*sin(phi) "
-          "= 0",
-          "\\mathrm{divisor}\\,r - \\mathrm{level} - l_x \\cos\\varphi - l_y \\sin\\varphi = 0 = r^2 + 2 h r "
-          "+ \\mathrm{mean} + m_x \\cos\\varphi + m_y \\sin\\varphi");
-    case Kind::require:
-      return both("|residual| <= tolerance*scale",
-                  "|\\mathrm{residual}| \\le \\mathrm{tolerance} \\cdot \\mathrm{scale}");
-    case Kind::reach:
-      return both("phi: inner <= |point + offset turned by phi|^2 <= outer",
-                  "\\varphi:\\ \\mathrm{inner} \\le |\\mathrm{point} + e^{i\\varphi}\\,\\mathrm{offset}|^2 "
-                  "\\le \\mathrm{outer}");
-    case Kind::linear:
-    case Kind::half:
-    case Kind::polish:
-    case Kind::right_wrist:
-    case Kind::oblique_wrist:
-      return {};
-  }
-  return {};
-}
-
-/// The wrist's angles; the second solution is the first one with the middle joint turned the other way.
-std::vector<std::string> wrist_solution(const LoweredPlan& plan, const Step& step, const Vocabulary& words,
-                                        bool latex) {
-  std::vector<std::string> angles;
-  for (const std::string& turn : step.turns) angles.push_back(words(turn));
-  const std::string plus = latex ? "\\arg u + \\arg v" : "arg u + arg v";
-  const std::string minus = latex ? "\\arg u - \\arg v" : "arg u - arg v";
-  const std::string ratio = plan.plan.wrist.middle_swapped ? "(|u|, |v|)" : "(|v|, |u|)";
-  if (step.kind == Kind::oblique_wrist)
-    return {latex ? "|u|^2 = \\cos^2\\tfrac{\\alpha+\\alpha'}{2} + \\sin\\alpha\\sin\\alpha' "
-                    "\\sin^2\\tfrac{\\varphi}{2},\\ " +
-                        angles[1] + " = \\pm\\varphi - \\delta"
-                  : "|u|^2 = cosine_sum^2 + product*sin(phi/2)^2, " + angles[1] + " = +-phi - delta"};
-  return {angles[0] + " = " + plus, angles[1] + " = " + (latex ? "2\\,\\mathrm{atan2}" : "2*atan2") + ratio,
-          angles[2] + " = " + minus,
-          latex ? "\\text{or } " + angles[0] + " + \\pi,\\ -" + angles[1] + ",\\ " + angles[2] + " + \\pi"
-                : "or " + angles[0] + " + pi, -" + angles[1] + ", " + angles[2] + " + pi"};
-}
 
 /// Longer formulas say nothing to a reader.
 constexpr std::size_t readable = 400;
@@ -208,21 +93,28 @@ class Description {
 
   void step(std::size_t i) {
     const Step& step = plan_.plan.steps[i];
-    if (step.kind == Kind::half) {
+    if (step.is<derive::inverse::kind::Half>()) {
       add("", "").formulas = formulas(plan_.steps[i].after, step);
       return;
     }
     Passage& passage = add(headline(step), step.equation);
     passage.formulas = formulas(plan_.steps[i].before, step);
-    if (step.is_wrist()) {
-      for (const std::string& line : wrist_solution(plan_, step, words_, latex_))
-        passage.formulas.push_back(line);
-    } else if (const std::string solved = solution(step, latex_); !solved.empty()) {
-      passage.formulas.push_back(solved);
-    }
+    for (const std::string& line : solution(step)) passage.formulas.push_back(line);
     for (const std::string& line : formulas(plan_.steps[i].after, step)) passage.formulas.push_back(line);
     passage.degenerate = words_.sentence(step.degenerate);
     if (step.branches > 1) ++depth_;
+  }
+
+  /// How the block's result follows from its inputs.
+  [[nodiscard]] std::vector<std::string> solution(const Step& step) const {
+    std::vector<std::string> joints;
+    if (const auto* wrist = step.wrist())
+      for (const std::string& variable : wrist->variables) joints.push_back(words_(variable, step));
+    const auto formulas = std::visit([&](const auto& kind) { return kind.solution(joints); }, step.kind);
+    std::vector<std::string> lines;
+    for (const derive::inverse::Formula& formula : formulas)
+      lines.push_back(latex_ ? formula.latex : formula.text);
+    return lines;
   }
 
   Passage& add(const std::string& title, const std::string& equation) {

@@ -8,7 +8,6 @@
 
 namespace qvgen::emit {
 
-using derive::inverse::Kind;
 using derive::inverse::Step;
 
 namespace {
@@ -66,7 +65,7 @@ std::string Vocabulary::function(const std::string& name, const std::string& of,
 std::string Vocabulary::solved(const std::string& name, const Step& step) const {
   if (name == "result") return "r";
   if (begins(name, "result_")) return symbol("r", after(name, "result_"));
-  const bool half = step.kind == Kind::half;
+  const bool half = step.is<derive::inverse::kind::Half>();
   return function(name.substr(0, 3), half ? step.unknown : "phi", half);
 }
 

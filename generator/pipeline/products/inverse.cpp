@@ -40,7 +40,7 @@ constexpr int certificate_poses = 3;
 std::vector<std::string> summary(const derive::inverse::LoweredPlan& plan) {
   std::vector<std::string> lines;
   for (const std::size_t i : derive::inverse::order(plan.plan, plan.plan.quartic()))
-    if (!plan.plan.steps[i].unknown.empty() && plan.plan.steps[i].kind != derive::inverse::Kind::half)
+    if (!plan.plan.steps[i].unknown.empty() && !plan.plan.steps[i].is<derive::inverse::kind::Half>())
       lines.push_back("- " + emit::step_comment(plan, i).front());
   return lines;
 }
@@ -48,7 +48,7 @@ std::vector<std::string> summary(const derive::inverse::LoweredPlan& plan) {
 /// None for a wrist alone.
 std::size_t polished_joints(const derive::inverse::Plan& plan) {
   for (const auto& step : plan.steps)
-    if (step.kind == derive::inverse::Kind::polish) return step.turns.size();
+    if (const auto* newton = step.as<derive::inverse::kind::Newton>()) return newton->variables.size();
   return 0;
 }
 
@@ -56,7 +56,7 @@ std::size_t polished_joints(const derive::inverse::Plan& plan) {
 int polished_branches(const derive::inverse::Plan& plan) {
   int branches = plan.capacity;
   for (const auto& step : plan.steps)
-    if (step.is_wrist() && plan.wrist.ends_the_plan) branches /= step.branches;
+    if (step.ends_plan()) branches /= step.branches;
   return branches;
 }
 
@@ -85,10 +85,9 @@ json effort_values(const qvgen::inverse::Budget& budget, std::size_t joints, int
 /// to be looked at: what reaches one pose of theirs need not lead on to the next.
 json seed_branch(const derive::inverse::Problem& problem, const derive::inverse::LoweredPlan& plan,
                  const emit::Dialect& dialect) {
-  if (problem.filter != derive::inverse::Filter::none || !emit::has_seed_branch(problem.robot, plan))
-    return false;
+  if (problem.filter != derive::inverse::Filter::none || !emit::has_seed_branch(plan)) return false;
   const auto lines = [&](emit::Pass pass) {
-    return emit::lines_of(emit::seed_branch_lines(problem.robot, plan, pass, dialect));
+    return emit::lines_of(emit::seed_branch_lines(plan, pass, dialect));
   };
   return {{"first", plan.plan.quartic() ? json(false) : json{{"lines", lines(emit::Pass::first)}}},
           {"careful", lines(emit::Pass::careful)}};
@@ -137,43 +136,43 @@ json variant(const model::Robot& described, const derive::inverse::Derivation& d
                                           : qvgen::inverse::most_effort(static_cast<int>(joints), branches);
   const json divisors = emit::divisor_values(robot, plan);
   const json near = seed_branch(problem, plan, dialect);
-  values.update(json{
-      {"elimination", false},
-      {"seed_branch", near},
-      {"polishes_whole_arm", polished_joints(derived) == robot.joints.size()},
-      {"near_points", problem.task == model::Task::position ? 1 : 3},
-      {"quartic", derived.searches_nearby()},
-      {"stable_branches", derived.quartic() ? "false" : "true"},
-      {"counts_roots", derived.quartic()},
-      {"reach", farthest.empty() ? "1e50" : farthest},
-      {"has_reach", !farthest.empty()},
-      {"capacity", derived.capacity},
-      {"structure", derived.structure},
-      {"summary", emit::lines_of(summary(plan))},
-      {"certificate", certificate.text()},
-      {"target_fields", fields_of(derived.target_kept)},
-      {"work_fields", fields_of(emit::work_fields(plan))},
-      {"target", emit::target_values(robot, plan, dialect)},
-      {"range_test", emit::range_test_values(robot, plan, dialect)},
-      {"steps", emit::step_values(robot, plan, dialect)},
-      {"divisors", divisors},
-      {"divides", !divisors.empty()},
-      {"has_geometry", !geometry.empty()},
-      {"geometry", geometry},
-      {"first_pass", derived.quartic() ? json(false)
-                                       : json{{"lines", emit::lines_of(emit::scalar_loop_lines(
-                                                            robot, plan, emit::Pass::first, dialect))}}},
-      {"polished_joints", std::to_string(joints)},
-      {"polished_branches", std::to_string(branches)},
-      {"most_passes", most.passes},
-      {"most_steps", most.steps},
-      {"most_of_rows", effort_values(most, joints, branches)},
-      {"most_of_reaching",
-       effort_values(qvgen::inverse::most_effort_of_reaching(problem.own_joints, derived.capacity, most),
-                     robot.joints.size(), branches)},
-      {"careful_pass", emit::lines_of(emit::scalar_loop_lines(robot, plan, emit::Pass::careful, dialect))},
-      {"has_lanes", lanes ? "true" : "false"},
-      {"lanes", lanes ? json{{"lines", emit::lines_of(emit::simd_loop_lines(robot, plan))}} : json(false)}});
+  values.update(
+      json{{"elimination", false},
+           {"seed_branch", near},
+           {"polishes_whole_arm", polished_joints(derived) == robot.joints.size()},
+           {"near_points", problem.task == model::Task::position ? 1 : 3},
+           {"quartic", derived.searches_nearby()},
+           {"stable_branches", derived.quartic() ? "false" : "true"},
+           {"counts_roots", derived.quartic()},
+           {"reach", farthest.empty() ? "1e50" : farthest},
+           {"has_reach", !farthest.empty()},
+           {"capacity", derived.capacity},
+           {"structure", derived.structure},
+           {"summary", emit::lines_of(summary(plan))},
+           {"certificate", certificate.text()},
+           {"target_fields", fields_of(derived.target_kept)},
+           {"work_fields", fields_of(emit::work_fields(plan))},
+           {"target", emit::target_values(robot, plan, dialect)},
+           {"range_test", emit::range_test_values(robot, plan, dialect)},
+           {"steps", emit::step_values(robot, plan, dialect)},
+           {"divisors", divisors},
+           {"divides", !divisors.empty()},
+           {"has_geometry", !geometry.empty()},
+           {"geometry", geometry},
+           {"first_pass", derived.quartic() ? json(false)
+                                            : json{{"lines", emit::lines_of(emit::scalar_loop_lines(
+                                                                 plan, emit::Pass::first, dialect))}}},
+           {"polished_joints", std::to_string(joints)},
+           {"polished_branches", std::to_string(branches)},
+           {"most_passes", most.passes},
+           {"most_steps", most.steps},
+           {"most_of_rows", effort_values(most, joints, branches)},
+           {"most_of_reaching",
+            effort_values(qvgen::inverse::most_effort_of_reaching(problem.own_joints, derived.capacity, most),
+                          robot.joints.size(), branches)},
+           {"careful_pass", emit::lines_of(emit::scalar_loop_lines(plan, emit::Pass::careful, dialect))},
+           {"has_lanes", lanes ? "true" : "false"},
+           {"lanes", lanes ? json{{"lines", emit::lines_of(emit::simd_loop_lines(plan))}} : json(false)}});
   add_change_of_arm(problem, given, dialect, values);
   if (language == Language::c)
     add_values_in_c(described, derivation, values);

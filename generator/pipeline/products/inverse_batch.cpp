@@ -58,7 +58,7 @@ json lane_values(const model::Robot& described, const derive::inverse::Derivatio
              {"steps", emit::step_values(robot, plan, emit::cpp_lane_dialect())},
              {"divisors", divisors},
              {"divides", !divisors.empty()},
-             {"lines", emit::lines_of(emit::pose_loop_lines(robot, plan))},
+             {"lines", emit::lines_of(emit::pose_loop_lines(plan))},
              {"phases", false},
              {"frames", false}};
   add_change_of_arm(problem, given, emit::cpp_dialect(), lanes);

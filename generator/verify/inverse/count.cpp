@@ -1,23 +1,24 @@
 // SPDX-License-Identifier: MIT
 #include "verify/inverse/count.h"
 
+#include <map>
+#include <type_traits>
+
 #include <qvgen/inverse/outlook.h>
-#include <qvgen/inverse/roots.h>
-#include <qvgen/inverse/slides.h>
-#include <qvgen/inverse/wrist.h>
 
 #include "dag/counts.h"
 #include "verify/counts_json.h"
 #include "verify/inverse/counted.h"
+#include "verify/inverse/numeric_backend.h"
 
 namespace qvgen::verify {
 namespace {
 
+namespace kind = derive::inverse::kind;
 using dag::OperationCounts;
-using derive::inverse::Kind;
 using derive::inverse::LoweredPlan;
 using derive::inverse::Step;
-using Rotor = qvgen::inverse::Rotor<Counted>;
+using derive::inverse::kind::Wrist;
 
 OperationCounts operator+(const OperationCounts& a, const OperationCounts& b) {
   return {a.multiplications + b.multiplications,
@@ -43,119 +44,95 @@ OperationCounts preparation() {
   return squared_length + scale + scaling + noise;
 }
 
-/// A wrist that ends the plan leaves angles; its second branch is the first one turned over.
-void wrist(const LoweredPlan& plan, const Step& step) {
-  using namespace qvgen::inverse;
-  const Rotor u{0.6, 0.2};
-  const Rotor v{0.3, 0.7};
-  const Counted pi(3.14);
-  Branch<Counted> branch;
-  const qvgen::inverse::WristShape<Counted> shape{0.1, 0.9, 0.9, 0.1, 0.5};
-  if (step.kind == Kind::oblique_wrist && !plan.plan.wrist.ends_the_plan) {
-    oblique_wrist_turns<Counted>(u, v, shape, {0.8, 0.6}, {1, 0}, 1, Boundary::plain(default_tolerance),
-                                 branch);
-  } else if (step.kind == Kind::oblique_wrist) {
-    const auto angles =
-        oblique_wrist<Counted>(u, v, shape, 1, 0, Boundary::plain(default_tolerance), pi, branch);
-    wrapped(Counted(angles.middle - arctangent(Counted(0.1), Counted(0.9))), pi);
-  } else if (plan.plan.wrist.ends_the_plan) {
-    right_wrist<Counted>(u, v, plan.plan.wrist.middle_swapped, 0, pi, branch);
-  } else {
-    right_wrist_turns<Counted>(u, v, plan.plan.wrist.middle_swapped, {1, 0}, 1,
-                               Boundary::plain(default_tolerance), branch);
-  }
-}
-
-Rotor directed(const Step& step, const Rotor& turn, const Counted& tiny,
-               qvgen::inverse::Branch<Counted>& branch) {
-  Counted length;
-  using namespace qvgen::inverse;
-  if (step.joint < 0)
-    return chosen_direction<Counted>(turn, {1, 0}, Boundary::plain(default_tolerance), branch);
-  if (step.unit) return direction<Counted>(turn, tiny, {1, 0}, branch);
-  const Rotor brief{qvgen::inverse::brief_length, 0};
-  return step.length_known ? span_of_length<Counted>(turn, 1, tiny, brief, length, branch)
-                           : span<Counted>(turn, tiny, brief, length, branch);
-}
-
-Counted length_of(const Step& step) {
-  Counted length(1);
-  for (std::size_t i = 1; i < step.lengths.size(); ++i) length = length * Counted(1);
-  return length;
-}
-
-Counted slide_choice(const Step& step) {
-  using namespace qvgen::inverse;
-  if (!step.has_input("inner")) return 0;
-  if (step.has_input("outer")) return slide_between<Counted>({0.6, 0.8}, {0, 1}, 1, 4, 0, {1, 0});
-  return slide_beyond<Counted>({0.6, 0.8}, {0, 1}, 1, 1, 0, {1, 0});
-}
-
 /// Runs a step's block once, at values at which every branch exists.
-void block(const LoweredPlan& plan, const Step& step) {
-  using namespace qvgen::inverse;
-  const Counted sign(1), tolerance(1e-12), tiny(1e-30);
-  const Boundary boundary = Boundary::plain(default_tolerance);
-  const Rotor turn{0.6, 0.8};
-  Branch<Counted> branch;
-  switch (step.kind) {
-    case Kind::circle:
-      circle_angle<Counted>(1, 2, 0.3, sign, boundary, branch);
-      return;
-    case Kind::free_circle:
-      free_circle_angle<Counted>(1, 2, turn, tiny, {1, 0}, sign, boundary, branch);
-      return;
-    case Kind::factored:
-      factored_line_angle<Counted>(turn, 1, 1, 2, tiny, {1, 0}, sign, boundary, branch);
-      return;
-    case Kind::opposite:
-      sign* directed(step, turn, tiny, branch);
-      return;
-    case Kind::pair:
-      directed(step, turn, tiny, branch);
-      return;
-    case Kind::reach:
-      reachable_direction<Counted>(turn, turn, 0, 4, {1, 0});
-      return;
-    case Kind::half:
-      plan.plan.wrist.right ? half_direction(turn, length_of(step)) : half(turn);
-      return;
-    case Kind::root:
-      signed_root<Counted>(1, 1, tiny, sign, boundary, branch);
-      return;
-    case Kind::line:
-      slide_on_line<Counted>(turn, turn, tiny, slide_choice(step), boundary, branch);
-      return;
-    case Kind::slides:
-      two_slides<Counted>({0.6, 0.7}, 0.1, {0.1, 0.2}, 0.3, tiny, 1, 0, {1, 0}, sign, boundary, branch);
-      return;
-    case Kind::require:
-      require_zero<Counted>(0, 1, tolerance, branch);
-      return;
-    case Kind::right_wrist:
-    case Kind::oblique_wrist:
-      wrist(plan, step);
-      return;
-    case Kind::linear:
-    case Kind::conic:
-    case Kind::slide_turn:
-    case Kind::polish:
-      return;
+class CountedBackend : public NumericBackend<Counted, CountedBackend> {
+ public:
+  [[nodiscard]] Counted input(const std::string& name) const {
+    static const std::map<std::string, double> values{{"low", 1},
+                                                      {"high", 2},
+                                                      {"scale", 0.3},
+                                                      {"rhs", 1},
+                                                      {"x", 0.6},
+                                                      {"y", 0.8},
+                                                      {"inner", 1},
+                                                      {"outer", 4},
+                                                      {"square", 1},
+                                                      {"a", 0.6},
+                                                      {"b", 0.7},
+                                                      {"k", 0.1},
+                                                      {"g", 0.1},
+                                                      {"f", 0.2},
+                                                      {"gap", 0.3},
+                                                      {"length", 1},
+                                                      {"residual", 0},
+                                                      {"u_x", 0.6},
+                                                      {"u_y", 0.2},
+                                                      {"v_x", 0.3},
+                                                      {"v_y", 0.7},
+                                                      {"cosine_sum", 0.1},
+                                                      {"sine_sum", 0.9},
+                                                      {"cosine_difference", 0.9},
+                                                      {"sine_difference", 0.1}};
+    const auto place = values.find(name);
+    return place == values.end() ? 0.5 : place->second;
   }
+  [[nodiscard]] Counted sign() const { return 1; }
+  [[nodiscard]] Counted tiny(int /*degree*/) const { return 1e-30; }
+  [[nodiscard]] Counted size_square() const { return 1; }
+  [[nodiscard]] Counted tolerance() const { return 1e-12; }
+  [[nodiscard]] Counted pi() const { return 3.14; }
+  [[nodiscard]] const qvgen::inverse::Boundary& boundary() const { return boundary_; }
+  [[nodiscard]] qvgen::inverse::Branch<Counted>& branch() { return branch_; }
+  [[nodiscard]] Counted& length_of(const std::string& /*unknown*/) { return length_; }
+  [[nodiscard]] Counted product_of_lengths(const std::vector<std::string>& unknowns) const {
+    Counted length(1);
+    for (std::size_t i = 1; i < unknowns.size(); ++i) length = length * Counted(1);
+    return length;
+  }
+
+  // Nobody reads the results.
+  void nothing() const {}
+  void signed_length(const std::string& /*unknown*/, const Counted& /*sign*/) const {}
+  void turn(const Rotor& /*turn*/) const {}
+  void length(const Counted& /*length*/) const {}
+  void two_lengths(const Rotor& /*lengths*/) const {}
+  template <class Turns>
+  void wrist_turns(const Wrist& /*wrist*/, const Turns& /*turns*/) const {}
+  template <class Branches>
+  void wrist_branches(const Wrist& /*wrist*/, const Branches& /*branches*/) const {}
+  template <class Angles>
+  void wrist_angles(const Wrist& /*wrist*/, const Angles& angles) const {
+    const Counted delta = qvgen::inverse::arctangent(input("sine_delta"), input("cosine_delta"));
+    qvgen::inverse::wrapped(Counted(angles.middle - delta), pi());
+  }
+
+ private:
+  qvgen::inverse::Boundary boundary_ = qvgen::inverse::Boundary::plain(qvgen::inverse::default_tolerance);
+  qvgen::inverse::Branch<Counted> branch_;
+  Counted length_;
+};
+
+void run_block(const Step& step) {
+  CountedBackend backend;
+  const auto run = [&](const auto& kind) {
+    // How many operations a quartic takes depends on the pose: such plans are not counted.
+    if constexpr (!std::is_base_of_v<kind::Quartic, std::decay_t<decltype(kind)>>) kind.apply(step, backend);
+  };
+  std::visit(run, step.kind);
 }
 
 /// Joints whose angle a step lets be taken; the last wrist takes its angles itself.
 int angles(const LoweredPlan& plan, const Step& step) {
-  const bool is_wrist = step.is_wrist();
-  if (is_wrist) return plan.plan.wrist.ends_the_plan ? 0 : static_cast<int>(step.turns.size());
-  if (step.joint < 0) return static_cast<int>(step.turns.size());
+  if (step.ends_plan()) return 0;
+  if (step.wrist() != nullptr) return static_cast<int>(step.wrist()->variables.size());
+  if (step.joint < 0) return 0;
   return plan.plan.joints[static_cast<std::size_t>(step.joint)].revolute ? 1 : 0;
 }
 
 OperationCounts count_of(const LoweredPlan& plan, std::size_t index) {
   const Step& step = plan.plan.steps[index];
   Counted::tally() = {};
-  block(plan, step);
+  run_block(step);
   OperationCounts result =
       dag::count(plan.steps[index].before) + Counted::tally() + dag::count(plan.steps[index].after);
   result.arctangents += angles(plan, step);
@@ -184,7 +161,7 @@ nlohmann::ordered_json inverse_counts(const LoweredPlan& plan) {
   int times = 1;
   for (const std::size_t i : derive::inverse::order(plan.plan, false)) {
     const Step& step = plan.plan.steps[i];
-    const bool turned_over = step.kind == Kind::right_wrist && plan.plan.wrist.ends_the_plan;
+    const bool turned_over = step.is<kind::RightWrist>() && step.ends_plan();
     if (step.branches == 2 && !turned_over) times *= 2;
     const OperationCounts counts = count_of(plan, i);
     steps[step_name(plan, i)] = to_json(counts);

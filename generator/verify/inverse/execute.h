@@ -7,12 +7,9 @@
 #include <vector>
 
 #include "derive/inverse/lower.h"
-#include "verify/inverse/real.h"
+#include "verify/inverse/real_backend.h"
 
 namespace qvgen::verify {
-
-/// Values of the names that a plan's target program reads: geometry and the pose.
-using Values = std::map<std::string, Real>;
 
 struct Row {
   std::vector<Real> q;
@@ -27,6 +24,7 @@ inline constexpr double fifty_digits = 1e-50;
 Values outputs(const dag::Function& function, const Values& values);
 
 /// Runs a lowered plan step by step in sixty digits, with the building blocks of the runtime: all solutions.
+/// `values`: of the names that the plan's target program reads, geometry and the pose.
 /// Throws CertificateError if the range test says something else of a circle than its step.
 std::vector<Row> execute(const derive::inverse::LoweredPlan& plan, Values values);
 

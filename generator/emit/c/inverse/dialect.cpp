@@ -42,9 +42,8 @@ std::string C::block(const std::string& name, const Arguments& arguments) const 
 }
 
 std::string C::direction_block(const std::string& name, bool opposites, const Arguments& arguments) const {
-  // Behind the choice, which is the fourth.
   Arguments all = arguments;
-  all.insert(all.begin() + 4, opposites ? "true" : "false");
+  all.insert(all.begin(), opposites ? "true" : "false");
   return call(name, all);
 }
 

@@ -12,7 +12,8 @@ namespace {
 std::string length_argument(const LoweredPlan& plan, const derive::inverse::JointValue& value,
                             const std::string& work, const Dialect& d) {
   for (const derive::inverse::Step& step : plan.plan.steps)
-    if (!step.unit && value.cosine == "cos_" + step.unknown) return d.member(work, "length_" + step.unknown);
+    if (step.keeps_length() && value.cosine == "cos_" + step.unknown)
+      return d.member(work, "length_" + step.unknown);
   return {};
 }
 
@@ -22,9 +23,8 @@ std::string joint_place(const derive::inverse::Plan& plan, int joint) {
   return "q[" + std::to_string(plan.places[static_cast<std::size_t>(joint)]) + "]";
 }
 
-std::vector<std::string> joint_lines(const model::Robot& robot, const LoweredPlan& plan,
-                                     const derive::inverse::Step& step, const std::string& work,
-                                     const Dialect& d) {
+std::vector<std::string> joint_lines(const LoweredPlan& plan, const derive::inverse::Step& step,
+                                     const std::string& work, const Dialect& d) {
   std::vector<std::string> lines;
   const auto add = [&](int joint) {
     const auto& value = plan.plan.joints[static_cast<std::size_t>(joint)];
@@ -34,15 +34,12 @@ std::vector<std::string> joint_lines(const model::Robot& robot, const LoweredPla
                                              : cosine;
     lines.push_back(joint_place(plan.plan, joint) + " = " + angle + ";");
   };
-  if (step.turns.empty() && step.joint >= 0) add(step.joint);
-  for (const std::string& turn : step.turns)
-    for (std::size_t j = 0; j < robot.joints.size(); ++j)
-      if (robot.joints[j].variable == turn) add(static_cast<int>(j));
+  for (const int joint : step.joints()) add(joint);
   return lines;
 }
 
 std::string quartic_roots(const LoweredPlan& plan, std::size_t index, const Dialect& d) {
-  const bool slides = plan.plan.steps[index].kind == derive::inverse::Kind::slide_turn;
+  const bool slides = plan.plan.steps[index].is<derive::inverse::kind::SlideTurn>();
   return d.constant(slides ? "SlideTurns" : "CircleRoots", "roots",
                     d.function("roots_" + step_name(plan, index)) + "(t, w)");
 }

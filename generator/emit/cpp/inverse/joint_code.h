@@ -6,7 +6,6 @@
 
 #include "derive/inverse/lower.h"
 #include "emit/cpp/inverse/dialect.h"
-#include "model/robot.h"
 
 namespace qvgen::emit {
 
@@ -14,7 +13,7 @@ namespace qvgen::emit {
 std::string joint_place(const derive::inverse::Plan& plan, int joint);
 
 /// Assignments of the joints' values that a step leaves in `work`, angles by their arctangent.
-std::vector<std::string> joint_lines(const model::Robot& robot, const derive::inverse::LoweredPlan& plan,
+std::vector<std::string> joint_lines(const derive::inverse::LoweredPlan& plan,
                                      const derive::inverse::Step& step, const std::string& work = "w",
                                      const Dialect& dialect = cpp_dialect());
 

@@ -8,19 +8,13 @@
 
 namespace qvgen::emit {
 
-using derive::inverse::Kind;
 using derive::inverse::LoweredPlan;
-using derive::inverse::Step;
-
-bool is_last_wrist(const LoweredPlan& plan, const Step& step) {
-  return step.is_wrist() && plan.plan.wrist.ends_the_plan;
-}
 
 std::vector<std::string> lane_wrist_lines(const LoweredPlan& plan, std::size_t step, const std::string& lane,
                                           const std::string& label) {
   std::vector<std::string> lines;
   const auto line = [&](const std::string& text) { lines.push_back(text); };
-  const auto& joints = plan.plan.wrist.joints;
+  const auto& joints = plan.plan.steps[step].wrist()->joints;
   const auto place = [&](int joint) { return plan.plan.places[static_cast<std::size_t>(joint)]; };
   const auto set = [&](const std::string& array, const std::string& angles) {
     const std::array<std::string, 3> parts = {"first", "middle", "last"};
@@ -36,7 +30,7 @@ std::vector<std::string> lane_wrist_lines(const LoweredPlan& plan, std::size_t s
     }
   };
   const auto call = [&](const std::string& sign) { return step_call(plan, step, sign); };
-  if (plan.plan.steps[step].kind == Kind::oblique_wrist) {
+  if (plan.plan.steps[step].is<derive::inverse::kind::ObliqueWrist>()) {
     line("const inverse::Branch<" + lane + "> before = w.branch;");
     line("const auto angles = " + call(lane + "(1)") + ";");
     line("const inverse::Branch<" + lane + "> branch = w.branch;");

@@ -8,9 +8,6 @@
 
 namespace qvgen::emit {
 
-/// Whether a step is a wrist whose angles are the row's last.
-bool is_last_wrist(const derive::inverse::LoweredPlan& plan, const derive::inverse::Step& step);
-
 /// Statements of the wrist that ends a plan, in lanes of the type named: both its branches, as two rows of
 /// each lane, go to `rows`. `label`: of the first lane's first row.
 std::vector<std::string> lane_wrist_lines(const derive::inverse::LoweredPlan& plan, std::size_t step,

@@ -8,13 +8,13 @@
 namespace qvgen::emit {
 namespace {
 
-using derive::inverse::Kind;
+namespace kind = derive::inverse::kind;
 using derive::inverse::LoweredPlan;
 using derive::inverse::Step;
 
 class PoseLoops {
  public:
-  PoseLoops(const model::Robot& robot, const LoweredPlan& plan) : robot_(robot), plan_(plan) {}
+  PoseLoops(const LoweredPlan& plan) : plan_(plan) {}
 
   std::vector<std::string> write() {
     line("Lane q[" + std::to_string(plan_.plan.row_size) + "];");
@@ -40,16 +40,16 @@ class PoseLoops {
 
   void step(std::size_t i) {
     const Step& step = plan_.plan.steps[i];
-    if (is_last_wrist(plan_, step)) return wrist(i);
+    if (step.ends_plan()) return wrist(i);
     if (step.branches == 2)
       loop(i);
     else
       line(call(i) + ";");
-    if (step.kind == Kind::require)
+    if (step.is<kind::Require>())
       line(std::string("if (!any(w.branch.exists)) ") +
            (depth_ == 0 ? "return w.branch.doubtful;" : "continue;"));
-    if (step.kind == Kind::half) return;
-    for (const std::string& text : joint_lines(robot_, plan_, step)) line(text);
+    if (step.is<kind::Half>()) return;
+    for (const std::string& text : joint_lines(plan_, step)) line(text);
   }
 
   void loop(std::size_t i) {
@@ -73,7 +73,6 @@ class PoseLoops {
     for (const std::string& text : lane_wrist_lines(plan_, i, "Lane", label)) line(text);
   }
 
-  const model::Robot& robot_;
   const LoweredPlan& plan_;
   std::vector<std::string> lines_;
   std::string labels_;
@@ -86,8 +85,6 @@ class PoseLoops {
 
 bool has_pose_lanes(const LoweredPlan& plan) { return !plan.plan.quartic(); }
 
-std::vector<std::string> pose_loop_lines(const model::Robot& robot, const LoweredPlan& plan) {
-  return PoseLoops(robot, plan).write();
-}
+std::vector<std::string> pose_loop_lines(const LoweredPlan& plan) { return PoseLoops(plan).write(); }
 
 }  // namespace qvgen::emit

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "derive/inverse/lower.h"
-#include "model/robot.h"
 
 namespace qvgen::emit {
 
@@ -14,6 +13,6 @@ bool has_pose_lanes(const derive::inverse::LoweredPlan& plan);
 
 /// Body of the function that follows one pose a lane: all branching steps are loops. A lane that has no such
 /// branch goes on beside the others.
-std::vector<std::string> pose_loop_lines(const model::Robot& robot, const derive::inverse::LoweredPlan& plan);
+std::vector<std::string> pose_loop_lines(const derive::inverse::LoweredPlan& plan);
 
 }  // namespace qvgen::emit

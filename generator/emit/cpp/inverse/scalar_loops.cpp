@@ -8,14 +8,14 @@
 namespace qvgen::emit {
 namespace {
 
-using derive::inverse::Kind;
+namespace kind = derive::inverse::kind;
 using derive::inverse::LoweredPlan;
 using derive::inverse::Step;
 
 class ScalarLoops {
  public:
-  ScalarLoops(const model::Robot& robot, const LoweredPlan& plan, Pass pass, const Dialect& dialect)
-      : robot_(robot), plan_(plan), careful_(pass == Pass::careful), dialect_(dialect) {}
+  ScalarLoops(const LoweredPlan& plan, Pass pass, const Dialect& dialect)
+      : plan_(plan), careful_(pass == Pass::careful), dialect_(dialect) {}
 
   std::vector<std::string> write() {
     lines(dialect_.new_work("w", false));
@@ -75,17 +75,17 @@ class ScalarLoops {
 
   void step(std::size_t i) {
     const Step& step = plan_.plan.steps[i];
-    if (step.kind == Kind::polish) return polished(i);
-    if (step.is_wrist() && plan_.plan.wrist.ends_the_plan) return wrist(i);
-    if (step.kind == Kind::half) return deferred_.push_back(call(i) + ";");
+    if (step.is<kind::Newton>()) return polished(i);
+    if (step.ends_plan()) return wrist(i);
+    if (step.is<kind::Half>()) return deferred_.push_back(call(i) + ";");
     if (step.is_quartic()) return quartic(i);
     if (step.branches == 1) {
       if (derive::inverse::reads_halves(plan_.plan, step)) flush();
       line(call(i) + ";");
-      if (step.kind == Kind::require) leave_unless(exists());
+      if (step.is<kind::Require>()) leave_unless(exists());
       return angles(step);
     }
-    if (step.is_wrist()) flush();
+    if (step.wrist() != nullptr) flush();
     const std::string k = open(step, "2");
     line(call(i, k + " == 0 ? 1.0 : -1.0") + ";");
     line("if (!" + exists() + ") break;");
@@ -119,8 +119,7 @@ class ScalarLoops {
   /// The joints whose values a step leaves: their angles are taken when they are sure to be needed.
   void angles(const Step& step) {
     if (careful_ && work_ == "w") return;
-    for (const std::string& text : joint_lines(robot_, plan_, step, work_, dialect_))
-      deferred_.push_back(text);
+    for (const std::string& text : joint_lines(plan_, step, work_, dialect_)) deferred_.push_back(text);
   }
 
   void flush() {
@@ -141,7 +140,7 @@ class ScalarLoops {
 
   void wrist(std::size_t i) {
     const Step& step = plan_.plan.steps[i];
-    const auto& joints = plan_.plan.wrist.joints;
+    const auto& joints = step.wrist()->joints;
     ended_ = true;
     const bool alone = careful_ && work_ == "w";
     if (alone) line("if (" + dialect_.is_settled("0", visits_) + ") " + leave());
@@ -151,7 +150,7 @@ class ScalarLoops {
       line(joint_place(plan_.plan, joints[1]) + " = " + middle + ";");
       line(joint_place(plan_.plan, joints[2]) + " = " + last + ";");
     };
-    if (step.kind == Kind::oblique_wrist) {
+    if (step.is<kind::ObliqueWrist>()) {
       const std::string arm = label();
       if (careful_) line("const int before = " + dialect_.rows_found() + ";");
       const std::string k = open(step, "2");
@@ -175,7 +174,6 @@ class ScalarLoops {
     if (alone) line(dialect_.close("0"));
   }
 
-  const model::Robot& robot_;
   const LoweredPlan& plan_;
   bool careful_;
   const Dialect& dialect_;
@@ -192,9 +190,8 @@ class ScalarLoops {
 
 }  // namespace
 
-std::vector<std::string> scalar_loop_lines(const model::Robot& robot, const LoweredPlan& plan, Pass pass,
-                                           const Dialect& dialect) {
-  return ScalarLoops(robot, plan, pass, dialect).write();
+std::vector<std::string> scalar_loop_lines(const LoweredPlan& plan, Pass pass, const Dialect& dialect) {
+  return ScalarLoops(plan, pass, dialect).write();
 }
 
 }  // namespace qvgen::emit

@@ -6,7 +6,6 @@
 
 #include "derive/inverse/lower.h"
 #include "emit/cpp/inverse/dialect.h"
-#include "model/robot.h"
 
 namespace qvgen::emit {
 
@@ -16,8 +15,7 @@ enum class Pass { first, careful };
 
 /// The loops over branches, one statement a line, indented from `solve`'s body: each step as soon as its
 /// inputs are known, angles and half angles of an unknown only once the next unknown is known to exist.
-std::vector<std::string> scalar_loop_lines(const model::Robot& robot,
-                                           const derive::inverse::LoweredPlan& plan, Pass pass,
+std::vector<std::string> scalar_loop_lines(const derive::inverse::LoweredPlan& plan, Pass pass,
                                            const Dialect& dialect);
 
 }  // namespace qvgen::emit

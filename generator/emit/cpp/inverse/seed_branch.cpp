@@ -9,18 +9,14 @@
 namespace qvgen::emit {
 namespace {
 
-using derive::inverse::Kind;
+namespace kind = derive::inverse::kind;
 using derive::inverse::LoweredPlan;
 using derive::inverse::Step;
 
-/// Indices of the joints whose values a step leaves. A sum of angles is none.
-std::vector<int> joints_of(const model::Robot& robot, const Step& step) {
-  std::vector<int> joints;
-  if (step.turns.empty() && step.joint >= 0) joints.push_back(step.joint);
-  if (step.slide >= 0) joints.push_back(step.slide);
-  for (const std::string& turn : step.turns)
-    for (std::size_t j = 0; j < robot.joints.size(); ++j)
-      if (robot.joints[j].variable == turn) joints.push_back(static_cast<int>(j));
+/// The joints that tell how far a step's branch is from the seed: also one that a later step writes out.
+std::vector<int> joints_of(const Step& step) {
+  std::vector<int> joints = step.joints();
+  if (const auto* both = step.as<kind::SlideTurn>()) joints.push_back(both->slide);
   return joints;
 }
 
@@ -28,8 +24,8 @@ bool chooses(const Step& step) { return step.is_quartic() || step.branches > 1; 
 
 class SeedBranch {
  public:
-  SeedBranch(const model::Robot& robot, const LoweredPlan& plan, Pass pass, const Dialect& dialect)
-      : robot_(robot), plan_(plan), careful_(pass == Pass::careful), dialect_(dialect) {}
+  SeedBranch(const LoweredPlan& plan, Pass pass, const Dialect& dialect)
+      : plan_(plan), careful_(pass == Pass::careful), dialect_(dialect) {}
 
   std::vector<std::string> write() {
     lines(dialect_.new_work("w", true));
@@ -39,18 +35,14 @@ class SeedBranch {
     const auto order = derive::inverse::order(plan_.plan, careful_);
     for (const std::size_t i : order) step(i);
     for (const std::size_t i : order)
-      if (!ends(plan_.plan.steps[i]) && plan_.plan.steps[i].kind != Kind::polish)
-        for (const std::string& text : joint_lines(robot_, plan_, plan_.plan.steps[i], work_, dialect_))
-          line(text);
+      if (!plan_.plan.steps[i].ends_plan())
+        for (const std::string& text : joint_lines(plan_, plan_.plan.steps[i], work_, dialect_)) line(text);
     line(dialect_.append_nearest(work_));
     line(leave());
     return std::move(lines_);
   }
 
  private:
-  [[nodiscard]] bool ends(const Step& step) const {
-    return step.is_wrist() && plan_.plan.wrist.ends_the_plan;
-  }
   [[nodiscard]] std::string call(std::size_t i, const std::string& sign, const std::string& work) const {
     return step_call(plan_, i, sign, work, target_, dialect_);
   }
@@ -75,7 +67,7 @@ class SeedBranch {
   /// Squared distance of a step's joints from the seed's.
   [[nodiscard]] std::string apart(const Step& step, const std::string& work) const {
     std::string sum;
-    for (const int joint : joints_of(robot_, step)) {
+    for (const int joint : joints_of(step)) {
       const auto& value = plan_.plan.joints[static_cast<std::size_t>(joint)];
       const std::string cosine = dialect_.member(work, value.cosine);
       const std::string term =
@@ -88,12 +80,12 @@ class SeedBranch {
 
   void step(std::size_t i) {
     const Step& step = plan_.plan.steps[i];
-    if (step.kind == Kind::polish) return polished(i);
-    if (ends(step)) return wrist(i);
+    if (step.is<kind::Newton>()) return polished(i);
+    if (step.ends_plan()) return wrist(i);
     if (step.is_quartic()) return quartic(i);
     if (step.branches == 1) {
       line(call(i, "", work_) + ";");
-      if (step.kind == Kind::require) leave_without_branch();
+      if (step.is<kind::Require>()) leave_without_branch();
       return;
     }
     const std::string other = "other" + std::to_string(choices_++);
@@ -126,7 +118,7 @@ class SeedBranch {
 
   void wrist(std::size_t i) {
     const Step& step = plan_.plan.steps[i];
-    const auto& joints = plan_.plan.wrist.joints;
+    const auto& joints = step.wrist()->joints;
     const Dialect::Arguments seeds{seed("angle", joints[0]), seed("angle", joints[1]),
                                    seed("angle", joints[2])};
     const auto takes_other = [&](const std::string& other_work, const std::string& other,
@@ -136,7 +128,7 @@ class SeedBranch {
                                   dialect_.wrist_apart(one, seeds)) +
              ";";
     };
-    if (step.kind == Kind::oblique_wrist) {
+    if (step.is<kind::ObliqueWrist>()) {
       lines(dialect_.copied_work("other", work_));
       line(dialect_.variable("WristAngles", "angles", call(i, "1.0", work_)));
       line(dialect_.constant("WristAngles", "others", call(i, "-1.0", "other")));
@@ -154,7 +146,6 @@ class SeedBranch {
     line(joint_place(plan_.plan, joints[2]) + " = angles.last;");
   }
 
-  const model::Robot& robot_;
   const LoweredPlan& plan_;
   bool careful_;
   const Dialect& dialect_;
@@ -166,15 +157,14 @@ class SeedBranch {
 
 }  // namespace
 
-std::vector<std::string> seed_branch_lines(const model::Robot& robot, const LoweredPlan& plan, Pass pass,
-                                           const Dialect& dialect) {
-  return SeedBranch(robot, plan, pass, dialect).write();
+std::vector<std::string> seed_branch_lines(const LoweredPlan& plan, Pass pass, const Dialect& dialect) {
+  return SeedBranch(plan, pass, dialect).write();
 }
 
-bool has_seed_branch(const model::Robot& robot, const LoweredPlan& plan) {
+bool has_seed_branch(const LoweredPlan& plan) {
   const auto& steps = plan.plan.steps;
   return std::all_of(steps.begin(), steps.end(),
-                     [&](const Step& step) { return !chooses(step) || !joints_of(robot, step).empty(); });
+                     [&](const Step& step) { return !chooses(step) || !joints_of(step).empty(); });
 }
 
 }  // namespace qvgen::emit

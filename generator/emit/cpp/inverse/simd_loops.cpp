@@ -11,7 +11,7 @@
 namespace qvgen::emit {
 namespace {
 
-using derive::inverse::Kind;
+namespace kind = derive::inverse::kind;
 using derive::inverse::LoweredPlan;
 using derive::inverse::Step;
 
@@ -19,13 +19,12 @@ using derive::inverse::Step;
 int branchings(const LoweredPlan& plan) {
   return static_cast<int>(
       std::count_if(plan.plan.steps.begin(), plan.plan.steps.end(),
-                    [&](const Step& step) { return step.branches == 2 && !is_last_wrist(plan, step); }));
+                    [&](const Step& step) { return step.branches == 2 && !step.ends_plan(); }));
 }
 
 class SimdLoops {
  public:
-  SimdLoops(const model::Robot& robot, const LoweredPlan& plan)
-      : robot_(robot), plan_(plan), loops_left_(branchings(plan) - 2) {}
+  SimdLoops(const LoweredPlan& plan) : plan_(plan), loops_left_(branchings(plan) - 2) {}
 
   std::vector<std::string> write() {
     line("inverse::avx2::LaneRows<" + dof() + "> rows(places);");
@@ -66,22 +65,21 @@ class SimdLoops {
 
   void step(std::size_t i) {
     const Step& step = plan_.plan.steps[i];
-    if (is_last_wrist(plan_, step)) return wrist(i);
-    if (step.kind == Kind::half)
-      return ended_leaving_ ? line(call(i) + ";") : halves_.push_back(call(i) + ";");
-    if (step.is_wrist() || derive::inverse::reads_halves(plan_.plan, step)) flush_halves();
+    if (step.ends_plan()) return wrist(i);
+    if (step.is<kind::Half>()) return ended_leaving_ ? line(call(i) + ";") : halves_.push_back(call(i) + ";");
+    if (step.wrist() != nullptr || derive::inverse::reads_halves(plan_.plan, step)) flush_halves();
     if (step.branches == 2 && loops_left_ > 0) {
       loop(i);
     } else if (step.branches == 2) {
       line(call(i, lane_branchings_++ == 0 ? "Pack(1, 1, -1, -1)" : "Pack(1, -1, 1, -1)") + ";");
-      if (step.kind != Kind::opposite) leave_if_none();
+      if (!step.is<kind::Opposite>()) leave_if_none();
     } else {
       line(call(i) + ";");
-      if (step.kind == Kind::require) leave_if_none();
+      if (step.is<kind::Require>()) leave_if_none();
     }
     ended_leaving_ = !leaves_after(i);
     if (ended_leaving_) flush();
-    for (const std::string& text : joint_lines(robot_, plan_, step)) deferred_.push_back(text);
+    for (const std::string& text : joint_lines(plan_, step)) deferred_.push_back(text);
   }
 
   /// Whether a later step may find that no branch is left: angles that nobody will read wait until then.
@@ -89,10 +87,10 @@ class SimdLoops {
   /// for its root.
   bool leaves_after(std::size_t i) const {
     const auto& steps = plan_.plan.steps;
-    return std::any_of(
-        steps.begin() + static_cast<std::ptrdiff_t>(i) + 1, steps.end(), [&](const Step& step) {
-          return (step.branches == 2 && !is_last_wrist(plan_, step)) || step.kind == Kind::require;
-        });
+    return std::any_of(steps.begin() + static_cast<std::ptrdiff_t>(i) + 1, steps.end(),
+                       [&](const Step& step) {
+                         return (step.branches == 2 && !step.ends_plan()) || step.is<kind::Require>();
+                       });
   }
 
   void loop(std::size_t i) {
@@ -128,7 +126,6 @@ class SimdLoops {
     for (const std::string& text : lane_wrist_lines(plan_, i, "Pack", label(2))) line(text);
   }
 
-  const model::Robot& robot_;
   const LoweredPlan& plan_;
   std::vector<std::string> lines_;
   std::vector<std::string> halves_;
@@ -146,8 +143,6 @@ class SimdLoops {
 
 bool has_lanes(const LoweredPlan& plan) { return !plan.plan.quartic() && branchings(plan) >= 2; }
 
-std::vector<std::string> simd_loop_lines(const model::Robot& robot, const LoweredPlan& plan) {
-  return SimdLoops(robot, plan).write();
-}
+std::vector<std::string> simd_loop_lines(const LoweredPlan& plan) { return SimdLoops(plan).write(); }
 
 }  // namespace qvgen::emit

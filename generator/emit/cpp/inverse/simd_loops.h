@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "derive/inverse/lower.h"
-#include "model/robot.h"
 
 namespace qvgen::emit {
 
@@ -16,6 +15,6 @@ bool has_lanes(const derive::inverse::LoweredPlan& plan);
 /// Body of the function that follows four branches in the lanes of packs: the last two branching steps take
 /// their signs from the lanes, those before them are loops. An angle is taken once a branch is known to
 /// exist.
-std::vector<std::string> simd_loop_lines(const model::Robot& robot, const derive::inverse::LoweredPlan& plan);
+std::vector<std::string> simd_loop_lines(const derive::inverse::LoweredPlan& plan);
 
 }  // namespace qvgen::emit

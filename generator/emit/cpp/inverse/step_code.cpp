@@ -7,7 +7,7 @@
 #include "derive/inverse/divisors.h"
 #include "derive/inverse/schedule.h"
 #include "emit/cpp/code.h"
-#include "emit/cpp/inverse/block_call.h"
+#include "emit/cpp/inverse/text_backend.h"
 #include "emit/cpp/literal.h"
 #include "emit/cpp/symbol_table.h"
 #include "emit/cpp/template_values.h"
@@ -17,7 +17,7 @@
 
 namespace qvgen::emit {
 
-using derive::inverse::Kind;
+namespace kind = derive::inverse::kind;
 using derive::inverse::LoweredPlan;
 using derive::inverse::Step;
 using nlohmann::json;
@@ -29,8 +29,9 @@ namespace {
 SymbolTable names_of(const model::Robot& robot, const LoweredPlan& plan, const Step& step, const Dialect& d) {
   const std::map<std::string, std::string> fields = geometry_fields(robot);
   const std::vector<std::string> target = plan.plan.target_kept;
-  const std::string result = step.unit ? "result" : "(sign * " + length_place(d, step.unknown) + ")";
-  const bool slides = step.kind == Kind::slide_turn;
+  const std::string result =
+      step.keeps_length() ? "(sign * " + length_place(d, step.unknown) + ")" : "result";
+  const bool slides = step.is<kind::SlideTurn>();
   const auto symbol = [fields, target, result, slides, &d](const std::string& name) -> std::string {
     if (const auto constant = exact::named_value(name))
       return d.spelling().number(literal(exact::Number(*constant)));
@@ -68,11 +69,12 @@ std::vector<std::string> triples(const std::string& name, std::size_t count) {
 }
 
 /// A polish step's task, and the values it changes in place.
-PolishTask polish_task(const model::Robot& robot, const LoweredPlan& plan, const Step& step,
+PolishTask polish_task(const model::Robot& robot, const LoweredPlan& plan, const kind::Newton& newton,
                        const Dialect& d) {
   PolishTask task;
-  for (std::size_t i = 0; i < step.turns.size(); ++i) {
-    const int index = joint_of(robot, step.turns[i]);
+  for (std::size_t i = 0; i < newton.variables.size(); ++i) {
+    const std::string& variable = newton.variables[i];
+    const int index = joint_of(robot, variable);
     const auto& joint = plan.plan.joints[static_cast<std::size_t>(index)];
     const std::string zero = d.spelling().number("0");
     const std::string cosine = d.member("w", joint.cosine);
@@ -84,23 +86,23 @@ PolishTask polish_task(const model::Robot& robot, const LoweredPlan& plan, const
     task.back.push_back(cosine + " = " + value + ".cosine;");
     if (joint.revolute) task.back.push_back(d.member("w", joint.sine) + " = " + value + ".sine;");
     for (const Step& other : plan.plan.steps)
-      if (!other.unit && other.unknown == step.turns[i])
+      if (other.keeps_length() && other.unknown == variable)
         task.back.push_back(length_place(d, other.unknown) + " = " + d.spelling().number("1") + ";");
   }
-  task.axes = triples("axis", step.turns.size());
-  task.points = triples("point", step.turns.size());
-  task.start = triples("start", static_cast<std::size_t>(step.points));
-  task.goal = triples("goal", static_cast<std::size_t>(step.points));
+  task.axes = triples("axis", newton.variables.size());
+  task.points = triples("point", newton.variables.size());
+  task.start = triples("start", static_cast<std::size_t>(newton.points));
+  task.goal = triples("goal", static_cast<std::size_t>(newton.points));
   task.size_square = d.scalar(d.member("t", "size_square"));
   return task;
 }
 
-std::vector<std::string> wrist_turn_lines(const Step& step, const Dialect& d) {
+std::vector<std::string> wrist_turn_lines(const kind::Wrist& wrist, const Dialect& d) {
   std::vector<std::string> lines;
   const std::array<const char*, 3> parts = {"first", "middle", "last"};
   for (std::size_t i = 0; i < 3; ++i) {
-    lines.push_back(d.member("w", "cos_" + step.turns[i]) + " = result." + parts[i] + ".cosine;");
-    lines.push_back(d.member("w", "sin_" + step.turns[i]) + " = result." + parts[i] + ".sine;");
+    lines.push_back(d.member("w", "cos_" + wrist.variables[i]) + " = result." + parts[i] + ".cosine;");
+    lines.push_back(d.member("w", "sin_" + wrist.variables[i]) + " = result." + parts[i] + ".sine;");
   }
   return lines;
 }
@@ -122,12 +124,12 @@ std::map<std::string, std::string> geometry_fields(const model::Robot& robot) {
 std::vector<std::string> work_fields(const LoweredPlan& plan) {
   std::vector<std::string> fields;
   for (const Step& step : plan.plan.steps) {
-    if (ends_plan(plan, step)) continue;
-    for (const std::string& turn : step.turns)
-      for (const char* part : {"cos_", "sin_"})
-        if (step.kind != Kind::polish) fields.push_back(part + turn);
+    if (step.ends_plan()) continue;
+    if (const auto* wrist = step.wrist())
+      for (const std::string& variable : wrist->variables)
+        for (const char* part : {"cos_", "sin_"}) fields.push_back(part + variable);
     fields.insert(fields.end(), step.kept.begin(), step.kept.end());
-    if (!step.unit) fields.push_back("length_" + step.unknown);
+    if (step.keeps_length()) fields.push_back("length_" + step.unknown);
   }
   return fields;
 }
@@ -207,43 +209,56 @@ json divisor_values(const model::Robot& robot, const LoweredPlan& plan) {
   return divisors;
 }
 
+namespace {
+
+/// Statements behind what a step leaves.
+std::vector<std::string> further_lines(const model::Robot& robot, const LoweredPlan& plan, const Step& step,
+                                       const Dialect& d) {
+  if (const auto* newton = step.as<kind::Newton>())
+    return d.polish_lines(polish_task(robot, plan, *newton, d));
+  if (step.wrist() != nullptr && !step.ends_plan()) return wrist_turn_lines(*step.wrist(), d);
+  if (plan.plan.chooses_for_others(step)) return {d.doubt(d.member("w", "branch.continuum"))};
+  if (step.is<kind::SlideTurn>())
+    return {"if (result.chosen) " + d.member("w", "branch.continuum") + " = " +
+            d.member("w", "branch.doubtful") + " = true;"};
+  return {};
+}
+
+/// What a template writes a step's function from.
+json step_value(const model::Robot& robot, const LoweredPlan& plan, std::size_t i, const Dialect& d) {
+  const Step& step = plan.plan.steps[i];
+  const SymbolTable names = names_of(robot, plan, step, d);
+  const TextBackend backend(plan, d);
+  const auto [type, call] =
+      std::visit([&](const auto& kind) { return kind.apply(step, backend); }, step.kind);
+  const std::vector<std::string> lines = further_lines(robot, plan, step, d);
+  const bool newton = step.is<kind::Newton>();
+  const bool split = step.is_quartic();
+  const bool returns = split || step.ends_plan();
+  const bool angles_by_sign = step.ends_plan() && step.is<kind::ObliqueWrist>();
+  return {{"name", step_name(plan, i)},
+          {"comment", lines_of(step_comment(plan, i))},
+          {"sign", step.branches == 2 && (!step.ends_plan() || angles_by_sign)},
+          {"returns", returns},
+          {"split", split},
+          {"root", d.type(step.is<kind::SlideTurn>() ? "SlideTurn" : "Rotor")},
+          {"polish", newton ? polish_values(lines) : json(false)},
+          {"regular", !split && !newton},
+          {"type", type},
+          {"call", call},
+          {"has_result", !type.empty() && !returns},
+          {"has_call", !call.empty() && type.empty()},
+          {"delta", angles_by_sign},
+          {"before", to_json(straight_code(plan.steps[i].before, names))},
+          {"after", to_json(straight_code(plan.steps[i].after, names))},
+          {"lines", lines_of(lines)}};
+}
+
+}  // namespace
+
 json step_values(const model::Robot& robot, const LoweredPlan& plan, const Dialect& d) {
   json steps = json::array();
-  for (std::size_t i = 0; i < plan.steps.size(); ++i) {
-    const Step& step = plan.plan.steps[i];
-    const SymbolTable names = names_of(robot, plan, step, d);
-    const Code before = straight_code(plan.steps[i].before, names);
-    const Code after = straight_code(plan.steps[i].after, names);
-    const auto [type, call] = block_call(plan, step, d);
-    std::vector<std::string> extra;
-    const bool polish = step.kind == Kind::polish;
-    if (polish) extra = d.polish_lines(polish_task(robot, plan, step, d));
-    if (step.is_wrist() && !ends_plan(plan, step)) extra = wrist_turn_lines(step, d);
-    const bool split = step.is_quartic();
-    const bool slides = step.kind == Kind::slide_turn;
-    if (plan.plan.chooses_for_others(step)) extra = {d.doubt(d.member("w", "branch.continuum"))};
-    if (slides)
-      extra = {"if (result.chosen) " + d.member("w", "branch.continuum") + " = " +
-               d.member("w", "branch.doubtful") + " = true;"};
-    const bool returns = split || ends_plan(plan, step);
-    const bool oblique = step.kind == Kind::oblique_wrist;
-    steps.push_back({{"name", step_name(plan, i)},
-                     {"comment", lines_of(step_comment(plan, i))},
-                     {"sign", step.branches == 2 && !(ends_plan(plan, step) && !oblique)},
-                     {"returns", returns},
-                     {"split", split},
-                     {"root", d.type(slides ? "SlideTurn" : "Rotor")},
-                     {"polish", polish ? polish_values(extra) : json(false)},
-                     {"regular", !split && !polish},
-                     {"type", type},
-                     {"call", call},
-                     {"has_result", !type.empty() && !returns},
-                     {"has_call", !call.empty() && type.empty()},
-                     {"delta", oblique && ends_plan(plan, step)},
-                     {"before", to_json(before)},
-                     {"after", to_json(after)},
-                     {"lines", lines_of(extra)}});
-  }
+  for (std::size_t i = 0; i < plan.steps.size(); ++i) steps.push_back(step_value(robot, plan, i, d));
   return steps;
 }
 
