@@ -16,7 +16,7 @@
 #include "emit/math/singularities.h"
 #include "emit/math/transforms.h"
 #include "model/followers.h"
-#include "optimise/dynamics_function.h"
+#include "optimise/dynamics.h"
 #include "pipeline/files.h"
 #include "pipeline/output_folder.h"
 #include "pipeline/products/inverse_derivation.h"

@@ -8,7 +8,7 @@
 #include "cli/progress_line.h"
 #include "compare/comparison_json.h"
 #include "model/followers.h"
-#include "optimise/dynamics_function.h"
+#include "optimise/dynamics.h"
 #include "pipeline/parallel.h"
 
 namespace qvgen::cli {

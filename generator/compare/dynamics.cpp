@@ -2,6 +2,8 @@
 // Inverse dynamics by the Newton-Euler recursion (thesis 5.1 to 5.15), vectors turned from link to link by
 // rotation matrices or by quaternions, q v q^-1. Both over the frames of exact_arm.h that are parallel to the
 // world's at zero, so that they differ in nothing else.
+#include "optimise/dynamics.h"
+
 #include <stdexcept>
 
 #include "compare/chain.h"
@@ -9,7 +11,6 @@
 #include "compare/formulation.h"
 #include "derive/dynamics/chain.h"
 #include "derive/dynamics/formulation.h"
-#include "optimise/dynamics_function.h"
 
 namespace qvgen::compare {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "compare/formulation.h"
 
-#include "optimise/dynamics_function.h"
+#include "optimise/dynamics.h"
 
 namespace qvgen::compare {
 

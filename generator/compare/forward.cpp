@@ -228,12 +228,13 @@ namespace {
 using QuantityOf = derive::Quantity (*)(const model::Robot&);
 
 /// All forms of a quantity together.
-template <QuantityOf quantity>
+template <QuantityOf derived>
 dag::Function emitted(const model::Robot& robot) {
   optimise::OptimiseOptions options;
   options.also_fewest = false;
-  options.search.is_free_symbol = free_symbols(robot);
-  return optimise::optimise(quantity(robot), options).function;
+  optimise::Quantity quantity = optimise::lowered(derived(robot));
+  quantity.is_free = free_symbols(robot);
+  return optimise::optimise(quantity, options).function;
 }
 
 }  // namespace

@@ -174,8 +174,9 @@ dag::Function emitted(const model::Robot& robot) {
   options.also_fewest = false;
   options.simplify_forms = false;
   options.search.iterations = 100'000;
-  options.search.is_free_symbol = free_symbols(robot);
-  return optimise::optimise(derive::jacobian(robot), options).function;
+  optimise::Quantity quantity = optimise::lowered(derive::jacobian(robot));
+  quantity.is_free = free_symbols(robot);
+  return optimise::optimise(quantity, options).function;
 }
 
 }  // namespace

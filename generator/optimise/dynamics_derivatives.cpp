@@ -3,10 +3,7 @@
 
 #include "dag/evaluate.h"
 #include "model/followers.h"
-#include "passes/constant_split.h"
 #include "passes/differentiate.h"
-#include "passes/search/search.h"
-#include "verify/certificate.h"
 
 namespace qvgen::optimise {
 namespace {
@@ -83,22 +80,12 @@ Values expected(const model::Robot& robot, const ExactPoint& point) {
   return result;
 }
 
-/// The derivatives share enough as they are: new values would only slow the closure down.
-DynamicsFunction searched(const std::string& name, const dag::Function& form, const dag::Function& constants,
-                          const dag::IsFree& is_free, const DynamicsEffort& effort) {
-  passes::SearchOptions options;
-  options.iterations = effort.final_steps;
-  options.is_free_symbol = is_free;
-  options.limit = 0;
-  const dag::Function found = passes::search({form}, {}, options);
-  const passes::ConstantSplit parts = passes::split_constants(found, constants, is_free);
-  DynamicsFunction result;
-  result.name = name;
-  result.function = parts.function;
-  result.constants = parts.constants;
-  result.counts = dag::count(found, is_free);
-  result.constant_counts = dag::count(parts.constants);
-  return result;
+/// Searched without values that the forms do not have: they share enough as they are, and new values would
+/// only slow the closure down.
+Optimised searched(const Quantity& quantity, const DynamicsEffort& effort) {
+  OptimiseOptions options = final_search(effort);
+  options.search.limit = 0;
+  return optimise(quantity, options);
 }
 
 /// Y b - tau, the columns of Y one after the other in `values`.
@@ -152,28 +139,26 @@ void append_derivatives(const model::Robot& robot, dag::Function& form) {
 
 }  // namespace
 
-DynamicsFunction regressor_function(const model::Robot& robot, const derive::dynamics::Regressor& regressor,
-                                    const DynamicsEffort& effort) {
-  const dag::IsFree is_free = free_symbols(robot);
-  DynamicsFunction result =
-      searched("regressor", regressor.formulation.function, regressor.formulation.constants, is_free, effort);
-  certify(robot, result, effort.certificate_points, [&](const ExactPoint& point, const Values& values) {
+Optimised regressor_function(const model::Robot& robot, const derive::dynamics::Regressor& regressor,
+                             const DynamicsEffort& effort) {
+  const auto residuals = [&](const ExactPoint& point, const Values& values) {
     return regressor_residuals(robot, regressor, point, values);
-  });
-  return result;
+  };
+  return searched(quantity_of(robot, "regressor", regressor.formulation, residuals), effort);
 }
 
-DynamicsFunction inverse_dynamics_derivatives(const model::Robot& robot,
-                                              const DynamicsFunction& inverse_dynamics,
-                                              const DynamicsEffort& effort) {
+Optimised inverse_dynamics_derivatives(const model::Robot& robot, const Optimised& inverse_dynamics,
+                                       const DynamicsEffort& effort) {
   dag::Function form = inverse_dynamics.function;
   append_derivatives(robot, form);
-  DynamicsFunction result = searched("inverse_dynamics_derivatives", form, inverse_dynamics.constants,
-                                     derive::dynamics::is_constant_symbol, effort);
-  result.chosen = inverse_dynamics.chosen;
-  certify(robot, result, effort.certificate_points, [&](const ExactPoint& point, const Values& values) {
+  const auto residuals = [&](const ExactPoint& point, const Values& values) {
     return combined(1, values, -1, expected(robot, point));
-  });
+  };
+  Quantity quantity =
+      quantity_of(robot, "inverse_dynamics_derivatives", {form, inverse_dynamics.constants}, residuals);
+  quantity.is_free = derive::dynamics::is_constant_symbol;
+  Optimised result = searched(quantity, effort);
+  result.choices = inverse_dynamics.choices;
   return result;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "optimise/dynamics_function.h"
+#include "optimise/dynamics.h"
 
 namespace qvgen::optimise {
 namespace {

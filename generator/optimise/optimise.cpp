@@ -2,6 +2,7 @@
 #include "optimise/optimise.h"
 
 #include "dag/import.h"
+#include "passes/constant_split.h"
 #include "passes/pass.h"
 #include "verify/certificate.h"
 
@@ -22,28 +23,60 @@ dag::Function results_only(dag::Function function) {
   return function;
 }
 
-}  // namespace
-
-Optimised optimise(const derive::Quantity& quantity, const OptimiseOptions& options) {
+/// The passes' result as it is emitted.
+Optimised split(const Quantity& quantity, const dag::Function& found) {
   Optimised result;
   result.name = quantity.name;
-  std::vector<dag::Function> forms;
-  for (const derive::Form& form : quantity.forms) {
-    forms.push_back(dag::import(form.program));
-    if (options.simplify_forms) forms.back() = passes::simplify(forms.back());
-    result.forms.push_back(
-        {form.name, dag::count(results_only(forms.back()), options.search.is_free_symbol)});
-  }
-  result.function = passes::search(forms, options.cost, options.search);
-  result.counts = dag::count(result.function, options.search.is_free_symbol);
-  result.fewest = result.counts;
-  verify::certify(result.function, quantity.definition, options.certificate_points, quantity.name);
-  result.certified_points = options.certificate_points;
-  if (!options.also_fewest) return result;
-  const dag::Function fewest = passes::search(forms, operations_only(options.cost), options.search);
-  result.fewest = dag::count(fewest, options.search.is_free_symbol);
-  verify::certify(fewest, quantity.definition, options.certificate_points, quantity.name);
+  result.counts = dag::count(found, quantity.is_free);
+  result.function = found;
+  if (!quantity.constants) return result;
+  passes::ConstantSplit parts = passes::split_constants(found, *quantity.constants, quantity.is_free);
+  result.function = std::move(parts.function);
+  result.constants = std::move(parts.constants);
+  result.constant_counts = dag::count(result.constants);
   return result;
+}
+
+void certify(const Quantity& quantity, Optimised& found, int points) {
+  for (std::size_t i = 0; i < quantity.outputs.size(); ++i)
+    if (found.function.outputs.at(i).name != quantity.outputs[i])
+      throw verify::CertificateError(quantity.name + ": outputs are not those of the definition");
+  verify::certify(found.function, found.constants, quantity.residuals, quantity.whole, points, quantity.name);
+  found.certified_points = points;
+}
+
+}  // namespace
+
+Quantity lowered(const derive::Quantity& quantity) {
+  Quantity result{quantity.name, {}, verify::residuals_of(quantity.definition)};
+  for (const derive::Form& form : quantity.forms)
+    result.forms.push_back({form.name, dag::import(form.program)});
+  for (const auto& output : quantity.definition.outputs()) result.outputs.push_back(output.name);
+  return result;
+}
+
+Optimised optimise(const Quantity& quantity, const OptimiseOptions& options) {
+  passes::SearchOptions search = options.search;
+  search.is_free_symbol = quantity.is_free;
+  std::vector<dag::Function> forms;
+  std::vector<Optimised::FormCounts> form_counts;
+  for (const Quantity::Form& form : quantity.forms) {
+    forms.push_back(options.simplify_forms ? passes::simplify(form.function) : form.function);
+    form_counts.push_back({form.name, dag::count(results_only(forms.back()), quantity.is_free)});
+  }
+  Optimised result = split(quantity, passes::search(forms, options.cost, search));
+  result.forms = std::move(form_counts);
+  result.fewest = result.counts;
+  certify(quantity, result, options.certificate_points);
+  if (!options.also_fewest) return result;
+  Optimised fewest = split(quantity, passes::search(forms, operations_only(options.cost), search));
+  certify(quantity, fewest, options.certificate_points);
+  result.fewest = fewest.counts;
+  return result;
+}
+
+Optimised optimise(const derive::Quantity& quantity, const OptimiseOptions& options) {
+  return optimise(lowered(quantity), options);
 }
 
 }  // namespace qvgen::optimise

@@ -1,20 +1,24 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "dag/counts.h"
-#include "derive/form.h"
+#include "derive/dynamics/formulation.h"
+#include "optimise/quantity.h"
 #include "passes/search/search.h"
 
 namespace qvgen::optimise {
 
-/// A quantity after derivation, passes and choice, certified.
+/// A quantity after passes and choice, certified.
 struct Optimised {
   std::string name;
   dag::Function function;       ///< the cheapest by the cost model: what is emitted
+  dag::Function constants;      ///< its symbols "$0", ... in the description's, if they are split off
   dag::OperationCounts counts;  ///< of `function`
+  std::optional<dag::OperationCounts> constant_counts;  ///< of `constants`, if they are split off
   dag::OperationCounts fewest;  ///< fewest multiplications and additions, sines and cosines given
   struct FormCounts {
     std::string name;
@@ -23,6 +27,8 @@ struct Optimised {
   std::vector<FormCounts> forms;  ///< each competing form by itself, after the passes
   int certified_points = 0;       ///< exact points at which `function` equals the definition
   double largest_error = 0;       ///< see accuracy.h
+  /// Of dynamics, for functions that there are choices for.
+  std::optional<derive::dynamics::FormulationOptions> choices;
 };
 
 /// Annealing steps for functions of some dozen operations. Ten times as many gain less than one percent.
@@ -45,8 +51,9 @@ struct OptimiseOptions {
   bool simplify_forms = true;
 };
 
-/// Lowers the forms to graphs, runs the passes, lets them compete and certifies the winner.
+/// Runs the passes, lets the forms compete, splits constants off and certifies the winner.
 /// Throws CertificateError if a result differs from the definition: a pass has broken an identity.
+Optimised optimise(const Quantity& quantity, const OptimiseOptions& options = {});
 Optimised optimise(const derive::Quantity& quantity, const OptimiseOptions& options = {});
 
 }  // namespace qvgen::optimise

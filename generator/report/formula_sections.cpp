@@ -19,7 +19,7 @@
 #include "emit/render.h"
 #include "model/followers.h"
 #include "optimise/described.h"
-#include "optimise/dynamics_function.h"
+#include "optimise/dynamics.h"
 #include "passes/differentiate.h"
 #include "passes/pass.h"
 #include "verify/certificate.h"

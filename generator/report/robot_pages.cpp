@@ -6,7 +6,7 @@
 #include "canonical/structure.h"
 #include "compare/comparison_json.h"
 #include "model/followers.h"
-#include "optimise/dynamics_function.h"
+#include "optimise/dynamics.h"
 #include "pipeline/files.h"
 #include "pipeline/output_folder.h"
 #include "pipeline/parallel.h"

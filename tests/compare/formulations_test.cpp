@@ -11,7 +11,7 @@
 #include "leaves.h"
 #include "model/followers.h"
 #include "optimise/described.h"
-#include "optimise/dynamics_function.h"
+#include "optimise/dynamics.h"
 #include "reference/dynamics.h"
 #include "robots.h"
 #include "verify/certificate.h"

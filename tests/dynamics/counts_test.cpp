@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "description/reader.h"
-#include "optimise/dynamics_function.h"
+#include "optimise/dynamics.h"
 
 namespace qvgen::optimise {
 namespace {

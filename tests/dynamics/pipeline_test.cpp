@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "description/reader.h"
-#include "optimise/dynamics_function.h"
+#include "optimise/dynamics.h"
 #include "passes/search/random.h"
 #include "verify/certificate.h"
 
@@ -117,7 +117,7 @@ inertia = [0, "J", 0]
 )";
 
 TEST(Dynamics, PendulumTakesTwoMultiplicationsAndAnAddition) {
-  const DynamicsFunction function = generate_dynamics(read(pendulum), dynamics_quantities().front(), little);
+  const Optimised function = generate_dynamics(read(pendulum), dynamics_quantities().front(), little);
   EXPECT_EQ(function.counts.multiplications, 2);  // (J + m l^2) theta'' - (m g l) cos theta
   EXPECT_EQ(function.counts.additions, 1);
   EXPECT_EQ(function.constants.outputs.size(), 2U);
@@ -140,7 +140,7 @@ TEST(Dynamics, DrivesAddTheirInertiaAndFriction) {
       pendulum + "rotor_inertia = \"Ir\"\nviscous_friction = \"b\"\ncoulomb_friction = \"f\"\n";
   for (const DynamicsQuantity& quantity : all_quantities())
     EXPECT_NO_THROW(generate_dynamics(read(driven), quantity, little)) << quantity.name;
-  const DynamicsFunction function = generate_dynamics(read(driven), dynamics_quantities().front(), little);
+  const Optimised function = generate_dynamics(read(driven), dynamics_quantities().front(), little);
   EXPECT_LE(function.counts.multiplications, 5);
   EXPECT_LE(function.counts.additions, 4);
 }
@@ -148,7 +148,7 @@ TEST(Dynamics, DrivesAddTheirInertiaAndFriction) {
 /// C qd has no friction in it, whatever the drives: coriolis_torque is that product.
 TEST(Dynamics, CoriolisTorqueLeavesFrictionOut) {
   const std::string driven = pendulum + "viscous_friction = \"b\"\ncoulomb_friction = \"f\"\n";
-  const DynamicsFunction function = generate_dynamics(read(driven), quantity("coriolis_torque"), little);
+  const Optimised function = generate_dynamics(read(driven), quantity("coriolis_torque"), little);
   EXPECT_EQ(function.constants.outputs.size(), 0U);
   EXPECT_TRUE(function.function.graph.is_zero(function.function.outputs.front().value));
 }

@@ -19,7 +19,7 @@
 #include "exact/named_constant.h"
 #include "model/followers.h"
 #include "optimise/described.h"
-#include "optimise/dynamics_function.h"
+#include "optimise/dynamics.h"
 #include "optimise/optimise.h"
 #include "pipeline/pipeline.h"
 #include "random_description.h"

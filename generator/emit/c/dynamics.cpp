@@ -70,7 +70,7 @@ std::vector<std::string> without_slashes(const std::string& doc) {
   return lines;
 }
 
-Function function_of(const model::Robot& robot, const optimise::DynamicsFunction& from) {
+Function function_of(const model::Robot& robot, const optimise::Optimised& from) {
   const DynamicsInterface interface = dynamics_interface(from.name);
   const auto angles = angles_of(from.function);
   const DynamicsCode code = dynamics_code(robot, from, angles, spelling());
@@ -101,9 +101,9 @@ Function base_parameters(const model::Robot& robot, const derive::dynamics::Regr
 
 }  // namespace
 
-Part dynamics(const model::Robot& robot, const std::vector<optimise::DynamicsFunction>& functions) {
+Part dynamics(const model::Robot& robot, const std::vector<optimise::Optimised>& functions) {
   Part all;
-  for (const optimise::DynamicsFunction& function : functions) {
+  for (const optimise::Optimised& function : functions) {
     if (dynamics_interface(function.name).result == Result::derivatives)
       all +=
           {render("c_dynamics_derivatives.h", {{"name", robot.name}, {"dof", model::driven_count(robot)}})};
@@ -113,7 +113,7 @@ Part dynamics(const model::Robot& robot, const std::vector<optimise::DynamicsFun
 }
 
 Part regressor(const model::Robot& robot, const derive::dynamics::Regressor& regressor,
-               const optimise::DynamicsFunction& function) {
+               const optimise::Optimised& function) {
   Part part{render("c_regressor.h", {{"name", robot.name}, {"count", regressor.names.size()}})};
   return part += written(robot, {base_parameters(robot, regressor), function_of(robot, function)});
 }

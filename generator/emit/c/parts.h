@@ -40,9 +40,9 @@ Part kinematics(const model::Robot& robot, const optimise::Optimised& pose,
 Part jacobian(const model::Robot& robot, const std::vector<JacobianFunction>& functions);
 
 /// Functions of dynamics by the names that they have in operation_counts.json: C knows no overloads.
-Part dynamics(const model::Robot& robot, const std::vector<optimise::DynamicsFunction>& functions);
+Part dynamics(const model::Robot& robot, const std::vector<optimise::Optimised>& functions);
 Part regressor(const model::Robot& robot, const derive::dynamics::Regressor& regressor,
-               const optimise::DynamicsFunction& function);
+               const optimise::Optimised& function);
 
 /// A whole file's header and source, of the parts one behind the other. `missing` are lines.
 Part file(const std::string& robot, const Part& parts, const std::vector<std::string>& missing);

@@ -16,7 +16,7 @@ namespace qvgen::emit {
 namespace {
 
 using nlohmann::json;
-using optimise::DynamicsFunction;
+using optimise::Optimised;
 
 std::string replaced(std::string text, const std::string& what, const std::string& with) {
   for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + with.size()))
@@ -31,7 +31,7 @@ struct Constants {
   dag::Function stored;
 };
 
-Constants constants_of(const DynamicsFunction& function, const Spelling& spelling) {
+Constants constants_of(const Optimised& function, const Spelling& spelling) {
   Constants result;
   result.stored.graph = function.constants.graph;
   for (const dag::Output& output : function.constants.outputs) {
@@ -111,9 +111,9 @@ std::string constants_type(const std::string& function) {
   return type + "Constants";
 }
 
-std::vector<dag::Angle> angles_of(const std::vector<DynamicsFunction>& functions) {
+std::vector<dag::Angle> angles_of(const std::vector<Optimised>& functions) {
   std::vector<std::vector<dag::Angle>> lists;
-  for (const DynamicsFunction& function : functions) lists.push_back(angles_of(function.function));
+  for (const Optimised& function : functions) lists.push_back(angles_of(function.function));
   return merged(lists);
 }
 
@@ -144,14 +144,14 @@ json wrench_values(bool wrench, const std::string& scalar) {
 
 }  // namespace
 
-std::string dynamics_doc(const model::Robot& robot, const DynamicsFunction& function,
+std::string dynamics_doc(const model::Robot& robot, const Optimised& function,
                          const DynamicsInterface& interface) {
   std::string text = "/// " + replaced(interface.summary, "\n", "\n/// ") + "\n///\n/// " +
                      verify::describe(function.counts);
-  text += ". Set-up: " + verify::describe(function.constant_counts) +
+  text += ". Set-up: " + verify::describe(function.constant_counts.value()) +
           ".\n/// Equal to the plain Newton-Euler recursion at " + std::to_string(function.certified_points) +
           " random exact points, tolerance zero.";
-  const std::string unit = function.chosen ? symbolic_unit_text(robot, *function.chosen) : "";
+  const std::string unit = function.choices ? symbolic_unit_text(robot, *function.choices) : "";
   if (!unit.empty()) text += "\n/// The unit of length is " + unit + ", which must not be zero.";
   if (function.largest_error > 0)
     text += "\n/// Largest rounding error found " +
@@ -159,16 +159,15 @@ std::string dynamics_doc(const model::Robot& robot, const DynamicsFunction& func
   return text;
 }
 
-DynamicsCode dynamics_code(const model::Robot& robot, const DynamicsFunction& function,
+DynamicsCode dynamics_code(const model::Robot& robot, const Optimised& function,
                            const std::vector<dag::Angle>& angles, const Spelling& spelling) {
   const Constants constants = constants_of(function, spelling);
   return {straight_code(constants.stored, set_up_names(robot, spelling)),
           straight_code(function.function, names_of(robot, angles, constants.text, spelling))};
 }
 
-json dynamics_values(const model::Robot& robot, const DynamicsFunction& function,
-                     const DynamicsInterface& interface, const std::vector<dag::Angle>& angles,
-                     const std::string& scalar) {
+json dynamics_values(const model::Robot& robot, const Optimised& function, const DynamicsInterface& interface,
+                     const std::vector<dag::Angle>& angles, const std::string& scalar) {
   const auto [set_up, code] = dynamics_code(robot, function, angles);
   const std::string vector = "const JointVector<" + scalar + ">&";
   std::string unused;

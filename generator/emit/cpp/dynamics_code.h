@@ -8,7 +8,7 @@
 
 #include "derive/dynamics/regressor.h"
 #include "emit/cpp/code.h"
-#include "optimise/dynamics_function.h"
+#include "optimise/dynamics.h"
 
 namespace qvgen::emit {
 
@@ -37,7 +37,7 @@ struct DynamicsInterface {
 };
 
 /// The angles of all functions together: what DynamicsAngles holds.
-std::vector<dag::Angle> angles_of(const std::vector<optimise::DynamicsFunction>& functions);
+std::vector<dag::Angle> angles_of(const std::vector<optimise::Optimised>& functions);
 
 /// The code of a function: what no joint variable takes part in, its outputs being k[0], k[1], ..., and the
 /// rest.
@@ -45,7 +45,7 @@ struct DynamicsCode {
   Code set_up;
   Code code;
 };
-DynamicsCode dynamics_code(const model::Robot& robot, const optimise::DynamicsFunction& function,
+DynamicsCode dynamics_code(const model::Robot& robot, const optimise::Optimised& function,
                            const std::vector<dag::Angle>& angles, const Spelling& spelling = cpp_spelling());
 Code base_parameters_code(const model::Robot& robot, const derive::dynamics::Regressor& regressor,
                           const Spelling& spelling = cpp_spelling());
@@ -54,11 +54,11 @@ Code base_parameters_code(const model::Robot& robot, const derive::dynamics::Reg
 std::string constants_type(const std::string& function);
 
 /// The lines of a function's doc comment, each with ///.
-std::string dynamics_doc(const model::Robot& robot, const optimise::DynamicsFunction& function,
+std::string dynamics_doc(const model::Robot& robot, const optimise::Optimised& function,
                          const DynamicsInterface& interface);
 
 /// Template values of one function for one scalar type ("Scalar", "double", "float").
-nlohmann::json dynamics_values(const model::Robot& robot, const optimise::DynamicsFunction& function,
+nlohmann::json dynamics_values(const model::Robot& robot, const optimise::Optimised& function,
                                const DynamicsInterface& interface, const std::vector<dag::Angle>& angles,
                                const std::string& scalar);
 

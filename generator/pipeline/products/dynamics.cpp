@@ -2,7 +2,6 @@
 #include "pipeline/products/dynamics.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 
@@ -16,10 +15,10 @@
 #include "model/followers.h"
 #include "optimise/described.h"
 #include "optimise/dynamics_derivatives.h"
+#include "optimise/optimised_json.h"
 #include "pipeline/c_files.h"
 #include "pipeline/products/model_header.h"
 #include "verify/accuracy.h"
-#include "verify/counts_json.h"
 
 namespace qvgen::pipeline {
 namespace {
@@ -29,16 +28,11 @@ using nlohmann::ordered_json;
 
 constexpr int accuracy_points = 50;
 
-ordered_json entry_of(const model::Robot& robot, const optimise::DynamicsFunction& function) {
-  ordered_json entry{{"emitted", verify::to_json(function.counts)},
-                     {"set_up", verify::to_json(function.constant_counts)},
-                     {"certified_points", function.certified_points},
-                     {"choices", function.chosen ? emit::choices_text(robot, *function.chosen) : ""}};
-  if (function.largest_error > 0) entry["largest_error_ulp"] = std::round(function.largest_error * 100) / 100;
-  return entry;
+ordered_json entry_of(const model::Robot& robot, const optimise::Optimised& function) {
+  return to_json(function, function.choices ? emit::choices_text(robot, *function.choices) : "");
 }
 
-void measure(const model::Robot& robot, optimise::DynamicsFunction& function) {
+void measure(const model::Robot& robot, optimise::Optimised& function) {
   verify::OutputGroup all;
   for (const dag::Output& output : function.function.outputs) all.push_back(output.name);
   if (const auto with_numbers = with_default_values(robot, function))
@@ -46,16 +40,16 @@ void measure(const model::Robot& robot, optimise::DynamicsFunction& function) {
 }
 
 /// Not to be tried again: the choices of the function of that name.
-optimise::DynamicsEffort with_choices_of(const std::vector<optimise::DynamicsFunction>& functions,
+optimise::DynamicsEffort with_choices_of(const std::vector<optimise::Optimised>& functions,
                                          const std::string& name) {
   optimise::DynamicsEffort effort;
-  for (const optimise::DynamicsFunction& function : functions)
-    if (function.name == name) effort.choices = function.chosen;
+  for (const optimise::Optimised& function : functions)
+    if (function.name == name) effort.choices = function.choices;
   return effort;
 }
 
 /// Adds a function; where there is none the reason goes to what is missing.
-void add_to(std::vector<optimise::DynamicsFunction>& functions, const model::Robot& robot,
+void add_to(std::vector<optimise::Optimised>& functions, const model::Robot& robot,
             const optimise::DynamicsQuantity& quantity, const optimise::DynamicsEffort& effort,
             RobotOutput& output) {
   try {
@@ -66,26 +60,24 @@ void add_to(std::vector<optimise::DynamicsFunction>& functions, const model::Rob
   }
 }
 
-std::vector<optimise::DynamicsFunction> all_functions(const model::Robot& robot, RobotOutput& output) {
-  std::vector<optimise::DynamicsFunction> functions;
+std::vector<optimise::Optimised> all_functions(const model::Robot& robot, RobotOutput& output) {
+  std::vector<optimise::Optimised> functions;
   for (const optimise::DynamicsQuantity& quantity : optimise::dynamics_quantities())
     add_to(functions, robot, quantity, with_choices_of(functions, quantity.choices_of), output);
   return functions;
 }
 
 /// In terms of the joints that follow none, as the code has it.
-optimise::DynamicsFunction in_terms_of_leaders(const model::Robot& robot,
-                                               optimise::DynamicsFunction function) {
+optimise::Optimised in_terms_of_leaders(const model::Robot& robot, optimise::Optimised function) {
   if (!model::has_followers(robot)) return function;
   function.function = optimise::in_terms_of_leaders(function.function, robot);
   function.counts = dag::count(function.function, derive::dynamics::is_constant_symbol);
   return function;
 }
 
-std::vector<optimise::DynamicsFunction> in_terms_of_leaders(
-    const model::Robot& robot, std::vector<optimise::DynamicsFunction> functions) {
-  for (optimise::DynamicsFunction& function : functions)
-    function = in_terms_of_leaders(robot, std::move(function));
+std::vector<optimise::Optimised> in_terms_of_leaders(const model::Robot& robot,
+                                                     std::vector<optimise::Optimised> functions) {
+  for (optimise::Optimised& function : functions) function = in_terms_of_leaders(robot, std::move(function));
   return functions;
 }
 
@@ -134,12 +126,12 @@ json angles_and_name(const model::Robot& robot, const std::vector<dag::Angle>& a
 }
 
 /// A header of several functions that share sines and cosines.
-void add_functions(const model::Robot& robot, const std::vector<optimise::DynamicsFunction>& functions,
+void add_functions(const model::Robot& robot, const std::vector<optimise::Optimised>& functions,
                    const std::string& part, json values, RobotOutput& output) {
   const auto angles = emit::angles_of(functions);
   const auto values_for = [&](const std::string& scalar) {
     json list = json::array();
-    for (const optimise::DynamicsFunction& function : functions)
+    for (const optimise::Optimised& function : functions)
       list.push_back(
           emit::dynamics_values(robot, function, emit::dynamics_interface(function.name), angles, scalar));
     return list;
@@ -150,12 +142,12 @@ void add_functions(const model::Robot& robot, const std::vector<optimise::Dynami
   for (const char* scalar : {"double", "float"})
     values["instances"].push_back({{"scalar", scalar}, {"functions", values_for(scalar)}});
   add_files(robot, part, values, output);
-  for (const optimise::DynamicsFunction& function : functions)
+  for (const optimise::Optimised& function : functions)
     output.counts[function.name] = entry_of(robot, function);
 }
 
 /// A header of a single function.
-void add_function(const model::Robot& robot, optimise::DynamicsFunction function, const std::string& part,
+void add_function(const model::Robot& robot, optimise::Optimised function, const std::string& part,
                   const std::vector<dag::Angle>& angles, json values, RobotOutput& output) {
   measure(robot, function);
   function = in_terms_of_leaders(robot, std::move(function));
@@ -175,10 +167,10 @@ void add_function(const model::Robot& robot, optimise::DynamicsFunction function
 }
 
 /// With the choices that were best for the functions that they overload.
-std::vector<optimise::DynamicsFunction> loaded_functions(
-    const model::Robot& robot, const std::vector<optimise::DynamicsFunction>& functions,
-    RobotOutput& output) {
-  std::vector<optimise::DynamicsFunction> result;
+std::vector<optimise::Optimised> loaded_functions(const model::Robot& robot,
+                                                  const std::vector<optimise::Optimised>& functions,
+                                                  RobotOutput& output) {
+  std::vector<optimise::Optimised> result;
   for (const auto& [base, quantity] : optimise::loaded_quantities())
     add_to(result, robot, quantity, with_choices_of(functions, base), output);
   return result;
@@ -186,7 +178,7 @@ std::vector<optimise::DynamicsFunction> loaded_functions(
 
 void add_regressor(const model::Robot& robot, RobotOutput& output) {
   const derive::dynamics::Regressor regressor = derive::dynamics::regressor(robot);
-  const optimise::DynamicsFunction function = optimise::regressor_function(robot, regressor);
+  const optimise::Optimised function = optimise::regressor_function(robot, regressor);
   add_function(robot, function, "regressor",
                emit::angles_of(std::vector{in_terms_of_leaders(robot, function)}),
                emit::base_parameter_values(robot, regressor), output);
@@ -204,13 +196,13 @@ bool has_dynamics(const model::Robot& described, RobotOutput& output) {
 void generate_dynamics_product(const model::Robot& described, RobotOutput& output) {
   if (!has_dynamics(described, output)) return;
   const model::Robot robot = canonical::for_dynamics(described);
-  const std::vector<optimise::DynamicsFunction> functions = all_functions(robot, output);
+  const std::vector<optimise::Optimised> functions = all_functions(robot, output);
   const json inertia{{"parameters", parameters_of(robot)},
                      {"parameter_count", robot.inertia_parameters.size()},
                      {"has_friction", has_friction(robot)},
                      {"has_parameters", !robot.inertia_parameters.empty()},
                      {"has_defaults", has_defaults(robot)}};
-  const std::vector<optimise::DynamicsFunction> written = in_terms_of_leaders(robot, functions);
+  const std::vector<optimise::Optimised> written = in_terms_of_leaders(robot, functions);
   add_functions(robot, written, "dynamics", inertia, output);
   const auto derivatives = [&](RobotOutput& made) {
     add_function(robot, inverse_dynamics_derivatives(robot, functions.front()), "dynamics_derivatives",
@@ -228,24 +220,24 @@ void generate_dynamics_product(const model::Robot& described, RobotOutput& outpu
 void generate_dynamics_c(const model::Robot& described, RobotOutput& output) {
   if (!has_dynamics(described, output)) return;
   const model::Robot robot = canonical::for_dynamics(described);
-  const auto add = [&robot](const std::vector<optimise::DynamicsFunction>& derived, RobotOutput& made) {
-    const std::vector<optimise::DynamicsFunction> functions = in_terms_of_leaders(robot, derived);
+  const auto add = [&robot](const std::vector<optimise::Optimised>& derived, RobotOutput& made) {
+    const std::vector<optimise::Optimised> functions = in_terms_of_leaders(robot, derived);
     add_c_part(made, emit::c::dynamics(robot, functions));
-    for (const optimise::DynamicsFunction& function : functions)
+    for (const optimise::Optimised& function : functions)
       made.counts[function.name] = entry_of(robot, function);
   };
-  const std::vector<optimise::DynamicsFunction> functions = all_functions(robot, output);
+  const std::vector<optimise::Optimised> functions = all_functions(robot, output);
   add_c_part(output, emit::c::inertia(robot, constants_of(robot, robot.inertia_parameters)));
   add(functions, output);
   const auto derivatives = [&](RobotOutput& made) {
-    optimise::DynamicsFunction function = inverse_dynamics_derivatives(robot, functions.front());
+    optimise::Optimised function = inverse_dynamics_derivatives(robot, functions.front());
     measure(robot, function);
     add({function}, made);
   };
   const auto loads = [&](RobotOutput& made) { add(loaded_functions(robot, functions, made), made); };
   const auto with_regressor = [&](RobotOutput& made) {
     const derive::dynamics::Regressor regressor = derive::dynamics::regressor(robot);
-    optimise::DynamicsFunction function = optimise::regressor_function(robot, regressor);
+    optimise::Optimised function = optimise::regressor_function(robot, regressor);
     measure(robot, function);
     function = in_terms_of_leaders(robot, std::move(function));
     add_c_part(made, emit::c::regressor(robot, regressor, function));

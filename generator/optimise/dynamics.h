@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "dag/counts.h"
 #include "derive/dynamics/formulation.h"
 #include "derive/dynamics/plain_recursion.h"
 #include "exact/point.h"
+#include "optimise/optimise.h"
 
 namespace qvgen::optimise {
 
@@ -39,18 +39,6 @@ struct LoadedQuantity {
 };
 const std::vector<LoadedQuantity>& loaded_quantities();
 
-/// A quantity after search, split into what depends on the configuration and what can be computed beforehand.
-struct DynamicsFunction {
-  std::string name;
-  dag::Function function;                ///< in q, q', q'' and constants "$0", ...
-  dag::Function constants;               ///< the constants in the description's symbols and gravity
-  dag::OperationCounts counts;           ///< of `function`
-  dag::OperationCounts constant_counts;  ///< of `constants`
-  std::optional<derive::dynamics::FormulationOptions> chosen;  ///< for functions that there are choices for
-  int certified_points = 0;
-  double largest_error = 0;
-};
-
 struct DynamicsEffort {
   long trial_steps = 60'000;  ///< annealing steps for each combination of choices
   long final_steps = 1'000'000;
@@ -61,21 +49,22 @@ struct DynamicsEffort {
 
 /// Tries the choices (unit of length, frame of the last link, shifted masses), searches on with the best,
 /// certifies.
-DynamicsFunction generate_dynamics(const model::Robot& robot, const DynamicsQuantity& quantity,
-                                   const DynamicsEffort& effort = {});
+Optimised generate_dynamics(const model::Robot& robot, const DynamicsQuantity& quantity,
+                            const DynamicsEffort& effort = {});
 
 /// What arithmetic is free on: all symbols but joint variables, their derivatives and forces.
 dag::IsFree free_symbols(const model::Robot& robot);
 
-/// Evaluates the function at exact points; `residuals(point, values)` must be zero there. Throws
-/// CertificateError, else records the points in the function.
-void certify(const model::Robot& robot, DynamicsFunction& function, int points,
-             const std::function<std::vector<exact::Number>(const exact::ExactPoint&,
-                                                            const std::vector<exact::Number>&)>& residuals);
+/// A formulation as a quantity, with these symbols free.
+Quantity quantity_of(const model::Robot& robot, const std::string& name,
+                     const derive::dynamics::Formulation& formulation, const verify::Residuals& residuals);
+
+/// How a quantity of dynamics is optimised once its form is chosen.
+OptimiseOptions final_search(const DynamicsEffort& effort);
 
 /// The function with numbers for its constants, from the description's default values and standard gravity:
 /// rounding errors mean little for a robot that cannot be. Nothing if a parameter has no (rational) default.
-std::optional<dag::Function> with_default_values(const model::Robot& robot, const DynamicsFunction& function);
+std::optional<dag::Function> with_default_values(const model::Robot& robot, const Optimised& function);
 
 /// Whether any link of the robot has inertia: without, it has no dynamics.
 bool has_inertia(const model::Robot& robot);

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+#include "optimise/dynamics.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "dag/evaluate.h"
+#include "dag/rebuild.h"
+#include "model/evaluate.h"
+#include "passes/search/search.h"
+#include "verify/some_given.h"
+
+namespace qvgen::optimise {
+namespace {
+
+using derive::dynamics::Formulation;
+using derive::dynamics::FormulationOptions;
+using exact::Number;
+
+constexpr std::size_t most_units = 6;
+
+int operations(const dag::OperationCounts& counts) {
+  constexpr int division = 4;
+  return counts.multiplications + counts.additions + division * counts.divisions;
+}
+
+/// Keeps the choices whose formulation a short search makes the cheapest.
+class Trials {
+ public:
+  Trials(const model::Robot& robot, const DynamicsQuantity& quantity, long steps)
+      : robot_(robot), quantity_(quantity), is_free_(free_symbols(robot)) {
+    options_.iterations = steps;
+    options_.restarts = 1;
+    options_.is_free_symbol = is_free_;
+  }
+
+  void consider(const FormulationOptions& choices) {
+    const Formulation formulation = quantity_.formulate(robot_, choices);
+    const int found = operations(dag::count(passes::search({formulation.function}, {}, options_), is_free_));
+    if (best_ && found >= fewest_) return;
+    best_ = choices;
+    fewest_ = found;
+  }
+  [[nodiscard]] const FormulationOptions& best() const { return *best_; }
+
+ private:
+  const model::Robot& robot_;
+  const DynamicsQuantity& quantity_;
+  dag::IsFree is_free_;
+  passes::SearchOptions options_;
+  std::optional<FormulationOptions> best_;
+  int fewest_ = 0;
+};
+
+std::size_t unit_count(const model::Robot& robot) {
+  dag::Graph graph;
+  return std::min(most_units, unit_candidates(derive::dynamics::make_chain(robot, graph)).size());
+}
+
+FormulationOptions best_choices(const model::Robot& robot, const DynamicsQuantity& quantity, long steps) {
+  Trials trials(robot, quantity, steps);
+  const std::size_t units = unit_count(robot);
+  for (std::size_t unit = 0; unit <= units; ++unit)
+    for (const bool unrotated : {true, false}) {
+      if (!unrotated && !quantity.has_wrenches) continue;
+      FormulationOptions choices;
+      if (unit > 0) choices.convention.unit = unit - 1;
+      choices.last_link_unrotated = unrotated;
+      trials.consider(choices);
+    }
+  for (const auto& [link, component] : derive::dynamics::mass_shifts(robot)) {
+    FormulationOptions choices = trials.best();
+    choices.convention.masses[link] = component;
+    trials.consider(choices);
+  }
+  return trials.best();
+}
+
+}  // namespace
+
+dag::IsFree free_symbols(const model::Robot& robot) {
+  std::set<std::string> moving;
+  for (const model::Joint& joint : robot.joints)
+    for (const std::string& name :
+         {joint.variable, derive::dynamics::velocity_of(joint.variable),
+          derive::dynamics::acceleration_of(joint.variable), derive::dynamics::force_of(joint.variable),
+          derive::dynamics::direction_of(joint.variable)})
+      moving.insert(name);
+  for (std::size_t k = 0; k < 6; ++k) moving.insert(derive::dynamics::wrench_component(k));
+  return [moving](const std::string& name) { return !moving.contains(name); };
+}
+
+Quantity quantity_of(const model::Robot& robot, const std::string& name, const Formulation& formulation,
+                     const verify::Residuals& residuals) {
+  Quantity quantity{name, {{"", formulation.function}}, residuals};
+  quantity.constants = formulation.constants;
+  quantity.is_free = free_symbols(robot);
+  // Dynamics knows no half angles of joints.
+  for (const model::Joint& joint : robot.joints) quantity.whole.insert(joint.variable);
+  return quantity;
+}
+
+OptimiseOptions final_search(const DynamicsEffort& effort) {
+  OptimiseOptions options;
+  options.search = {};
+  options.search.iterations = effort.final_steps;
+  options.certificate_points = effort.certificate_points;
+  options.also_fewest = false;
+  options.simplify_forms = false;
+  return options;
+}
+
+std::optional<dag::Function> with_default_values(const model::Robot& robot, const Optimised& function) {
+  std::map<std::string, Number> values{
+      {derive::dynamics::gravity_symbol, Number(cln::cl_RA(980665) / 100000)},
+      {derive::dynamics::gravity_component(0), 3},
+      {derive::dynamics::gravity_component(1), -4},
+      {derive::dynamics::gravity_component(2), -8}};
+  for (const auto& [name, value] : model::default_bindings(robot))
+    if (const auto rational = model::rational_value(value)) values.emplace(name, Number(*rational));
+  const auto known = [&](const dag::Function& f) {
+    for (const std::uint32_t id : dag::reachable(f))
+      if (f.graph.node(id).op == dag::Op::symbol && !values.contains(f.graph.symbol_of(f.graph.node(id))))
+        return false;
+    return true;
+  };
+  if (!known(function.constants)) return std::nullopt;
+  const exact::ExactPoint point(1);
+  const auto constants = dag::evaluate<Number>(function.constants, verify::SomeGiven{point, values});
+  std::map<std::string, Number> numbers;
+  for (std::size_t i = 0; i < constants.size(); ++i)
+    numbers[function.constants.outputs[i].name] = constants[i];
+  return dag::rebuild(function.function, [&](const dag::Graph& from, const dag::Node& node,
+                                             const std::vector<dag::Edge>& operands, dag::Graph& to) {
+    if (node.op == dag::Op::sum || node.op == dag::Op::product) return to.as_is(node.op, operands);
+    const bool constant = node.op == dag::Op::symbol && numbers.contains(from.symbol_of(node));
+    return constant ? to.constant(numbers.at(from.symbol_of(node)))
+                    : dag::copy_node(from, node, operands, to);
+  });
+}
+
+bool has_inertia(const model::Robot& robot) {
+  const auto heavy = [](const model::Joint& joint) {
+    const auto& i = joint.inertia.inertia;
+    return !joint.inertia.mass.is_literal_zero() ||
+           !std::all_of(i.begin(), i.end(), [](const model::Expression& e) { return e.is_literal_zero(); });
+  };
+  return std::any_of(robot.joints.begin(), robot.joints.end(), heavy);
+}
+
+Optimised generate_dynamics(const model::Robot& robot, const DynamicsQuantity& quantity,
+                            const DynamicsEffort& effort) {
+  const FormulationOptions choices =
+      effort.choices ? *effort.choices : best_choices(robot, quantity, effort.trial_steps);
+  const auto residuals = [&](const exact::ExactPoint& point, const std::vector<Number>& values) {
+    return quantity.residuals(derive::dynamics::PlainRecursion(robot, point), point, values);
+  };
+  OptimiseOptions options = final_search(effort);
+  options.search.restarts = 2;
+  Optimised result =
+      optimise(quantity_of(robot, quantity.name, quantity.formulate(robot, choices), residuals), options);
+  result.choices = choices;
+  return result;
+}
+
+}  // namespace qvgen::optimise
