@@ -80,6 +80,7 @@ struct ReportArguments {
   description::ReadOptions read;
   std::filesystem::path output;
   std::filesystem::path generated;  ///< folder of the generated code, whose counts and signatures are shown
+  std::optional<std::filesystem::path> source_tree;
   bool all_known = false;
   bool force = false;      ///< also what has not changed
   std::uint64_t tool = 0;  ///< a number that another build of the tool has not

@@ -136,6 +136,7 @@ int run(int argc, char** argv) {
   if (*line.report_command) {
     ReportArguments& report = line.report;
     report.known_robots = here.robots;
+    report.source_tree = here.source_tree;
     report.tool = here.tool;
     report.all_known = line.reported.empty();
     report.descriptions =

@@ -54,12 +54,23 @@ std::set<std::string> forgotten(const ReportArguments& arguments, const std::vec
   return names;
 }
 
+/// The runtime's sources, which only a source tree has; without Eigen nothing is compiled with them either.
+std::optional<toolchain::Runtime> runtime_sources(const ReportArguments& arguments) {
+  if (!arguments.source_tree) return std::nullopt;
+  try {
+    return toolchain::runtime_of(*arguments.source_tree);
+  } catch (const std::runtime_error&) {
+    return std::nullopt;
+  }
+}
+
 FolderUpdate update_of(const ReportArguments& arguments, const std::vector<Task>& tasks) {
   const std::vector<Task> changed = changed_tasks(arguments, tasks);
   std::vector<model::Robot> robots;
   for (const Task& task : changed) robots.push_back(task.robot);
   ProgressLine progress(robots.size());
-  auto pages = report::robot_pages(robots, arguments.generated,
+  const auto runtime = runtime_sources(arguments);
+  auto pages = report::robot_pages(robots, arguments.generated, runtime ? &*runtime : nullptr,
                                    [&](const std::string& robot) { progress.finished(robot); });
   FolderUpdate update;
   update.entries = report::entries_name;

@@ -178,6 +178,10 @@ Section dynamics_section(const model::Robot& robot) {
   const std::string id = "dynamics";
   const std::string title = "Dynamics";
   if (!optimise::has_inertia(robot)) return {id, title, paragraph("The description has no inertia.")};
+  if (model::has_followers(robot))
+    return {id, title,
+            paragraph("Not written out where a joint follows another. The code computes the forces of all "
+                      "joints by the Newton–Euler recursion and gathers them by the ratios.")};
   if (robot.joints.size() > 3)
     return {
         id, title,

@@ -6,6 +6,7 @@
 #include "emit/math/mathml.h"
 #include "emit/render.h"
 #include "pipeline/products/inverse_derivation.h"
+#include "report/branch_signs.h"
 #include "report/formula_sections.h"
 
 namespace qvgen::report {
@@ -62,7 +63,10 @@ Section inverse_section(const model::Robot& robot) {
   if (!derivation.found())
     for (const std::string& reason : derivation.reasons)
       values["lines"].push_back(line("None: " + escaped(reason) + "."));
-  return {"inverse", "Inverse kinematics", emit::render("report/inverse.html", values)};
+  const std::string signs = derivation.closed_forms.empty()
+                                ? ""
+                                : branch_signs_html(branch_signs(derivation.closed_forms.front().plan));
+  return {"inverse", "Inverse kinematics", emit::render("report/inverse.html", values) + signs};
 }
 
 }  // namespace qvgen::report

@@ -5,10 +5,9 @@
 
 #include "emit/math/singularities.h"
 #include "emit/render.h"
-#include "model/followers.h"
 #include "pipeline/pipeline.h"
 #include "report/chain.h"
-#include "report/webassembly.h"
+#include "report/live_functions.h"
 
 namespace qvgen::report {
 namespace {
@@ -23,47 +22,42 @@ std::map<std::string, std::string> files_of(const pipeline::RobotOutput& output)
   return files;
 }
 
-/// The inverse kinematics of poses, and the joint whose value it is given; empty where there is none.
-struct InverseCall {
-  std::string function;
-  std::string given;
-};
-
-InverseCall inverse_call(const pipeline::RobotOutput& output) {
-  const std::string near = "inverse_kinematics_near";
-  const auto targets = output.counts.value("targets", nlohmann::ordered_json::object());
-  for (const auto& [function, tasks] : targets.items()) {
-    if (function.rfind(near, 0) == 0) continue;
-    const std::string before = "_given_";
-    const std::size_t given = function.find(before);
-    return {function, given == std::string::npos ? "" : function.substr(given + before.size())};
-  }
-  return {};
-}
-
 json numbers(const Vector& v) { return {v[0], v[1], v[2]}; }
 json to_json(const Motion& m) {
   return {{"r", {numbers(m.linear().row(0)), numbers(m.linear().row(1)), numbers(m.linear().row(2))}},
           {"p", numbers(m.translation())}};
 }
 
+json joint_json(const Chain& chain, std::size_t i) {
+  const ChainJoint& joint = chain.joints[i];
+  const auto [lower, upper] = range_of(chain, i);
+  json result{{"name", typeset(joint.variable)},
+              {"revolute", joint.revolute},
+              {"axis", numbers(joint.axis)},
+              {"before", to_json(joint.before.motion)},
+              {"after", to_json(joint.after.motion)},
+              {"lower", lower},
+              {"upper", upper},
+              {"limited", joint.limits.has_value()}};
+  if (joint.follows) result["follows"] = {joint.follows->first, joint.follows->second};
+  return result;
+}
+
+/// `chain` has all joints, `joints` those that are moved.
 json chain_json(const Chain& chain) {
-  json joints = json::array();
+  json all = json::array(), moved = json::array(), start = json::array();
+  const std::vector<double> bent = bent_pose(chain);
   for (std::size_t i = 0; i < chain.joints.size(); ++i) {
-    const ChainJoint& joint = chain.joints[i];
-    const auto [lower, upper] = range_of(chain, i);
-    joints.push_back({{"name", typeset(joint.variable)},
-                      {"revolute", joint.revolute},
-                      {"axis", numbers(joint.axis)},
-                      {"before", to_json(joint.before.motion)},
-                      {"after", to_json(joint.after.motion)},
-                      {"lower", lower},
-                      {"upper", upper},
-                      {"limited", joint.limits.has_value()}});
+    all.push_back(joint_json(chain, i));
+    if (chain.joints[i].follows) continue;
+    moved.push_back(all.back());
+    start.push_back(bent[i]);
   }
-  return {
-      {"base", to_json(chain.base.motion)}, {"joints", joints},       {"tool", to_json(chain.tool.motion)},
-      {"geometry", chain.geometry},         {"size", size_of(chain)}, {"start", bent_pose(chain)}};
+  json result{
+      {"base", to_json(chain.base.motion)}, {"joints", moved},        {"tool", to_json(chain.tool.motion)},
+      {"geometry", chain.geometry},         {"size", size_of(chain)}, {"start", start}};
+  if (moved.size() != all.size()) result["chain"] = all;
+  return result;
 }
 
 std::vector<std::string> measure_names(const model::Robot& robot) {
@@ -74,6 +68,43 @@ std::vector<std::string> measure_names(const model::Robot& robot) {
   return names;
 }
 
+std::string calls_text(const model::Robot& robot, const InverseCall& inverse, bool has_measures) {
+  return emit::render("report/live_calls.c", {{"name", robot.name},
+                                              {"has_inverse", !inverse.function.empty()},
+                                              {"function", inverse.function},
+                                              {"given", !inverse.given.empty()},
+                                              {"has_measures", has_measures},
+                                              {"geometry_size", robot.geometry.size() + 1}});
+}
+
+/// Index of a joint's variable, -1 of none.
+int place_of(const model::Robot& robot, const std::string& variable) {
+  for (std::size_t i = 0; i < robot.joints.size(); ++i)
+    if (robot.joints[i].variable == variable) return static_cast<int>(i);
+  return -1;
+}
+
+/// What the page cannot do for want of a library, in a sentence.
+std::string lacking(const CppFunctions& more) {
+  if (!more.wanted() || more.module.done) return "";
+  const std::string what = more.has_arm_angle ? "The arm angle is not shown" : "Not all solutions are shown";
+  return what + ": " + escaped(more.module.reason) + ".";
+}
+
+Section page_part(const model::Robot& robot, const InverseCall& inverse, const CppFunctions& more,
+                  const json& data) {
+  const std::string missing = lacking(more);
+  return {"interactive", "Interactive view",
+          emit::render("report/live.html", {{"data", data.dump()},
+                                            {"name", escaped(robot.name)},
+                                            {"has_inverse", !inverse.function.empty()},
+                                            {"has_given", !inverse.given.empty()},
+                                            {"has_arm_angle", more.has_arm_angle && more.module.done},
+                                            {"lacks", !missing.empty()},
+                                            {"lacking", missing},
+                                            {"given", escaped(typeset(inverse.given))}})};
+}
+
 Section without(const std::string& reason) {
   return {"interactive", "Interactive view",
           "<p class=\"note\">This page is still: " + escaped(reason) + ".</p>\n"};
@@ -81,8 +112,7 @@ Section without(const std::string& reason) {
 
 }  // namespace
 
-Section live_section(const model::Robot& robot) {
-  if (model::has_followers(robot)) return without("a joint follows another");
+Section live_section(const model::Robot& robot, const toolchain::Runtime* runtime) {
   if (const std::string missing = missing_compiler(); !missing.empty()) return without(missing);
   const pipeline::RobotOutput output = pipeline::generate({robot}, {"kinematics", "jacobian", "inverse"},
                                                           pipeline::own_budget(), {}, pipeline::Language::c)
@@ -94,34 +124,26 @@ Section live_section(const model::Robot& robot) {
   };
   if (!declares("jacobian")) return without("the robot has no C functions");
   const bool has_inverse = files.count("qvgen_" + robot.name + "_inverse.h") > 0;
-  const InverseCall inverse = has_inverse ? inverse_call(output) : InverseCall{};
+  const InverseCall in_c = has_inverse ? inverse_call(output) : InverseCall{};
   const bool has_measures = declares("singularity_measures");
-  files["calls.c"] = emit::render("report/live_calls.c", {{"name", robot.name},
-                                                          {"has_inverse", !inverse.function.empty()},
-                                                          {"function", inverse.function},
-                                                          {"given", !inverse.given.empty()},
-                                                          {"has_measures", has_measures},
-                                                          {"geometry_size", robot.geometry.size() + 1}});
+  files["calls.c"] = calls_text(robot, in_c, has_measures);
   const Compiled compiled = to_webassembly(files);
   if (!compiled.done) return without(compiled.reason);
+  const CppFunctions more = cpp_functions(robot, !in_c.function.empty(), runtime);
+  const InverseCall& inverse = in_c.function.empty() && more.module.done ? more.inverse : in_c;
   json data = chain_json(chain_of(robot));
   data["inverse"] = !inverse.function.empty();
   data["measures"] = has_measures ? json(measure_names(robot)) : json::array();
-  data["given"] = -1;
-  for (std::size_t i = 0; i < robot.joints.size(); ++i)
-    if (robot.joints[i].variable == inverse.given) data["given"] = i;
+  data["given"] = place_of(robot, inverse.given);
   data["module"] = base64(compiled.bytes);
-  return {"interactive", "Interactive view",
-          emit::render("report/live.html", {{"data", data.dump()},
-                                            {"name", escaped(robot.name)},
-                                            {"has_inverse", !inverse.function.empty()},
-                                            {"has_given", !inverse.given.empty()},
-                                            {"given", escaped(typeset(inverse.given))}})};
+  if (more.module.done) data["cpp"] = base64(more.module.bytes);
+  return page_part(robot, inverse, more, data);
 }
 
 std::string live_script() {
   std::string all;
-  for (const char* name : {"live_motion.js", "live_arm.js", "live_view.js", "live_panel.js", "live.js"})
+  for (const char* name : {"live_motion.js", "live_arm.js", "live_view.js", "live_panel.js",
+                           "live_branches.js", "live_ring.js", "live_gallery.js", "live_hand.js", "live.js"})
     all += asset(name);
   return all;
 }

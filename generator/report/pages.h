@@ -8,14 +8,17 @@
 
 #include "model/robot.h"
 #include "pipeline/robot_output.h"
+#include "toolchain/generated.h"
 
 namespace qvgen::report {
 
 /// One page for each robot, NAME.html, a single file that needs no network; `counts` of an output is what the
 /// pages of all robots say of it. Counts and signatures come from a folder of generated code. Each part of a
-/// page is made in a process of its own; one that fails says why in its place.
+/// page is made in a process of its own; one that fails says why in its place. `runtime` is null where its
+/// sources are not on this machine.
 std::vector<pipeline::RobotOutput> robot_pages(const std::vector<model::Robot>& robots,
                                                const std::filesystem::path& generated,
+                                               const toolchain::Runtime* runtime,
                                                const std::function<void(const std::string& robot)>& progress);
 
 /// Of all that a robot's page is made from besides its description: equal for equal pages.

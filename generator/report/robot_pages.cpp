@@ -25,6 +25,7 @@ namespace {
 
 using compare::What;
 using nlohmann::ordered_json;
+using toolchain::Runtime;
 
 /// What one part of a page may take; the largest takes a twentieth of it.
 constexpr pipeline::Budget budget{60, 4096};
@@ -47,22 +48,25 @@ std::string compared(const model::Robot& robot, What what) {
 struct Part {
   const char* id;
   const char* title;
-  std::string (*make)(const model::Robot& robot);
+  std::string (*make)(const model::Robot& robot, const Runtime* runtime);
 };
 
 template <Section (*make)(const model::Robot&)>
-std::string section_text(const model::Robot& robot) {
+std::string section_text(const model::Robot& robot, const Runtime*) {
   return to_json(make(robot)).dump();
 }
 template <Section (*make)(const Chain&)>
-std::string section_text(const model::Robot& robot) {
+std::string section_text(const model::Robot& robot, const Runtime*) {
   return to_json(make(chain_of(robot))).dump();
 }
-std::string arm_text(const model::Robot& robot) {
+std::string arm_text(const model::Robot& robot, const Runtime*) {
   return to_json(arm_section(robot, chain_of(robot))).dump();
 }
+std::string live_text(const model::Robot& robot, const Runtime* runtime) {
+  return to_json(live_section(robot, runtime)).dump();
+}
 template <What what>
-std::string rows_text(const model::Robot& robot) {
+std::string rows_text(const model::Robot& robot, const Runtime*) {
   const bool has_none = what == What::dynamics && !optimise::has_inertia(robot);
   return has_none || model::has_followers(robot) ? "[]" : compared(robot, what);
 }
@@ -70,7 +74,7 @@ std::string rows_text(const model::Robot& robot) {
 /// Those that take longest first.
 const std::vector<Part>& parts() {
   static const std::vector<Part> all{
-      {"interactive", "Interactive view", section_text<live_section>},
+      {"interactive", "Interactive view", live_text},
       {"rows of dynamics", "", rows_text<What::dynamics>},
       {"rows of forward", "", rows_text<What::forward>},
       {"rows of jacobian", "", rows_text<What::jacobian>},
@@ -165,11 +169,11 @@ std::string made_of(const std::string& robot, const std::filesystem::path& gener
   std::string text = counts.contains(robot) ? counts.at(robot).dump() : "";
   for (const std::string& path : pipeline::files_of_robots(generated, {robot}))
     if (path.ends_with(".h")) text += pipeline::content_of(generated / path).value_or("");
-  return text + missing_compiler();
+  return text + missing_compiler() + (missing_compiler().empty() ? missing_cpp_library() : "");
 }
 
 std::vector<pipeline::RobotOutput> robot_pages(const std::vector<model::Robot>& robots,
-                                               const std::filesystem::path& generated,
+                                               const std::filesystem::path& generated, const Runtime* runtime,
                                                const std::function<void(const std::string&)>& progress) {
   const std::size_t count = parts().size();
   const ordered_json counts = pipeline::counts_in(generated);
@@ -178,8 +182,8 @@ std::vector<pipeline::RobotOutput> robot_pages(const std::vector<model::Robot>& 
     if (--open[i / count] == 0 && progress) progress(robots[i / count].name);
   };
   const auto outcomes = pipeline::in_processes(
-      robots.size() * count, [&](std::size_t i) { return parts()[i % count].make(robots[i / count]); },
-      budget, done);
+      robots.size() * count,
+      [&](std::size_t i) { return parts()[i % count].make(robots[i / count], runtime); }, budget, done);
   std::vector<pipeline::RobotOutput> pages;
   for (std::size_t i = 0; i < robots.size(); ++i) {
     const auto begin = outcomes.begin() + static_cast<std::ptrdiff_t>(i * count);

@@ -3,13 +3,35 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <vector>
+#include <filesystem>
 
 #include "report/html.h"
 #include "toolchain/process.h"
 #include "toolchain/workshop.h"
 
 namespace qvgen::report {
+namespace {
+
+Compiled compiled(const std::vector<std::string>& call, const toolchain::Workshop& workshop) {
+  if (const toolchain::Outcome outcome = toolchain::run(call, workshop.folder()); !outcome.done)
+    return {false, "", call.front() + " has failed: " + outcome.said.substr(0, 2000)};
+  return {true, workshop.read("module.wasm"), ""};
+}
+
+/// One source that includes all sources of the folders, then the page's calls.
+std::string everything(const std::vector<std::string>& folders, const toolchain::Runtime& runtime) {
+  std::vector<std::string> names{"sine_cosine.cpp"};
+  for (const std::string& folder : folders)
+    for (const auto& entry : std::filesystem::directory_iterator(runtime.sources / folder))
+      if (entry.path().extension() == ".cpp")
+        names.push_back(folder + "/" + entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  std::string text;
+  for (const std::string& name : names) text += "#include \"" + name + "\"\n";
+  return text + "#include \"calls.cpp\"\n";
+}
+
+}  // namespace
 
 std::string missing_compiler() {
   for (const char* program : {"clang", "wasm-ld"})
@@ -34,6 +56,8 @@ Compiled to_webassembly(const std::map<std::string, std::string>& files) {
                                 "-I.",
                                 "-Wl,--no-entry",
                                 "-Wl,--strip-all",
+                                "-Wl,-z,stack-size=1048576",
+                                "-Wl,--stack-first",
                                 "-o",
                                 "module.wasm"};
   workshop.write("math.h", asset("wasm_math.h"));
@@ -42,9 +66,38 @@ Compiled to_webassembly(const std::map<std::string, std::string>& files) {
     workshop.write(name, content);
     if (name.ends_with(".c")) call.push_back(name);
   }
-  if (const toolchain::Outcome outcome = toolchain::run(call, workshop.folder()); !outcome.done)
-    return {false, "", "clang has failed: " + outcome.said.substr(0, 2000)};
-  return {true, workshop.read("module.wasm"), ""};
+  return compiled(call, workshop);
+}
+
+std::string missing_cpp_library() {
+  // Asked for a file that it has, clang says the whole path.
+  for (const char* file : {"libc.a", "libc++.a"}) {
+    const toolchain::Outcome found =
+        toolchain::run({"clang++", "--target=wasm32-wasi", std::string("-print-file-name=") + file});
+    if (!found.done || found.said.find('/') == std::string::npos)
+      return "the C++ library for WebAssembly is not on the machine that wrote it (Debian: apt-get install "
+             "wasi-libc libc++-dev-wasm32 libclang-rt-dev-wasm32)";
+  }
+  return "";
+}
+
+Compiled cpp_to_webassembly(const std::map<std::string, std::string>& files,
+                            const std::vector<std::string>& folders, const toolchain::Runtime* runtime) {
+  if (const std::string missing = missing_cpp_library(); !missing.empty()) return {false, "", missing};
+  if (runtime == nullptr || runtime->sources.empty())
+    return {false, "", "the sources of qvgen’s runtime are not on the machine that wrote it"};
+  const toolchain::Workshop workshop;
+  for (const auto& [name, content] : files) workshop.write(name, content);
+  workshop.write("everything.cpp", everything(folders, *runtime));
+  std::vector<std::string> call{"clang++", "--target=wasm32-wasi", "-mexec-model=reactor", "-std=c++17"};
+  for (const char* option :
+       {"-O1", "-DNDEBUG", "-DEIGEN_DONT_VECTORIZE", "-DQVGEN_NO_CONTRACTION", "-ffp-contract=off",
+        "-fno-exceptions", "-fno-rtti", "-mbulk-memory", "-Wl,--strip-all", "-Wl,-z,stack-size=1048576",
+        "-Wl,--stack-first", "-I.", "-Iinclude"})
+    call.emplace_back(option);
+  for (const auto& folder : runtime->headers) call.push_back("-I" + folder.string());
+  call.insert(call.end(), {"-I" + runtime->sources.string(), "-o", "module.wasm", "everything.cpp"});
+  return compiled(call, workshop);
 }
 
 std::string base64(const std::string& bytes) {

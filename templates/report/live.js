@@ -23,28 +23,55 @@ class Live {
     this.found = { verdict: "none", rows: [] };
     this.note = "";
     this.held = -1;
+    const signs = document.getElementById("branch-signs");
+    this.signs = arm.armAngle ? armAngleSigns : signs ? JSON.parse(signs.textContent) : [];
     const canvas = document.getElementById("live-canvas");
     this.camera = new Camera(arm.data.size);
     this.camera.centre = [0, 0, 0.32 * arm.data.size];
     this.view = new View(canvas, this.camera);
     this.all = document.getElementById("live-all");
     this.hold = document.getElementById("live-hold");
-    const sliders = jointSliders(document.getElementById("live-joints"), this.joints, (i, value) => this.moveJoint(i, value));
-    this.showJoints = sliders.show;
-    const { given } = arm.data;
-    this.showFeasible = given < 0 ? () => {} : feasibleStrip(sliders.row(given), this.joints[given]);
-    this.showTarget = targetInputs(document.getElementById("live-target"), (target) => this.moveTarget(target));
-    this.showMeasures = measureList(document.getElementById("live-measures"), arm.data.measures);
-    this.showSolutions = solutionTable(document.getElementById("live-solutions"), this.joints, (i) => this.choose(i));
+    this.addControls();
     this.moveTo(this.q);
-    this.listen(canvas);
+    listen(this, canvas);
+  }
+
+  addControls() {
+    const at = (id) => document.getElementById(id);
+    const { arm, joints } = this;
+    const sliders = jointSliders(at("live-joints"), joints, (i, value) => this.moveJoint(i, value));
+    this.showJoints = sliders.show;
+    const { given, size } = arm.data;
+    const strip = given >= 0 && !arm.armAngle;
+    this.showFeasible = strip ? feasibleStrip(sliders.row(given), joints[given]) : () => {};
+    this.ring = arm.armAngle && new ArmAngleRing(at("live-ring"), (psi) => this.moveElbow(psi));
+    this.showTarget = targetInputs(at("live-target"), (target) => this.moveTarget(target));
+    const names = [...arm.data.measures, "manipulability"];
+    this.measures = (q) => [...arm.measures(q), arm.manipulability(q)];
+    this.largest = largestOf(joints, this.measures);
+    this.measureNames = names;
+    this.showMeasures = measureList(at("live-measures"), names, this.largest);
+    this.showSolutions = solutionTable(at("live-solutions"), joints, (branch) => branchName(this.signs, branch), (i) => this.choose(i));
+    this.gallery = new Gallery(at("live-gallery"), size, (i) => this.choose(i));
+    assumedLimits(at("live-limits"), joints, () => {
+      this.drawn = null;
+      this.redraw();
+    });
+  }
+
+  /// All solutions of a target: with an arm angle, that of the joints if none is said, or with the seed's value of
+  /// the joint that is given.
+  solutions(target, seed, psi) {
+    if (!this.arm.armAngle) return this.arm.solutions(target, seed);
+    return this.arm.solutionsAt(target, psi ?? this.psi ?? this.arm.armAngle(seed), seed);
   }
 
   /// The arm to joint values; the target goes with it.
   moveTo(q) {
     this.q = q.slice();
     this.target = this.arm.pose(this.q);
-    this.found = this.arm.solutions(this.target, this.q);
+    this.psi = this.arm.armAngle?.(this.q);
+    this.found = this.solutions(this.target, this.q);
     this.note = "";
     this.redraw();
   }
@@ -59,12 +86,27 @@ class Live {
       this.note = `with ${this.joints[i].name} at ${jointText(this.joints[i], value)} the tool cannot stay`;
       return this.redraw();
     }
-    this.accept(found);
+    if (!this.arm.armAngle) return this.accept(found);
+    this.psi = this.arm.armAngle(found.rows[0].q);
+    this.accept(this.solutions(this.target, found.rows[0].q));
+  }
+
+  /// The null motion: the elbow turns, the tool stands.
+  moveElbow(psi) {
+    const found = this.solutions(this.target, this.q, psi);
+    if (found.rows.length === 0) return;
+    const branch = this.found.rows[this.chosen()]?.branch;
+    const same = found.rows.findIndex((row) => row.branch === branch);
+    this.psi = psi;
+    this.found = found;
+    this.note = "";
+    this.q = unwound(this.joints, found.rows[Math.max(same, 0)].q, this.q);
+    this.redraw();
   }
 
   moveTarget(target) {
     this.target = target;
-    const found = this.arm.solutions(target, this.q);
+    const found = this.solutions(target, this.q);
     if (found.rows.length > 0) return this.accept(found);
     this.q = this.arm.follow(target, this.q);
     const reached = this.arm.pose(this.q);
@@ -93,11 +135,14 @@ class Live {
     return this.found.rows.findIndex((row) => apart(this.joints, row.q, this.q) < 1e-6);
   }
 
-  /// Over the range of the joint that is given: whether some solution within limits has that value.
+  /// Over the range of the joint that is given: whether some solution within limits has that value. Of an arm angle
+  /// the generated functions know the intervals.
   feasible() {
     const { given } = this.arm.data;
-    if (given < 0 || this.drawn === this.target) return;
+    if (this.drawn === this.target) return;
     this.drawn = this.target;
+    if (this.ring) this.intervals = this.arm.intervals(this.target);
+    if (given < 0 || this.ring) return;
     const { lower, upper } = this.joints[given];
     const count = 120;
     const good = Array.from({ length: count }, (_, i) => {
@@ -109,16 +154,14 @@ class Live {
     this.showFeasible(good);
   }
 
-  status() {
+  status(measured) {
     const { rows, verdict } = this.found;
     if (this.note) return this.note;
-    if (!this.arm.data.inverse) return "";
-    const meeting = [];
-    rows.forEach((a, i) => rows.slice(i + 1).forEach((b) => {
-      if (apart(this.joints, a.q, b.q) < 0.05) meeting.push(`branches ${a.branch} and ${b.branch} meet`);
-    }));
+    const small = this.measureNames.filter((_, i) => Math.abs(measured[i]) < littleShare * this.largest[i]);
+    const near = small.length ? ["nearly singular: " + small.join(", ")] : [];
+    if (!this.arm.data.inverse) return near.join("");
     const number = rows.length === 1 ? "1 solution" : `${rows.length} solutions`;
-    return [number + (verdict === "solved" ? "" : ", " + verdict), ...meeting].join("; ");
+    return [number + (verdict === "solved" ? "" : ", " + verdict), ...meetings(this.signs, this.joints, rows), ...near].join("; ");
   }
 
   redraw() {
@@ -132,60 +175,36 @@ class Live {
 
   draw() {
     const chosen = this.chosen();
+    const { rows } = this.found;
+    const skeletons = rows.map((row) => this.arm.skeleton(row.q));
     this.view.clear();
     this.view.ground();
     if (this.all.checked) {
-      const others = this.found.rows.filter((row, i) => i !== chosen);
-      this.view.ghosts(others.map((row) => ({ skeleton: this.arm.skeleton(row.q), name: String(row.branch) })));
+      const ghosts = skeletons.map((skeleton, i) => ({ skeleton, name: String(rows[i].branch) }));
+      this.view.ghosts(ghosts.filter((_, i) => i !== chosen));
     }
     this.view.arm(this.arm.skeleton(this.q));
     this.view.target(this.target, this.held);
+    this.showPanel(chosen);
+    const named = skeletons.map((skeleton, i) => ({ skeleton, name: `${rows[i].branch}: ${branchName(this.signs, rows[i].branch)}`.replace(/: $/, "") }));
+    this.gallery.show(named, chosen, this.camera);
+  }
+
+  showPanel(chosen) {
+    const { rows } = this.found;
     this.showJoints(this.q);
     this.showTarget(this.target);
     this.feasible();
-    this.showMeasures([...this.arm.measures(this.q), this.arm.manipulability(this.q)]);
-    this.showSolutions(this.found.rows, chosen);
-    const text = this.status();
+    if (this.ring) {
+      const branch = rows[Math.max(chosen, 0)]?.branch ?? 0;
+      this.ring.show(this.psi, this.intervals, branch, branchName(this.signs, branch));
+    }
+    const measured = this.measures(this.q);
+    this.showMeasures(measured);
+    this.showSolutions(rows, chosen);
+    const text = this.status(measured);
     const place = document.getElementById("live-status");
     if (place.textContent !== text) place.textContent = text;
-  }
-
-  listen(canvas) {
-    let last = null;
-    const at = (event) => {
-      const box = canvas.getBoundingClientRect();
-      return [event.clientX - box.left, event.clientY - box.top];
-    };
-    canvas.addEventListener("pointerdown", (event) => {
-      last = at(event);
-      this.held = this.handleAt(last);
-      canvas.setPointerCapture(event.pointerId);
-      this.redraw();
-    });
-    canvas.addEventListener("pointermove", (event) => {
-      if (!last) return;
-      const now = at(event);
-      this.drag(now, now[0] - last[0], now[1] - last[1]);
-      last = now;
-    });
-    const release = () => {
-      last = null;
-      this.held = -1;
-      this.redraw();
-    };
-    canvas.addEventListener("pointerup", release);
-    canvas.addEventListener("pointercancel", release);
-    canvas.addEventListener("keydown", (event) => this.key(event));
-    this.all.addEventListener("change", () => this.redraw());
-    document.getElementById("live-zero").addEventListener("click", () =>
-      this.moveTo(this.joints.map(({ lower, upper }) => Math.min(Math.max(0, lower), upper))));
-    document.getElementById("live-start").addEventListener("click", () => this.setStart());
-    document.getElementById("live-play").addEventListener("click", () => this.play());
-    new ResizeObserver(() => this.redraw()).observe(canvas);
-    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
-      this.view.readColours();
-      this.redraw();
-    });
   }
 
   handleAt([x, y]) {
@@ -217,51 +236,6 @@ class Live {
     const depth = rest > 0 ? Math.sqrt(rest) * (this.camera.depth(axis) < 0 ? -1 : 1) : 0;
     const wanted = unit(add(flat, scaled(depth, this.camera.toward)));
     return product(turnFromTo(axis, wanted), this.target.r);
-  }
-
-  key(event) {
-    const ways = { ArrowLeft: [-1, 0, 0], ArrowRight: [1, 0, 0], ArrowUp: [0, -1, 0], ArrowDown: [0, 1, 0], PageUp: [0, 0, -1], PageDown: [0, 0, 1] };
-    const way = ways[event.key];
-    if (!way) return;
-    event.preventDefault();
-    if (event.shiftKey) {
-      this.camera.turn(0.1 * way[0], 0.1 * way[1]);
-      return this.redraw();
-    }
-    const step = 0.01 * this.arm.data.size;
-    const flat = add(scaled(step * way[0], this.camera.right), scaled(-step * way[1], this.camera.up));
-    this.moveTarget({ r: this.target.r, p: add(this.target.p, add(flat, scaled(step * way[2], this.camera.toward))) });
-  }
-
-  setStart() {
-    this.start = { target: this.target, q: this.q.slice() };
-    this.note = "path from here: move the target to its end, then play";
-    this.redraw();
-  }
-
-  /// Leads the target straight from the start to where it is, the arm from the start's joints; says whether it
-  /// stays on its branch.
-  play() {
-    if (!this.start) return this.setStart();
-    const end = this.target;
-    const { target: from, q } = this.start;
-    this.q = q.slice();
-    this.found = this.arm.solutions(from, q);
-    const branch = this.found.rows[0]?.branch;
-    let left = "";
-    const steps = 120;
-    const step = (i) => {
-      const before = this.q;
-      this.moveTarget(between(from, end, i / steps));
-      const row = this.found.rows[0];
-      const jump = apart(this.joints, before, this.q) > 0.35;
-      if (!left && (!row || row.branch !== branch || jump))
-        left = `${row ? (jump ? "jumps" : "leaves branch " + branch) : "gets out of reach"} at ${Math.round((100 * i) / steps)} %`;
-      if (i < steps) return requestAnimationFrame(() => step(i + 1));
-      this.note = "path: " + (left || "stays on branch " + branch);
-      this.redraw();
-    };
-    step(0);
   }
 }
 

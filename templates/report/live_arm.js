@@ -2,64 +2,93 @@
 
 const verdicts = ["solved", "singular", "unreachable", "invalid", "incomplete"];
 
-async function loadArm(data) {
-  const bytes = Uint8Array.from(atob(data.module), (letter) => letter.charCodeAt(0));
+/// The functions of a module, and its places for numbers that go in and out.
+async function loadModule(text, geometry) {
+  const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
   const { instance } = await WebAssembly.instantiate(bytes, { math: Math });
   const calls = instance.exports;
-  const dof = data.joints.length;
+  calls._initialize?.();
   const at = (address, count) => new Float64Array(calls.memory.buffer, address, count);
-  const give = (values, offset = 0) => at(calls.arguments(), offset + values.length).set(values, offset);
-  const take = (count) => Array.from(at(calls.results(), count));
-  at(calls.geometry(), data.geometry.length).set(data.geometry);
-
-  const raw = {
-    pose(q) {
-      give(q);
-      calls.pose();
-      return take(7);
-    },
-    jacobian(q) {
-      give(q);
-      calls.jacobian();
-      return take(6 * dof);
-    },
-    measures(q) {
-      if (!calls.measures) return [];
-      give(q);
-      calls.measures();
-      return take(data.measures.length);
-    },
-    /// Rows of joints, branch, and whether a joint was free; the nearest to the seed first.
-    solutions(pose, seed, given) {
-      if (!calls.solutions) return { verdict: "none", rows: [] };
-      give([...pose, ...seed]);
-      const count = calls.solutions(given);
-      const all = take(count * (dof + 2));
-      const rows = Array.from({ length: count }, (_, i) => all.slice(i * (dof + 2), (i + 1) * (dof + 2)));
-      return { verdict: verdicts[calls.status()], rows };
+  at(calls.geometry(), geometry.length).set(geometry);
+  return {
+    calls,
+    give: (values) => at(calls.arguments(), values.length).set(values),
+    put: (values) => at(calls.results(), values.length).set(values),
+    take: (count) => Array.from(at(calls.results(), count)),
+    rows(count, size) {
+      const all = this.take(count * size);
+      return Array.from({ length: count }, (_, i) => all.slice(i * size, (i + 1) * size));
     },
   };
+}
+
+/// The functions of C; those that are generated in C++ alone, where the page has them.
+function rawFunctions(data, c, cpp) {
+  const dof = data.joints.length;
+  const numbers = (name, count) => (q) => {
+    c.give(q);
+    c.calls[name]();
+    return c.take(count);
+  };
+  const none = { verdict: "none", rows: [] };
+  /// Rows of joints, branch, and whether a joint was free; the nearest to the seed first.
+  const solved = (module, name) => (pose, seed, value) => {
+    if (!module?.calls[name]) return none;
+    module.give([...pose, ...seed]);
+    const count = module.calls[name](value);
+    return { verdict: verdicts[module.calls.status()], rows: module.rows(count, dof + 2) };
+  };
+  const raw = {
+    pose: numbers("pose", 7),
+    jacobian: numbers("jacobian", 6 * dof),
+    measures: c.calls.measures ? numbers("measures", data.measures.length) : () => [],
+    solutions: solved(c.calls.solutions ? c : cpp, "solutions"),
+    solutionsAtArmAngle: solved(cpp, "solutions_at_arm_angle"),
+  };
+  if (!cpp?.calls.arm_angle) return raw;
+  raw.armAngle = (q) => {
+    cpp.give(q);
+    return cpp.calls.arm_angle();
+  };
+  /// Rows of lower, upper, branch; `limits` has lower and upper of each joint in turn.
+  raw.armAngleIntervals = (pose, limits) => {
+    cpp.give(pose);
+    cpp.put(limits);
+    return cpp.rows(cpp.calls.arm_angle_intervals(), 3);
+  };
+  return raw;
+}
+
+async function loadArm(data) {
+  const c = await loadModule(data.module, data.geometry);
+  const cpp = data.cpp && (await loadModule(data.cpp, data.geometry));
+  const raw = rawFunctions(data, c, cpp);
+  const dof = data.joints.length;
 
   const pose = (q) => {
     const values = raw.pose(q);
     return { r: rotationOf(values), p: values.slice(4) };
   };
-
   const jacobian = (q) => {
     const values = raw.jacobian(q);
     return Array.from({ length: 6 }, (_, row) => values.slice(row * dof, (row + 1) * dof));
   };
-
-  const solutions = (target, seed) => {
-    const values = [...quaternionOf(target.r), ...target.p];
-    const { verdict, rows } = raw.solutions(values, seed, data.given < 0 ? 0 : seed[data.given]);
-    return {
-      verdict,
-      rows: rows.map((row) => ({ q: row.slice(0, dof), branch: row[dof], free: row[dof + 1] !== 0 })),
-    };
+  const numbersOf = (target) => [...quaternionOf(target.r), ...target.p];
+  const named = ({ verdict, rows }) => ({
+    verdict,
+    rows: rows.map((row) => ({ q: row.slice(0, dof), branch: row[dof], free: row[dof + 1] !== 0 })),
+  });
+  /// With the seed's value of the joint that is given, if one is.
+  const solutions = (target, seed) => named(raw.solutions(numbersOf(target), seed, data.given < 0 ? 0 : seed[data.given]));
+  const arm = { data, dof, raw, pose, jacobian, measures: raw.measures, solutions, ...numerics(data, pose, jacobian) };
+  if (!raw.armAngle) return arm;
+  arm.armAngle = raw.armAngle;
+  arm.solutionsAt = (target, psi, seed) => named(raw.solutionsAtArmAngle(numbersOf(target), seed, psi));
+  arm.intervals = (target) => {
+    const limits = data.joints.flatMap((joint) => (joint.limited ? [joint.lower, joint.upper] : [-Infinity, Infinity]));
+    return raw.armAngleIntervals(numbersOf(target), limits).map(([lower, upper, branch]) => ({ lower, upper, branch }));
   };
-
-  return { data, dof, raw, pose, jacobian, measures: raw.measures, solutions, ...numerics(data, pose, jacobian) };
+  return arm;
 }
 
 /// Solves a symmetric positive definite system by Cholesky's factors.
@@ -120,8 +149,17 @@ function numerics(data, pose, jacobian) {
     return at;
   };
 
+  /// The values of all joints: those that follow others too.
+  const chain = data.chain ?? data.joints;
+  const following = (q) => {
+    let next = 0;
+    const all = chain.map((joint) => (joint.follows ? 0 : q[next++]));
+    return chain.map((joint, i) => (joint.follows ? joint.follows[1] * all[joint.follows[0]] : all[i]));
+  };
+
   /// The points between joints, and each joint's own point and axis, in the world.
   const skeleton = (q) => {
+    const values = following(q);
     const points = [];
     const joints = [];
     let at = { r: identity(), p: [0, 0, 0] };
@@ -135,12 +173,12 @@ function numerics(data, pose, jacobian) {
       at = compose(at, way);
     };
     go(data.base);
-    data.joints.forEach((joint, i) => {
+    chain.forEach((joint, i) => {
       go(joint.before);
       const axis = rotated(at.r, joint.axis);
       const point = at.p;
-      if (joint.revolute) at = { r: product(at.r, turnAbout(joint.axis, q[i])), p: at.p };
-      else at = { r: at.r, p: add(at.p, scaled(q[i], axis)) };
+      if (joint.revolute) at = { r: product(at.r, turnAbout(joint.axis, values[i])), p: at.p };
+      else at = { r: at.r, p: add(at.p, scaled(values[i], axis)) };
       joints.push({ point, axis, moved: at.p, revolute: joint.revolute });
       if (!joint.revolute) points.push(at.p);
       go(joint.after);

@@ -133,6 +133,14 @@ class View {
       this.pen.stroke();
     }
   }
+  /// An arm in a picture too small for its joints' symbols.
+  small(skeleton, chosen) {
+    this.line([[0, 0, 0], skeleton.points[0]], this.colour.line, 1);
+    this.line(skeleton.points, chosen ? this.colour.accent : this.colour.ink, 1.8);
+    for (const joint of skeleton.joints) this.dot(joint.point);
+    const tips = this.handles(skeleton.tool).slice(1);
+    tips.forEach((tip, k) => this.line([skeleton.tool.p, tip], this.colour.soft, 1, [[1, 2], [4, 2], []][k]));
+  }
   ground() {
     const s = 0.15 * this.camera.size;
     for (let i = -2; i <= 2; ++i) {

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: MIT
 """browser_test.py PAGES WORK: pages in headless Chromium: no message on the console, the arm follows the hand,
 screenshots at three widths, light and dark, in WORK/screenshots. Exit 77: chromium, chromedriver or clang are missing."""
+import math
 import pathlib
 import shutil
 import sys
@@ -15,7 +16,10 @@ lacking = webdriver.missing() + [name for name in ("clang", "wasm-ld") if shutil
 if lacking:
     print("skipped: no", ", ".join(lacking))
     sys.exit(77)
-robots = ["puma560", "iiwa14", "crx10ia"]
+# What is generated in C++ alone is on the pages only where they were made with its library.
+has_cpp = '"cpp":' in (pages / "iiwa14.html").read_text()
+needs_cpp = unittest.skipUnless(has_cpp, "no libc++-dev-wasm32 when the pages were made")
+robots = ["puma560", "iiwa14", "crx10ia", "finger"]
 pictures = work / "screenshots"
 
 # Whether the arm's tool is where the target is, by the page's own picture of its links and by the generated functions.
@@ -122,9 +126,12 @@ slider.dispatchEvent(new Event("input"));""")
             self.assertAlmostEqual(a, b, 12)
 
     def test_newton_steps_where_there_is_no_closed_form(self):
-        self.open("crx10ia")
-        self.pull(0, -6, 8)
-        self.assert_at_target(1e-6)
+        self.open("finger")
+        to_target = self.browser.run("""
+const { live } = window;
+live.moveTarget(live.arm.pose([0.2, 0.9]));
+return norm(subtract(live.arm.pose(live.q).p, live.arm.pose([0.2, 0.9]).p));""")
+        self.assertLess(to_target, 1e-6)
 
     def test_a_path_on_one_branch(self):
         self.open("puma560")
@@ -144,19 +151,73 @@ slider.dispatchEvent(new Event("input"));""")
         self.assertGreater(after[2], before[2])
         self.assert_at_target()
 
-    def test_feasible_values_are_shown(self):
+    @needs_cpp
+    def test_the_elbow_turns_on_its_ring(self):
         self.open("iiwa14")
-        share = """
-const label = document.querySelector(".feasible").getAttribute("aria-label");
-return Number(label.match(/over (\\d+) %/)[1]);"""
-        self.assertEqual(self.browser.run(share), 100, "without limits the elbow goes round")
+        own = "return [...document.querySelectorAll('.ring-own')].map((arc) => arc.getTotalLength() / (2 * Math.PI * 88))"
+        self.assertGreater(self.browser.run(own)[0], 0.999, "without limits the elbow goes round")
+        before = self.browser.run("return { q: window.live.q, tool: window.live.arm.pose(window.live.q).p, psi: window.live.psi }")
         self.browser.run("""
+document.querySelector(".ring-handle").dispatchEvent(new KeyboardEvent("keydown", { key: "PageUp", cancelable: true }))""")
+        self.settle()
+        after = self.browser.run("return { q: window.live.q, tool: window.live.arm.pose(window.live.q).p, psi: window.live.psi }")
+        self.assertAlmostEqual(after["psi"] - before["psi"], math.radians(20), 9)
+        self.assertAlmostEqual(self.browser.run("return window.live.arm.armAngle(window.live.q)"), after["psi"], 9)
+        self.assertGreater(max(abs(a - b) for a, b in zip(before["q"], after["q"])), 0.05)
+        for a, b in zip(before["tool"], after["tool"]):
+            self.assertAlmostEqual(a, b, 12)
+
+    @needs_cpp
+    def test_arcs_end_where_a_limit_is(self):
+        self.open("iiwa14")
+        self.browser.run("""
+const input = document.getElementById("live-limits");
+input.value = 62;
+input.dispatchEvent(new Event("change"));""")
+        self.settle()
+        intervals, worst = self.browser.run("""
 const { live } = window;
-for (const joint of live.joints) [joint.lower, joint.upper] = [-1.06, 1.06];
-live.drawn = null;
-live.feasible();""")
-        limited = self.browser.run(share)
-        self.assertTrue(0 < limited < 100, limited)
+const beyond = (q) => Math.max(...q.map((value, k) => Math.max(live.joints[k].lower - value, value - live.joints[k].upper)));
+const atEnd = ({ lower, upper, branch }) => [lower, upper, (lower + upper) / 2].map((psi) =>
+  beyond(live.solutions(live.target, live.q, psi).rows.find((row) => row.branch === branch).q));
+const ends = live.intervals.map(atEnd);
+return [live.intervals.length, Math.max(...ends.map(([a, b, middle]) => Math.max(Math.abs(a), Math.abs(b), middle > 0 ? 1 : 0)))];""")
+        self.assertGreater(intervals, 0)
+        self.assertLess(worst, 1e-9, "a joint stands at its limit at either end, and within between")
+
+    def test_solutions_side_by_side(self):
+        self.open("puma560")
+        names = self.browser.run("return [...document.querySelectorAll('#live-gallery button:not([hidden]) span')].map((s) => s.textContent)")
+        self.assertEqual(len(set(names)), 8)
+        for name in names:
+            self.assertRegex(name, r"^\d: θ₁ [+−], θ₃ [+−], wrist [+−]$")
+        self.browser.run("document.querySelectorAll('#live-gallery button')[3].click()")
+        self.settle()
+        pressed = self.browser.run("return [...document.querySelectorAll('#live-gallery button')].map((b) => b.getAttribute('aria-pressed'))")
+        self.assertEqual(pressed.index("true"), 3)
+        self.assert_at_target()
+
+    def test_branches_that_meet_are_named(self):
+        self.open("puma560")
+        self.browser.run("window.live.moveTo([0.3, -0.4, Math.atan2(203, 4318) - Math.PI / 2 - 0.01, 0.5, 0.9, 0.2])")
+        self.settle()
+        self.assertRegex(self.browser.run("return document.getElementById('live-status').textContent"),
+                         r"branches \d and \d meet \(θ₃: stretched or folded\).*nearly singular: .*elbow")
+
+    @needs_cpp
+    def test_eliminated_solutions_reach_the_target(self):
+        self.open("crx10ia")
+        rows, worst = self.browser.run("""
+const { arm, found, target } = window.live;
+return [found.rows.length, Math.max(...found.rows.map((row) => norm(subtract(arm.pose(row.q).p, target.p))))];""")
+        self.assertGreaterEqual(rows, 4)
+        self.assertLess(worst, 1e-10)
+
+    def test_a_joint_that_follows_moves_along(self):
+        self.open("finger")
+        self.browser.run("window.live.moveTo([0.1, 1.0])")
+        self.settle()
+        self.assert_at_target()
 
     def test_html_and_xml_are_read_alike(self):
         # A reader of HTML repairs what is not valid: it would build another tree.

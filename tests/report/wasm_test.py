@@ -24,7 +24,7 @@ lacking = [name for name in ("clang", "wasm-ld", "node") if shutil.which(name) i
 if lacking:
     print("skipped: no", ", ".join(lacking))
     sys.exit(77)
-some = ["ns", "iiwa14"]
+some = ["puma560", "iiwa14"]
 robots = sorted(p.stem for p in (source / "generator/robots").glob("*.toml")) if os.environ.get("QVGEN_REPORT_ALL") else some
 poses = 10000
 tolerance = 1e-12

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "model/robot.h"
+#include "pipeline/robot_output.h"
+#include "report/webassembly.h"
+#include "toolchain/generated.h"
+
+namespace qvgen::report {
+
+/// The inverse kinematics of poses, and the joint whose value it is given; empty where there is none.
+struct InverseCall {
+  std::string function;
+  std::string given;
+};
+InverseCall inverse_call(const pipeline::RobotOutput& output);
+
+/// What a page calls besides the robot's C functions: what is generated in C++ alone.
+struct CppFunctions {
+  Compiled module;
+  InverseCall inverse;  ///< by elimination
+  bool has_arm_angle = false;
+
+  [[nodiscard]] bool wanted() const { return has_arm_angle || !inverse.function.empty(); }
+};
+
+/// Of a robot whose C functions have, or have not, all solutions of a pose. Without a runtime nothing is
+/// compiled and the module says so.
+CppFunctions cpp_functions(const model::Robot& robot, bool has_inverse_in_c,
+                           const toolchain::Runtime* runtime);
+
+}  // namespace qvgen::report
