@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "emit/cpp/inverse/pose_loops.h"
 
-#include "derive/inverse/schedule.h"
+#include <stdexcept>
+
+#include "emit/cpp/inverse/branch_tree.h"
 #include "emit/cpp/inverse/joint_code.h"
 #include "emit/cpp/inverse/lane_wrist.h"
 
@@ -14,71 +16,78 @@ using derive::inverse::Step;
 
 class PoseLoops {
  public:
-  PoseLoops(const LoweredPlan& plan) : plan_(plan) {}
+  explicit PoseLoops(const LoweredPlan& plan) : plan_(plan) {}
 
   std::vector<std::string> write() {
-    line("Lane q[" + std::to_string(plan_.plan.row_size) + "];");
-    if (plan_.plan.given >= 0) line("q[" + std::to_string(plan_.plan.given) + "] = t.geometry.given_;");
-    for (const std::size_t i : derive::inverse::order(plan_.plan, false)) step(i);
-    if (!ended_) line("rows.append(q, w.branch, " + (labels_.empty() ? "0" : labels_) + ");");
-    while (depth_ > 0) {
-      --depth_;
-      line("}");
-    }
-    line("return w.branch.doubtful;");
+    const Place top;
+    line(top, "Lane q[" + std::to_string(plan_.plan.row_size) + "];");
+    if (plan_.plan.given >= 0) line(top, "q[" + std::to_string(plan_.plan.given) + "] = t.geometry.given_;");
+    print(branch_tree(plan_.plan, false), top);
+    line(top, "return w.branch.doubtful;");
     return std::move(lines_);
   }
 
  private:
-  void line(const std::string& text) {
-    lines_.push_back(std::string(static_cast<std::size_t>(2 * depth_), ' ') + text);
-  }
+  /// Where a statement stands.
+  struct Place {
+    int depth = 0;      ///< forks around it
+    std::string label;  ///< of the branch, empty outside of forks
+  };
+
+  void line(const Place& at, const std::string& text) { lines_.push_back(indented(at.depth, text)); }
   [[nodiscard]] std::string call(std::size_t i, const std::string& sign = "") const {
     return step_call(plan_, i, sign);
   }
-  [[nodiscard]] bool labels_are_simple() const { return labels_.find(' ') == std::string::npos; }
 
-  void step(std::size_t i) {
-    const Step& step = plan_.plan.steps[i];
-    if (step.ends_plan()) return wrist(i);
-    if (step.branches == 2)
-      loop(i);
-    else
-      line(call(i) + ";");
-    if (step.is<kind::Require>())
-      line(std::string("if (!any(w.branch.exists)) ") +
-           (depth_ == 0 ? "return w.branch.doubtful;" : "continue;"));
-    if (step.is<kind::Half>()) return;
-    for (const std::string& text : joint_lines(plan_, step)) line(text);
+  void print(const Statements& statements, const Place& at) {
+    for (const Statement& statement : statements) print(statement, at);
   }
 
-  void loop(std::size_t i) {
-    const std::string k = "k" + std::to_string(loops_);
-    const std::string above = "above" + std::to_string(loops_++);
-    line("const inverse::Branch<Lane> " + above + " = w.branch;");
-    line("#pragma GCC unroll 2");
-    line("for (int " + k + " = 0; " + k + " < 2; ++" + k + ") {");
-    ++depth_;
-    line("w.branch.resume(" + above + ");");
-    line(call(i, "Lane(" + k + " == 0 ? 1.0 : -1.0)") + ";");
-    line("if (!any(w.branch.exists)) break;");
-    labels_ =
-        labels_.empty() ? k : "2 * " + (labels_are_simple() ? labels_ : "(" + labels_ + ")") + " + " + k;
+  void print(const Statement& statement, const Place& at) {
+    switch (statement.kind) {
+      case Statement::Kind::solve:
+        return solve(statement.step, at);
+      case Statement::Kind::joints:
+        for (const std::string& text : joint_lines(plan_, plan_.plan.steps[statement.step])) line(at, text);
+        return;
+      case Statement::Kind::fork:
+        return loop(statement, at);
+      case Statement::Kind::last_wrist:
+        for (const std::string& text :
+             lane_wrist_lines(plan_, statement.step, "Lane", at.label.empty() ? "0" : times(2, at.label)))
+          line(at, text);
+        return;
+      case Statement::Kind::row:
+        return line(at, "rows.append(q, w.branch, " + (at.label.empty() ? "0" : at.label) + ");");
+      case Statement::Kind::once:
+      case Statement::Kind::newton:
+        throw std::logic_error("inverse kinematics: not in lanes");
+    }
   }
 
-  void wrist(std::size_t i) {
-    ended_ = true;
-    const std::string label =
-        labels_.empty() ? "0" : "2 * " + (labels_are_simple() ? labels_ : "(" + labels_ + ")");
-    for (const std::string& text : lane_wrist_lines(plan_, i, "Lane", label)) line(text);
+  void solve(std::size_t i, const Place& at) {
+    line(at, call(i) + ";");
+    if (plan_.plan.steps[i].is<kind::Require>())
+      line(at, std::string("if (!any(w.branch.exists)) ") +
+                   (at.depth == 0 ? "return w.branch.doubtful;" : "continue;"));
+  }
+
+  void loop(const Statement& statement, const Place& at) {
+    const std::string number = std::to_string(at.depth);
+    const std::string k = "k" + number;
+    line(at, "const inverse::Branch<Lane> above" + number + " = w.branch;");
+    line(at, "#pragma GCC unroll 2");
+    line(at, "for (int " + k + " = 0; " + k + " < 2; ++" + k + ") {");
+    const Place in{at.depth + 1, branch_label(at.label, 2, k)};
+    line(in, "w.branch.resume(above" + number + ");");
+    line(in, call(statement.step, "Lane(" + k + " == 0 ? 1.0 : -1.0)") + ";");
+    line(in, "if (!any(w.branch.exists)) break;");
+    print(statement.body, in);
+    line(at, "}");
   }
 
   const LoweredPlan& plan_;
   std::vector<std::string> lines_;
-  std::string labels_;
-  int loops_ = 0;
-  int depth_ = 0;
-  bool ended_ = false;
 };
 
 }  // namespace

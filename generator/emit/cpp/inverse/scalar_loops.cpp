@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "emit/cpp/inverse/scalar_loops.h"
 
-#include "derive/inverse/schedule.h"
+#include <array>
+
+#include "emit/cpp/inverse/branch_tree.h"
 #include "emit/cpp/inverse/joint_code.h"
 #include "emit/cpp/inverse/step_code.h"
 
@@ -18,174 +20,172 @@ class ScalarLoops {
       : plan_(plan), careful_(pass == Pass::careful), dialect_(dialect) {}
 
   std::vector<std::string> write() {
-    lines(dialect_.new_work("w", false));
-    line(dialect_.new_row(plan_.plan.row_size));
+    const Place top;
+    for (const std::string& text : dialect_.new_work("w", false)) line(top, text);
+    line(top, dialect_.new_row(plan_.plan.row_size));
     // What starts near the goal may hold the given joint next to its value.
     const std::string asked = careful_ && plan_.plan.quartic() ? "goal" : "t";
     if (plan_.plan.given >= 0)
-      line("q[" + std::to_string(plan_.plan.given) + "] = " + dialect_.member(asked, "geometry.given_") +
-           ";");
-    for (const std::size_t i : derive::inverse::order(plan_.plan, careful_)) step(i);
-    if (!ended_) {
-      flush();
-      append(label());
-    }
-    while (depth_ > 0) {
-      --depth_;
-      line("}");
-    }
-    line(leave());
+      line(top, "q[" + std::to_string(plan_.plan.given) + "] = " + dialect_.member(asked, "geometry.given_") +
+                    ";");
+    print(with_late_angles(plan_.plan, branch_tree(plan_.plan, careful_)), top);
+    line(top, leave());
     return std::move(lines_);
   }
 
  private:
-  [[nodiscard]] std::string call(std::size_t i, const std::string& sign = "") const {
-    return step_call(plan_, i, sign, work_, target_, dialect_);
+  /// Where a statement stands.
+  struct Place {
+    int depth = 0;
+    int forks = 0;              ///< around it
+    std::string loop_variable;  ///< of the innermost fork
+    std::string label;          ///< of the branch, empty outside of forks
+    // Behind Newton steps the joints are those of a copy, for the goal: the next branch starts from what the
+    // closed form has found.
+    std::string work = "w", target = "t";
+  };
+
+  [[nodiscard]] std::string call(std::size_t i, const Place& at, const std::string& sign = "") const {
+    return step_call(plan_, i, sign, at.work, at.target, dialect_);
   }
-  [[nodiscard]] std::string exists() const { return dialect_.member(work_, "branch.exists"); }
+  [[nodiscard]] std::string exists(const Place& at) const {
+    return dialect_.member(at.work, "branch.exists");
+  }
   [[nodiscard]] std::string leave() const {
     return std::string("return ") + (careful_ ? "" : "!") + dialect_.member("w", "branch.doubtful") + ";";
   }
-  [[nodiscard]] std::string label() const { return labels_.empty() ? "0" : labels_; }
-  void line(const std::string& text) {
-    lines_.push_back(std::string(static_cast<std::size_t>(2 * depth_), ' ') + text);
-  }
-  void lines(const std::vector<std::string>& texts) {
-    for (const std::string& text : texts) line(text);
+  [[nodiscard]] std::string leave(const Place& at) const { return at.depth == 0 ? leave() : "continue;"; }
+  [[nodiscard]] static std::string label_of(const Place& at) { return at.label.empty() ? "0" : at.label; }
+  void line(const Place& at, const std::string& text) { lines_.push_back(indented(at.depth, text)); }
+
+  void print(const Statements& statements, const Place& at) {
+    for (const Statement& statement : statements) print(statement, at);
   }
 
-  void leave_unless(const std::string& condition) {
-    line("if (!" + condition + ") " + (depth_ == 0 ? leave() : "continue;"));
-  }
-
-  /// Loop variable k0, k1, ... of a branching step, with the state of the branch above it put back in every
-  /// round.
-  std::string open(const Step& step, const std::string& count) {
-    const std::string k = "k" + std::to_string(loops_);
-    const std::string above = "above" + std::to_string(loops_++);
-    line(dialect_.save_branch(above, work_));
-    line("for (int " + k + " = 0; " + k + " < " + count + "; ++" + k + ") {");
-    ++depth_;
-    line(dialect_.resume_branch(work_, above));
-    const bool simple = labels_.find(' ') == std::string::npos;
-    const std::string outer = simple ? labels_ : "(" + labels_ + ")";
-    labels_ = labels_.empty() ? k : std::to_string(step.branches) + " * " + outer + " + " + k;
-    return k;
-  }
-
-  void step(std::size_t i) {
-    const Step& step = plan_.plan.steps[i];
-    if (step.is<kind::Newton>()) return polished(i);
-    if (step.ends_plan()) return wrist(i);
-    if (step.is<kind::Half>()) return deferred_.push_back(call(i) + ";");
-    if (step.is_quartic()) return quartic(i);
-    if (step.branches == 1) {
-      if (derive::inverse::reads_halves(plan_.plan, step)) flush();
-      line(call(i) + ";");
-      if (step.is<kind::Require>()) leave_unless(exists());
-      return angles(step);
-    }
-    if (step.wrist() != nullptr) flush();
-    const std::string k = open(step, "2");
-    line(call(i, k + " == 0 ? 1.0 : -1.0") + ";");
-    line("if (!" + exists() + ") break;");
-    flush_once(k);
-    angles(step);
-  }
-
-  /// From here on the joints are those of a copy, for the goal: the next branch starts from what the closed
-  /// form has found.
-  void polished(std::size_t i) {
-    line("if (" + dialect_.is_settled(label(), visits_) + ") " + (depth_ == 0 ? leave() : "continue;"));
-    lines(dialect_.copied_work("p", "w"));
-    work_ = "p";
-    target_ = "goal";
-    leave_unless(dialect_.polishes(step_name(plan_, i), target_, label(), work_, false));
-    for (const std::size_t earlier : derive::inverse::order(plan_.plan, careful_)) {
-      if (earlier == i) break;
-      angles(plan_.plan.steps[earlier]);
+  void print(const Statement& statement, const Place& at) {
+    switch (statement.kind) {
+      case Statement::Kind::solve:
+        line(at, call(statement.step, at) + ";");
+        if (plan_.plan.steps[statement.step].is<kind::Require>())
+          line(at, "if (!" + exists(at) + ") " + leave(at));
+        return;
+      case Statement::Kind::joints:
+        for (const std::string& text :
+             joint_lines(plan_, plan_.plan.steps[statement.step], at.work, dialect_))
+          line(at, text);
+        return;
+      case Statement::Kind::once:
+        return once(statement, at);
+      case Statement::Kind::fork:
+        return plan_.plan.steps[statement.step].is_quartic() ? quartic(statement, at) : fork(statement, at);
+      case Statement::Kind::newton:
+        return newton(statement, at);
+      case Statement::Kind::last_wrist:
+        return wrist(statement.step, at);
+      case Statement::Kind::row:
+        return line(at, dialect_.append(label_of(at), at.work));
     }
   }
 
-  void quartic(std::size_t i) {
-    const Step& step = plan_.plan.steps[i];
-    line(quartic_roots(plan_, i, dialect_));
-    const std::string k = open(step, "roots.count");
-    line(take_root(plan_, i, k, "w", dialect_));
+  void once(const Statement& statement, Place at) {
+    line(at, "if (" + at.loop_variable + " == 0) {");
+    ++at.depth;
+    print(statement.body, at);
+    --at.depth;
+    line(at, "}");
+  }
+
+  /// The head of a loop over a step's values, with the state of the branch around it put back in every round;
+  /// the place in its body.
+  Place open(const Step& step, const std::string& count, Place at) {
+    const std::string number = std::to_string(at.forks++);
+    at.loop_variable = "k" + number;
+    line(at, dialect_.save_branch("above" + number, at.work));
+    line(at, "for (int " + at.loop_variable + " = 0; " + at.loop_variable + " < " + count + "; ++" +
+                 at.loop_variable + ") {");
+    ++at.depth;
+    line(at, dialect_.resume_branch(at.work, "above" + number));
+    at.label = branch_label(at.label, step.branches, at.loop_variable);
+    return at;
+  }
+
+  [[nodiscard]] static std::string sign(const Place& in) { return in.loop_variable + " == 0 ? 1.0 : -1.0"; }
+
+  void fork(const Statement& statement, const Place& at) {
+    const Place in = open(plan_.plan.steps[statement.step], "2", at);
+    line(in, call(statement.step, in, sign(in)) + ";");
+    line(in, "if (!" + exists(in) + ") break;");
+    print(statement.body, in);
+    line(at, "}");
+  }
+
+  void quartic(const Statement& statement, const Place& at) {
+    line(at, quartic_roots(plan_, statement.step, dialect_));
+    const Place in = open(plan_.plan.steps[statement.step], "roots.count", at);
+    line(in, take_root(plan_, statement.step, in.loop_variable, "w", dialect_));
     // Its roots carry nine to eleven digits.
-    if (careful_) line(dialect_.member("w", "branch.unsure") + " = true;");
+    if (careful_) line(in, dialect_.member("w", "branch.unsure") + " = true;");
+    print(statement.body, in);
+    line(at, "}");
   }
 
-  /// The joints whose values a step leaves: their angles are taken when they are sure to be needed.
-  void angles(const Step& step) {
-    if (careful_ && work_ == "w") return;
-    for (const std::string& text : joint_lines(plan_, step, work_, dialect_)) deferred_.push_back(text);
+  void newton(const Statement& statement, Place at) {
+    line(at, "if (" + dialect_.is_settled(label_of(at), visits_) + ") " + leave(at));
+    for (const std::string& text : dialect_.copied_work("p", "w")) line(at, text);
+    at.work = "p";
+    at.target = "goal";
+    const std::string found =
+        dialect_.polishes(step_name(plan_, statement.step), at.target, label_of(at), at.work, false);
+    line(at, "if (!" + found + ") " + leave(at));
+    print(statement.body, at);
   }
 
-  void flush() {
-    for (const std::string& text : deferred_) line(text);
-    deferred_.clear();
+  void set(const kind::Wrist& wrist, const std::string& angles, const Place& at) {
+    const std::array<const char*, 3> parts = {".first", ".middle", ".last"};
+    for (std::size_t i = 0; i < 3; ++i)
+      line(at, joint_place(plan_.plan, wrist.joints[i]) + " = " + angles + parts[i] + ";");
   }
 
-  void flush_once(const std::string& k) {
-    if (deferred_.empty()) return;
-    line("if (" + k + " == 0) {");
-    ++depth_;
-    flush();
-    --depth_;
-    line("}");
+  /// Rows of a wrist without Newton steps before it are settled by the wrist alone.
+  void wrist(std::size_t i, const Place& at) {
+    const bool alone = careful_ && at.work == "w";
+    if (alone) line(at, "if (" + dialect_.is_settled("0", visits_) + ") " + leave());
+    if (plan_.plan.steps[i].is<kind::ObliqueWrist>())
+      oblique_wrist(i, at, alone);
+    else
+      right_wrist(i, at, alone);
   }
 
-  void append(const std::string& label) { line(dialect_.append(label, work_)); }
-
-  void wrist(std::size_t i) {
+  void oblique_wrist(std::size_t i, const Place& at, bool alone) {
     const Step& step = plan_.plan.steps[i];
-    const auto& joints = step.wrist()->joints;
-    ended_ = true;
-    const bool alone = careful_ && work_ == "w";
-    if (alone) line("if (" + dialect_.is_settled("0", visits_) + ") " + leave());
-    flush();
-    const auto set = [&](const std::string& first, const std::string& middle, const std::string& last) {
-      line(joint_place(plan_.plan, joints[0]) + " = " + first + ";");
-      line(joint_place(plan_.plan, joints[1]) + " = " + middle + ";");
-      line(joint_place(plan_.plan, joints[2]) + " = " + last + ";");
-    };
-    if (step.is<kind::ObliqueWrist>()) {
-      const std::string arm = label();
-      if (careful_) line("const int before = " + dialect_.rows_found() + ";");
-      const std::string k = open(step, "2");
-      line(dialect_.constant("WristAngles", "angles", call(i, k + " == 0 ? 1.0 : -1.0")));
-      line("if (!" + exists() + ") break;");
-      set("angles.first", "angles.middle", "angles.last");
-      append(label());
-      --depth_;
-      line("}");
-      if (alone) line("if (" + dialect_.rows_found() + " > before) " + dialect_.close("0"));
-      if (careful_ && !alone)
-        line("if (" + dialect_.rows_found() + " == before) " + dialect_.reopen(arm, work_, visits_));
-      return;
-    }
-    line(dialect_.constant("WristBranches", "angles", call(i)));
-    const std::string both = labels_.empty() ? "" : "2 * (" + labels_ + ")";
-    set("angles.one.first", "angles.one.middle", "angles.one.last");
-    append(both.empty() ? "0" : both);
-    set("angles.other.first", "angles.other.middle", "angles.other.last");
-    append(both.empty() ? "1" : both + " + 1");
-    if (alone) line(dialect_.close("0"));
+    if (careful_) line(at, "const int before = " + dialect_.rows_found() + ";");
+    const Place in = open(step, "2", at);
+    line(in, dialect_.constant("WristAngles", "angles", call(i, in, sign(in))));
+    line(in, "if (!" + exists(in) + ") break;");
+    set(*step.wrist(), "angles", in);
+    line(in, dialect_.append(label_of(in), in.work));
+    line(at, "}");
+    if (alone) line(at, "if (" + dialect_.rows_found() + " > before) " + dialect_.close("0"));
+    if (careful_ && !alone)
+      line(at,
+           "if (" + dialect_.rows_found() + " == before) " + dialect_.reopen(label_of(at), at.work, visits_));
+  }
+
+  void right_wrist(std::size_t i, const Place& at, bool alone) {
+    line(at, dialect_.constant("WristBranches", "angles", call(i, at)));
+    const std::string both = at.label.empty() ? "" : "2 * (" + at.label + ")";
+    set(*plan_.plan.steps[i].wrist(), "angles.one", at);
+    line(at, dialect_.append(both.empty() ? "0" : both, at.work));
+    set(*plan_.plan.steps[i].wrist(), "angles.other", at);
+    line(at, dialect_.append(both.empty() ? "1" : both + " + 1", at.work));
+    if (alone) line(at, dialect_.close("0"));
   }
 
   const LoweredPlan& plan_;
   bool careful_;
   const Dialect& dialect_;
   bool visits_ = plan_.plan.searches_nearby();
-  std::string work_ = "w";
-  std::string target_ = "t";
   std::vector<std::string> lines_;
-  std::vector<std::string> deferred_;
-  std::string labels_;
-  int depth_ = 0;
-  int loops_ = 0;
-  bool ended_ = false;
 };
 
 }  // namespace

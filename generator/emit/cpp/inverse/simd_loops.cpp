@@ -2,8 +2,9 @@
 #include "emit/cpp/inverse/simd_loops.h"
 
 #include <algorithm>
+#include <stdexcept>
 
-#include "derive/inverse/schedule.h"
+#include "emit/cpp/inverse/branch_tree.h"
 #include "emit/cpp/inverse/joint_code.h"
 #include "emit/cpp/inverse/lane_wrist.h"
 #include "emit/cpp/inverse/step_code.h"
@@ -22,121 +23,97 @@ int branchings(const LoweredPlan& plan) {
                     [&](const Step& step) { return step.branches == 2 && !step.ends_plan(); }));
 }
 
+/// The last two forks are lanes, the others loops.
 class SimdLoops {
  public:
-  SimdLoops(const LoweredPlan& plan) : plan_(plan), loops_left_(branchings(plan) - 2) {}
+  explicit SimdLoops(const LoweredPlan& plan) : plan_(plan), loops_(branchings(plan) - 2) {}
 
   std::vector<std::string> write() {
-    line("inverse::avx2::LaneRows<" + dof() + "> rows(places);");
-    line("Work<Pack> w;");
-    line("Pack q[" + dof() + "];");
-    if (plan_.plan.given >= 0) line("q[" + std::to_string(plan_.plan.given) + "] = Pack(t.geometry.given_);");
-    for (const std::size_t i : derive::inverse::order(plan_.plan, false)) step(i);
-    if (!ended_) {
-      flush();
-      line("rows.append(q, w.branch, " + label(1) + ");");
-    }
-    while (depth_ > 0) {
-      --depth_;
-      line("}");
-    }
-    line("return rows.count(w.branch);");
+    const Place top;
+    line(top, "inverse::avx2::LaneRows<" + dof() + "> rows(places);");
+    line(top, "Work<Pack> w;");
+    line(top, "Pack q[" + dof() + "];");
+    if (plan_.plan.given >= 0)
+      line(top, "q[" + std::to_string(plan_.plan.given) + "] = Pack(t.geometry.given_);");
+    print(with_late_angles_in_lanes(plan_.plan, branch_tree(plan_.plan, false)), top);
+    line(top, "return rows.count(w.branch);");
     return std::move(lines_);
   }
 
  private:
-  std::string dof() const { return std::to_string(plan_.plan.row_size); }
-  void line(const std::string& text) {
-    lines_.push_back(std::string(static_cast<std::size_t>(2 * depth_), ' ') + text);
+  /// Where a statement stands.
+  struct Place {
+    int depth = 0;
+    int forks = 0;      ///< around it
+    std::string label;  ///< of the loops' branch, empty outside of loops
+  };
+
+  [[nodiscard]] std::string dof() const { return std::to_string(plan_.plan.row_size); }
+  void line(const Place& at, const std::string& text) { lines_.push_back(indented(at.depth, text)); }
+  [[nodiscard]] std::string call(std::size_t i, const std::string& sign = "") const {
+    return step_call(plan_, i, sign);
   }
-  std::string call(std::size_t i, const std::string& sign = "") const { return step_call(plan_, i, sign); }
 
   /// Label of the first lane's first row.
-  std::string label(int rows_of_a_lane) const {
-    return labels_.empty() ? "0"
-                           : std::to_string(4 * rows_of_a_lane) + " * " +
-                                 (labels_.find(' ') == std::string::npos ? labels_ : "(" + labels_ + ")");
+  [[nodiscard]] static std::string label_of(const Place& at, int rows_of_a_lane) {
+    return at.label.empty() ? "0" : times(4 * rows_of_a_lane, at.label);
   }
 
-  void leave_if_none() {
-    line(std::string("if (!any(w.branch.exists)) ") +
-         (depth_ == 0 ? "return rows.count(w.branch);" : "continue;"));
+  void leave_if_none(const Place& at) {
+    line(at, std::string("if (!any(w.branch.exists)) ") +
+                 (at.depth == 0 ? "return rows.count(w.branch);" : "continue;"));
   }
 
-  void step(std::size_t i) {
-    const Step& step = plan_.plan.steps[i];
-    if (step.ends_plan()) return wrist(i);
-    if (step.is<kind::Half>()) return ended_leaving_ ? line(call(i) + ";") : halves_.push_back(call(i) + ";");
-    if (step.wrist() != nullptr || derive::inverse::reads_halves(plan_.plan, step)) flush_halves();
-    if (step.branches == 2 && loops_left_ > 0) {
-      loop(i);
-    } else if (step.branches == 2) {
-      line(call(i, lane_branchings_++ == 0 ? "Pack(1, 1, -1, -1)" : "Pack(1, -1, 1, -1)") + ";");
-      if (!step.is<kind::Opposite>()) leave_if_none();
-    } else {
-      line(call(i) + ";");
-      if (step.is<kind::Require>()) leave_if_none();
+  void print(const Statements& statements, const Place& at) {
+    for (const Statement& statement : statements) print(statement, at);
+  }
+
+  void print(const Statement& statement, const Place& at) {
+    switch (statement.kind) {
+      case Statement::Kind::solve:
+        line(at, call(statement.step) + ";");
+        if (plan_.plan.steps[statement.step].is<kind::Require>()) leave_if_none(at);
+        return;
+      case Statement::Kind::joints:
+        for (const std::string& text : joint_lines(plan_, plan_.plan.steps[statement.step])) line(at, text);
+        return;
+      case Statement::Kind::fork:
+        return at.forks < loops_ ? loop(statement, at) : lanes(statement, at);
+      case Statement::Kind::last_wrist:
+        for (const std::string& text : lane_wrist_lines(plan_, statement.step, "Pack", label_of(at, 2)))
+          line(at, text);
+        return;
+      case Statement::Kind::row:
+        return line(at, "rows.append(q, w.branch, " + label_of(at, 1) + ");");
+      case Statement::Kind::once:
+      case Statement::Kind::newton:
+        throw std::logic_error("inverse kinematics: not in lanes");
     }
-    ended_leaving_ = !leaves_after(i);
-    if (ended_leaving_) flush();
-    for (const std::string& text : joint_lines(plan_, step)) deferred_.push_back(text);
   }
 
-  /// Whether a later step may find that no branch is left: angles that nobody will read wait until then.
-  /// Beyond, a joint's arctangent stands one step behind, where it fills the time that the next step waits
-  /// for its root.
-  bool leaves_after(std::size_t i) const {
-    const auto& steps = plan_.plan.steps;
-    return std::any_of(steps.begin() + static_cast<std::ptrdiff_t>(i) + 1, steps.end(),
-                       [&](const Step& step) {
-                         return (step.branches == 2 && !step.ends_plan()) || step.is<kind::Require>();
-                       });
+  void lanes(const Statement& statement, Place at) {
+    const bool outer = at.forks++ == loops_;
+    line(at, call(statement.step, outer ? "Pack(1, 1, -1, -1)" : "Pack(1, -1, 1, -1)") + ";");
+    if (!plan_.plan.steps[statement.step].is<kind::Opposite>()) leave_if_none(at);
+    print(statement.body, at);
   }
 
-  void loop(std::size_t i) {
-    const std::string k = "k" + std::to_string(loops_);
-    const std::string above = "above" + std::to_string(loops_++);
-    --loops_left_;
-    line("const inverse::Branch<Pack> " + above + " = w.branch;");
-    line("for (int " + k + " = 0; " + k + " < 2; ++" + k + ") {");
-    ++depth_;
-    line("w.branch.resume(" + above + ");");
-    line(call(i, "Pack(" + k + " == 0 ? 1.0 : -1.0)") + ";");
-    line("if (!any(w.branch.exists)) break;");
-    labels_ =
-        labels_.empty()
-            ? k
-            : "2 * " + (labels_.find(' ') == std::string::npos ? labels_ : "(" + labels_ + ")") + " + " + k;
-  }
-
-  void flush_halves() {
-    for (const std::string& text : halves_) line(text);
-    halves_.clear();
-  }
-
-  void flush() {
-    flush_halves();
-    for (const std::string& text : deferred_) line(text);
-    deferred_.clear();
-  }
-
-  void wrist(std::size_t i) {
-    ended_ = true;
-    flush();
-    for (const std::string& text : lane_wrist_lines(plan_, i, "Pack", label(2))) line(text);
+  void loop(const Statement& statement, const Place& at) {
+    const std::string number = std::to_string(at.forks);
+    const std::string k = "k" + number;
+    line(at, "const inverse::Branch<Pack> above" + number + " = w.branch;");
+    line(at, "for (int " + k + " = 0; " + k + " < 2; ++" + k + ") {");
+    const Place in{at.depth + 1, at.forks + 1, branch_label(at.label, 2, k)};
+    line(in, "w.branch.resume(above" + number + ");");
+    line(in, call(statement.step, "Pack(" + k + " == 0 ? 1.0 : -1.0)") + ";");
+    line(in, "if (!any(w.branch.exists)) break;");
+    print(statement.body, in);
+    line(at, "}");
   }
 
   const LoweredPlan& plan_;
+  int loops_;
   std::vector<std::string> lines_;
-  std::vector<std::string> halves_;
-  std::vector<std::string> deferred_;
-  std::string labels_;
-  int loops_left_;
-  int loops_ = 0;
-  int lane_branchings_ = 0;
-  int depth_ = 0;
-  bool ended_leaving_ = false;
-  bool ended_ = false;
 };
 
 }  // namespace
