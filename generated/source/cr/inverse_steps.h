@@ -207,7 +207,6 @@ inline void solve_d2(const Target& t,
 template <typename Scalar, class Tracker>
 inline bool solve_arm(const Target& t, int label, Tracker& tracker, Work<Scalar>& w) {
   using std::sqrt;
-
   const Scalar axis1_x = Scalar(0);
   const Scalar axis1_y = Scalar(0);
   const Scalar axis1_z = Scalar(1);

@@ -12,7 +12,6 @@ namespace {
 inverse::ArmAtZero<dof> arm_at_zero([[maybe_unused]] const Geometry& g) {
   using Scalar = double;
   using std::sqrt;
-
   const double axis1_x = Scalar(0);
   const double axis1_y = Scalar(0);
   const double axis1_z = Scalar(1);

@@ -90,7 +90,6 @@ inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
 /// From: distance from a point on the axis of theta2: the same.
 inline bool is_out_of_reach(const Target& t) {
   using Scalar = double;
-
   const Scalar middle = Scalar(1.4880952380952381) * (Scalar(0.6724) - Scalar(t.square_theta4));
   const Scalar swing = Scalar(0);
   return inverse::is_out_of_range(middle, swing, t.boundary);
@@ -286,7 +285,6 @@ inline void solve_half_theta4([[maybe_unused]] const Target& t,
 template <typename Scalar, class Tracker>
 inline bool solve_arm(const Target& t, int label, Tracker& tracker, Work<Scalar>& w) {
   using std::sqrt;
-
   const Scalar axis1_x = Scalar(0);
   const Scalar axis1_y = Scalar(0);
   const Scalar axis1_z = Scalar(1);

@@ -80,7 +80,6 @@ inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
 /// From: height along the axis of theta2: the same.
 inline bool is_out_of_reach(const Target& t) {
   using Scalar = double;
-
   const Scalar middle = -Scalar(0.5) * (Scalar(t.geometry.h1) - Scalar(t.geometry.l3) - Scalar(t.pose_p_z))
       / Scalar(t.geometry.l3);
   const Scalar swing = Scalar(0);

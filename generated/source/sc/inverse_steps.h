@@ -71,7 +71,6 @@ inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
 /// From: perpendicular to d2, nothing changes.
 inline bool is_out_of_reach(const Target& t) {
   using Scalar = double;
-
   const Scalar middle = Scalar(0.5) * (Scalar(t.geometry.d4) + Scalar(t.pose_p_x)) / Scalar(t.geometry.d4);
   const Scalar swing = Scalar(0);
   return inverse::is_out_of_range(middle, swing, t.boundary);
@@ -164,7 +163,6 @@ inline void solve_d2(const Target& t,
 template <typename Scalar, class Tracker>
 inline bool solve_arm(const Target& t, int label, Tracker& tracker, Work<Scalar>& w) {
   using std::sqrt;
-
   const Scalar axis1_x = Scalar(0);
   const Scalar axis1_y = Scalar(0);
   const Scalar axis1_z = Scalar(1);

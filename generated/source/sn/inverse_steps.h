@@ -78,7 +78,6 @@ inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
 /// From: height along the axis of theta2: the same.
 inline bool is_out_of_reach(const Target& t) {
   using Scalar = double;
-
   const Scalar middle = -Scalar(0.5) * (Scalar(t.geometry.d2) - Scalar(t.geometry.d4) - Scalar(t.pose_p_y))
       / Scalar(t.geometry.d4);
   const Scalar swing = Scalar(0);
@@ -223,7 +222,6 @@ inline void solve_half_theta3([[maybe_unused]] const Target& t,
 template <typename Scalar, class Tracker>
 inline bool solve_arm(const Target& t, int label, Tracker& tracker, Work<Scalar>& w) {
   using std::sqrt;
-
   const Scalar axis1_x = Scalar(0);
   const Scalar axis1_y = Scalar(0);
   const Scalar axis1_z = Scalar(1);

@@ -31,4 +31,12 @@ json values_of(const std::vector<Code::Value>& values) {
   return list;
 }
 
+json values_of(const Code& code) {
+  json values{{"temporaries", values_of(code.temporaries)}, {"outputs", values_of(code.outputs)}};
+  values["declarations"] = values["temporaries"];
+  values["declarations"].insert(values["declarations"].end(), values["outputs"].begin(),
+                                values["outputs"].end());
+  return values;
+}
+
 }  // namespace qvgen::emit

@@ -20,4 +20,8 @@ std::vector<std::string> split_lines(const std::string& text);
 /// A value an entry: name, expression, last.
 nlohmann::json values_of(const std::vector<Code::Value>& values);
 
+/// Straight code: `temporaries` and `outputs`, and both one behind the other as `declarations`, for places
+/// where outputs are constants like the others.
+nlohmann::json values_of(const Code& code);
+
 }  // namespace qvgen::emit

@@ -13,10 +13,10 @@ json arm_angle_values(const model::Robot& robot, const derive::inverse::Spherica
   json axes = json::array();
   for (std::size_t i = 1; i <= robot.joints.size(); ++i)
     axes.push_back({{"number", i}, {"last", i == robot.joints.size()}});
-  return {{"temporaries", values_of(code.temporaries)},
-          {"outputs", values_of(code.outputs)},
-          {"axes", axes},
-          {"planar", arm.planar ? "true" : "false"}};
+  json values = values_of(code);
+  values["axes"] = axes;
+  values["planar"] = arm.planar ? "true" : "false";
+  return values;
 }
 
 }  // namespace qvgen::emit

@@ -166,8 +166,7 @@ json arm_values(const model::Robot& described, const Dialect& dialect) {
                       {"number", std::to_string(i + 1)},
                       {"index", std::to_string(i)},
                       {"revolute", robot.joints[i].type == model::JointType::revolute ? "true" : "false"}});
-  return {{"values", {{"temporaries", values_of(code.temporaries)}, {"outputs", values_of(code.outputs)}}},
-          {"joints", joints}};
+  return {{"values", values_of(code)}, {"joints", joints}};
 }
 
 std::string row_arm(const Problem& problem, bool has_tool_turn, const std::string& scope,

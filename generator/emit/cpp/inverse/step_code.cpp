@@ -52,10 +52,6 @@ SymbolTable names_of(const model::Robot& robot, const LoweredPlan& plan, const S
   return {symbol, refuse, refuse, d.spelling()};
 }
 
-json to_json(const Code& code) {
-  return {{"temporaries", values_of(code.temporaries)}, {"outputs", values_of(code.outputs)}};
-}
-
 int joint_of(const model::Robot& robot, const std::string& variable) {
   int joint = 0;
   while (robot.joints[static_cast<std::size_t>(joint)].variable != variable) ++joint;
@@ -175,7 +171,7 @@ json target_values(const model::Robot& robot, const LoweredPlan& plan, const Dia
   const auto named = [&](const std::string& letter) {
     return [&, letter](const dag::Angle& angle) { return name(letter, angle); };
   };
-  json code = to_json(straight_code(plan.target, {symbol, named("sin"), named("cos"), d.spelling()}));
+  json code = values_of(straight_code(plan.target, {symbol, named("sin"), named("cos"), d.spelling()}));
   json sines = json::array();
   for (const dag::Angle& angle : angles)
     for (const char* function : {"sin", "cos"})
@@ -192,7 +188,7 @@ json range_test_values(const model::Robot& robot, const LoweredPlan& plan, const
   if (!test.exists()) return false;
   return {{"unknown", test.unknown},
           {"equation", test.equation},
-          {"values", to_json(straight_code(plan.range_test, names_of(robot, plan, {}, d)))}};
+          {"values", values_of(straight_code(plan.range_test, names_of(robot, plan, {}, d)))}};
 }
 
 json divisor_values(const model::Robot& robot, const LoweredPlan& plan) {
@@ -249,8 +245,8 @@ json step_value(const model::Robot& robot, const LoweredPlan& plan, std::size_t 
           {"has_result", !type.empty() && !returns},
           {"has_call", !call.empty() && type.empty()},
           {"delta", angles_by_sign},
-          {"before", to_json(straight_code(plan.steps[i].before, names))},
-          {"after", to_json(straight_code(plan.steps[i].after, names))},
+          {"before", values_of(straight_code(plan.steps[i].before, names))},
+          {"after", values_of(straight_code(plan.steps[i].after, names))},
           {"lines", lines_of(lines)}};
 }
 
