@@ -34,7 +34,8 @@ std::vector<BranchSign> branch_signs(const derive::inverse::Plan& plan) {
   for (const std::size_t i : derive::inverse::order(plan, plan.quartic())) {
     const Step& step = plan.steps[i];
     if (step.branches > 1)
-      signs.push_back({step.is_wrist() ? "wrist" : typeset(step.unknown), step.branches, step.degenerate});
+      signs.push_back(
+          {step.wrist() != nullptr ? "wrist" : typeset(step.unknown), step.branches, step.degenerate});
   }
   return signs;
 }
