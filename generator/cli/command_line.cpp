@@ -39,6 +39,7 @@ const char* const report_examples = R"(
   qvgen report                                all known robots, into ./report; begin with report/index.html
   qvgen report my_arm.toml -o pages           one robot, pages/my_arm.html, and the index of all that are there
   qvgen report arm.urdf --generated my_code   with the counts and signatures of the code in my_code/
+  qvgen report puma560 --times puma.json      with times: qvgen compare puma560 --time --format json > puma.json
 )";
 
 const char* const map_examples = R"(
@@ -246,6 +247,11 @@ void add_report(CommandLine& line) {
       .add_option("--generated", line.report.generated,
                   "folder of the generated code, whose counts and signatures are shown; ./generated without")
       ->type_name("FOLDER");
+  command
+      .add_option("--times", line.report.times,
+                  "nanoseconds to show, with the name of the machine: what compare --time --format json has "
+                  "written, one file for each quantity")
+      ->type_name("FILE");
   command.add_flag("--force", line.report.force, "also robots that have not changed");
   add_reading(command, line.report.read);
   command.footer(std::string("\nexamples:") + report_examples);

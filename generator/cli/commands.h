@@ -80,6 +80,7 @@ struct ReportArguments {
   description::ReadOptions read;
   std::filesystem::path output;
   std::filesystem::path generated;  ///< folder of the generated code, whose counts and signatures are shown
+  std::vector<std::filesystem::path> times;
   std::optional<std::filesystem::path> source_tree;
   bool all_known = false;
   bool force = false;      ///< also what has not changed

@@ -21,15 +21,16 @@ struct Task {
   std::string key;
 };
 
-std::vector<Task> tasks_of(const ReportArguments& arguments, std::vector<model::Robot> robots) {
+std::vector<Task> tasks_of(const ReportArguments& arguments, const report::Ingredients& ingredients,
+                           std::vector<model::Robot> robots) {
   std::vector<Task> tasks;
   for (std::size_t i = 0; i < robots.size(); ++i) {
     const auto& file = arguments.descriptions[i];
     const std::string origin = pipeline::origin_of(file, arguments.output, arguments.known_robots) +
                                origin_options(arguments.read) + " report";
-    const std::string made_of = fmt::format(
-        "{}\n{}\n{}\n{}\n{}", arguments.tool, origin, snap_text(arguments.read),
-        pipeline::content_of(file).value_or(""), report::made_of(robots[i].name, arguments.generated));
+    const std::string made_of =
+        fmt::format("{}\n{}\n{}\n{}\n{}", arguments.tool, origin, snap_text(arguments.read),
+                    pipeline::content_of(file).value_or(""), report::made_of(robots[i].name, ingredients));
     tasks.push_back({std::move(robots[i]), origin, pipeline::fingerprint(made_of)});
   }
   return tasks;
@@ -64,20 +65,26 @@ std::optional<toolchain::Runtime> runtime_sources(const ReportArguments& argumen
   }
 }
 
-FolderUpdate update_of(const ReportArguments& arguments, const std::vector<Task>& tasks) {
+/// The checked formulas of the sources, which only a source tree has.
+std::string errata(const ReportArguments& arguments) {
+  if (!arguments.source_tree) return "";
+  return pipeline::content_of(*arguments.source_tree / "tests/inverse/errata/README.md").value_or("");
+}
+
+FolderUpdate update_of(const ReportArguments& arguments, const report::Ingredients& ingredients,
+                       const std::vector<Task>& tasks) {
   const std::vector<Task> changed = changed_tasks(arguments, tasks);
   std::vector<model::Robot> robots;
   for (const Task& task : changed) robots.push_back(task.robot);
   ProgressLine progress(robots.size());
-  const auto runtime = runtime_sources(arguments);
-  auto pages = report::robot_pages(robots, arguments.generated, runtime ? &*runtime : nullptr,
-                                   [&](const std::string& robot) { progress.finished(robot); });
+  auto pages =
+      report::robot_pages(robots, ingredients, [&](const std::string& robot) { progress.finished(robot); });
   FolderUpdate update;
   update.entries = report::entries_name;
   for (std::size_t i = 0; i < pages.size(); ++i)
     update.robots.push_back({std::move(pages[i]), changed[i].origin, changed[i].key});
   update.removed = forgotten(arguments, tasks);
-  update.shared = report::common_pages(pipeline::entries_after(arguments.output, update));
+  update.shared = report::common_pages(pipeline::entries_after(arguments.output, update), errata(arguments));
   return update;
 }
 
@@ -86,10 +93,14 @@ FolderUpdate update_of(const ReportArguments& arguments, const std::vector<Task>
 int run_report(const ReportArguments& arguments) {
   auto robots = read_robots(arguments.descriptions, arguments.read);
   if (!robots) return bad_description;
-  pipeline::check_folder(arguments.output, report::common_pages(nlohmann::ordered_json::object()),
+  pipeline::check_folder(arguments.output,
+                         report::common_pages(nlohmann::ordered_json::object(), errata(arguments)),
                          report::entries_name);
-  const std::vector<Task> tasks = tasks_of(arguments, std::move(*robots));
-  const FolderUpdate update = update_of(arguments, tasks);
+  const auto runtime = runtime_sources(arguments);
+  const report::Ingredients ingredients{arguments.generated, runtime ? &*runtime : nullptr,
+                                        report::read_times(arguments.times)};
+  const std::vector<Task> tasks = tasks_of(arguments, ingredients, std::move(*robots));
+  const FolderUpdate update = update_of(arguments, ingredients, tasks);
   const pipeline::FolderChange change = pipeline::update_folder(arguments.output, update);
   fmt::print(stderr, "{} {} in {}: {} made, {} files changed, {} removed\n", tasks.size(),
              tasks.size() == 1 ? "page" : "pages", arguments.output.string(), update.robots.size(),

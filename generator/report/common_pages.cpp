@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
+#include <set>
+
 #include <fmt/format.h>
 
 #include "compare/formulation.h"
 #include "compare/measure.h"
 #include "compare/thesis_times.h"
 #include "emit/render.h"
+#include "report/errata_page.h"
 #include "report/page.h"
 #include "report/pages.h"
 
@@ -20,7 +23,7 @@ std::string link_to(const std::string& robot) {
   return "<a href=\"" + robot + ".html\">" + escaped(robot) + "</a>";
 }
 
-std::string index_html(const ordered_json& entries) {
+std::string index_html(const ordered_json& entries, bool has_errata) {
   json robots = json::array();
   for (const auto& [name, entry] : entries.items()) {
     const std::string workspace = entry.at("workspace");
@@ -36,8 +39,14 @@ std::string index_html(const ordered_json& entries) {
             false,
             {},
             ""};
+  const std::string errata = has_errata ? fmt::format(
+                                              " <a href=\"{}\">Printed inverse kinematics, checked</a>: "
+                                              "which formulas of the sources are right.",
+                                              errata_name)
+                                        : "";
   const std::string pointer =
-      "<p><a href=\"comparison.html\">Formulations compared</a> over all of them, by their operations.</p>\n";
+      "<p><a href=\"comparison.html\">Formulations compared</a> over all of them, by their operations." +
+      errata + "</p>\n";
   page.sections.push_back({"robots", fmt::format("{} arms", entries.size()),
                            pointer + emit::render("report/index.html", {{"robots", robots}})});
   return html(page);
@@ -71,14 +80,16 @@ Cell operations_cell(const ordered_json& numbers) {
           true};
 }
 
+std::string level_text(const std::string& level) {
+  return level == "textbook"      ? "as a textbook has them"
+         : level == "specialised" ? "with each robot’s zeros and ones gone"
+                                  : "after all passes";
+}
+
 std::string level_table(const ordered_json& entries, const std::string& what, const std::string& level) {
   const auto columns = columns_of(entries, what, level);
   if (columns.empty()) return "";
-  HtmlTable table{"Operations " +
-                      std::string(level == "textbook"      ? "as a textbook has them"
-                                  : level == "specialised" ? "with each robot’s zeros and ones gone"
-                                                           : "after all passes") +
-                      ": all (multiplications + additions).",
+  HtmlTable table{"Operations " + level_text(level) + ": all (multiplications + additions).",
                   {text_cell("robot")},
                   {},
                   what + "-" + level};
@@ -95,9 +106,38 @@ std::string level_table(const ordered_json& entries, const std::string& what, co
   return html(table);
 }
 
+/// Medians of a robot at a level; null if it was not measured.
+ordered_json times_at(const ordered_json& entry, const std::string& what, const std::string& level) {
+  if (!entry.contains("times") || !entry.at("times").contains(what)) return nullptr;
+  return entry.at("times").at(what).value(level, ordered_json());
+}
+
+std::string times_table(const ordered_json& entries, const std::string& what, const std::string& level) {
+  HtmlTable table{"", {text_cell("robot")}, {}, "times-" + what + "-" + level};
+  const auto columns = columns_of(entries, what, level);
+  for (const std::string& column : columns) table.head.push_back({escaped(column), true});
+  std::set<std::string> machines;
+  for (const auto& [name, entry] : entries.items()) {
+    const ordered_json times = times_at(entry, what, level);
+    if (times.is_null()) continue;
+    machines.insert(entry.at("times").at("machine"));
+    std::vector<Cell> cells{{link_to(robot_of(name)), false}};
+    for (const std::string& column : columns)
+      cells.push_back(times.contains(column)
+                          ? Cell{fmt::format("{:.1f}", times.at(column).get<double>()), true}
+                          : Cell{"–", true});
+    table.rows.push_back(cells);
+  }
+  if (table.rows.empty()) return "";
+  table.caption = fmt::format("Nanoseconds a call {}, the median of many, measured on: {}.",
+                              level_text(level), escaped(fmt::format("{}", fmt::join(machines, "; "))));
+  return html(table);
+}
+
 std::string quantity_html(const ordered_json& entries, const std::string& what) {
   std::string text;
   for (const std::string& level : compare::level_names()) text += level_table(entries, what, level);
+  for (const std::string& level : compare::level_names()) text += times_table(entries, what, level);
   return text;
 }
 
@@ -150,8 +190,11 @@ std::string comparison_html(const ordered_json& entries) {
 
 }  // namespace
 
-std::vector<pipeline::OutputFile> common_pages(const ordered_json& entries) {
-  return {{"index.html", index_html(entries)}, {"comparison.html", comparison_html(entries)}};
+std::vector<pipeline::OutputFile> common_pages(const ordered_json& entries, const std::string& errata) {
+  std::vector<pipeline::OutputFile> pages{{"index.html", index_html(entries, !errata.empty())},
+                                          {"comparison.html", comparison_html(entries)}};
+  if (!errata.empty()) pages.push_back({errata_name, errata_page(errata)});
+  return pages;
 }
 
 }  // namespace qvgen::report

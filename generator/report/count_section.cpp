@@ -99,7 +99,7 @@ std::string thesis_html(const std::string& robot) {
 
 }  // namespace
 
-Section comparison_section(const std::string& robot, const std::vector<Compared>& all) {
+Section comparison_section(const std::string& robot, const std::vector<Compared>& all, const Times& times) {
   std::string html =
       "<p>Multiplications (dark) and additions (light) of the ways to compute the same quantity, each "
       "certified equal "
@@ -110,6 +110,7 @@ Section comparison_section(const std::string& robot, const std::vector<Compared>
     if (compared.what == What::forward) html += thesis_html(robot);
     for (const Level level : {Level::textbook, Level::specialised, Level::optimised})
       html += chart_of(robot, compared, level);
+    html += times_html(times, robot, compared.what);
   }
   return {"formulations", "Formulations compared", html};
 }

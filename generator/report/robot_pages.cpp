@@ -112,7 +112,7 @@ ordered_json numbers_of(const compare::Row& row) {
 }
 
 /// What the common pages say of a robot.
-ordered_json entry_of(const model::Robot& robot, const std::vector<Compared>& compared) {
+ordered_json entry_of(const model::Robot& robot, const std::vector<Compared>& compared, const Times& times) {
   ordered_json entry{{"title", robot.title.empty() ? robot.name : robot.title},
                      {"joints", letters_of(robot)}};
   const auto structure = robot.joints.size() >= 3 ? canonical::structure_of(robot) : std::nullopt;
@@ -124,6 +124,7 @@ ordered_json entry_of(const model::Robot& robot, const std::vector<Compared>& co
     for (const compare::Row& row : each.rows)
       whats[compare::what_names()[static_cast<std::size_t>(each.what)]]
            [compare::level_names()[static_cast<std::size_t>(row.level)]][row.formulation] = numbers_of(row);
+  if (auto measured = times_json(times, robot.name); !measured.is_null()) entry["times"] = measured;
   return entry;
 }
 
@@ -135,7 +136,7 @@ std::vector<std::string> subtitle_of(const model::Robot& robot) {
 }
 
 pipeline::RobotOutput page_of(const model::Robot& robot, const std::vector<pipeline::Outcome>& outcomes,
-                              const std::filesystem::path& generated, const ordered_json& counts) {
+                              const Ingredients& ingredients, const ordered_json& counts) {
   const auto place_of = [](const std::string& id) {
     const auto part =
         std::find_if(parts().begin(), parts().end(), [&](const Part& each) { return each.id == id; });
@@ -153,42 +154,48 @@ pipeline::RobotOutput page_of(const model::Robot& robot, const std::vector<pipel
   Page page{robot.name, subtitle_of(robot), true, {}, live_script() + asset("sort.js")};
   for (const char* id : {"arm", "interactive", "forward", "inverse", "jacobian", "dynamics"})
     page.sections.push_back(made(id));
-  page.sections.push_back(comparison_section(robot.name, compared));
+  page.sections.push_back(comparison_section(robot.name, compared, ingredients.times));
   page.sections.push_back(count_section(entry));
-  page.sections.push_back(function_section(robot.name, generated, entry));
+  page.sections.push_back(function_section(robot.name, ingredients.generated, entry));
   page.sections.push_back(made("reach"));
-  return {page_name(robot.name), {{robot.name + ".html", html(page)}}, entry_of(robot, compared), {}};
+  return {page_name(robot.name),
+          {{robot.name + ".html", html(page)}},
+          entry_of(robot, compared, ingredients.times),
+          {}};
 }
 
 }  // namespace
 
 std::string page_name(const std::string& robot) { return "report/" + robot; }
 
-std::string made_of(const std::string& robot, const std::filesystem::path& generated) {
+std::string made_of(const std::string& robot, const Ingredients& ingredients) {
+  const std::filesystem::path& generated = ingredients.generated;
   const ordered_json counts = pipeline::counts_in(generated);
   std::string text = counts.contains(robot) ? counts.at(robot).dump() : "";
   for (const std::string& path : pipeline::files_of_robots(generated, {robot}))
     if (path.ends_with(".h")) text += pipeline::content_of(generated / path).value_or("");
+  text += times_json(ingredients.times, robot).dump();
   return text + missing_compiler() + (missing_compiler().empty() ? missing_cpp_library() : "");
 }
 
 std::vector<pipeline::RobotOutput> robot_pages(const std::vector<model::Robot>& robots,
-                                               const std::filesystem::path& generated, const Runtime* runtime,
+                                               const Ingredients& ingredients,
                                                const std::function<void(const std::string&)>& progress) {
   const std::size_t count = parts().size();
-  const ordered_json counts = pipeline::counts_in(generated);
+  const ordered_json counts = pipeline::counts_in(ingredients.generated);
   std::vector<std::size_t> open(robots.size(), count);
   const auto done = [&](std::size_t i) {
     if (--open[i / count] == 0 && progress) progress(robots[i / count].name);
   };
   const auto outcomes = pipeline::in_processes(
       robots.size() * count,
-      [&](std::size_t i) { return parts()[i % count].make(robots[i / count], runtime); }, budget, done);
+      [&](std::size_t i) { return parts()[i % count].make(robots[i / count], ingredients.runtime); }, budget,
+      done);
   std::vector<pipeline::RobotOutput> pages;
   for (std::size_t i = 0; i < robots.size(); ++i) {
     const auto begin = outcomes.begin() + static_cast<std::ptrdiff_t>(i * count);
     pages.push_back(
-        page_of(robots[i], {begin, begin + static_cast<std::ptrdiff_t>(count)}, generated, counts));
+        page_of(robots[i], {begin, begin + static_cast<std::ptrdiff_t>(count)}, ingredients, counts));
   }
   return pages;
 }

@@ -123,10 +123,12 @@ function largestOf(joints, measures, count = 300) {
 function solutionTable(table, joints, nameOf, choose) {
   if (!table) return () => {};
   const heads = ["branch", ...joints.map((joint) => joint.name), "room", ""];
+  const body = element("tbody");
+  table.append(element("thead"), body);
   table.tHead.append(element("tr", {}, ...heads.map((text, i) =>
     element("th", { scope: "col", className: i > 0 && text ? "number" : "", textContent: text || "limits" }))));
   return (rows, chosen) => {
-    const body = rows.map((row, index) => {
+    const made = rows.map((row, index) => {
       const button = element("button", { type: "button", textContent: String(row.branch) });
       button.addEventListener("click", () => choose(index));
       const beyond = joints.filter((joint, i) => row.q[i] < joint.lower - 1e-9 || row.q[i] > joint.upper + 1e-9);
@@ -139,6 +141,6 @@ function solutionTable(table, joints, nameOf, choose) {
         element("td", { className: "number", textContent: room.replace("-", "−") }),
         element("td", { textContent: note.filter(Boolean).join(", ") }));
     });
-    table.tBodies[0].replaceChildren(...body);
+    body.replaceChildren(...made);
   };
 }

@@ -4,6 +4,7 @@
 
 All robots with QVGEN_REPORT_ALL=1, else some of every kind. The tests of functions and of the browser use them too.
 """
+import json
 import os
 import pathlib
 import re
@@ -52,7 +53,7 @@ class Pages(unittest.TestCase):
         cls.trees = {name: tree.fromstring(text) for name, text in cls.pages.items()}
 
     def test_every_robot_has_a_page(self):
-        self.assertEqual(sorted(self.pages), sorted([r + ".html" for r in robots] + ["index.html", "comparison.html"]))
+        self.assertEqual(sorted(self.pages), sorted([r + ".html" for r in robots] + ["index.html", "comparison.html", "errata.html"]))
 
     def test_ids_are_unique_and_references_resolve(self):
         for name, root in self.trees.items():
@@ -130,6 +131,32 @@ class Pages(unittest.TestCase):
         self.assertIn("apt-get install clang lld", page)
         self.assertNotIn('id="live-data"', page)
         tree.fromstring(page)
+
+    def test_times_stand_beside_counts(self):
+        folder = work / "times"
+        remove(folder)
+        folder.mkdir(parents=True, exist_ok=True)
+        times = {"median": 119.4, "lower_quartile": 114.1, "upper_quartile": 125.4, "ratio": 1}
+        row = {"robot": "ns_arm", "level": "textbook", "formulation": "pairs", "result": "quaternion", "nanoseconds": times}
+        (folder / "times.json").write_text(json.dumps({"machine": "a <fast> machine", "rows": [row]}))
+        (folder / "counts.json").write_text(json.dumps({"rows": [row]}))
+        report(folder, "ns_arm", "--times", str(folder / "times.json"))
+        for page in ("ns_arm.html", "comparison.html"):
+            text = (folder / page).read_text()
+            tree.fromstring(text)
+            self.assertIn("a &lt;fast&gt; machine", text)
+            self.assertIn("119.4", text)
+        self.assertIn("0 made", report(folder, "ns_arm", "--times", str(folder / "times.json")))
+        self.assertIn("compare --time", report(folder, "ns_arm", "--times", str(folder / "counts.json"), fails=True))
+        self.assertIn("1 made", report(folder, "ns_arm"))
+        self.assertNotIn("119.4", (folder / "comparison.html").read_text())
+
+    def test_printed_formulas_are_all_there(self):
+        document = (source / "tests/inverse/errata/README.md").read_text()
+        printed = sum(line.startswith("| ") for line in document.splitlines()) - document.count("| equation |")
+        rows = list(self.trees["errata.html"].iter(xhtml + "tr"))
+        self.assertEqual(sum(row.find(xhtml + "td") is not None for row in rows), printed)
+        self.assertEqual(len(list(self.trees["errata.html"].iter(xhtml + "h3"))), document.count("\n### "))
 
     def test_one_robot_more(self):
         folder = work / "more"

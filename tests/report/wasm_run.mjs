@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// wasm_run.mjs PAGE ARM.js POINTS OUT: the functions of a page at the joint vectors of a file of doubles, results as doubles:
-// a pose, a Jacobian, measures, then how many solutions the pose has, and their rows.
+// wasm_run.mjs PAGE MOTION.js ARM.js POINTS OUT: the functions of a page at the joint vectors of a file of doubles, results as
+// doubles: a pose, a Jacobian, measures, then how many solutions the pose has, and their rows; of an arm with an arm angle
+// that, and the same of its solutions.
 import { readFileSync, writeFileSync } from "node:fs";
 import vm from "node:vm";
 
@@ -19,5 +20,9 @@ for (let i = 0; i < values.length; i += dof) {
   results.push(...pose, ...raw.jacobian(q), ...raw.measures(q));
   const { rows } = raw.solutions(pose, q, data.given < 0 ? 0 : q[data.given]);
   results.push(rows.length, ...rows.flat());
+  if (!raw.armAngle) continue;
+  const psi = raw.armAngle(q);
+  const found = raw.solutionsAtArmAngle(pose, q, psi).rows;
+  results.push(psi, found.length, ...found.flat());
 }
 writeFileSync(out, Buffer.from(new Float64Array(results).buffer));

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 """wasm_test.py TOOL SOURCE PAGES WORK CC: the functions in pages give what the same C gives, compiled for this machine.
 
-That C gives the bits of the C++ functions is tested by the folder c. 10,000 poses a robot; QVGEN_REPORT_ALL=1 for all
-robots. Exit 77: clang, wasm-ld or node are missing.
+That C gives the bits of the C++ functions is tested by the folder c. 1,000 poses of some robots; QVGEN_REPORT_ALL=1: 10,000 of
+all robots, and what is generated in C++ alone beside the same C++ of this machine. Exit 77: clang, wasm-ld or node are missing.
 """
 import array
 import ctypes
@@ -25,8 +25,9 @@ if lacking:
     print("skipped: no", ", ".join(lacking))
     sys.exit(77)
 some = ["puma560", "iiwa14"]
-robots = sorted(p.stem for p in (source / "generator/robots").glob("*.toml")) if os.environ.get("QVGEN_REPORT_ALL") else some
-poses = 10000
+everything = bool(os.environ.get("QVGEN_REPORT_ALL"))
+robots = sorted(p.stem for p in (source / "generator/robots").glob("*.toml")) if everything else some
+poses = 10000 if everything else 1000
 tolerance = 1e-12
 
 
@@ -93,6 +94,64 @@ class Native:
         return getattr(self.calls, f"{self.robot}_{name}")
 
 
+class NativeCpp:
+    """The arm angle or the elimination of a robot as a library of this machine, from the committed code."""
+
+    def __init__(self, folder, robot, part):
+        runtime = source / "runtime/source"
+        parts = {"arm_angle": ("arm_angle", "HAS_ARM_ANGLE"), "inverse": ("general", "HAS_INVERSE")}
+        sources, defined = parts[part]
+        files = [runtime / "sine_cosine.cpp", *sorted((runtime / sources).glob("*.cpp"))]
+        text = "".join(f'#include "{path}"\n' for path in files if "avx2" not in path.name)
+        everything_in_one = folder / f"{part}.cpp"
+        everything_in_one.write_text(text + f'#include "{pathlib.Path(__file__).parent / "native_calls.cpp"}"\n')
+        library = folder / f"lib{robot}_{part}.so"
+        generated = source / f"generated/source/{robot}/{part}.cpp"
+        subprocess.run(["c++", "-std=c++17", "-O1", "-DNDEBUG", "-ffp-contract=off", "-DQVGEN_NO_CONTRACTION", "-shared", "-fPIC",
+                        f"-DROBOT={robot}", f'-DSOURCE="{generated}"', f"-D{defined}", f"-I{source}/runtime/include",
+                        f"-I{source}/generated/include", "-isystem", "/usr/include/eigen3", "-o", str(library),
+                        str(everything_in_one)], check=True)
+        self.calls = ctypes.CDLL(str(library))
+        if part == "arm_angle":
+            self.calls.arm_angle.restype = ctypes.c_double
+
+    def rows(self, function, size, pose, q, geometry, *psi):
+        numbers = lambda values: (ctypes.c_double * max(len(values), 1))(*values)
+        out = (ctypes.c_double * (64 * size))()
+        extra = [ctypes.c_double(value) for value in psi]
+        count = getattr(self.calls, function)(numbers(pose), numbers(q), *extra, numbers(geometry), out)
+        return [list(out[k * size : (k + 1) * size]) for k in range(count)]
+
+
+class Results:
+    """Reads a file of doubles piece by piece."""
+
+    def __init__(self, path):
+        self.values, self.at = array.array("d", path.read_bytes()), 0
+
+    def take(self, count):
+        self.at += count
+        return self.values[self.at - count : self.at]
+
+    def rows(self, size):
+        return [self.take(size) for _ in range(int(self.take(1)[0]))]
+
+
+def generated_c(robot, folder):
+    folder.mkdir(parents=True, exist_ok=True)
+    parts = ["--only", "kinematics,jacobian,inverse", "--language", "c", "--quiet"]
+    subprocess.run([tool, "generate", robot, *parts, "--output", str(folder)], capture_output=True)
+    return Native(folder, robot)
+
+
+def results_of_page(page, q, folder):
+    (folder / "points").write_bytes(q.tobytes())
+    here, templates = pathlib.Path(__file__).parent, source / "templates/report"
+    subprocess.run(["node", str(here / "wasm_run.mjs"), str(page), str(templates / "live_motion.js"),
+                    str(templates / "live_arm.js"), str(folder / "points"), str(folder / "results")], check=True)
+    return Results(folder / "results")
+
+
 class Wasm(unittest.TestCase):
     def test_equal_to_native(self):
         for robot in robots:
@@ -100,41 +159,52 @@ class Wasm(unittest.TestCase):
                 self.compare(robot)
 
     def compare(self, robot):
-        folder = work / robot
-        folder.mkdir(parents=True, exist_ok=True)
-        parts = ["--only", "kinematics,jacobian,inverse", "--language", "c", "--quiet"]
-        subprocess.run([tool, "generate", robot, *parts, "--output", str(folder)], capture_output=True)
-        page = pages / f"{robot}.html"
+        folder, page = work / robot, pages / f"{robot}.html"
+        native = generated_c(robot, folder)
         data = json.loads(re.search(r'id="live-data">(.*?)</script>', page.read_text(), re.S)[1])
-        native = Native(folder, robot)
         self.assertEqual(len(native.symbols), len(data["geometry"]))
-        self.assertEqual(native.inverse is not None, data["inverse"])
+        eliminated = data["inverse"] and native.inverse is None
+        has_arm_angle = "cpp" in data and not eliminated
+        cpp = NativeCpp(folder, robot, "arm_angle" if has_arm_angle else "inverse") if everything and "cpp" in data else None
         numbers = random.Random(3)
         q = array.array("d", (numbers.uniform(-3, 3) for _ in range(poses * native.dof)))
-        (folder / "points").write_bytes(q.tobytes())
-        here, templates = pathlib.Path(__file__).parent, source / "templates/report"
-        subprocess.run(["node", str(here / "wasm_run.mjs"), str(page),
-                        str(templates / "live_motion.js"), str(templates / "live_arm.js"), str(folder / "points"),
-                        str(folder / "results")], check=True)
-        results = array.array("d", (folder / "results").read_bytes())
-        at, worst, gaps = 0, 0.0, []
+        results = results_of_page(page, q, folder)
+        worst, gaps, angles, size = 0.0, [], [], native.dof + 2
         for i in range(poses):
             joints = q[i * native.dof : (i + 1) * native.dof]
             values, rows = native.at(joints, data["geometry"], data["given"])
-            size = len(values)
-            worst = max(worst, max(abs(a - b) for a, b in zip(values, results[at : at + size])))
-            count = int(results[at + size])
-            at += size + 1
-            theirs = [results[at + k * (native.dof + 2) : at + (k + 1) * (native.dof + 2)] for k in range(count)]
-            at += count * (native.dof + 2)
-            gaps.append(row_difference(rows, theirs))
-        self.assertEqual(at, len(results))
+            worst = max(worst, max(abs(a - b) for a, b in zip(values, results.take(len(values)))))
+            theirs = results.rows(size)
+            if eliminated and cpp:
+                rows = cpp.rows("solutions", size, values[:7], joints, data["geometry"])
+            if not eliminated or cpp:
+                gaps.append(row_difference(rows, theirs))
+            if has_arm_angle:
+                angles.append(self.at_arm_angle(cpp, values[:7], joints, data["geometry"], results))
+        self.assertEqual(results.at, len(results.values))
         self.assertLess(worst, tolerance)
+        print(f"{robot}: {poses} poses; pose, Jacobian, measures differ by {worst:.1e} at most")
+        for what, differences in (("solutions", gaps), ("solutions by arm angle", angles)):
+            self.assert_near(robot, what, differences)
+
+    def at_arm_angle(self, cpp, pose, joints, geometry, results):
+        """The difference to the same C++ of this machine, if it is there; else of the row that the joints must be."""
+        psi, theirs = results.take(1)[0], results.rows(len(joints) + 2)
+        if cpp is None:
+            return min(joint_difference(row, [*joints, 0, 0]) for row in theirs)
+        return row_difference(cpp.rows("solutions_at_arm_angle", len(joints) + 2, pose, joints, geometry, psi), theirs)
+
+    def assert_near(self, robot, what, gaps):
+        if not gaps:
+            return
         near = sum(gap > tolerance for gap in gaps)
-        print(f"{robot}: {poses} poses; pose, Jacobian, measures differ by {worst:.1e} at most, solutions by {max(gaps):.1e}, "
-              f"at {near} poses by more than {tolerance:.0e}")
-        self.assertLess(max(gaps), 1e-9)
-        self.assertLess(near, poses / 1000, "away from singular poses they are equal")
+        print(f"{robot}: {what} differ by {max(gaps):.1e} at most, at {near} poses by more than {tolerance:.0e}")
+        self.assertLess(max(gaps), 1e-9, what)
+        self.assertLessEqual(near, poses / 1000, f"{what}: away from singular poses they are equal")
+
+
+def joint_difference(row, other):
+    return max(abs(math.remainder(x - y, 2 * math.pi)) for x, y in zip(row[:-2], other[:-2]))
 
 
 def row_difference(ours, theirs):
@@ -144,8 +214,7 @@ def row_difference(ours, theirs):
     worst = 0.0
     for row in ours:
         same = [other for other in theirs if other[-2] == row[-2]]
-        gap = lambda other: max(abs(math.remainder(x - y, 2 * math.pi)) for x, y in zip(row[:-2], other[:-2]))
-        worst = max(worst, min(map(gap, same)))
+        worst = max(worst, min(joint_difference(row, other) for other in same))
     return worst
 
 
