@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "derive/inverse/builder.h"
 
+#include "derive/inverse/names.h"
 #include "symbolic/model.h"
 
 namespace qvgen::derive::inverse {
@@ -25,7 +26,7 @@ Builder::Builder(const model::Robot& robot, Scope& scope, Plan& plan, const std:
     if (is_constant(step.value)) constants_.insert(step.name);
   plan_.joints.resize(robot.joints.size());
   scope_.turn("result");
-  for (const char* name : {"result", "result_1", "result_2"}) scope_.length(name);
+  for (const char* name : {"result", names::result_1, names::result_2}) scope_.length(name);
 }
 
 bool Builder::is_constant(const ex& value) const {
@@ -45,8 +46,8 @@ Step& Builder::add(Kind kind, const Screw* screw, int branches, const std::strin
     step.unknown = screw->variable;
     auto& value = plan_.joints[static_cast<std::size_t>(screw->joint)];
     value.revolute = screw->revolute;
-    value.cosine = screw->revolute ? "cos_" + screw->variable : screw->variable;
-    value.sine = screw->revolute ? "sin_" + screw->variable : "";
+    value.cosine = screw->revolute ? names::cosine(screw->variable) : screw->variable;
+    value.sine = screw->revolute ? names::sine(screw->variable) : "";
     if (screw->revolute)
       scope_.turn(screw->variable);
     else
@@ -67,7 +68,7 @@ ex Builder::without_foot(const ex& value) const {
       symbolic::symbol(plan_.steps.back().unknown) != roots_.back().value)
     return value;
   if (GiNaC::is_a<GiNaC::symbol>(value) || roots_.back().foot.is_zero()) return value;
-  return value.subs(roots_.back().value == roots_.back().foot + symbolic::symbol("result")).expand();
+  return value.subs(roots_.back().value == roots_.back().foot + symbolic::symbol(names::result)).expand();
 }
 
 ex Builder::keep(const std::string& name, const ex& wanted) {
@@ -81,8 +82,8 @@ ex Builder::keep(const std::string& name, const ex& wanted) {
 }
 
 void Builder::set_turn(Step& step, const Screw& screw, const Flat& v) {
-  step.after.output(symbolic::symbol("cos_" + screw.variable), v.x);
-  step.after.output(symbolic::symbol("sin_" + screw.variable), v.y);
+  step.after.output(symbolic::symbol(names::cosine(screw.variable)), v.x);
+  step.after.output(symbolic::symbol(names::sine(screw.variable)), v.y);
 }
 
 void Builder::set_length(Step& step, const Screw& screw, const ex& value) {
@@ -91,8 +92,8 @@ void Builder::set_length(Step& step, const Screw& screw, const ex& value) {
 
 namespace {
 
-Flat result_turn() { return {symbolic::symbol("cos_result"), symbolic::symbol("sin_result")}; }
-ex result_length() { return symbolic::symbol("result"); }
+Flat result_turn() { return {symbolic::symbol(names::cosine_result), symbolic::symbol(names::sine_result)}; }
+ex result_length() { return symbolic::symbol(names::result); }
 
 }  // namespace
 
@@ -236,8 +237,8 @@ Scope::Turn Builder::turn_by_pair(const std::string& name, const Flat& direction
   step.before.output("choice_x", choice.cosine);
   step.before.output("choice_y", choice.sine);
   step.degenerate = "the directions lie along the axis: " + name + " is free";
-  step.after.output(symbolic::symbol("cos_" + name), result_turn().x);
-  step.after.output(symbolic::symbol("sin_" + name), result_turn().y);
+  step.after.output(symbolic::symbol(names::cosine(name)), result_turn().x);
+  step.after.output(symbolic::symbol(names::sine(name)), result_turn().y);
   return scope_.turn(name);
 }
 
@@ -299,8 +300,8 @@ void Builder::two_slides(const Screw& s, const Screw& t, const Slides& slides, c
       "boundary of reach: the two solutions coincide; a = b or a = -b: one of them is infinitely far away; a "
       "= b = 0: " +
       s.variable + " is free as far as " + t.variable + " can follow";
-  set_length(step, s, symbolic::symbol("result_1"));
-  const ex other = scope_.rename(step.after, "offset_" + t.variable, symbolic::symbol("result_2"));
+  set_length(step, s, symbolic::symbol(names::result_1));
+  const ex other = scope_.rename(step.after, "offset_" + t.variable, symbolic::symbol(names::result_2));
   slide_by_value(t, other, "the same two equations");
 }
 
@@ -341,8 +342,8 @@ Scope::Turn Builder::reachable(const std::string& name, const std::vector<kind::
   step.before.output("offset_y", offset.y);
   step.before.output("inner", inner);
   step.before.output("outer", outer);
-  step.after.output(symbolic::symbol("cos_" + name), symbolic::symbol("cos_result"));
-  step.after.output(symbolic::symbol("sin_" + name), symbolic::symbol("sin_result"));
+  step.after.output(symbolic::symbol(names::cosine(name)), symbolic::symbol(names::cosine_result));
+  step.after.output(symbolic::symbol(names::sine(name)), symbolic::symbol(names::sine_result));
   return scope_.turn(name);
 }
 
@@ -380,9 +381,10 @@ Scope::Turn Builder::half(const std::string& name, const ex& cosine, const ex& s
   step.unknown = name;
   step.before.output("cosine", cosine);
   step.before.output("sine", sine);
-  step.after.output(symbolic::symbol("cos_half_" + name), symbolic::symbol("cos_result"));
-  step.after.output(symbolic::symbol("sin_half_" + name), symbolic::symbol("sin_result"));
-  return scope_.turn("half_" + name);
+  step.after.output(symbolic::symbol(names::cosine(names::half(name))),
+                    symbolic::symbol(names::cosine_result));
+  step.after.output(symbolic::symbol(names::sine(names::half(name))), symbolic::symbol(names::sine_result));
+  return scope_.turn(names::half(name));
 }
 
 }  // namespace qvgen::derive::inverse

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "derive/inverse/held_angle.h"
 
+#include "derive/inverse/names.h"
 #include "symbolic/model.h"
 
 namespace qvgen::derive::inverse {
@@ -21,7 +22,7 @@ ex term_by_term(const ex& expanded, const Change& change) {
 }  // namespace
 
 HeldAngle::HeldAngle(const std::string& variable)
-    : cosine(symbolic::symbol("cos_" + variable)), sine(symbolic::symbol("sin_" + variable)) {
+    : cosine(symbolic::symbol(names::cosine(variable))), sine(symbolic::symbol(names::sine(variable))) {
   const ex angle = symbolic::symbol(variable);
   cosine_value = GiNaC::cos(angle);
   sine_value = GiNaC::sin(angle);

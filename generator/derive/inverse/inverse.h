@@ -8,16 +8,6 @@
 
 namespace qvgen::derive::inverse {
 
-/// Names in the target program that stand for what the caller gives: the pose's unit quaternion and position.
-inline constexpr const char* pose_quaternion = "pose_q";
-inline constexpr const char* pose_position = "pose_p";
-/// The quaternion as it was given, of any length, and 1 / its square: the rotation matrix does not wait for a
-/// unit one.
-inline constexpr const char* pose_given = "pose_r";
-inline constexpr const char* pose_scale = "pose_s";
-/// Defined by every target program: the square of a length of the arm's size, for telling noise from values.
-inline constexpr const char* size_square = "size_square";
-
 /// A problem and its plan, or why there is none.
 struct Derivation {
   bool found = false;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "derive/inverse/names.h"
 #include "derive/inverse/schedule.h"
 #include "symbolic/model.h"
 
@@ -16,7 +17,8 @@ namespace {
 
 struct Names {
   explicit Names(const Step& step)
-      : cosine(symbolic::symbol("cos_" + step.unknown)), sine(symbolic::symbol("sin_" + step.unknown)) {}
+      : cosine(symbolic::symbol(names::cosine(step.unknown))),
+        sine(symbolic::symbol(names::sine(step.unknown))) {}
   [[nodiscard]] bool in(const ex& value) const { return value.has(cosine) || value.has(sine); }
   [[nodiscard]] bool have(const GiNaC::symbol& name) const {
     return name.is_equal(cosine) || name.is_equal(sine);
@@ -43,7 +45,7 @@ std::optional<ex> by_length(const ex& value, const Step& step, const Names& name
   const ex factor = (x.is_zero() ? b / y : a / x).normal();
   if (!Scope::is_number(factor) || !scope.is_zero(a - factor * x) || !scope.is_zero(b - factor * y))
     return std::nullopt;
-  return rest + factor * symbolic::symbol("result");
+  return rest + factor * symbolic::symbol(names::result);
 }
 
 /// What the step leaves, by its direction's length wherever the direction itself was read.

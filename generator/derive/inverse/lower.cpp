@@ -5,6 +5,7 @@
 
 #include "dag/import.h"
 #include "derive/inverse/arm_at_zero.h"
+#include "derive/inverse/names.h"
 #include "passes/constants.h"
 #include "passes/pass.h"
 
@@ -36,7 +37,7 @@ LoweredPlan lower(const Plan& plan) {
 std::string step_name(const LoweredPlan& plan, std::size_t index) {
   const Step& step = plan.plan.steps[index];
   if (step.wrist() != nullptr) return "wrist";
-  if (step.is<kind::Half>()) return "half_" + step.unknown;
+  if (step.is<kind::Half>()) return names::half(step.unknown);
   if (step.is<kind::Require>()) return "condition_" + std::to_string(index + 1);
   return step.unknown;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "derive/inverse/orientation.h"
 
+#include "derive/inverse/names.h"
+
 namespace qvgen::derive::inverse {
 
 using GiNaC::ex;
@@ -50,7 +52,7 @@ Quaternion keep(Builder& builder, const std::string& name, const Quaternion& q) 
 Quaternion without_first(Builder& builder, const std::vector<Screw>& joints, Quaternion rotation) {
   for (const Group& group : groups(builder, joints)) {
     const Quaternion back = half_turn_back(builder, group);
-    rotation = keep(builder, "after_" + group.name, back * rotation);
+    rotation = keep(builder, names::orientation_without(group.name), back * rotation);
   }
   return rotation;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "derive/inverse/attempt.h"
 #include "derive/inverse/inverse.h"
+#include "derive/inverse/names.h"
 #include "derive/inverse/orientation.h"
 #include "derive/inverse/pair_system.h"
 #include "derive/inverse/tool_side.h"
@@ -33,7 +34,7 @@ std::vector<Screw> mirrored(const std::vector<Screw>& screws) {
 }
 
 Flat turn_of(const std::string& name) {
-  return {symbolic::symbol("cos_" + name), symbolic::symbol("sin_" + name)};
+  return {symbolic::symbol(names::cosine(name)), symbolic::symbol(names::sine(name))};
 }
 
 /// The point of axis b that is nearest to axis a; any point if they are parallel.
@@ -250,7 +251,7 @@ class ParallelAxes {
   /// Three points that stand off from each other by the size of the arm are carried to where the pose has
   /// them.
   void polish() {
-    const ex size = GiNaC::sqrt(symbolic::symbol(size_square));
+    const ex size = GiNaC::sqrt(symbolic::symbol(names::size_square));
     std::vector<Vector> start;
     std::vector<Vector> goal;
     for (const Vector& away : {Vector{0, 0, 0}, Vector{1, 0, 0}, Vector{0, 1, 0}}) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "derive/inverse/attempt.h"
 #include "derive/inverse/inverse.h"
+#include "derive/inverse/names.h"
 #include "symbolic/model.h"
 
 namespace qvgen::derive::inverse {
@@ -17,7 +18,8 @@ ex square_of(const ex& value) { return GiNaC::pow(value, 2); }
 /// The pose has to keep the height along the axes, up to noise.
 void require_height(Attempt& attempt, const Vector& axis, const Vector& start, const Vector& goal) {
   attempt.builder.require_zero(attempt.scope.clean(dot(axis, goal - start)),
-                               GiNaC::sqrt(symbolic::symbol(size_square)), "the height along the axes");
+                               GiNaC::sqrt(symbolic::symbol(names::size_square)),
+                               "the height along the axes");
 }
 
 /// Why two links cannot place a point that is `start` at zero: one of them has no length.

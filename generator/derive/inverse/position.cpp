@@ -7,6 +7,7 @@
 
 #include "derive/inverse/block.h"
 #include "derive/inverse/inverse.h"
+#include "derive/inverse/names.h"
 #include "derive/inverse/pair_system.h"
 #include "symbolic/model.h"
 
@@ -135,7 +136,7 @@ class Position {
     if (u.screw.revolute || (!w.screw.revolute && sees_always(w, n))) return std::nullopt;
     if (!w.screw.revolute) {
       // Far enough for any slide across; along axis b the slide w cannot make up for u at all.
-      const ex far = GiNaC::pow(10, 6) * symbolic::symbol(size_square);
+      const ex far = GiNaC::pow(10, 6) * symbolic::symbol(names::size_square);
       const Flat k = slope(w);
       return Reach{across(u.base - w.base), slope(u), 0, scope_.clean(k.x * k.x + k.y * k.y) * far};
     }
@@ -203,8 +204,8 @@ class Position {
       return u.at_value(n, builder_) - scope_.clean(dot(n, b_.point));
     };
     Step& step = builder_.plan().steps.back();
-    flats_[name(u)] = {scope_.define(step.after, "plane_" + name(u) + "_x", along(b_.first)),
-                       scope_.define(step.after, "plane_" + name(u) + "_y", along(b_.second))};
+    flats_[name(u)] = {scope_.define(step.after, names::plane(name(u), "x"), along(b_.first)),
+                       scope_.define(step.after, names::plane(name(u), "y"), along(b_.second))};
     kept_.insert(name(u));
   }
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "derive/inverse/names.h"
 #include "derive/inverse/schedule.h"
 #include "symbolic/model.h"
 
@@ -45,9 +46,9 @@ struct Known {
 
 /// ±(x, y): k is the direction's length.
 Signed opposite(const Step& step, const ex& x, const ex& y, const ex& square) {
-  if (step.keeps_length()) return {{{symbolic::symbol("result"), k()}}, square};
-  return {{{symbolic::symbol("cos_result"), k() * x / square},
-           {symbolic::symbol("sin_result"), k() * y / square}},
+  if (step.keeps_length()) return {{{symbolic::symbol(names::result), k()}}, square};
+  return {{{symbolic::symbol(names::cosine_result), k() * x / square},
+           {symbolic::symbol(names::sine_result), k() * y / square}},
           square};
 }
 
@@ -56,13 +57,14 @@ std::optional<Signed> line_angle(const ex& low, const ex& high, const ex& x, con
                                  const Scope& scope) {
   const ex d = scope.clean((high - low) / 2);
   if (!scope.is_zero((high + low) * (high + low) - 4 * square)) return std::nullopt;
-  return Signed{{{symbolic::symbol("cos_result"), (d * x - k() * y) / square},
-                 {symbolic::symbol("sin_result"), (k() * x + d * y) / square}},
+  return Signed{{{symbolic::symbol(names::cosine_result), (d * x - k() * y) / square},
+                 {symbolic::symbol(names::sine_result), (k() * x + d * y) / square}},
                 square - d * d};
 }
 
 std::optional<Signed> by_sign(const Step& step, const Known& known, const Scope& scope) {
-  if (step.is<kind::Root>()) return Signed{{{symbolic::symbol("result"), k()}}, known.input(step, "square")};
+  if (step.is<kind::Root>())
+    return Signed{{{symbolic::symbol(names::result), k()}}, known.input(step, "square")};
   const ex x = known.input(step, "x");
   const ex y = known.input(step, "y");
   const ex square = x * x + y * y;

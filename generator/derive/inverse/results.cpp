@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "derive/inverse/results.h"
 
+#include "derive/inverse/names.h"
 #include "symbolic/model.h"
 
 namespace qvgen::derive::inverse {
@@ -14,8 +15,8 @@ class Turned {
  public:
   Turned(const Step& step, const Scope& scope)
       : scope_(scope),
-        cosine_(symbolic::symbol("cos_" + step.unknown)),
-        sine_(symbolic::symbol("sin_" + step.unknown)) {
+        cosine_(symbolic::symbol(names::cosine(step.unknown))),
+        sine_(symbolic::symbol(names::sine(step.unknown))) {
     for (const Program::Step& value : step.after.steps()) {
       if (value.name.is_equal(cosine_)) in_results_[cosine_] = value.value;
       if (value.name.is_equal(sine_)) in_results_[sine_] = value.value;
@@ -26,8 +27,8 @@ class Turned {
   [[nodiscard]] ex written(const ex& value) const {
     if (!value.has(cosine_) && !value.has(sine_)) return value;
     const ex expanded = value.subs(in_results_).expand();
-    const ex first = symbolic::symbol("cos_result");
-    const ex second = symbolic::symbol("sin_result");
+    const ex first = symbolic::symbol(names::cosine_result);
+    const ex second = symbolic::symbol(names::sine_result);
     const ex a = expanded.coeff(first, 1);
     const ex b = expanded.coeff(second, 1);
     const ex rest = (expanded - a * first - b * second).expand();

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "derive/inverse/inverse.h"
+#include "derive/inverse/names.h"
 #include "symbolic/model.h"
 
 namespace qvgen::derive::inverse {
@@ -22,8 +23,8 @@ std::vector<std::string> writes(const Step& step) {
   for (const auto& output : step.after.outputs()) names.push_back(output.name);
   if (step.wrist() == nullptr) return names;
   for (const std::string& variable : step.wrist()->variables) {
-    names.push_back("cos_" + variable);
-    names.push_back("sin_" + variable);
+    names.push_back(names::cosine(variable));
+    names.push_back(names::sine(variable));
   }
   return names;
 }
@@ -120,7 +121,7 @@ std::vector<std::size_t> order(const Plan& plan, bool careful) {
 }
 
 void prune(Plan& plan) {
-  std::set<std::string> wanted = {size_square};
+  std::set<std::string> wanted = {names::size_square};
   for (const JointValue& joint : plan.joints) {
     wanted.insert(joint.cosine);
     wanted.insert(joint.sine);
@@ -139,7 +140,7 @@ void prune(Plan& plan) {
   plan.target_kept = kept(plan.target);
   // What steps read of the pose itself passes through the target under its own name.
   for (const std::string& name : wanted) {
-    if (name.rfind(pose_quaternion, 0) != 0 && name.rfind(pose_position, 0) != 0) continue;
+    if (name.rfind(names::pose_quaternion, 0) != 0 && name.rfind(names::pose_position, 0) != 0) continue;
     plan.target.output(name, symbolic::symbol(name));
     plan.target_kept.push_back(name);
   }

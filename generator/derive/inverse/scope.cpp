@@ -5,6 +5,7 @@
 
 #include <cln/cln.h>
 
+#include "derive/inverse/names.h"
 #include "exact/named_constant.h"
 #include "symbolic/model.h"
 
@@ -110,8 +111,8 @@ Scope::Turn Scope::turn(const std::string& name) {
     cosines[i] = (1 - t * t) / (1 + t * t);
     sines[i] = 2 * t / (1 + t * t);
   }
-  const ex cosine = add("cos_" + name, cosines);
-  return {cosine, add("sin_" + name, sines)};
+  const ex cosine = add(names::cosine(name), cosines);
+  return {cosine, add(names::sine(name), sines)};
 }
 
 Quaternion Scope::quaternion(const std::string& prefix) {

@@ -2,6 +2,7 @@
 #include "derive/inverse/target.h"
 
 #include "derive/inverse/inverse.h"
+#include "derive/inverse/names.h"
 #include "symbolic/model.h"
 
 namespace qvgen::derive::inverse {
@@ -10,10 +11,10 @@ using symbolic::Vector;
 
 Target::Target(Builder& builder, const symbolic::Pair& home) : builder_(builder), home_(home) {
   Scope& scope = builder.scope();
-  pose_ = {scope.quaternion(pose_quaternion), scope.vector(pose_position)};
-  const symbolic::Quaternion q = scope.unscaled(pose_given, pose_scale, pose_.q);
+  pose_ = {scope.quaternion(names::pose_quaternion), scope.vector(names::pose_position)};
+  const symbolic::Quaternion q = scope.unscaled(names::pose_given, names::pose_scale, pose_.q);
   const symbolic::Matrix3 matrix = symbolic::to_matrix(q);
-  const GiNaC::ex scale = symbolic::symbol(pose_scale);
+  const GiNaC::ex scale = symbolic::symbol(names::pose_scale);
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
       const GiNaC::ex unit = i == j ? 1 : 0;
@@ -25,14 +26,14 @@ Target::Target(Builder& builder, const symbolic::Pair& home) : builder_(builder)
   const Vector wide{pose_.p.x, pose_.p.y, pose_.p.z};
   GiNaC::ex arm = scope.clean(dot(home.p, home.p));
   if (scope.held()) arm = scope.clean(scope.held()->at_zero(arm));
-  scope.define(builder.plan().target, size_square, dot(wide, wide) + arm);
+  scope.define(builder.plan().target, names::size_square, dot(wide, wide) + arm);
 }
 
 void read_unit_quaternion(symbolic::Program& program) {
-  GiNaC::exmap unit = {{symbolic::symbol(pose_scale), 1}};
+  GiNaC::exmap unit = {{symbolic::symbol(names::pose_scale), 1}};
   for (const char* part : {"_w", "_x", "_y", "_z"})
-    unit[symbolic::symbol(std::string(pose_given) + part)] =
-        symbolic::symbol(std::string(pose_quaternion) + part);
+    unit[symbolic::symbol(std::string(names::pose_given) + part)] =
+        symbolic::symbol(std::string(names::pose_quaternion) + part);
   symbolic::Program result;
   for (const symbolic::Program::Step& step : program.steps())
     result.append({step.name, step.value.subs(unit)});

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "derive/inverse/wrist.h"
 
+#include "derive/inverse/names.h"
+
 namespace qvgen::derive::inverse {
 
 using GiNaC::ex;
@@ -62,7 +64,7 @@ void name_joint(Builder& builder, const Screw& screw) {
   builder.scope().turn(screw.variable);
   if (screw.joint < 0) return;
   auto& value = builder.plan().joints[static_cast<std::size_t>(screw.joint)];
-  value = {true, "cos_" + screw.variable, "sin_" + screw.variable};
+  value = {true, names::cosine(screw.variable), names::sine(screw.variable)};
 }
 
 /// Constants of a wrist: its twists in half angles, and the angle between its normals.

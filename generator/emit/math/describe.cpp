@@ -2,9 +2,12 @@
 #include "emit/math/describe.h"
 
 #include "derive/inverse/inverse.h"
+#include "derive/inverse/names.h"
 #include "emit/math/vocabulary.h"
 
 namespace qvgen::emit {
+
+namespace names = derive::inverse::names;
 
 using derive::inverse::LoweredPlan;
 using derive::inverse::Step;
@@ -73,7 +76,7 @@ class Description {
     std::vector<std::string> lines;
     for (const dag::Output& output : function.outputs) {
       // What tells noise from values is no part of the mathematics.
-      if (output.name == derive::inverse::size_square || output.name == "scale") continue;
+      if (output.name == names::size_square || output.name == "scale") continue;
       const std::string left = name(output.name);
       const std::string right = formula(function.graph, output.value, notation_, name);
       if (left != right && right.size() <= readable) lines.push_back(left + " = " + right);

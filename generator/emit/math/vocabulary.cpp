@@ -4,16 +4,16 @@
 #include <algorithm>
 #include <array>
 
+#include "derive/inverse/names.h"
 #include "model/private_names.h"
 
 namespace qvgen::emit {
 
+namespace names = derive::inverse::names;
+
 using derive::inverse::Step;
 
 namespace {
-
-bool begins(const std::string& text, const std::string& start) { return text.rfind(start, 0) == 0; }
-std::string after(const std::string& text, const std::string& start) { return text.substr(start.size()); }
 
 std::vector<std::string> parts_of(const std::string& name) {
   std::vector<std::string> parts{""};
@@ -33,7 +33,7 @@ Vocabulary::Vocabulary(const derive::inverse::Plan& plan, std::vector<std::strin
   for (const std::string& variable : variables_)
     for (const Step& step : plan.steps)
       for (const auto& output : step.after.outputs())
-        if (output.name == "plane_" + variable + "_x") planes_.push_back(variable);
+        if (output.name == names::plane(variable, "x")) planes_.push_back(variable);
 }
 
 std::string Vocabulary::variable(const std::string& name) const { return formula(name, notation_); }
@@ -60,26 +60,23 @@ std::string Vocabulary::function(const std::string& name, const std::string& of,
   return name + "(" + (half && !single ? "(" + sum + ")" : sum) + (half ? "/2)" : ")");
 }
 
-/// cos_result and the like: the angle φ or the length r that the step solves; for a half angle the very
-/// angle.
+/// The angle φ or the length r that the step solves; for a half angle the very angle. Nothing for another
+/// name.
 std::string Vocabulary::solved(const std::string& name, const Step& step) const {
-  if (name == "result") return "r";
-  if (begins(name, "result_")) return symbol("r", after(name, "result_"));
+  if (name == names::result) return "r";
+  if (name == names::result_1) return symbol("r", "1");
+  if (name == names::result_2) return symbol("r", "2");
+  if (name != names::cosine_result && name != names::sine_result) return {};
   const bool half = step.is<derive::inverse::kind::Half>();
-  return function(name.substr(0, 3), half ? step.unknown : "phi", half);
+  return function(name == names::cosine_result ? "cos" : "sin", half ? step.unknown : "phi", half);
 }
 
+/// The quaternion's components are w, a, b, c.
 std::string Vocabulary::part_of_pose(const std::string& name) const {
-  static const std::array<std::array<const char*, 2>, 7> parts{{{"pose_q_w", "w"},
-                                                                {"pose_q_x", "a"},
-                                                                {"pose_q_y", "b"},
-                                                                {"pose_q_z", "c"},
-                                                                {"pose_p_x", "x"},
-                                                                {"pose_p_y", "y"},
-                                                                {"pose_p_z", "z"}}};
-  for (const auto& [own, theirs] : parts)
-    if (name == own) return begins(name, "pose_p") ? symbol("p", theirs) : theirs;
-  return {};
+  if (const auto component = names::behind(std::string(names::pose_quaternion) + "_", name))
+    return *component == "x" ? "a" : *component == "y" ? "b" : *component == "z" ? "c" : *component;
+  const auto component = names::behind(std::string(names::pose_position) + "_", name);
+  return component ? symbol("p", *component) : "";
 }
 
 /// after_theta1_theta2_x: a component of the orientation with the joints up to theta2 taken off, N_32.
@@ -103,18 +100,18 @@ std::string Vocabulary::other(const std::string& name) const {
 
 std::string Vocabulary::operator()(const std::string& name, const Step& step) const {
   if (model::is_marked(name)) return other(model::described_name(name));
-  if (name == "cos_result" || name == "sin_result" || begins(name, "result")) return solved(name, step);
+  if (const std::string found = solved(name, step); !found.empty()) return found;
   if (const std::string pose = part_of_pose(name); !pose.empty()) return pose;
-  if (begins(name, "after_")) return without_joints(name);
-  for (const char* trigonometric : {"cos", "sin"}) {
-    const std::string start = std::string(trigonometric) + "_";
-    if (!begins(name, start)) continue;
-    const bool half = begins(name, start + "half_");
-    return function(trigonometric, after(name, start + (half ? "half_" : "")), half);
+  if (names::behind(names::orientation_without(""), name)) return without_joints(name);
+  for (const bool is_cosine : {true, false}) {
+    const auto angle = names::behind(is_cosine ? names::cosine("") : names::sine(""), name);
+    if (!angle) continue;
+    const auto halved = names::behind(names::half(""), *angle);
+    return function(is_cosine ? "cos" : "sin", halved.value_or(*angle), halved.has_value());
   }
   for (std::size_t i = 0; i < planes_.size(); ++i)
-    if (begins(name, "plane_" + planes_[i] + "_"))
-      return symbol(i == 0 ? "N" : "M", name.substr(name.size() - 1));
+    for (const char* coordinate : {"x", "y"})
+      if (name == names::plane(planes_[i], coordinate)) return symbol(i == 0 ? "N" : "M", coordinate);
   return other(name);
 }
 

@@ -2,6 +2,7 @@
 #include "verify/inverse/certify.h"
 
 #include "derive/inverse/inverse.h"
+#include "derive/inverse/names.h"
 #include "exact/named_constant.h"
 #include "model/evaluate.h"
 #include "verify/certificate.h"
@@ -9,6 +10,8 @@
 #include "verify/inverse/execute.h"
 
 namespace qvgen::verify {
+
+namespace names = derive::inverse::names;
 namespace {
 
 using derive::inverse::LoweredPlan;
@@ -45,12 +48,11 @@ Values target(const model::Bindings& geometry, const Pair& pose) {
   for (const auto& [name, value] : geometry) values[name] = Real(value);
   const std::array<const char*, 4> parts = {"_w", "_x", "_y", "_z"};
   for (std::size_t i = 0; i < 4; ++i) {
-    values[derive::inverse::pose_quaternion + std::string(parts[i])] = pose.q[i];
-    values[derive::inverse::pose_given + std::string(parts[i])] = pose.q[i];
+    values[names::pose_quaternion + std::string(parts[i])] = pose.q[i];
+    values[names::pose_given + std::string(parts[i])] = pose.q[i];
   }
-  values[derive::inverse::pose_scale] = Real(1);
-  for (std::size_t i = 0; i < 3; ++i)
-    values[derive::inverse::pose_position + std::string(parts[i + 1])] = pose.p[i];
+  values[names::pose_scale] = Real(1);
+  for (std::size_t i = 0; i < 3; ++i) values[names::pose_position + std::string(parts[i + 1])] = pose.p[i];
   return values;
 }
 

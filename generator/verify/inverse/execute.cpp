@@ -7,10 +7,13 @@
 
 #include "dag/evaluate.h"
 #include "derive/inverse/inverse.h"
+#include "derive/inverse/names.h"
 #include "exact/named_constant.h"
 #include "verify/certificate.h"
 
 namespace qvgen::verify {
+
+namespace names = derive::inverse::names;
 namespace {
 
 namespace kind = derive::inverse::kind;
@@ -65,7 +68,7 @@ class Execution {
 
   std::vector<Row> run(Values values) {
     for (const auto& [name, value] : outputs(plan_.target, values)) values[name] = value;
-    noise_ = {values.at(derive::inverse::size_square)};
+    noise_ = {values.at(names::size_square)};
     range_test_ = outputs(plan_.range_test, values);
     follow(0, values, Branch{}, 0);
     return std::move(rows_);
@@ -118,8 +121,8 @@ class Execution {
     int k = 0;
     for (const auto& root : backend.all_roots()) {
       Values known = values;
-      known["cos_result"] = root.turn.cosine;
-      known["sin_result"] = root.turn.sine;
+      known[names::cosine_result] = root.turn.cosine;
+      known[names::sine_result] = root.turn.sine;
       known["result"] = root.slide;
       leave(index, known);
       follow(place + 1, known, branch, label * 4 + k++);
@@ -145,10 +148,10 @@ class Execution {
     JointValues<Real, joints> values;
     for (std::size_t i = 0; i < joints; ++i) {
       const std::string& turn = newton.variables[i];
-      const bool revolute = known.count("cos_" + turn) > 0;
+      const bool revolute = known.count(names::cosine(turn)) > 0;
       task.arm[i] = {revolute, triple("axis", i), triple("point", i)};
-      values[i] =
-          revolute ? Rotor{known.at("cos_" + turn), known.at("sin_" + turn)} : Rotor{known.at(turn), Real(0)};
+      values[i] = revolute ? Rotor{known.at(names::cosine(turn)), known.at(names::sine(turn))}
+                           : Rotor{known.at(turn), Real(0)};
     }
     for (std::size_t i = 0; i < points; ++i) {
       task.start[i] = triple("start", i);
@@ -158,7 +161,7 @@ class Execution {
     const bool reached = qvgen::inverse::polish(task, default_tolerance, values);
     for (std::size_t i = 0; i < joints; ++i) {
       known[(task.arm[i].revolute ? "cos_" : "") + newton.variables[i]] = values[i].cosine;
-      if (task.arm[i].revolute) known["sin_" + newton.variables[i]] = values[i].sine;
+      if (task.arm[i].revolute) known[names::sine(newton.variables[i])] = values[i].sine;
     }
     return reached;
   }

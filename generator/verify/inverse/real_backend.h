@@ -5,10 +5,13 @@
 #include <map>
 #include <string>
 
+#include "derive/inverse/names.h"
 #include "verify/inverse/numeric_backend.h"
 #include "verify/inverse/real.h"
 
 namespace qvgen::verify {
+
+namespace names = derive::inverse::names;
 
 using Values = std::map<std::string, Real>;
 
@@ -46,7 +49,7 @@ class RealBackend : public NumericBackend<Real, RealBackend> {
   [[nodiscard]] const Boundary& boundary() const { return boundary_; }
   [[nodiscard]] Branch& branch() const { return branch_; }
 
-  [[nodiscard]] Real& length_of(const std::string& unknown) const { return known_["length_" + unknown]; }
+  [[nodiscard]] Real& length_of(const std::string& unknown) const { return known_[names::length(unknown)]; }
   void signed_length(const std::string& unknown, const Real& sign) const {
     known_["result"] = sign * length_of(unknown);
   }
@@ -60,8 +63,8 @@ class RealBackend : public NumericBackend<Real, RealBackend> {
   void turn(const Rotor& turn) const { set("result", turn); }
   void length(const Real& length) const { known_["result"] = length; }
   void two_lengths(const Rotor& lengths) const {
-    known_["result_1"] = lengths.cosine;
-    known_["result_2"] = lengths.sine;
+    known_[names::result_1] = lengths.cosine;
+    known_[names::result_2] = lengths.sine;
   }
   void roots(const char* /*type*/, const qvgen::inverse::CircleRoots<Real>& found) {
     for (std::size_t k = 0; k < static_cast<std::size_t>(found.count); ++k)
@@ -90,8 +93,8 @@ class RealBackend : public NumericBackend<Real, RealBackend> {
 
  private:
   void set(const std::string& name, const Rotor& turn) const {
-    known_["cos_" + name] = turn.cosine;
-    known_["sin_" + name] = turn.sine;
+    known_[names::cosine(name)] = turn.cosine;
+    known_[names::sine(name)] = turn.sine;
   }
   void set(const Wrist& wrist, const qvgen::inverse::WristAngles<Real>& angles) const {
     const std::array<Real, 3> values = {angles.first, angles.middle, angles.last};

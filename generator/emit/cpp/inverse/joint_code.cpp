@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "emit/cpp/inverse/joint_code.h"
 
+#include "derive/inverse/names.h"
 #include "emit/cpp/inverse/step_code.h"
 
 namespace qvgen::emit {
+
+namespace names = derive::inverse::names;
 
 using derive::inverse::LoweredPlan;
 namespace {
@@ -12,8 +15,8 @@ namespace {
 std::string length_argument(const LoweredPlan& plan, const derive::inverse::JointValue& value,
                             const std::string& work, const Dialect& d) {
   for (const derive::inverse::Step& step : plan.plan.steps)
-    if (step.keeps_length() && value.cosine == "cos_" + step.unknown)
-      return d.member(work, "length_" + step.unknown);
+    if (step.keeps_length() && value.cosine == names::cosine(step.unknown))
+      return d.member(work, names::length(step.unknown));
   return {};
 }
 

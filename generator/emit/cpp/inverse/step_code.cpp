@@ -5,6 +5,7 @@
 #include <map>
 
 #include "derive/inverse/divisors.h"
+#include "derive/inverse/names.h"
 #include "derive/inverse/schedule.h"
 #include "emit/cpp/code.h"
 #include "emit/cpp/inverse/text_backend.h"
@@ -16,6 +17,8 @@
 #include "model/private_names.h"
 
 namespace qvgen::emit {
+
+namespace names = derive::inverse::names;
 
 namespace kind = derive::inverse::kind;
 using derive::inverse::LoweredPlan;
@@ -38,10 +41,10 @@ SymbolTable names_of(const model::Robot& robot, const LoweredPlan& plan, const S
     if (const auto field = fields.find(name); field != fields.end())
       return d.scalar(d.member("t", "geometry." + field->second));
     if (slides && name == "result") return "result.slide";
-    if (slides && name == "cos_result") return "result.turn.cosine";
-    if (slides && name == "sin_result") return "result.turn.sine";
-    if (name == "cos_result" || name == "result_1") return "result.cosine";
-    if (name == "sin_result" || name == "result_2") return "result.sine";
+    if (slides && name == names::cosine_result) return "result.turn.cosine";
+    if (slides && name == names::sine_result) return "result.turn.sine";
+    if (name == names::cosine_result || name == names::result_1) return "result.cosine";
+    if (name == names::sine_result || name == names::result_2) return "result.sine";
     if (name == "result") return result;
     if (std::find(target.begin(), target.end(), name) != target.end()) return d.scalar(d.member("t", name));
     return d.member("w", name);
@@ -97,8 +100,8 @@ std::vector<std::string> wrist_turn_lines(const kind::Wrist& wrist, const Dialec
   std::vector<std::string> lines;
   const std::array<const char*, 3> parts = {"first", "middle", "last"};
   for (std::size_t i = 0; i < 3; ++i) {
-    lines.push_back(d.member("w", "cos_" + wrist.variables[i]) + " = result." + parts[i] + ".cosine;");
-    lines.push_back(d.member("w", "sin_" + wrist.variables[i]) + " = result." + parts[i] + ".sine;");
+    lines.push_back(d.member("w", names::cosine(wrist.variables[i])) + " = result." + parts[i] + ".cosine;");
+    lines.push_back(d.member("w", names::sine(wrist.variables[i])) + " = result." + parts[i] + ".sine;");
   }
   return lines;
 }
@@ -125,7 +128,7 @@ std::vector<std::string> work_fields(const LoweredPlan& plan) {
       for (const std::string& variable : wrist->variables)
         for (const char* part : {"cos_", "sin_"}) fields.push_back(part + variable);
     fields.insert(fields.end(), step.kept.begin(), step.kept.end());
-    if (step.keeps_length()) fields.push_back("length_" + step.unknown);
+    if (step.keeps_length()) fields.push_back(names::length(step.unknown));
   }
   return fields;
 }

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "emit/cpp/inverse/text_backend.h"
 
+#include "derive/inverse/names.h"
+
 namespace qvgen::emit {
+
+namespace names = derive::inverse::names;
 
 using derive::inverse::LoweredPlan;
 
@@ -23,7 +27,7 @@ std::string entry(const LoweredPlan& plan, const std::string& array, int joint) 
 }  // namespace
 
 std::string length_place(const Dialect& d, const std::string& unknown) {
-  return d.member("w", "length_" + unknown);
+  return d.member("w", names::length(unknown));
 }
 
 std::string preferred_turn(const LoweredPlan& plan, int joint, const Dialect& d) {
