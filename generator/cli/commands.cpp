@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/suggestion.h"
 #include "description/reader.h"
 #include "description/write.h"
 #include "emit/math/ability.h"
@@ -65,6 +66,10 @@ std::optional<std::vector<model::Robot>> read_robots(const std::vector<fs::path>
 }
 
 std::vector<fs::path> descriptions_in(const fs::path& folder) {
+  if (!fs::is_directory(folder))
+    throw UsageError("the descriptions of the known robots are not in " +
+                     fs::weakly_canonical(folder).string() +
+                     ", where this tool looks for them; install it with `cmake --install`, or name files");
   std::vector<fs::path> paths;
   for (const auto& entry : fs::directory_iterator(folder))
     if (entry.path().extension() == ".toml") paths.push_back(entry.path());

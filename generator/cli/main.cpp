@@ -30,9 +30,10 @@ fs::path description_of(const std::string& robot, const fs::path& robots) {
   const fs::path named = robots / (robot + ".toml");
   const bool is_path = robot.find('/') != std::string::npos || fs::path(robot).has_extension();
   if (is_file(robot) || is_path) return robot;
-  if (!fs::exists(named))
-    throw UsageError(
-        with_suggestion("there is no file and no known robot '" + robot + "'", robot, names_in(robots)));
+  if (!fs::exists(named)) {
+    const std::string problem = "there is no file and no known robot '" + robot + "'";
+    throw UsageError(with_suggestion(problem, robot, names_in(robots)));
+  }
   return named;
 }
 
@@ -89,6 +90,88 @@ int print(const std::vector<std::string>& lines) {
   return success;
 }
 
+fs::path folder_of(const CommandLine& line, const Installation& here, const std::vector<std::string>& files) {
+  return line.output.empty() ? default_output(here, files) : fs::path(line.output);
+}
+
+/// Named ones, or all that are known.
+std::vector<fs::path> wanted_descriptions(const std::vector<std::string>& named, const Installation& here) {
+  return named.empty() ? descriptions_in(here.robots) : descriptions_of(named, here.robots);
+}
+
+void check_parts_of(const GenerateArguments& generate) {
+  check_parts("--only", generate.parts, product_names());
+  check_parts("--require", generate.required, part_names());
+  for (const std::string& part : generate.required)
+    if (!generate.parts.empty())
+      check_parts("--only without what is required", {product_of(part)}, generate.parts);
+  for (const std::string& part : extra_names())
+    if (generate.parts.empty() && has(generate.required, part))
+      throw UsageError("--require " + part + ": it is made only if --only names it too");
+}
+
+int generate(CommandLine& line, const Installation& here) {
+  GenerateArguments& generate = line.generate;
+  check_parts_of(generate);
+  if (line.language == "c") generate.language = Language::c;
+  generate.known_robots = here.robots;
+  generate.output = folder_of(line, here, line.generate_files);
+  generate.tool = here.tool;
+  generate.all_known = line.generate_files.empty();
+  generate.descriptions = wanted_descriptions(line.generate_files, here);
+  return run_generate(generate);
+}
+
+int show(CommandLine& line, const Installation& here) {
+  if (line.functions)
+    return run_show_functions(fs::path(line.shown).stem().string(), folder_of(line, here, {}));
+  line.show.description = description_of(line.shown, here.robots);
+  return run_show(line.show);
+}
+
+int counts(CommandLine& line, const Installation& here) {
+  line.counts.folder = folder_of(line, here, {});
+  return run_counts(line.counts);
+}
+
+int report(CommandLine& line, const Installation& here) {
+  ReportArguments& report = line.report;
+  report.known_robots = here.robots;
+  report.source_tree = here.source_tree;
+  report.tool = here.tool;
+  report.all_known = line.reported.empty();
+  report.descriptions = wanted_descriptions(line.reported, here);
+  if (report.generated.empty()) report.generated = default_output(here, {});
+  return run_report(report);
+}
+
+int map(CommandLine& line, const Installation& here) {
+  MapArguments& map = line.map;
+  if (line.mapped.empty() == map.merged.empty())
+    throw UsageError("map takes either a robot or --merge with parts");
+  if (!line.mapped.empty()) map.description = description_of(line.mapped, here.robots);
+  map.known_robots = here.robots;
+  map.source_tree = here.source_tree;
+  map.tool = here.tool;
+  return run_map(map);
+}
+
+int run(CommandLine& line, const Installation& here) {
+  if (*line.generate_command) return generate(line, here);
+  if (*line.remove_command) return run_remove(line.removed, folder_of(line, here, {}));
+  if (*line.show_command) return show(line, here);
+  if (*line.counts_command) return counts(line, here);
+  if (*line.compare_command) return run_compare(compare_arguments(line, here));
+  if (*line.report_command) return report(line, here);
+  if (*line.map_command) return map(line, here);
+  if (*line.import_command) return run_import(line.imported, line.import);
+  if (*line.new_command) return run_new(line.letters, line.name, line.wrist == "euler", here.robots);
+  if (*line.list_command) return print(names_in(here.robots));
+  if (*line.manual_command) return print({man_page(line.app)});
+  if (*line.completion_command) return print({completion(line.app, line.shell)});
+  return run_check(descriptions_of(line.checked, here.robots), line.check, line.thorough);
+}
+
 int run(int argc, char** argv) {
   CommandLine line;
   try {
@@ -97,69 +180,7 @@ int run(int argc, char** argv) {
     const int code = line.app.exit(error);
     return code == 0 ? success : usage_error;
   }
-
-  const Installation here = find_installation();
-  const auto folder = [&](const std::vector<std::string>& files) {
-    return line.output.empty() ? default_output(here, files) : fs::path(line.output);
-  };
-  if (*line.generate_command) {
-    GenerateArguments& generate = line.generate;
-    check_parts("--only", generate.parts, product_names());
-    check_parts("--require", generate.required, part_names());
-    for (const std::string& part : generate.required)
-      if (!generate.parts.empty())
-        check_parts("--only without what is required", {product_of(part)}, generate.parts);
-    for (const std::string& part : extra_names())
-      if (generate.parts.empty() && has(generate.required, part))
-        throw UsageError("--require " + part + ": it is made only if --only names it too");
-    if (line.language == "c") generate.language = Language::c;
-    generate.known_robots = here.robots;
-    generate.output = folder(line.generate_files);
-    generate.tool = here.tool;
-    generate.all_known = line.generate_files.empty();
-    generate.descriptions = line.generate_files.empty() ? descriptions_in(here.robots)
-                                                        : descriptions_of(line.generate_files, here.robots);
-    return run_generate(generate);
-  }
-  if (*line.remove_command) return run_remove(line.removed, folder({}));
-  if (*line.show_command && line.functions)
-    return run_show_functions(fs::path(line.shown).stem().string(), folder({}));
-  if (*line.show_command) {
-    line.show.description = description_of(line.shown, here.robots);
-    return run_show(line.show);
-  }
-  if (*line.counts_command) {
-    line.counts.folder = folder({});
-    return run_counts(line.counts);
-  }
-  if (*line.compare_command) return run_compare(compare_arguments(line, here));
-  if (*line.report_command) {
-    ReportArguments& report = line.report;
-    report.known_robots = here.robots;
-    report.source_tree = here.source_tree;
-    report.tool = here.tool;
-    report.all_known = line.reported.empty();
-    report.descriptions =
-        report.all_known ? descriptions_in(here.robots) : descriptions_of(line.reported, here.robots);
-    if (report.generated.empty()) report.generated = default_output(here, {});
-    return run_report(report);
-  }
-  if (*line.map_command) {
-    MapArguments& map = line.map;
-    if (line.mapped.empty() == map.merged.empty())
-      throw UsageError("map takes either a robot or --merge with parts");
-    if (!line.mapped.empty()) map.description = description_of(line.mapped, here.robots);
-    map.known_robots = here.robots;
-    map.source_tree = here.source_tree;
-    map.tool = here.tool;
-    return run_map(map);
-  }
-  if (*line.import_command) return run_import(line.imported, line.import);
-  if (*line.new_command) return run_new(line.letters, line.name, line.wrist == "euler", here.robots);
-  if (*line.list_command) return print(names_in(here.robots));
-  if (*line.manual_command) return print({man_page(line.app)});
-  if (*line.completion_command) return print({completion(line.app, line.shell)});
-  return run_check(descriptions_of(line.checked, here.robots), line.check, line.thorough);
+  return run(line, find_installation());
 }
 
 }  // namespace

@@ -28,10 +28,11 @@ struct ToolRun {
   std::string output;  ///< stdout and stderr
 };
 
-/// The tool's run; `arguments` may send the output elsewhere.
-inline ToolRun run_in(const fs::path& folder, const std::string& arguments) {
+/// The tool's run, or another's; `arguments` may send the output elsewhere.
+inline ToolRun run_in(const fs::path& folder, const std::string& arguments,
+                      const std::string& tool = QVGEN_TOOL) {
   const std::string command =
-      "cd '" + folder.string() + "' && { " + QVGEN_TOOL + " " + arguments + "; } 2>&1 </dev/null";
+      "cd '" + folder.string() + "' && { " + tool + " " + arguments + "; } 2>&1 </dev/null";
   FILE* pipe = ::popen(command.c_str(), "r");
   ToolRun result{-1, {}};
   char buffer[4096];

@@ -36,6 +36,18 @@ TEST_F(CommandLine, AFolderWithARobotsNameHidesNoRobot) {
   EXPECT_TRUE(has(run_in(folder, "show nss"), "there is no file and no known robot 'nss'"));
 }
 
+/// A tool that was copied to another place finds no robots there, but works with files.
+TEST_F(CommandLine, AToolWithoutItsRobotsSaysWhereItLooks) {
+  fs::copy_file(QVGEN_TOOL, folder / "tool");
+  write("my_arm.toml", good_arm);
+  EXPECT_EQ(run_in(folder, "check my_arm.toml", "./tool").code, 0);
+  for (const char* command : {"list", "generate", "check ur5", "show ur5"}) {
+    const ToolRun refused = run_in(folder, command, "./tool");
+    EXPECT_EQ(refused.code, 2) << command;
+    EXPECT_TRUE(has(refused, "/share/qvgen/robots, where this tool looks for them")) << refused.output;
+  }
+}
+
 TEST_F(CommandLine, ShowsTheClosedForm) {
   const ToolRun text = run("show ss");
   EXPECT_EQ(text.code, 0);
