@@ -125,8 +125,8 @@ std::string pose_text(const Chain& chain, const std::vector<double>& q) {
   std::string text;
   for (std::size_t i = 0; i < q.size(); ++i) {
     const bool revolute = chain.joints[i].revolute;
-    text += fmt::format("{}{} = {:.4g}{}", i == 0 ? "" : ", ", typeset(chain.joints[i].variable),
-                        revolute ? q[i] / degree : q[i], revolute ? "°" : " m");
+    text += fmt::format("{}{} = {}{}", i == 0 ? "" : ", ", typeset(chain.joints[i].variable),
+                        number_cell(revolute ? q[i] / degree : q[i], 4).html, revolute ? "°" : " m");
   }
   return text;
 }
@@ -142,24 +142,28 @@ nlohmann::json figure(const std::string& svg, const std::string& caption) {
   return {{"svg", svg}, {"caption", caption}};
 }
 
+nlohmann::json figures(const model::Robot& robot, const Chain& chain) {
+  const std::vector<double> bent = bent_pose(chain);
+  const std::string parts = chain_text(chain), pose = pose_text(chain, bent);
+  const Caption zero_caption{"arm-zero", robot.title + " at its zero pose", parts + " All joints at zero."};
+  const Caption bent_caption{"arm-bent", robot.title + " away from zero", parts + " " + pose + "."};
+  const Caption frames{"arm-frames", robot.title + ": frames",
+                       fmt::format("The frames of {} links and the tool, at {}.", chain.joints.size(), pose),
+                       true, true};
+  return {figure(drawing(chain, zero_pose(chain), zero_caption),
+                 "Zero pose, with the offsets’ names and lengths (m). Cylinders turn about the dashed axes, "
+                 "boxes slide along them."),
+          figure(drawing(chain, bent, bent_caption), escaped(pose)),
+          figure(drawing(chain, bent, frames),
+                 "The same pose: the frames in which the links are described, by the number of their joint, "
+                 "x dotted, y dashed, z drawn through; the tool’s last.")};
+}
+
 }  // namespace
 
 Section arm_section(const model::Robot& robot, const Chain& chain) {
-  const std::vector<double> zero = zero_pose(chain);
-  const std::vector<double> bent = bent_pose(chain);
-  const std::string parts = chain_text(chain);
   nlohmann::json values;
-  values["figures"] = {
-      figure(drawing(chain, zero,
-                     {"arm-zero", robot.title + " at its zero pose", parts + " All joints at zero."}),
-             "Zero pose, with the names and lengths (m) of the offsets."),
-      figure(
-          drawing(chain, bent,
-                  {"arm-bent", robot.title + " away from zero", parts + " " + pose_text(chain, bent) + "."}),
-          escaped(pose_text(chain, bent)))};
-  values["figures"][0]["caption"] =
-      "Zero pose, with the offsets’ names and lengths (m). Cylinders turn about the dashed axes, boxes slide "
-      "along them.";
+  values["figures"] = figures(robot, chain);
   values["assumed"] =
       chain.assumed.empty()
           ? ""

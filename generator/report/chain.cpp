@@ -111,7 +111,7 @@ Posture posture_of(const Chain& chain, const std::vector<double>& q) {
     const Vector point = at.translation();
     const Vector axis = at.linear() * joint.axis;
     at = at * (joint.revolute ? turn(joint.axis, q[i]) : Motion(Eigen::Translation3d(q[i] * joint.axis)));
-    posture.joints.push_back({point, axis, at.translation()});
+    posture.joints.push_back({point, axis, at.translation(), at});
     go(joint.after);
   }
   go(chain.tool);

@@ -50,6 +50,7 @@ struct Posture {
     Vector point;  ///< on its axis, before a slide has moved
     Vector axis;
     Vector moved;  ///< the point carried along by the joint's motion
+    Motion frame;  ///< in which the link behind the joint is described
   };
   std::vector<Joint> joints;
   /// Constant pieces between joints, each along one axis of its frame.

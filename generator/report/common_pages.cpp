@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <set>
 
 #include <fmt/format.h>
@@ -150,14 +151,31 @@ Cell ratio_cell(const ordered_json& compared, const std::string& level) {
           true};
 }
 
+/// The same of measured times.
+Cell measured_ratio_cell(const ordered_json& entry, const std::string& level) {
+  const ordered_json times = times_at(entry, "forward", level);
+  if (times.is_null() || !times.contains("pairs") || !times.contains("dh")) return {"–", true};
+  return {fmt::format("{:.3f}", times.at("pairs").get<double>() / times.at("dh").get<double>()), true};
+}
+
+bool has_times(const ordered_json& entries) {
+  return std::any_of(entries.begin(), entries.end(),
+                     [](const ordered_json& entry) { return entry.contains("times"); });
+}
+
 std::string thesis_html(const ordered_json& entries) {
+  const bool timed = has_times(entries);
   HtmlTable table{
       "Table 3.18 of the thesis, seconds for a million poses in Matlab on a Pentium M, and the same ratio of "
-      "pairs to Denavit–Hartenberg matrices by the cost of their operations here.",
+      "pairs to Denavit–Hartenberg matrices by the cost of their operations here, and by measured times "
+      "where there are any.",
       {text_cell("robot"), {"matrices, s", true}, {"pairs, s", true}, {"ratio printed", true}},
       {},
       "thesis"};
   for (const std::string& level : compare::level_names()) table.head.push_back({level, true});
+  if (timed)
+    for (const std::string& level : compare::level_names())
+      table.head.push_back({level + ", measured", true});
   for (const auto& times : compare::thesis_times()) {
     const std::string name = page_name(times.robot);
     if (!entries.contains(name)) continue;
@@ -167,6 +185,9 @@ std::string thesis_html(const ordered_json& entries) {
                             {fmt::format("{:.3f}", times.pairs / times.matrices), true}};
     for (const std::string& level : compare::level_names())
       cells.push_back(ratio_cell(entries.at(name).at("compared"), level));
+    if (timed)
+      for (const std::string& level : compare::level_names())
+        cells.push_back(measured_ratio_cell(entries.at(name), level));
     table.rows.push_back(cells);
   }
   return table.rows.empty() ? "<p>None of its robots is here.</p>\n" : html(table);

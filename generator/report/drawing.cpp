@@ -202,15 +202,35 @@ void draw_joint(Picture& picture, const ChainJoint& joint, const Posture::Joint&
   picture.solid("slide", prism(at, placed.axis, 1.05 * radius, 1.3 * radius, 4), placed.axis);
 }
 
-void draw_tool(Picture& picture, const Motion& tool, double size) {
-  const char* names[] = {"tool-x", "tool-y", "tool-z"};
+/// Axes in the styles NAME-x, NAME-y, NAME-z.
+void draw_frame(Picture& picture, const std::string& name, const Motion& frame, double size) {
+  const char* ends[] = {"-x", "-y", "-z"};
   for (int axis = 0; axis < 3; ++axis)
-    picture.line(names[axis], tool.translation(), tool.translation() + size * tool.linear().col(axis), 2);
+    picture.line(name + ends[axis], frame.translation(),
+                 frame.translation() + size * frame.linear().col(axis), 2);
 }
 
 void draw_ground(Picture& picture, double radius) {
   std::vector<Vector> plate = prism({0, 0, -0.2 * radius}, {0, 0, 1}, 2.2 * radius, 0.2 * radius, 4);
   picture.solid("ground", plate, {0, 0, 1});
+}
+
+/// The joints' symbols or frames, with their names where they are wanted.
+void draw_joints(Picture& picture, const Chain& chain, const Posture& posture, const Caption& caption,
+                 double radius) {
+  const std::vector<Vector> places = symbol_places(posture, radius);
+  for (std::size_t i = 0; i < chain.joints.size(); ++i) {
+    const Posture::Joint& joint = posture.joints[i];
+    if (caption.frames)
+      draw_frame(picture, "frame", joint.frame, 2.4 * radius);
+    else
+      draw_joint(picture, chain.joints[i], joint, places[i], radius);
+  }
+  if (!caption.names) return;
+  for (std::size_t i = 0; i < chain.joints.size(); ++i) {
+    const std::string name = caption.frames ? std::to_string(i + 1) : typeset(chain.joints[i].variable);
+    picture.label(caption.frames ? posture.joints[i].moved : places[i], name, "joint-name");
+  }
 }
 
 std::string picture_of(const Chain& chain, const std::vector<double>& q, const Caption& caption, double width,
@@ -219,16 +239,11 @@ std::string picture_of(const Chain& chain, const std::vector<double>& q, const C
   const double radius = 0.03 * size_of(chain);
   Picture picture(width, height, 13);
   draw_ground(picture, radius);
-  for (const auto& leg : posture.legs) picture.line("link", leg.from, leg.to);
-  const std::vector<Vector> places = symbol_places(posture, radius);
-  for (std::size_t i = 0; i < chain.joints.size(); ++i)
-    draw_joint(picture, chain.joints[i], posture.joints[i], places[i], radius);
-  draw_tool(picture, posture.tool, 3.2 * radius);
-  if (caption.names) {
-    for (std::size_t i = 0; i < chain.joints.size(); ++i)
-      picture.label(places[i], typeset(chain.joints[i].variable), "joint-name");
+  for (const auto& leg : posture.legs) picture.line(caption.frames ? "link pale" : "link", leg.from, leg.to);
+  draw_joints(picture, chain, posture, caption, radius);
+  draw_frame(picture, "tool", posture.tool, 3.2 * radius);
+  if (caption.names && !caption.frames)
     for (const auto& leg : posture.legs) picture.label(0.5 * (leg.from + leg.to), leg.name, "leg-name");
-  }
   return picture.svg(caption);
 }
 

@@ -13,7 +13,8 @@ struct Caption {
   std::string id;  ///< unique on its page
   std::string title;
   std::string description;
-  bool names = true;  ///< of joints and offsets beside them
+  bool names = true;    ///< of joints and offsets beside them
+  bool frames = false;  ///< those of the links in place of the joints
 };
 
 /// The arm as an SVG: turns as cylinders on their axes, slides as boxes, constant pieces as lines.

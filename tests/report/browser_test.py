@@ -185,6 +185,21 @@ return [live.intervals.length, Math.max(...ends.map(([a, b, middle]) => Math.max
         self.assertGreater(intervals, 0)
         self.assertLess(worst, 1e-9, "a joint stands at its limit at either end, and within between")
 
+    def test_feasible_values_of_a_given_joint_are_shown(self):
+        self.open("iiwa14")
+        self.browser.run("window.other = new Live({ ...window.live.arm, armAngle: undefined })")
+        self.settle()
+        share = """
+const label = document.querySelector(".feasible").getAttribute("aria-label");
+return Number(label.match(/over (\\d+) %/)[1]);"""
+        self.assertEqual(self.browser.run(share), 100, "without limits the elbow goes round")
+        self.browser.run("""
+for (const joint of window.other.joints) [joint.lower, joint.upper] = [-1.06, 1.06];
+window.other.drawn = null;
+window.other.feasible();""")
+        limited = self.browser.run(share)
+        self.assertTrue(0 < limited < 100, limited)
+
     def test_solutions_side_by_side(self):
         self.open("puma560")
         names = self.browser.run("return [...document.querySelectorAll('#live-gallery button:not([hidden]) span')].map((s) => s.textContent)")

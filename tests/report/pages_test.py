@@ -114,7 +114,7 @@ class Pages(unittest.TestCase):
         self.assertEqual(len(re.findall(r":root \{", style)), 2, "light and dark")
 
     def test_every_run_writes_the_same(self):
-        self.assertIn("2 made, 0 files changed", report(self.folder, "ns_arm", "pan_tilt", "--force"))
+        self.assertIn("2 made, 0 files changed", report(self.folder, "finger", "pan_tilt", "--force"))
 
     def test_what_has_not_changed_is_not_made_again(self):
         self.assertIn("0 made, 0 files changed", report(self.folder, *robots))
@@ -148,8 +148,6 @@ class Pages(unittest.TestCase):
             self.assertIn("119.4", text)
         self.assertIn("0 made", report(folder, "ns_arm", "--times", str(folder / "times.json")))
         self.assertIn("compare --time", report(folder, "ns_arm", "--times", str(folder / "counts.json"), fails=True))
-        self.assertIn("1 made", report(folder, "ns_arm"))
-        self.assertNotIn("119.4", (folder / "comparison.html").read_text())
 
     def test_printed_formulas_are_all_there(self):
         document = (source / "tests/inverse/errata/README.md").read_text()

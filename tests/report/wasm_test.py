@@ -11,6 +11,7 @@ import json
 import math
 import os
 import pathlib
+import platform
 import random
 import re
 import shutil
@@ -102,12 +103,13 @@ class NativeCpp:
         parts = {"arm_angle": ("arm_angle", "HAS_ARM_ANGLE"), "inverse": ("general", "HAS_INVERSE")}
         sources, defined = parts[part]
         files = [runtime / "sine_cosine.cpp", *sorted((runtime / sources).glob("*.cpp"))]
-        text = "".join(f'#include "{path}"\n' for path in files if "avx2" not in path.name)
+        text = "".join(f'#include "{path}"\n' for path in files)
         everything_in_one = folder / f"{part}.cpp"
         everything_in_one.write_text(text + f'#include "{pathlib.Path(__file__).parent / "native_calls.cpp"}"\n')
         library = folder / f"lib{robot}_{part}.so"
         generated = source / f"generated/source/{robot}/{part}.cpp"
-        subprocess.run(["c++", "-std=c++17", "-O1", "-DNDEBUG", "-ffp-contract=off", "-DQVGEN_NO_CONTRACTION", "-shared", "-fPIC",
+        vectors = ["-mavx2", "-mfma"] if platform.machine() == "x86_64" else []
+        subprocess.run(["c++", *vectors, "-std=c++17", "-O1", "-DNDEBUG", "-Wno-psabi", "-ffp-contract=off", "-DQVGEN_NO_CONTRACTION", "-shared", "-fPIC",
                         f"-DROBOT={robot}", f'-DSOURCE="{generated}"', f"-D{defined}", f"-I{source}/runtime/include",
                         f"-I{source}/generated/include", "-isystem", "/usr/include/eigen3", "-o", str(library),
                         str(everything_in_one)], check=True)
@@ -185,7 +187,7 @@ class Wasm(unittest.TestCase):
         self.assertLess(worst, tolerance)
         print(f"{robot}: {poses} poses; pose, Jacobian, measures differ by {worst:.1e} at most")
         for what, differences in (("solutions", gaps), ("solutions by arm angle", angles)):
-            self.assert_near(robot, what, differences)
+            self.assert_near(robot, what, differences, 0.004 if eliminated else 0.001)
 
     def at_arm_angle(self, cpp, pose, joints, geometry, results):
         """The difference to the same C++ of this machine, if it is there; else of the row that the joints must be."""
@@ -194,13 +196,14 @@ class Wasm(unittest.TestCase):
             return min(joint_difference(row, [*joints, 0, 0]) for row in theirs)
         return row_difference(cpp.rows("solutions_at_arm_angle", len(joints) + 2, pose, joints, geometry, psi), theirs)
 
-    def assert_near(self, robot, what, gaps):
+    def assert_near(self, robot, what, gaps, share):
+        """Near a singular pose the last bits of sines, which differ by the C library, come back larger."""
         if not gaps:
             return
         near = sum(gap > tolerance for gap in gaps)
         print(f"{robot}: {what} differ by {max(gaps):.1e} at most, at {near} poses by more than {tolerance:.0e}")
         self.assertLess(max(gaps), 1e-9, what)
-        self.assertLessEqual(near, poses / 1000, f"{what}: away from singular poses they are equal")
+        self.assertLessEqual(near, poses * share, f"{what}: away from singular poses they are equal")
 
 
 def joint_difference(row, other):
