@@ -10,6 +10,16 @@
 # whole there: what they include leaves nothing behind that another file's code could be taken for.
 include_guard(GLOBAL)
 
+# qvgen_avx2_options(variable): GCC 12 copies what lanes are made of in halves of a register, and whoever then reads a whole
+# one waits for both.
+function(qvgen_avx2_options variable)
+  set(options -mavx2)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 12)
+    list(APPEND options -mmove-max=256)
+  endif()
+  set(${variable} ${options} PARENT_SCOPE)
+endfunction()
+
 function(qvgen_robot target)
   cmake_parse_arguments(PARSE_ARGV 1 robot "" "INCLUDE" "SOURCES;PRECOMPILED")
   set(inverse_sources ${robot_SOURCES})
@@ -27,8 +37,9 @@ function(qvgen_robot target)
   if(vector_sources)
     set_source_files_properties(${vector_sources} PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
     if(knows_gcc_options AND CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
+      qvgen_avx2_options(avx2)
       set_source_files_properties(${vector_sources} PROPERTIES
-                                  COMPILE_OPTIONS "-mavx2;-ffp-contract=off;-DQVGEN_NO_CONTRACTION")
+                                  COMPILE_OPTIONS "${avx2};-ffp-contract=off;-DQVGEN_NO_CONTRACTION")
     endif()
   endif()
 
@@ -73,9 +84,12 @@ function(qvgen_robot_batch target include)
   set(known_sets "")
   if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang" AND CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
     set(known_sets AVX2 AVX512)
+  elseif(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang" AND CMAKE_SYSTEM_PROCESSOR MATCHES "^(aarch64|arm64)$")
+    set(known_sets NEON)
   endif()
-  set(options_AVX2 -mavx2 -mfma)
-  set(options_AVX512 ${options_AVX2} -mavx512f -mavx512dq -mavx512vl)
+  qvgen_avx2_options(options_AVX2)
+  list(APPEND options_AVX2 -mfma)
+  set(options_AVX512 -mavx2 -mfma -mavx512f -mavx512dq -mavx512vl)
   foreach(set "" ${known_sets})
     if(set)
       set(library ${target}_batch_${set})

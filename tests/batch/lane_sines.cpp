@@ -19,7 +19,7 @@ template <class Set, class Scalar>
       batch::Input<Scalar, 1>{angles});
 }
 
-#if defined(QVGEN_BATCH_AVX2) || defined(QVGEN_BATCH_AVX512)
+#if defined(QVGEN_BATCH_LANES)
 template struct LaneSines<batch::Compiled, double>;
 template struct LaneSines<batch::Compiled, float>;
 #endif

@@ -1,116 +1,48 @@
 // SPDX-License-Identifier: MIT
-// Batches against single calls in a loop: time a configuration by size, scalar, instruction set and threads,
-// and what the memory would allow. ./qvgen benchmark batches [LARGEST], 1000000 if not given.
+// Batches against single calls and other libraries in a loop: time a configuration by size, scalar,
+// instruction set and threads, and what the memory would allow. ./qvgen benchmark batches [LARGEST], 10000000
+// if not given.
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
-#include <functional>
-#include <random>
+#include <map>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/parallel_for_each.h>
 #include <qvgen/batch/threads.h>
-#include <qvgen/robots/iiwa14/batch.h>
-#include <qvgen/robots/puma560/batch.h>
 
+#include "batch_functions.h"
+#include "batch_peers.h"
 #include "peaks.h"
 #include "throughput.h"
 
 namespace {
 
-using qvgen::Batch;
-using qvgen::InstructionSet;
-using throughput::shortest;
+using namespace throughput;
 
-/// Rows of numbers, the inputs of one function or its results.
-template <class T>
-struct Rows {
-  std::size_t rows;
-  std::vector<T> numbers;
-
-  Rows(std::size_t rows_, std::size_t count) : rows(rows_), numbers(rows_ * count) {
-    std::mt19937 random(1);
-    std::uniform_real_distribution<double> number(-3, 3);
-    for (std::size_t i = 0; i < numbers.size(); ++i)
-      numbers[i] = i < 4096 ? static_cast<T>(number(random)) : numbers[i % 4096];
-  }
-  Batch<T> view() { return {numbers.data(), numbers.size() / rows}; }
+/// What one core of the machine does in a second at most.
+struct Machine {
+  double bytes;
+  double numbers[2];  ///< operations on doubles, on floats
 };
 
-/// One function: its rows, the batch form of a part, and single calls one after the other, from and to arrays
-/// of structures.
-template <class T>
-struct Function {
+struct PeerTime {
   std::string name;
-  std::size_t in, out;
-  std::function<void(const Batch<const T>&, const Batch<T>&, InstructionSet)> form;
-  std::function<T(const T*, std::size_t)>
-      singles;  ///< the sum of a result's component: what nothing reads is left out
+  double one_thread, threads;
 };
 
-/// Row `first` and those behind it.
-template <class T>
-Batch<T> from_row(const Batch<T>& batch, std::size_t first) {
-  return {batch.data + first * batch.stride, batch.count, batch.stride};
-}
-
-template <class T>
-std::vector<Function<T>> functions() {
-  namespace puma = qvgen::robots::puma560;
-  namespace iiwa = qvgen::robots::iiwa14;
-  const auto singles = [](auto dof, std::size_t rows, auto call) {
-    return [rows, call](const T* numbers, std::size_t count) {
-      constexpr int n = decltype(dof)::value;
-      T sum = 0;
-      for (std::size_t k = 0; k < count; ++k, numbers += rows) {
-        using Vector = Eigen::Matrix<T, n, 1>;
-        const auto column = [&](std::size_t i) { return Vector(Eigen::Map<const Vector>(numbers + i * n)); };
-        sum += call(column);
-      }
-      return sum;
-    };
-  };
-  using Six = std::integral_constant<int, 6>;
-  using Seven = std::integral_constant<int, 7>;
-  return {
-      {"puma560 forward_kinematics", 6, 7,
-       [](const auto& q, const auto& result, InstructionSet set) {
-         puma::forward_kinematics(q, result, {}, set);
-       },
-       singles(Six{}, 6, [](auto in) { return puma::forward_kinematics<T>(in(0)).position.x(); })},
-      {"puma560 jacobian", 6, 36,
-       [](const auto& q, const auto& result, InstructionSet set) { puma::jacobian(q, result, {}, set); },
-       singles(Six{}, 6, [](auto in) { return puma::jacobian<T>(in(0))(0, 0); })},
-      {"puma560 inverse_dynamics", 18, 6,
-       [](const auto& in, const auto& result, InstructionSet set) {
-         puma::inverse_dynamics(in, from_row(in, 6), from_row(in, 12), result, {}, {}, T(9.81), set);
-       },
-       singles(Six{}, 18, [](auto in) { return puma::inverse_dynamics<T>(in(0), in(1), in(2))[0]; })},
-      {"puma560 forward_dynamics", 18, 6,
-       [](const auto& in, const auto& result, InstructionSet set) {
-         puma::forward_dynamics(in, from_row(in, 6), from_row(in, 12), result, {}, {}, T(9.81), set);
-       },
-       singles(Six{}, 18, [](auto in) { return puma::forward_dynamics<T>(in(0), in(1), in(2))[0]; })},
-      {"puma560 mass_matrix", 6, 36,
-       [](const auto& q, const auto& result, InstructionSet set) {
-         puma::mass_matrix(q, result, {}, {}, set);
-       },
-       singles(Six{}, 6, [](auto in) { return puma::mass_matrix<T>(in(0))(0, 0); })},
-      {"iiwa14 forward_kinematics", 7, 7,
-       [](const auto& q, const auto& result, InstructionSet set) {
-         iiwa::forward_kinematics(q, result, {}, set);
-       },
-       singles(Seven{}, 7, [](auto in) { return iiwa::forward_kinematics<T>(in(0)).position.x(); })},
-      {"iiwa14 inverse_dynamics", 21, 7,
-       [](const auto& in, const auto& result, InstructionSet set) {
-         iiwa::inverse_dynamics(in, from_row(in, 7), from_row(in, 14), result, {}, {}, T(9.81), set);
-       },
-       singles(Seven{}, 21, [](auto in) { return iiwa::inverse_dynamics<T>(in(0), in(1), in(2))[0]; })},
-  };
-}
+/// What has been measured of a function in one scalar.
+struct Measured {
+  std::string name;
+  double bytes, operations;              ///< a configuration
+  std::map<std::size_t, Times> batches;  ///< by their size
+  std::vector<PeerTime> peers;
+};
 
 /// Products, sums, quotients and roots a configuration; a sine and cosine in a lane
 /// takes 22, in double; what is fused counts once, as in time.
@@ -126,65 +58,199 @@ double operations(const std::string& robot_and_function) {
   return sum;
 }
 
-/// What one core of the machine does in a second at most.
-struct Machine {
-  double bytes;
-  double numbers[2];  ///< operations on doubles, on floats
-};
-
 Machine measure_machine() {
   const InstructionSet set = qvgen::widest_instruction_set();
-  return {throughput::bandwidth(), {throughput::arithmetic<double>(set), throughput::arithmetic<float>(set)}};
+  return {bandwidth(), {arithmetic<double>(set), arithmetic<float>(set)}};
 }
 
-/// What bounds a function whose numbers come from memory: the longer of the times that they and the
-/// arithmetic take at the least.
-std::string roof(double bytes, double work, double moved, double computed) {
-  const double memory = 1e9 * bytes / moved, arithmetic = 1e9 * work / computed;
-  return fmt::format(
-      "{:.0f} operations, {:.1f} a byte; at least {:.2f} ns in memory, {:.2f} ns in arithmetic: {} bound",
-      work, work / bytes, memory, arithmetic, memory > arithmetic ? "bandwidth" : "compute");
+/// A batch of 1000 by the form.
+std::vector<double> results_of(const Function<double>& function, Rows<double>& in) {
+  Rows<double> out(function.out, 1000);
+  function.form(Batch<const double>(in.view()), out.view(), qvgen::widest_instruction_set());
+  return out.numbers;
+}
+
+/// Ends the program if a library differs in what both write down alike: times could not be compared.
+void require_agreement(const Function<double>& function, const Peer& peer, const PeerCall& call) {
+  Rows<double> in(function.in, 1000);
+  const std::vector<double> results = results_of(function, in);
+  // Of a pose libraries have the position first, the batch behind the quaternion.
+  const bool is_pose = function.name.find("kinematics") != std::string::npos;
+  const std::size_t first = is_pose ? 4 : 0, rows = is_pose ? 3 : function.out;
+  double worst = 0;
+  std::vector<double> column(function.in);
+  for (std::size_t k = 0; k < 1000; ++k) {
+    for (std::size_t i = 0; i < function.in; ++i) column[i] = in.numbers[i * 1000 + k];
+    const double* theirs = call(column.data());
+    double largest = 1;
+    for (std::size_t i = 0; i < rows; ++i) largest = std::max(largest, std::abs(theirs[i]));
+    for (std::size_t i = 0; i < rows; ++i)
+      worst = std::max(worst, std::abs(theirs[i] - results[(first + i) * 1000 + k]) / largest);
+  }
+  if (worst < 1e-9) return;
+  fmt::print("{}: {} differs by {}\n", function.name, peer.name, worst);
+  std::exit(1);
+}
+
+/// A library in a loop over arrays of structures, on one thread and on all, each with an arm of its own.
+PeerTime measure_peer(const Function<double>& function, const Peer& peer) {
+  constexpr std::size_t count = 1000, repeats = 20;
+  const int threads =
+      static_cast<int>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+  Rows<double> some(function.in, count);
+  std::vector<PeerCall> calls;
+  for (int i = 0; i < threads; ++i) calls.push_back(peer.make());
+  require_agreement(function, peer, calls[0]);
+  const auto loop = [&](const PeerCall& call) {
+    volatile double sink = 0;  // what nothing reads is left out
+    for (std::size_t r = 0; r < repeats; ++r)
+      for (std::size_t k = 0; k < count; ++k) sink = sink + *call(some.numbers.data() + k * function.in);
+  };
+  const double one = shortest([&] { loop(calls[0]); });
+  const double all = shortest([&] { tbb::parallel_for_each(calls, loop); });
+  return {peer.name, one / (count * repeats), all / (count * repeats * static_cast<double>(threads))};
+}
+
+/// One batch of that size. What is larger than 1 GB comes in blocks of that, the same memory again and again.
+template <class T>
+Times measure_batch(const Function<T>& function, std::size_t count, double single) {
+  const std::size_t bytes = (function.in + function.out) * sizeof(T);
+  const std::size_t held = std::min(count, std::size_t(1000000000) / bytes);
+  Rows<T> in(function.in, held), out(function.out, held);
+  const Batch<const T> given = in.view();
+  const Batch<T> result = out.view();
+  const auto blocks = [&](const auto& work) {
+    const auto all = [&] {
+      for (std::size_t first = 0; first < count; first += held) work(std::min(held, count - first));
+    };
+    return shortest(all) / static_cast<double>(count);
+  };
+  const auto by = [&](InstructionSet set) {
+    return blocks([&](std::size_t part) { function.form(given.part(0, part), result.part(0, part), set); });
+  };
+  const double threads = blocks([&](std::size_t block) {
+    qvgen::in_threads(block, [&](std::size_t first, std::size_t part) {
+      function.form(given.part(first, part), result.part(first, part), qvgen::widest_instruction_set());
+    });
+  });
+  return {single, by(InstructionSet::avx2), by(qvgen::widest_instruction_set()), threads};
 }
 
 template <class T>
-void measure(const char* scalar, std::size_t largest, const Machine& machine) {
-  const double copied = machine.bytes, computed = machine.numbers[std::is_same_v<T, float> ? 1 : 0];
-  for (const Function<T>& function : functions<T>()) {
-    Rows<T> some(function.in, 1000);
-    volatile T sink = 0;
-    const double single = shortest([&] { sink = function.singles(some.numbers.data(), 1000); }) / 1000;
-    const double bytes = static_cast<double>((function.in + function.out) * sizeof(T));
-    fmt::print("{} {}: {} bytes a configuration, single calls {:.1f} ns; {}\n", function.name, scalar, bytes,
-               single * 1e9, roof(bytes, operations(function.name), copied, computed));
-    for (std::size_t count = 1; count <= largest; count *= 10) {
-      Rows<T> in(function.in, count), out(function.out, count);
-      const Batch<const T> given = in.view();
-      const Batch<T> result = out.view();
-      const auto time = [&](InstructionSet set) {
-        return shortest([&] { function.form(given, result, set); }) / static_cast<double>(count);
-      };
-      const double avx2 = time(InstructionSet::avx2), widest = time(qvgen::widest_instruction_set());
-      const double threads = shortest([&] {
-                               qvgen::in_threads(count, [&](std::size_t first, std::size_t part) {
-                                 function.form(given.part(first, part), result.part(first, part),
-                                               qvgen::widest_instruction_set());
-                               });
-                             }) /
-                             static_cast<double>(count);
-      fmt::print(
-          "{:>10}  AVX2 {:8.2f} ns ({:4.1f} x)   widest {:8.2f} ns ({:4.1f} x)   threads {:8.2f} ns ({:4.1f} "
-          "x)"
-          "   {:3.0f} % of a copy's bandwidth, {:3.0f} % of the arithmetic\n",
-          count, avx2 * 1e9, single / avx2, widest * 1e9, single / widest, threads * 1e9, single / threads,
-          100 * bytes / widest / copied, 100 * operations(function.name) / widest / computed);
-    }
+Measured measure(const Function<T>& function, std::size_t largest) {
+  Rows<T> some(function.in, 1000);
+  volatile T sink = 0;
+  Measured result{function.name,
+                  static_cast<double>((function.in + function.out) * sizeof(T)),
+                  operations(function.name),
+                  {},
+                  {}};
+  const double single = shortest([&] { sink = function.singles(some.numbers.data(), 1000); }) / 1000;
+  if constexpr (std::is_same_v<T, double>)
+    for (const Peer& peer : peers_of(function.name)) result.peers.push_back(measure_peer(function, peer));
+  for (std::size_t count = 1; count <= largest; count *= 10)
+    result.batches[count] = measure_batch(function, count, single);
+  return result;
+}
+
+/// A line for each instruction set, a column for each size.
+void print_sizes(const std::string& name, const std::map<std::size_t, Times>& batches) {
+  const std::pair<const char*, double Times::*> lines[] = {
+      {"AVX2", &Times::avx2}, {"widest", &Times::widest}, {"threads", &Times::threads}};
+  for (const auto& [what, time] : lines) {
+    const bool is_first = time == &Times::avx2;
+    fmt::print("{:<27}{:<8}{:>7}", is_first ? name : "", what,
+               is_first ? fmt::format("{:.1f}", 1e9 * batches.at(1000).single) : "");
+    for (const auto& [count, times] : batches) fmt::print("{:9.2f}", 1e9 * (times.*time));
+    fmt::print("\n");
   }
+}
+
+void print_head(const std::string& what, std::size_t largest) {
+  fmt::print("\n{:<35}{:>7}", what + ", ns", "single");
+  for (std::size_t count = 1; count <= largest; count *= 10) fmt::print("{:>9}", count);
+  fmt::print("\n");
+}
+
+void print_ratio(const Measured& one, const std::string& library, double PeerTime::*time, double ours) {
+  const auto is_it = [&](const PeerTime& peer) { return peer.name == library; };
+  const auto peer = std::find_if(one.peers.begin(), one.peers.end(), is_it);
+  fmt::print("{:>13}", peer == one.peers.end() ? "-" : fmt::format("{:.0f}", (*peer).*time / ours));
+}
+
+/// Against single calls, and against libraries on as many threads.
+void print_ratios(const std::vector<Measured>& all, std::size_t largest) {
+  const std::size_t many = std::min<std::size_t>(100000, largest);
+  fmt::print("\n1000 configurations on one thread, {} on all: times as fast as\n{:<27}{:>13}", many, "",
+             "single calls");
+  for (const char* library : {"KDL", "MuJoCo", "KDL, all", "MuJoCo, all"}) fmt::print("{:>13}", library);
+  fmt::print("\n");
+  for (const Measured& one : all) {
+    const Times &some = one.batches.at(1000), &most = one.batches.at(many);
+    fmt::print("{:<27}{:13.1f}", one.name, some.single / some.widest);
+    for (const char* library : {"KDL", "MuJoCo"})
+      print_ratio(one, library, &PeerTime::one_thread, some.widest);
+    for (const char* library : {"KDL", "MuJoCo"}) print_ratio(one, library, &PeerTime::threads, most.threads);
+    fmt::print("\n");
+  }
+}
+
+/// What bounds functions whose numbers come from memory: the longer of the times that they and the arithmetic
+/// take at the least.
+void print_roofline(const std::vector<Measured>& all, double moved, double computed,
+                    const std::string& scalar) {
+  fmt::print("\n{:<28}{:>6}{:>12}{:>8}{:>9}{:>12}{:>9}{:>12}   bound from memory by\n", scalar, "bytes",
+             "operations", "a byte", "memory", "arithmetic", "is, ns", "of peak, %");
+  for (const Measured& one : all) {
+    const double memory = one.bytes / moved, work = one.operations / computed,
+                 is = one.batches.at(1000).widest;
+    fmt::print("{:<28}{:6.0f}{:12.0f}{:8.1f}{:9.2f}{:12.2f}{:9.2f}{:12.0f}   {}\n", one.name, one.bytes,
+               one.operations, one.operations / one.bytes, 1e9 * memory, 1e9 * work, 1e9 * is,
+               100 * work / is, memory > work ? "bandwidth" : "computing");
+  }
+}
+
+/// All solutions of poses, by the number of poses, and by the share of doubtful ones.
+void measure_inverse(std::size_t largest) {
+  print_head("all solutions of poses", largest);
+  for (const InverseOfArm& arm : inverse_of_arms()) {
+    std::map<std::size_t, Times> batches;
+    for (std::size_t count = 1; count <= largest; count *= 10) batches[count] = arm.measure(count, 0);
+    print_sizes(arm.name, batches);
+  }
+  const double shares[] = {0, 0.01, 0.1, 1};
+  fmt::print("\nns of single calls, and times as fast as they are, 1000 poses\n{:<10}", "in doubt");
+  for (const double share : shares) fmt::print("{:>22.0f} %", 100 * share);
+  fmt::print("\n{:<10}", "");
+  for ([[maybe_unused]] const double share : shares)
+    fmt::print("{:>8}{:>8}{:>8}", "single", "AVX2", "widest");
+  fmt::print("\n");
+  for (const InverseOfArm& arm : inverse_of_arms()) {
+    fmt::print("{:<10}", arm.name);
+    for (const double share : shares) {
+      const Times times = arm.measure(1000, share);
+      fmt::print("{:8.0f}{:8.1f}{:8.1f}", 1e9 * times.single, times.single / times.avx2,
+                 times.single / times.widest);
+    }
+    fmt::print("\n");
+  }
+}
+
+template <class T>
+void measure_all(const std::string& scalar, std::size_t largest, const Machine& machine) {
+  std::vector<Measured> all;
+  for (const Function<T>& function : functions<T>()) all.push_back(measure(function, largest));
+  print_head(scalar, largest);
+  for (const Measured& one : all) print_sizes(one.name, one.batches);
+  if (!all.front().peers.empty()) print_ratios(all, largest);
+  print_roofline(all, machine.bytes, machine.numbers[std::is_same_v<T, float> ? 1 : 0], scalar);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::size_t largest = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 1000000;
+  const std::size_t largest =
+      std::max<std::size_t>(1000, argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 10000000);
   const Machine machine = measure_machine();
   fmt::print(
       "one core: a copy in memory moves {:.1f} GB/s, {:.1f} G operations a second on doubles, {:.1f} on "
@@ -192,13 +258,8 @@ int main(int argc, char** argv) {
       "{} threads\n",
       machine.bytes / 1e9, machine.numbers[0] / 1e9, machine.numbers[1] / 1e9,
       tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
-  for (const std::size_t poses : {1000U, 10000U, 1000000U}) {
-    if (poses > largest) continue;
-    fmt::print("all solutions of {} poses: share at the boundary of reach, ns a pose singly and in batches\n",
-               poses);
-    for (const auto measure_arm : throughput::inverse_of_arms()) measure_arm(poses);
-  }
-  measure<double>("double", largest, machine);
-  measure<float>("float", largest, machine);
+  measure_inverse(largest);
+  measure_all<double>("double", largest, machine);
+  measure_all<float>("float", largest, machine);
   return 0;
 }

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <random>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include <fmt/format.h>
 #include <qvgen/batch/inverse.h>
 #include <qvgen/batch/machine.h>
 #include <qvgen/batch/solutions.h>
@@ -47,13 +46,14 @@ struct Found {
 template <int dof, class Forward, class Single, class Form>
 class Comparison {
  public:
-  Comparison(std::string name, const Forward& forward, const Single& single, const Form& form,
-             int given_joint = -1)
-      : name_(std::move(name)), forward_(forward), single_(single), form_(form), given_joint_(given_joint) {}
+  Comparison(const Forward& forward, const Single& single, const Form& form, int given_joint)
+      : forward_(forward), single_(single), form_(form), given_joint_(given_joint) {}
 
-  void measure(std::size_t count) {
-    for (const double share : {0.0, 0.01, 0.1, 1.0})
-      if (share == 0 || count < 100000) measure(count, share);  // what is in doubt takes long
+  /// What is larger than a million, 500 MB, comes in blocks of that, the same memory again and again.
+  Times measure(std::size_t count, double share) {
+    constexpr std::size_t most = 1000000;
+    const std::vector<Request> all = requests(std::min(count, most), share);
+    return measure(all, (count + most - 1) / most);
   }
 
  private:
@@ -89,8 +89,8 @@ class Comparison {
     return all;
   }
 
-  void measure(std::size_t count, double share) {
-    const std::vector<Request> all = requests(count, share);
+  Times measure(const std::vector<Request>& all, std::size_t blocks) {
+    const std::size_t count = all.size();
     std::vector<double> poses(7 * count), given(count);
     for (std::size_t k = 0; k < count; ++k) {
       qvgen::batch::put_pose(all[k].pose, {poses.data(), count}, k);
@@ -101,7 +101,12 @@ class Comparison {
     const Batch<const double> in{poses.data(), count}, joint{given.data(), count};
     const BatchOfSolutions out = found.view();
     volatile int sink = 0;
-    const auto a_pose = [&](const auto& work) { return 1e9 * shortest(work) / static_cast<double>(count); };
+    const auto a_pose = [&](const auto& work) {
+      const double time = shortest([&] {
+        for (std::size_t block = 0; block < blocks; ++block) work();
+      });
+      return time / static_cast<double>(count * blocks);
+    };
     const double single = a_pose([&] {
       int sum = 0;
       for (const Request& request : all) sum += single_(request).size();
@@ -115,13 +120,9 @@ class Comparison {
               qvgen::widest_instruction_set());
       });
     });
-    fmt::print(
-        "{:<18} {:5.0f} % {:8.1f} ns  AVX2 {:8.1f} ns ({:4.2f} x)  widest {:8.1f} ns ({:4.2f} x)"
-        "  threads {:8.1f} ns ({:4.2f} x)\n",
-        name_, 100 * share, single, avx2, single / avx2, widest, single / widest, threads, single / threads);
+    return {single, avx2, widest, threads};
   }
 
-  std::string name_;
   Forward forward_;
   Single single_;
   Form form_;
@@ -130,9 +131,12 @@ class Comparison {
 };
 
 template <int dof, class Forward, class Single, class Form>
-void compare(const std::string& name, std::size_t count, const Forward& forward, const Single& single,
-             const Form& form, int given_joint = -1) {
-  Comparison<dof, Forward, Single, Form>(name, forward, single, form, given_joint).measure(count);
+InverseOfArm inverse_of_arm(const std::string& name, const Forward& forward, const Single& single,
+                            const Form& form, int given_joint) {
+  return {name, [=](std::size_t count, double share) {
+            return Comparison<dof, Forward, Single, Form>(forward, single, form, given_joint)
+                .measure(count, share);
+          }};
 }
 
 }  // namespace throughput

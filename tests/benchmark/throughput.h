@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
+#include <functional>
+#include <string>
 #include <vector>
 
 /// Times of batches.
@@ -18,22 +20,33 @@ double seconds(const Work& work) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// The shortest time of one run, of several runs of some milliseconds each.
+/// The shortest time of one run, of several runs of some milliseconds each; of few if they take long.
 template <class Work>
 double shortest(const Work& work) {
   const double first = std::max(seconds(work), 1e-8);
   const int repeats = std::clamp(static_cast<int>(4e-3 / first), 1, 100000);
+  const int rounds = std::clamp(static_cast<int>(1 / first), 2, 12);
   double best = first;
-  for (int round = 0; round < 12; ++round)
+  for (int round = 0; round < rounds; ++round)
     best = std::min(best, seconds([&] {
                             for (int i = 0; i < repeats; ++i) work();
                           }) / repeats);
   return best;
 }
 
-/// Measures the inverse kinematics of an arm each, in batches of so many poses.
-inline std::vector<void (*)(std::size_t)>& inverse_of_arms() {
-  static std::vector<void (*)(std::size_t)> all;
+/// Seconds a configuration.
+struct Times {
+  double single, avx2, widest, threads;
+};
+
+/// The inverse kinematics of an arm: times in batches of so many poses, a share of them doubtful.
+struct InverseOfArm {
+  std::string name;
+  std::function<Times(std::size_t, double)> measure;
+};
+
+inline std::vector<InverseOfArm>& inverse_of_arms() {
+  static std::vector<InverseOfArm> all;
   return all;
 }
 

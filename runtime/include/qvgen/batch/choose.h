@@ -8,12 +8,14 @@
 
 namespace qvgen::batch {
 
-/// The set for so many configurations: fewer than four in double are computed as single calls do, which have
-/// the same bits. In float they have not, and what a configuration yields should not depend on how many there
-/// are.
+/// The set for so many configurations: fewer than four in double are computed as single calls do, where those
+/// have the same bits. In float and beside NEON they have not, and what a configuration yields should not
+/// depend on how many there are.
 template <class T>
 InstructionSet set_for(InstructionSet wanted, std::size_t count) {
-  return std::is_same_v<T, double> && count < 4 ? InstructionSet::baseline : wanted;
+  return std::is_same_v<T, double> && count < 4 && !machine_has(InstructionSet::neon)
+             ? InstructionSet::baseline
+             : wanted;
 }
 
 /// Calls `function` with the type of the wanted set, or of the next narrower one that this machine has and
@@ -24,7 +26,10 @@ void with_set([[maybe_unused]] InstructionSet wanted, const Function& function) 
   if (wanted == InstructionSet::avx512 && machine_has(InstructionSet::avx512)) return function(Avx512{});
 #endif
 #if defined(QVGEN_BATCH_HAS_AVX2)
-  if (wanted != InstructionSet::baseline && machine_has(InstructionSet::avx2)) return function(Avx2{});
+  if (wanted >= InstructionSet::avx2 && machine_has(InstructionSet::avx2)) return function(Avx2{});
+#endif
+#if defined(QVGEN_BATCH_HAS_NEON)
+  if (wanted != InstructionSet::baseline && machine_has(InstructionSet::neon)) return function(Neon{});
 #endif
   function(Baseline{});
 }

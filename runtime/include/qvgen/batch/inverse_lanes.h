@@ -27,12 +27,27 @@ using Doubles = Lanes<double, Compiled>;
 QVGEN_LANES Doubles arctangent(const Doubles& y, const Doubles& x) {
   return inverse::polynomial::arctangent(y, x);
 }
+
+/// As inverse::polynomial::tangent; of `sign` the sign bit alone is read, so the other bits may be anything.
+QVGEN_LANES inverse::polynomial::Tangent<Doubles> tangent(const Doubles& y, const Doubles& x,
+                                                          const Doubles& length) {
+  const Doubles height = magnitude(y);
+  const Doubles width = magnitude(x);
+  const Doubles steep = width - height;
+  const Doubles axis = select_by_sign(steep, Doubles(0x1.921fb54442d18p+0),
+                                      select_by_sign(x, Doubles(0x1.921fb54442d18p+1), Doubles(0.0)));
+  return {with_sign_bit(axis, y), smaller(height, width) / (length + larger(height, width)),
+          with_flips_of(with_flips_of(x, y), steep)};
+}
 QVGEN_LANES Doubles arctangent(const Doubles& y, const Doubles& x, const Doubles& length) {
-  return inverse::polynomial::arctangent(y, x, length);
+  const auto found = tangent(y, x, length);
+  return inverse::polynomial::TwiceArctangent<Doubles>(found).from(found.axis);
 }
 QVGEN_LANES inverse::Opposites<Doubles> opposite_arctangents(const Doubles& y, const Doubles& x,
                                                              const Doubles& length, const Doubles& pi) {
-  return inverse::polynomial::opposite_arctangents(y, x, length, pi);
+  const auto found = tangent(y, x, length);
+  const inverse::polynomial::TwiceArctangent<Doubles> angle(found);
+  return {angle.from(found.axis), angle.from(found.axis - with_sign_bit(pi, y))};
 }
 QVGEN_LANES Doubles acute_arctangent(const Doubles& y, const Doubles& x) {
   return inverse::polynomial::acute_arctangent(y, x);
@@ -87,5 +102,25 @@ QVGEN_LANES batch::LaneMask<Set> is_out_of_range(const batch::Lanes<double, Set>
 }
 
 }  // namespace qvgen::inverse
+
+// The angle of a direction is turned from the nearest axis, beyond which it never goes: less than -pi it is
+// nowhere, and -pi changes its sign as a whole.
+
+namespace qvgen::batch {
+
+QVGEN_LANES Doubles output_angle(const inverse::Rotor<Doubles>& rotor, const Doubles& length,
+                                 const Doubles& pi) {
+  const Doubles value = arctangent(rotor.sine, rotor.cosine, length);
+  return negated(value <= -pi, value);
+}
+QVGEN_LANES inverse::Opposites<Doubles> output_angles(const inverse::Rotor<Doubles>& rotor,
+                                                      const Doubles& length, const Doubles& pi) {
+  const inverse::Opposites<Doubles> value = opposite_arctangents(rotor.sine, rotor.cosine, length, pi);
+  return {negated(value.one <= -pi, value.one), negated(value.other <= -pi, value.other)};
+}
+/// Of an angle in [0, pi].
+QVGEN_LANES Doubles negative(const Doubles& angle, const Doubles& pi) { return negated(angle < pi, angle); }
+
+}  // namespace qvgen::batch
 
 #undef QVGEN_LANES

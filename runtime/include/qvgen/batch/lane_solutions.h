@@ -86,7 +86,9 @@ class LaneSolutions {
     QVGEN_UNROLLED
     for (int s = 0; s < capacity; ++s, to += dof * stride_) {
       const Truth open = count_ <= Lane(s);
-      if (any(open)) put(to, open, [&](int) { return nothing; });
+      if (!any(open)) continue;
+      put(to, open, [&](int) { return nothing; });
+      labels_[s] = select(open, Lane(-1.0), labels_[s]);
     }
   }
 
@@ -106,9 +108,17 @@ class LaneSolutions {
 
  private:
   QVGEN_INLINE void put(int s, const Truth& here, const Lane (&q)[dof], int label) {
-    double* const to = q_ + static_cast<std::size_t>(s * dof) * stride_;
-    put(to, here, [&](int i) { return described_(i, q[i], given_); });
-    labels_[s] = select(here, Lane(label), labels_[s]);
+    double* to = q_ + static_cast<std::size_t>(s * dof) * stride_;
+    const auto described = [&](int i) { return described_(i, q[i], given_); };
+    if (Truth::Unit::stores_chosen_lanes || s < appended_) {
+      put(to, here, described);
+      labels_[s] = select(here, Lane(label), labels_[s]);
+      return;
+    }
+    // No lane has anything there or beyond: what does not exist is overwritten, by `pad` in the end.
+    QVGEN_UNROLLED
+    for (int i = 0; i < dof; ++i, to += stride_) described(i).store(to);
+    labels_[s] = Lane(label);
   }
 
   template <class Value>
@@ -200,8 +210,12 @@ QVGEN_INLINE inline unsigned solve_lanes(const Batch<const double>& poses, const
   return bits(doubtful);
 }
 
+/// Up to so many poses are solved sooner one by one than in lanes.
+inline constexpr std::size_t few_poses = 2;
+
 /// The solutions of at most 64 poses, one a lane: `follow(poses, given joint, solutions)` appends them and
-/// says which lanes are doubtful. Returns a bit for each pose that is, whose solutions are not to be taken.
+/// says which lanes are doubtful. Returns a bit for each pose that is, whose solutions are not to be taken,
+/// or that is one of the few at the end.
 template <class Lane, int dof, int capacity, class Described, class Follow>
 QVGEN_INLINE inline std::uint64_t solve_in_lanes(const Batch<const double>& poses,
                                                  const Batch<const double>& given,
@@ -214,12 +228,17 @@ QVGEN_INLINE inline std::uint64_t solve_in_lanes(const Batch<const double>& pose
     Batch<const double> here = poses.part(k, lanes), joint = given.part(k, lanes);
     const BatchOfSolutions to = found.part(k, lanes);
     const std::size_t count = here.count;
+    const std::uint64_t all = (1U << count) - 1;
+    if (count <= few_poses && count < lanes) {
+      doubtful |= all << k;
+      continue;
+    }
     const bool is_whole = count == lanes;
     if (!is_whole) here = padded.poses(here), joint = padded.given(joint);
     const std::uint64_t some =
         solve_lanes<Lane, dof, capacity>(here, joint, is_whole ? to : padded.places(), described, follow);
     if (!is_whole) padded.put(to, count);
-    doubtful |= (some & ((1U << count) - 1)) << k;
+    doubtful |= (some & all) << k;
   }
   return doubtful;
 }

@@ -5,13 +5,17 @@
 
 namespace qvgen {
 
-/// What batches are computed with. The same bits from each of them in double.
-enum class InstructionSet { baseline, avx2, avx512 };
+/// What batches are computed with, by the width of its registers. On x86-64 the same bits from each of them
+/// in double.
+enum class InstructionSet { baseline, neon, avx2, avx512 };
 
 namespace batch {
 
 // Each is a type of its own, so that code for one is never taken for code for another.
 struct Baseline {
+  static constexpr int bytes = 16;
+};
+struct Neon {
   static constexpr int bytes = 16;
 };
 struct Avx2 {
@@ -21,11 +25,17 @@ struct Avx512 {
   static constexpr int bytes = 64;
 };
 
-// The batch sources of a robot are compiled once for each set, which the command of the build names.
+// The batch sources of a robot are compiled once for each set, which the command of the build names; for all
+// but the baseline with lanes.
+#if defined(QVGEN_BATCH_AVX512) || defined(QVGEN_BATCH_AVX2) || defined(QVGEN_BATCH_NEON)
+#define QVGEN_BATCH_LANES
+#endif
 #if defined(QVGEN_BATCH_AVX512)
 using Compiled = Avx512;
 #elif defined(QVGEN_BATCH_AVX2)
 using Compiled = Avx2;
+#elif defined(QVGEN_BATCH_NEON)
+using Compiled = Neon;
 #else
 using Compiled = Baseline;
 #endif
@@ -38,6 +48,8 @@ inline bool machine_has([[maybe_unused]] InstructionSet set) {
   if (set == InstructionSet::avx512)
     return avx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
            __builtin_cpu_supports("avx512vl");
+#elif defined(__GNUC__) && defined(__aarch64__)
+  if (set == InstructionSet::neon) return true;
 #endif
   return set == InstructionSet::baseline;
 }
@@ -46,7 +58,7 @@ inline bool machine_has([[maybe_unused]] InstructionSet set) {
 
 /// The widest set that this machine has.
 inline InstructionSet widest_instruction_set() {
-  for (const InstructionSet set : {InstructionSet::avx512, InstructionSet::avx2})
+  for (const InstructionSet set : {InstructionSet::avx512, InstructionSet::avx2, InstructionSet::neon})
     if (batch::machine_has(set)) return set;
   return InstructionSet::baseline;
 }

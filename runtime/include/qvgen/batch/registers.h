@@ -5,6 +5,8 @@
 
 #if defined(QVGEN_BATCH_AVX2) || defined(QVGEN_BATCH_AVX512)
 #include <immintrin.h>
+#elif defined(QVGEN_BATCH_NEON)
+#include <arm_neon.h>
 #endif
 
 #define QVGEN_REGISTER [[gnu::always_inline]] static inline
@@ -52,6 +54,7 @@ struct Register<double, Avx2> {
     return _mm256_xor_pd(a, _mm256_and_pd(reinterpret_cast<__m256d>(condition), _mm256_set1_pd(-0.0)));
   }
   QVGEN_REGISTER __m256d root(__m256d a) { return _mm256_sqrt_pd(a); }
+  static constexpr bool stores_chosen_lanes = false;  ///< by one instruction
   /// Into the lanes chosen of what stands at `to`.
   QVGEN_REGISTER void put(Mask chosen_lanes, __m256d value, double* to) {
     _mm256_storeu_pd(to, chosen(chosen_lanes, value, _mm256_loadu_pd(to)));
@@ -108,6 +111,7 @@ struct Register<double, Avx512> {
     return _mm512_mask_xor_pd(a, condition, a, _mm512_set1_pd(-0.0));
   }
   QVGEN_REGISTER __m512d root(__m512d a) { return _mm512_maskz_sqrt_pd(all, a); }
+  static constexpr bool stores_chosen_lanes = true;
   /// Into the lanes chosen of what stands at `to`.
   QVGEN_REGISTER void put(Mask chosen_lanes, __m512d value, double* to) {
     _mm512_mask_storeu_pd(to, chosen_lanes, value);
@@ -125,6 +129,59 @@ struct Register<float, Avx512> {
   QVGEN_REGISTER bool all_at_most(__m512 a, __m512 b) {
     return _mm512_cmp_ps_mask(a, b, _CMP_LE_OQ) == 0xffff;
   }
+};
+
+#elif defined(QVGEN_BATCH_NEON)
+
+template <>
+struct Register<double, Neon> {
+  using Vector __attribute__((vector_size(16))) = double;
+  QVGEN_REGISTER Vector fused(Vector a, Vector b, Vector c) { return vfmaq_f64(c, a, b); }
+  QVGEN_REGISTER Vector fused_minus(Vector a, Vector b, Vector c) { return vfmsq_f64(c, a, b); }
+  QVGEN_REGISTER bool all_at_most(Vector a, Vector b) { return bits(a <= b) == 3; }
+
+  /// All bits of a lane, or none.
+  using Mask = decltype(Vector() < Vector());
+  QVGEN_REGISTER Mask mask_of(bool value) { return Mask{} - (value ? 1 : 0); }
+  QVGEN_REGISTER Mask less(Vector a, Vector b) { return a < b; }
+  QVGEN_REGISTER Mask at_most(Vector a, Vector b) { return a <= b; }
+  QVGEN_REGISTER Mask equal(Vector a, Vector b) { return a == b; }
+  QVGEN_REGISTER Mask both(Mask a, Mask b) { return a & b; }
+  QVGEN_REGISTER Mask either(Mask a, Mask b) { return a | b; }
+  QVGEN_REGISTER Mask one_of(Mask a, Mask b) { return a ^ b; }
+  QVGEN_REGISTER unsigned bits(Mask a) { return static_cast<unsigned>((a[0] & 1) | (a[1] & 2)); }
+  QVGEN_REGISTER Vector chosen(Mask condition, Vector yes, Vector no) { return condition ? yes : no; }
+  QVGEN_REGISTER Vector chosen_by_sign(Vector sign, Vector negative, Vector otherwise) {
+    return reinterpret_cast<Mask>(sign) < 0 ? negative : otherwise;
+  }
+  // As the other sets have them, not as NEON's own instructions: `b` beside a NaN.
+  QVGEN_REGISTER Vector smaller(Vector a, Vector b) { return a < b ? a : b; }
+  QVGEN_REGISTER Vector larger(Vector a, Vector b) { return a > b ? a : b; }
+  QVGEN_REGISTER Vector common(Vector a, Vector b) {
+    return reinterpret_cast<Vector>(reinterpret_cast<Mask>(a) & reinterpret_cast<Mask>(b));
+  }
+  QVGEN_REGISTER Vector magnitude(Vector a) { return vabsq_f64(a); }
+  QVGEN_REGISTER Vector flipped(Vector a, Vector b) {
+    return reinterpret_cast<Vector>(reinterpret_cast<Mask>(a) ^ reinterpret_cast<Mask>(b));
+  }
+  QVGEN_REGISTER Vector negated(Mask condition, Vector a) { return condition ? -a : a; }
+  QVGEN_REGISTER Vector root(Vector a) { return vsqrtq_f64(a); }
+  static constexpr bool stores_chosen_lanes = false;
+  QVGEN_REGISTER void put(Mask chosen_lanes, Vector value, double* to) {
+    vst1q_f64(to, chosen(chosen_lanes, value, vld1q_f64(to)));
+  }
+  QVGEN_REGISTER void put_rounded(Vector value, void* to) {
+    vst1_s32(static_cast<std::int32_t*>(to), vmovn_s64(vcvtnq_s64_f64(value)));
+  }
+};
+
+template <>
+struct Register<float, Neon> {
+  using Vector __attribute__((vector_size(16))) = float;
+  QVGEN_REGISTER Vector fused(Vector a, Vector b, Vector c) { return vfmaq_f32(c, a, b); }
+  QVGEN_REGISTER Vector root(Vector a) { return vsqrtq_f32(a); }
+  QVGEN_REGISTER Vector fused_minus(Vector a, Vector b, Vector c) { return vfmsq_f32(c, a, b); }
+  QVGEN_REGISTER bool all_at_most(Vector a, Vector b) { return vminvq_u32(vcleq_f32(a, b)) != 0; }
 };
 
 #endif

@@ -153,7 +153,7 @@ template <class T, class Set>
 
 }  // namespace qvgen::batch
 
-#if defined(QVGEN_BATCH_AVX2) || defined(QVGEN_BATCH_AVX512)
+#if defined(QVGEN_BATCH_LANES)
 namespace qvgen {
 
 template <>
