@@ -43,11 +43,25 @@ void read_name(const Table& root, model::Robot& robot) {
   if (!problem.message.empty()) context.error(root.place_of("name"), problem.message, problem.hint);
 }
 
+/// Of a Denavit-Hartenberg table: what its rows lack.
+void say_that_nothing_moves(const Table& root) {
+  Context& context = root.context();
+  if (!root.has("dh"))
+    return context.error({}, "no joints", "add [[joint]] tables, or [[dh]] rows, or [[screw]] axes");
+  const auto& constants = context.constants_in_place_of_variables;
+  const bool has_name = !constants.empty();
+  context.error(has_name ? constants.front().place : root.place_of("dh"),
+                "no joints: no row of the table has a variable" +
+                    (has_name ? ", so that '" + constants.front().name + "' is a constant here" : ""),
+                "add variable = \"" + (has_name ? constants.front().name : "theta1") +
+                    "\" to this row, and so on to every row that moves");
+}
+
 void check_count(const Table& root, const model::Robot& robot) {
   Context& context = root.context();
   const bool is_hidden = context.has_error && (root.has("joint") || root.has("dh") || root.has("screw"));
   if (robot.joints.empty()) {
-    if (!is_hidden) context.error({}, "no joints", "add [[joint]] tables, or [[dh]] rows, or [[screw]] axes");
+    if (!is_hidden) say_that_nothing_moves(root);
   } else if (robot.joints.size() > max_joints) {
     const std::string limit = std::to_string(max_joints);
     context.error(context.joint_places[max_joints],

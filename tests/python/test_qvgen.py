@@ -156,6 +156,12 @@ def test_what_is_there_and_what_is_not(ns, arm):
             assert hasattr(robot, name) == (place == "here"), name
     assert "inverse_dynamics" in dir(arm) and "inverse_dynamics" not in dir(ns)
     assert "no mass" in ns.functions["dynamics"]
+    with pytest.raises(AttributeError, match="ns has no inverse_dynamics; no dynamics: .* no mass"):
+        ns.inverse_dynamics
+    with pytest.raises(AttributeError, match="ns has no forward_kinematic; it has forward_kinematics"):
+        ns.forward_kinematic
+    with pytest.raises(AttributeError, match="in C[+][+] only"):
+        ns.forward_kinematics_and_jacobian
     assert "puma560" in dir(qvgen.robots)
     with pytest.raises(AttributeError, match="there is no robot"):
         qvgen.robots.elbow

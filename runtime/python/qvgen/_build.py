@@ -2,6 +2,7 @@
 """Compiles a robot's module, once for each content of what it is made from."""
 
 import concurrent.futures
+import difflib
 import hashlib
 import importlib.util
 import json
@@ -144,6 +145,25 @@ def module_file(robot, generated):
     return target
 
 
+def _explain_absence(module):
+    """Lets AttributeError say why a function is not there, and which ones come near."""
+    def absent(name):
+        if name.startswith("_"):
+            raise AttributeError(f"{module.__name__} has no {name}")
+        here = [function for function, place in module.functions.items() if place == "here"]
+        near = [function for function in here if function.startswith(name)]
+        near = near or difflib.get_close_matches(name, here, cutoff=0.8)
+        reasons = [f"no {part}: {reason}" for part, reason in module.functions.items()
+                   if reason not in ("here", "in C++ only")]
+        known = module.functions.get(name)
+        if known:
+            raise AttributeError(f"{module.__name__} has no {name}: {known}")
+        hints = [f"it has {', '.join(near)}"] if near else reasons
+        text = f"{module.__name__} has no {name}"
+        raise AttributeError("; ".join([text, *hints]))
+    module.__getattr__ = absent
+
+
 def build_module(robot, generated=generated_folder):
     """The module of a robot whose generated code is in a folder: the installed one, or from the cache."""
     generated = pathlib.Path(generated)
@@ -152,6 +172,7 @@ def build_module(robot, generated=generated_folder):
     spec = importlib.util.spec_from_file_location(robot, installed if own else module_file(robot, generated))
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
+    _explain_absence(module)
     return module
 
 
