@@ -196,9 +196,8 @@ TEST(BadInput, JointCount) {
   EXPECT_EQ(report(head),
             lines({"1:1: error: no joints; add [[joint]] tables, or [[dh]] rows, or [[screw]] axes"}));
   EXPECT_EQ(report(head + "convention = \"standard\"\n[[dh]]\nd = 1\n"),
-            lines({"4:1: error: no joints: no row of the table has a variable; add variable = \"theta1\" to "
-                   "this row, "
-                   "and so on to every row that moves"}));
+            lines({"4:1: error: no joints: no row of the table has a variable; "
+                   "add variable = \"theta1\" to this row, and so on to every row that moves"}));
   std::string many = head;
   for (int i = 1; i <= 17; ++i) {
     many += "[[joint]]\ntype = \"revolute\"\naxis = \"+z\"\nvariable = \"t" + std::to_string(i) + "\"\n";
