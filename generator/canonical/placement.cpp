@@ -4,6 +4,7 @@
 #include <cln/float.h>
 #include <cln/integer.h>
 
+#include "canonical/arm.h"
 #include "exact/named_constant.h"
 #include "model/arithmetic.h"
 #include "model/evaluate.h"
@@ -115,7 +116,8 @@ Placement to_placement(const model::Displacement& displacement, Definitions& def
   for (std::size_t i = 0; i < 3; ++i)
     result.translation[i] = to_length(displacement.translation[i], definitions);
   for (const model::Turn& turn : displacement.turns)
-    result.rotation = result.rotation * about(values(turn.axis), model::evaluate(turn.angle));
+    result.rotation =
+        result.rotation * about(values(turn.axis), model::evaluate(turn.angle, constants_of(turn.angle)));
   return result;
 }
 

@@ -34,7 +34,7 @@ bool is_right_angled(const Rotation& r);
 /// A rotation that takes +z to the axis, by right angles if the axis is a coordinate axis.
 Rotation from_z_to(const model::Vector3& axis);
 
-/// The placement that a description's displacement is; its turns must have no symbols.
+/// The placement that a description's displacement is; its turns must be known.
 Placement to_placement(const model::Displacement& displacement, Definitions& definitions);
 
 /// R = Rz(first) Rx(middle) Rz(last); first is 0 where middle is 0 or pi. The middle angle lies in [0, pi].

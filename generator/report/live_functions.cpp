@@ -58,8 +58,8 @@ CppFunctions cpp_functions(const model::Robot& robot, bool has_inverse_in_c,
   if (model::has_followers(robot) || (has_inverse_in_c && robot.joints.size() != 7)) return functions;
   const pipeline::RobotOutput output =
       pipeline::generate({robot}, {"model", "inverse", "arm_angle"}, pipeline::own_budget()).front();
-  functions.has_arm_angle = has_file(output, "/arm_angle.h");
-  if (!has_inverse_in_c && has_file(output, "/inverse.h")) functions.inverse = inverse_call(output);
+  functions.has_arm_angle = has_file(output, "/arm_angle.cpp");
+  if (!has_inverse_in_c && has_file(output, "/inverse.cpp")) functions.inverse = inverse_call(output);
   if (!functions.wanted()) return functions;
   functions.module = cpp_to_webassembly(sources_of(robot, functions, output), folders_of(functions), runtime);
   return functions;

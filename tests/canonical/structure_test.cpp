@@ -37,6 +37,25 @@ std::vector<Structure> all_structures() {
   return list;
 }
 
+/// Three turns about axes at one angle or another to each other.
+Structure of_axes(const std::vector<std::string>& axes) {
+  std::string text = "name = \"arm\"\ntitle = \"three joints\"\n";
+  for (std::size_t i = 0; i < axes.size(); ++i)
+    text += "[[joint]]\nvariable = \"q" + std::to_string(i) + "\"\naxis = " + axes[i] +
+            "\ntype = \"revolute\"\norigin = [0.1, 0.2, 0.3]\n";
+  return *structure_of(*description::read_text(text, "arm.toml").robot);
+}
+
+/// Frames along the normals of such axes turn by angles that are no multiple of a right one.
+TEST(Structure, ObliqueAxesHaveNamedAngles) {
+  using enum Relation;
+  const std::string a = "[0, \"3/5\", \"4/5\"]", across = "[0, \"-4/5\", \"3/5\"]",
+                    b = "[\"4/5\", 0, \"3/5\"]";
+  EXPECT_EQ(of_axes({a, b, b}).relations, (std::array{oblique, parallel}));
+  EXPECT_EQ(of_axes({b, a, across}).relations, (std::array{oblique, perpendicular}));
+  EXPECT_EQ(of_axes({a, across, b}).relations, (std::array{perpendicular, oblique}));
+}
+
 TEST(Structure, CodesOfTheSixteenArms) {
   for (const std::string& name : codes) {
     std::string code = *code_of(*structure_of(committed(name)));
