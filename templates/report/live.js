@@ -27,7 +27,8 @@ class Live {
     this.signs = arm.armAngle ? armAngleSigns : signs ? JSON.parse(signs.textContent) : [];
     const canvas = document.getElementById("live-canvas");
     this.camera = new Camera(arm.data.size);
-    this.camera.centre = [0, 0, 0.32 * arm.data.size];
+    const points = [[0, 0, 0], ...arm.skeleton(this.q).points];
+    this.camera.centre = extent(points, this.camera.right, this.camera.up).centre;
     this.view = new View(canvas, this.camera);
     this.all = document.getElementById("live-all");
     this.hold = document.getElementById("live-hold");
@@ -177,13 +178,15 @@ class Live {
     const chosen = this.chosen();
     const { rows } = this.found;
     const skeletons = rows.map((row) => this.arm.skeleton(row.q));
+    const arm = this.arm.skeleton(this.q);
     this.view.clear();
+    if (this.held < 0) this.camera.keep([arm, ...skeletons].flatMap(({ points }) => points).concat(this.view.handles(this.target)));
     this.view.ground();
     if (this.all.checked) {
       const ghosts = skeletons.map((skeleton, i) => ({ skeleton, name: String(rows[i].branch) }));
       this.view.ghosts(ghosts.filter((_, i) => i !== chosen));
     }
-    this.view.arm(this.arm.skeleton(this.q));
+    this.view.arm(arm);
     this.view.target(this.target, this.held);
     this.showPanel(chosen);
     const named = skeletons.map((skeleton, i) => ({ skeleton, name: `${rows[i].branch}: ${branchName(this.signs, rows[i].branch)}`.replace(/: $/, "") }));

@@ -24,13 +24,8 @@ class Gallery {
   /// All arms in each picture, as large as they fit.
   frame(solutions, { azimuth, elevation, right, up }) {
     const points = solutions.flatMap(({ skeleton }) => [[0, 0, 0], ...skeleton.points]);
-    const span = (axis) => {
-      const along = points.map((point) => dot(axis, point));
-      return [Math.min(...along), Math.max(...along)];
-    };
-    const [[left, farRight], [below, above]] = [span(right), span(up)];
-    const centre = add(scaled((left + farRight) / 2, right), scaled((below + above) / 2, up));
-    const size = Math.max(above - below, (farRight - left) / 1.25, 0.2 * this.size) / 1.25;
+    const { centre, wide, high } = extent(points, right, up);
+    const size = Math.max(high, wide / 1.25, 0.2 * this.size) / 1.25;
     for (const { view } of this.pictures) {
       Object.assign(view.camera, { azimuth, elevation, centre, size });
       view.camera.aim();

@@ -1,5 +1,16 @@
 // Drawing: a camera at infinity on a canvas, arms as lines, cylinders and boxes, the target with its handles.
 
+/// The middle of points, and how far they reach to both sides of it together.
+function extent(points, right, up) {
+  const span = (axis) => {
+    const along = points.map((point) => dot(axis, point));
+    return [Math.min(...along), Math.max(...along)];
+  };
+  const [[left, rightmost], [below, above]] = [span(right), span(up)];
+  const centre = add(scaled((left + rightmost) / 2, right), scaled((below + above) / 2, up));
+  return { centre, wide: rightmost - left, high: above - below };
+}
+
 class Camera {
   constructor(size) {
     this.azimuth = -0.95;
@@ -25,6 +36,14 @@ class Camera {
     this.width = width;
     this.height = height;
     this.scale = (0.5 * Math.min(width, height)) / (0.75 * this.size);
+  }
+  /// Moves away until all points are in the picture.
+  keep(points) {
+    const share = (x, whole) => Math.abs(x - whole / 2) / (0.46 * whole);
+    const far = Math.max(...points.map(this.place, this).map(([x, y]) => Math.max(share(x, this.width), share(y, this.height))));
+    if (!(far > 1 && far < 1e3)) return;
+    this.size *= far;
+    this.fit(this.width, this.height);
   }
   place(v) {
     const from = subtract(v, this.centre);

@@ -105,6 +105,17 @@ return [found.rows.length, Math.max(...found.rows.map((row) => norm(subtract(arm
         self.assert_at_target()
         self.assertIn("chosen", self.browser.run("return document.querySelector('#live-solutions tbody tr:nth-child(4)').className"))
 
+    def test_the_arm_stays_in_the_picture(self):
+        self.open("ns_arm")
+        for d3 in (0.2, 2.0):
+            self.browser.run("window.live.moveTo([0.5, 0.3, arguments[0]])", d3)
+            self.settle()
+            places, width, height = self.browser.run("""
+const { live } = window;
+return [live.arm.skeleton(live.q).points.map((p) => live.camera.place(p)), live.camera.width, live.camera.height];""")
+            for x, y in places:
+                self.assertTrue(0 <= x <= width and 0 <= y <= height, (d3, x, y))
+
     def test_out_of_reach_is_said(self):
         self.open("puma560")
         self.browser.run("window.live.moveTarget({ r: window.live.target.r, p: [3, 0, 0] })")
