@@ -100,6 +100,19 @@ std::vector<Function<T>> functions() {
          iiwa::inverse_dynamics(in, from_row(in, 7), from_row(in, 14), result, {}, {}, T(9.81), set);
        },
        singles(Seven{}, 21, [](auto in) { return iiwa::inverse_dynamics<T>(in(0), in(1), in(2))[0]; })},
+      {"iiwa14 forward_dynamics", 21, 7,
+       [](const auto& in, const auto& result, InstructionSet set) {
+         iiwa::forward_dynamics(in, from_row(in, 7), from_row(in, 14), result, {}, {}, T(9.81), set);
+       },
+       singles(Seven{}, 21, [](auto in) { return iiwa::forward_dynamics<T>(in(0), in(1), in(2))[0]; })},
+      {"iiwa14 inverse_dynamics_derivatives", 21, 105,
+       [](const auto& in, const auto& result, InstructionSet set) {
+         iiwa::inverse_dynamics_derivatives(in, from_row(in, 7), from_row(in, 14), result, {}, {}, T(9.81),
+                                            set);
+       },
+       singles(
+           Seven{}, 21,
+           [](auto in) { return iiwa::inverse_dynamics_derivatives<T>(in(0), in(1), in(2)).by_rate(0, 0); })},
   };
 }
 

@@ -43,6 +43,7 @@ std::vector<Peer> peers_of(const std::string& robot_and_function) {
   const std::string function = robot_and_function.substr(space + 1);
   const auto chain = std::make_shared<reference::Chain>(reference::load(description_of(robot)));
   const std::size_t n = chain->joints.size();
+  if (function == "inverse_dynamics_derivatives") return {};
   std::vector<Peer> peers{{"KDL", [=] { return kdl(robot, function, n); }}};
   if (dynamics(function, std::shared_ptr<MujocoArm>(), n))
     peers.push_back({"MuJoCo", [=] { return dynamics(function, std::make_shared<MujocoArm>(*chain), n); }});

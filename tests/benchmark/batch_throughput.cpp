@@ -159,7 +159,7 @@ void print_sizes(const std::string& name, const std::map<std::size_t, Times>& ba
       {"AVX2", &Times::avx2}, {"widest", &Times::widest}, {"threads", &Times::threads}};
   for (const auto& [what, time] : lines) {
     const bool is_first = time == &Times::avx2;
-    fmt::print("{:<27}{:<8}{:>7}", is_first ? name : "", what,
+    fmt::print("{:<36}{:<8}{:>7}", is_first ? name : "", what,
                is_first ? fmt::format("{:.1f}", 1e9 * batches.at(1000).single) : "");
     for (const auto& [count, times] : batches) fmt::print("{:9.2f}", 1e9 * (times.*time));
     fmt::print("\n");
@@ -167,7 +167,7 @@ void print_sizes(const std::string& name, const std::map<std::size_t, Times>& ba
 }
 
 void print_head(const std::string& what, std::size_t largest) {
-  fmt::print("\n{:<35}{:>7}", what + ", ns", "single");
+  fmt::print("\n{:<44}{:>7}", what + ", ns", "single");
   for (std::size_t count = 1; count <= largest; count *= 10) fmt::print("{:>9}", count);
   fmt::print("\n");
 }
@@ -181,13 +181,13 @@ void print_ratio(const Measured& one, const std::string& library, double PeerTim
 /// Against single calls, and against libraries on as many threads.
 void print_ratios(const std::vector<Measured>& all, std::size_t largest) {
   const std::size_t many = std::min<std::size_t>(100000, largest);
-  fmt::print("\n1000 configurations on one thread, {} on all: times as fast as\n{:<27}{:>13}", many, "",
+  fmt::print("\n1000 configurations on one thread, {} on all: times as fast as\n{:<36}{:>13}", many, "",
              "single calls");
   for (const char* library : {"KDL", "MuJoCo", "KDL, all", "MuJoCo, all"}) fmt::print("{:>13}", library);
   fmt::print("\n");
   for (const Measured& one : all) {
     const Times &some = one.batches.at(1000), &most = one.batches.at(many);
-    fmt::print("{:<27}{:13.1f}", one.name, some.single / some.widest);
+    fmt::print("{:<36}{:13.1f}", one.name, some.single / some.widest);
     for (const char* library : {"KDL", "MuJoCo"})
       print_ratio(one, library, &PeerTime::one_thread, some.widest);
     for (const char* library : {"KDL", "MuJoCo"}) print_ratio(one, library, &PeerTime::threads, most.threads);
@@ -199,12 +199,12 @@ void print_ratios(const std::vector<Measured>& all, std::size_t largest) {
 /// take at the least.
 void print_roofline(const std::vector<Measured>& all, double moved, double computed,
                     const std::string& scalar) {
-  fmt::print("\n{:<28}{:>6}{:>12}{:>8}{:>9}{:>12}{:>9}{:>12}   bound from memory by\n", scalar, "bytes",
+  fmt::print("\n{:<37}{:>6}{:>12}{:>8}{:>9}{:>12}{:>9}{:>12}   bound from memory by\n", scalar, "bytes",
              "operations", "a byte", "memory", "arithmetic", "is, ns", "of peak, %");
   for (const Measured& one : all) {
     const double memory = one.bytes / moved, work = one.operations / computed,
                  is = one.batches.at(1000).widest;
-    fmt::print("{:<28}{:6.0f}{:12.0f}{:8.1f}{:9.2f}{:12.2f}{:9.2f}{:12.0f}   {}\n", one.name, one.bytes,
+    fmt::print("{:<37}{:6.0f}{:12.0f}{:8.1f}{:9.2f}{:12.2f}{:9.2f}{:12.0f}   {}\n", one.name, one.bytes,
                one.operations, one.operations / one.bytes, 1e9 * memory, 1e9 * work, 1e9 * is,
                100 * work / is, memory > work ? "bandwidth" : "computing");
   }
