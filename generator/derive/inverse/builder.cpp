@@ -25,8 +25,8 @@ Builder::Builder(const model::Robot& robot, Scope& scope, Plan& plan, const std:
   for (const auto& step : plan.target.steps())
     if (is_constant(step.value)) constants_.insert(step.name);
   plan_.joints.resize(robot.joints.size());
-  scope_.turn("result");
-  for (const char* name : {"result", names::result_1, names::result_2}) scope_.length(name);
+  scope_.turn(names::result);
+  for (const char* name : {names::result, names::result_1, names::result_2}) scope_.length(name);
 }
 
 bool Builder::is_constant(const ex& value) const {

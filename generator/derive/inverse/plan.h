@@ -102,12 +102,6 @@ struct Plan {
     for (const Step& other : steps) follows = follows || other.is<kind::Reach>();
     return follows && step.is<kind::Opposite>() && step.keeps_length();
   }
-  /// The wrist whose step comes last, which takes the angles itself; nothing if there is none.
-  [[nodiscard]] const kind::Wrist* last_wrist() const {
-    for (const Step& step : steps)
-      if (step.ends_plan()) return step.wrist();
-    return nullptr;
-  }
   [[nodiscard]] bool has_oblique_wrist() const {
     for (const Step& step : steps)
       if (step.is<kind::ObliqueWrist>()) return true;

@@ -123,7 +123,7 @@ class Execution {
       Values known = values;
       known[names::cosine_result] = root.turn.cosine;
       known[names::sine_result] = root.turn.sine;
-      known["result"] = root.slide;
+      known[names::result] = root.slide;
       leave(index, known);
       follow(place + 1, known, branch, label * 4 + k++);
     }

@@ -51,7 +51,7 @@ class RealBackend : public NumericBackend<Real, RealBackend> {
 
   [[nodiscard]] Real& length_of(const std::string& unknown) const { return known_[names::length(unknown)]; }
   void signed_length(const std::string& unknown, const Real& sign) const {
-    known_["result"] = sign * length_of(unknown);
+    known_[names::result] = sign * length_of(unknown);
   }
   [[nodiscard]] Real product_of_lengths(const std::vector<std::string>& unknowns) const {
     Real product(1);
@@ -60,8 +60,8 @@ class RealBackend : public NumericBackend<Real, RealBackend> {
   }
 
   void nothing() const {}
-  void turn(const Rotor& turn) const { set("result", turn); }
-  void length(const Real& length) const { known_["result"] = length; }
+  void turn(const Rotor& turn) const { set(names::result, turn); }
+  void length(const Real& length) const { known_[names::result] = length; }
   void two_lengths(const Rotor& lengths) const {
     known_[names::result_1] = lengths.cosine;
     known_[names::result_2] = lengths.sine;
