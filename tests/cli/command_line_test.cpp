@@ -77,7 +77,7 @@ TEST_F(CommandLine, ComparesFormulations) {
   EXPECT_EQ(run("compare ns --formulations pears").code, 2);
   EXPECT_EQ(run("compare ns --level expert").code, 2);
   EXPECT_EQ(run("compare nss").code, 2);
-  const ToolRun massless = run("compare ns --what dynamics");
+  const ToolRun massless = run("compare scara --what dynamics");
   EXPECT_EQ(massless.code, 1);
   EXPECT_TRUE(has(massless, "it has no inertia")) << massless.output;
 }

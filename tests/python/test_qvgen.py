@@ -150,14 +150,14 @@ def test_wrong_shapes_are_named(ns):
         ns.jacobian("elbow")
 
 
-def test_what_is_there_and_what_is_not(ns, arm):
+def test_what_is_there_and_what_is_not(ns, arm, planar):
     for robot in (ns, arm):
         for name, place in robot.functions.items():
             assert hasattr(robot, name) == (place == "here"), name
-    assert "inverse_dynamics" in dir(arm) and "inverse_dynamics" not in dir(ns)
-    assert "no mass" in ns.functions["dynamics"]
-    with pytest.raises(AttributeError, match="ns has no inverse_dynamics; no dynamics: .* no mass"):
-        ns.inverse_dynamics
+    assert "inverse_dynamics" in dir(arm) and "inverse_dynamics" not in dir(planar)
+    assert "no mass" in planar.functions["dynamics"]
+    with pytest.raises(AttributeError, match="planar_3r has no inverse_dynamics; .*no dynamics: .* no mass"):
+        planar.inverse_dynamics
     with pytest.raises(AttributeError, match="ns has no forward_kinematic; it has forward_kinematics"):
         ns.forward_kinematic
     with pytest.raises(AttributeError, match="in C[+][+] only"):

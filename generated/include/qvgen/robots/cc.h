@@ -7,6 +7,5 @@
 #include <qvgen/robots/cc/kinematics.h>
 #include <qvgen/robots/cc/inverse.h>
 #include <qvgen/robots/cc/jacobian.h>
+#include <qvgen/robots/cc/dynamics.h>
 
-// Not generated:
-//   dynamics: the description gives no mass and no inertia

@@ -7,6 +7,5 @@
 #include <qvgen/robots/cn/kinematics.h>
 #include <qvgen/robots/cn/inverse.h>
 #include <qvgen/robots/cn/jacobian.h>
+#include <qvgen/robots/cn/dynamics.h>
 
-// Not generated:
-//   dynamics: the description gives no mass and no inertia

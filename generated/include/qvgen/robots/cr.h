@@ -7,6 +7,5 @@
 #include <qvgen/robots/cr/kinematics.h>
 #include <qvgen/robots/cr/inverse.h>
 #include <qvgen/robots/cr/jacobian.h>
+#include <qvgen/robots/cr/dynamics.h>
 
-// Not generated:
-//   dynamics: the description gives no mass and no inertia

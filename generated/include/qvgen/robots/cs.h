@@ -7,6 +7,5 @@
 #include <qvgen/robots/cs/kinematics.h>
 #include <qvgen/robots/cs/inverse.h>
 #include <qvgen/robots/cs/jacobian.h>
+#include <qvgen/robots/cs/dynamics.h>
 
-// Not generated:
-//   dynamics: the description gives no mass and no inertia

@@ -7,6 +7,5 @@
 #include <qvgen/robots/irb6640/kinematics.h>
 #include <qvgen/robots/irb6640/inverse.h>
 #include <qvgen/robots/irb6640/jacobian.h>
+#include <qvgen/robots/irb6640/dynamics.h>
 
-// Not generated:
-//   dynamics: the description gives no mass and no inertia

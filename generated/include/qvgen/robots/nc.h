@@ -7,6 +7,5 @@
 #include <qvgen/robots/nc/kinematics.h>
 #include <qvgen/robots/nc/inverse.h>
 #include <qvgen/robots/nc/jacobian.h>
+#include <qvgen/robots/nc/dynamics.h>
 
-// Not generated:
-//   dynamics: the description gives no mass and no inertia

@@ -7,6 +7,5 @@
 #include <qvgen/robots/nn/kinematics.h>
 #include <qvgen/robots/nn/inverse.h>
 #include <qvgen/robots/nn/jacobian.h>
+#include <qvgen/robots/nn/dynamics.h>
 
-// Not generated:
-//   dynamics: the description gives no mass and no inertia

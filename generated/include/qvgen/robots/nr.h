@@ -7,6 +7,5 @@
 #include <qvgen/robots/nr/kinematics.h>
 #include <qvgen/robots/nr/inverse.h>
 #include <qvgen/robots/nr/jacobian.h>
+#include <qvgen/robots/nr/dynamics.h>
 
-// Not generated:
-//   dynamics: the description gives no mass and no inertia

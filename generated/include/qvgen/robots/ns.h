@@ -7,6 +7,5 @@
 #include <qvgen/robots/ns/kinematics.h>
 #include <qvgen/robots/ns/inverse.h>
 #include <qvgen/robots/ns/jacobian.h>
+#include <qvgen/robots/ns/dynamics.h>
 
-// Not generated:
-//   dynamics: the description gives no mass and no inertia

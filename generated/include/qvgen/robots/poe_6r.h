@@ -7,6 +7,5 @@
 #include <qvgen/robots/poe_6r/kinematics.h>
 #include <qvgen/robots/poe_6r/inverse.h>
 #include <qvgen/robots/poe_6r/jacobian.h>
+#include <qvgen/robots/poe_6r/dynamics.h>
 
-// Not generated:
-//   dynamics: the description gives no mass and no inertia

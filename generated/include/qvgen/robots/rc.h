@@ -7,6 +7,5 @@
 #include <qvgen/robots/rc/kinematics.h>
 #include <qvgen/robots/rc/inverse.h>
 #include <qvgen/robots/rc/jacobian.h>
+#include <qvgen/robots/rc/dynamics.h>
 
-// Not generated:
-//   dynamics: the description gives no mass and no inertia

@@ -7,6 +7,5 @@
 #include <qvgen/robots/rn/kinematics.h>
 #include <qvgen/robots/rn/inverse.h>
 #include <qvgen/robots/rn/jacobian.h>
+#include <qvgen/robots/rn/dynamics.h>
 
-// Not generated:
-//   dynamics: the description gives no mass and no inertia

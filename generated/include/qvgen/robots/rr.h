@@ -7,6 +7,5 @@
 #include <qvgen/robots/rr/kinematics.h>
 #include <qvgen/robots/rr/inverse.h>
 #include <qvgen/robots/rr/jacobian.h>
+#include <qvgen/robots/rr/dynamics.h>
 
-// Not generated:
-//   dynamics: the description gives no mass and no inertia

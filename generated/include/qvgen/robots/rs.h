@@ -7,6 +7,5 @@
 #include <qvgen/robots/rs/kinematics.h>
 #include <qvgen/robots/rs/inverse.h>
 #include <qvgen/robots/rs/jacobian.h>
+#include <qvgen/robots/rs/dynamics.h>
 
-// Not generated:
-//   dynamics: the description gives no mass and no inertia

@@ -7,6 +7,5 @@
 #include <qvgen/robots/sc/kinematics.h>
 #include <qvgen/robots/sc/inverse.h>
 #include <qvgen/robots/sc/jacobian.h>
+#include <qvgen/robots/sc/dynamics.h>
 
-// Not generated:
-//   dynamics: the description gives no mass and no inertia

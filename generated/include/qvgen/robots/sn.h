@@ -7,6 +7,5 @@
 #include <qvgen/robots/sn/kinematics.h>
 #include <qvgen/robots/sn/inverse.h>
 #include <qvgen/robots/sn/jacobian.h>
+#include <qvgen/robots/sn/dynamics.h>
 
-// Not generated:
-//   dynamics: the description gives no mass and no inertia

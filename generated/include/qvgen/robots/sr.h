@@ -7,6 +7,5 @@
 #include <qvgen/robots/sr/kinematics.h>
 #include <qvgen/robots/sr/inverse.h>
 #include <qvgen/robots/sr/jacobian.h>
+#include <qvgen/robots/sr/dynamics.h>
 
-// Not generated:
-//   dynamics: the description gives no mass and no inertia

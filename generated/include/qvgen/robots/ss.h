@@ -7,6 +7,5 @@
 #include <qvgen/robots/ss/kinematics.h>
 #include <qvgen/robots/ss/inverse.h>
 #include <qvgen/robots/ss/jacobian.h>
+#include <qvgen/robots/ss/dynamics.h>
 
-// Not generated:
-//   dynamics: the description gives no mass and no inertia

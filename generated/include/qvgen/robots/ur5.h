@@ -7,6 +7,5 @@
 #include <qvgen/robots/ur5/kinematics.h>
 #include <qvgen/robots/ur5/inverse.h>
 #include <qvgen/robots/ur5/jacobian.h>
+#include <qvgen/robots/ur5/dynamics.h>
 
-// Not generated:
-//   dynamics: the description gives no mass and no inertia
