@@ -1,11 +1,27 @@
 // SPDX-License-Identifier: MIT
 #include "derive/dynamics/base_parameters.h"
 
+#include "derive/dynamics/common_axis.h"
+
 namespace qvgen::derive::dynamics {
 namespace {
 
+/// Of a link that only slides: what of its first moments no joint force depends on, or depends on as if it
+/// were fixed to the link before. With all rotations about one axis, these are the moments along it, and all
+/// of them if the slide is parallel to it.
+Vector3 movable_moments(const Link& link, const Rotations& rotations, dag::Graph& graph) {
+  const Vector3 h = link.inertia.first_moments();
+  if (rotations.kind == Rotations::Kind::none) return h;
+  if (rotations.kind == Rotations::Kind::any) return {};
+  const Vector3& axis = rotations.axis;
+  if (axis[0].is_zero() && axis[1].is_zero()) return h;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (!axis[k].is_zero() && graph.is_constant(axis[k].in(graph))) return (h[k] / axis[k]) * axis;
+  return {};
+}
+
 /// The part of the link's inertia that may as well belong to the link before.
-PseudoInertia movable(const Link& link) {
+PseudoInertia movable(const Link& link, const Rotations& rotations, dag::Graph& graph) {
   PseudoInertia part;
   if (link.motion == Motion::none) return link.inertia;
   if (link.motion == Motion::revolute) {
@@ -14,8 +30,11 @@ PseudoInertia movable(const Link& link) {
     part.at(3, 3) = link.inertia.at(3, 3);
     return part;
   }
-  for (std::size_t row = 0; row < 3; ++row)
+  const Vector3 moments = movable_moments(link, rotations, graph);
+  for (std::size_t row = 0; row < 3; ++row) {
     for (std::size_t column = row; column < 3; ++column) part.at(row, column) = link.inertia.at(row, column);
+    part.at(row, 3) = moments[row];
+  }
   return part;
 }
 
@@ -27,9 +46,9 @@ PseudoInertia seen_from_before(const Link& link, PseudoInertia inertia, dag::Gra
   return shifted(inertia, {link.a, link.b, Scalar()});
 }
 
-void give_inward(Chain& chain, dag::Graph& graph, std::size_t j) {
+void give_inward(Chain& chain, const Rotations& rotations, dag::Graph& graph, std::size_t j) {
   Link& link = chain.links[j];
-  const PseudoInertia part = movable(link);
+  const PseudoInertia part = movable(link, rotations, graph);
   link.inertia = link.inertia - part;
   if (j > 0) chain.links[j - 1].inertia = chain.links[j - 1].inertia + seen_from_before(link, part, graph);
 }
@@ -37,7 +56,8 @@ void give_inward(Chain& chain, dag::Graph& graph, std::size_t j) {
 }  // namespace
 
 void regroup(Chain& chain, dag::Graph& graph) {
-  for (std::size_t j = chain.links.size(); j-- > 0;) give_inward(chain, graph, j);
+  const auto rotations = rotations_of(chain, graph);
+  for (std::size_t j = chain.links.size(); j-- > 0;) give_inward(chain, rotations[j], graph, j);
 }
 
 void shift_mass(Chain& chain, dag::Graph& graph, std::size_t j, std::size_t k) {
@@ -50,7 +70,8 @@ void shift_mass(Chain& chain, dag::Graph& graph, std::size_t j, std::size_t k) {
   point.at(3, 3) = mass;
   chain.links[j - 1].inertia = chain.links[j - 1].inertia - seen_from_before(link, point, graph);
   chain.links[j].inertia = chain.links[j].inertia + point;
-  for (std::size_t i = j; i-- > 0;) give_inward(chain, graph, i);
+  const auto rotations = rotations_of(chain, graph);
+  for (std::size_t i = j; i-- > 0;) give_inward(chain, rotations[i], graph, i);
 }
 
 }  // namespace qvgen::derive::dynamics

@@ -35,33 +35,33 @@ InverseDynamicsConstants<Scalar> inverse_dynamics_constants(const BasicGeometry<
   const Scalar t5 = t4 - g.d4 * inertia.m3;
   const Scalar t6 = (t3 + t5) / g.d4;
   const Scalar t7 = g.l1 * g.l1 * ((inertia.m1 + (inertia.m2 + t1)) + t6);
-  const Scalar t8 = inertia.c6x * inertia.m6;
-  const Scalar t9 = inertia.c6y * inertia.m6;
+  const Scalar t8 = inertia.c3x * inertia.m3;
+  const Scalar t9 = inertia.c5x * inertia.m5;
   const Scalar t10 = inertia.c5z * inertia.m5;
   const Scalar t11 = inertia.c6z * inertia.m6;
-  const Scalar t12 = inertia.c5x * inertia.m5;
-  const Scalar t13 = g.l1 * g.l1 * t6;
+  const Scalar t12 = inertia.c6y * inertia.m6;
+  const Scalar t13 = inertia.c6x * inertia.m6;
   const Scalar t14 = inertia.c4x * inertia.m4;
   const Scalar t15 = inertia.c4y * inertia.m4;
   const Scalar t16 = inertia.c5y * inertia.m5;
-  const Scalar t17 = inertia.c3x * inertia.m3;
-  const Scalar t18 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t19 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t20 = ((inertia.I4yy - t18) - inertia.c4y * t15) - (inertia.c5y * t16 - (inertia.I5yy - t19));
+  const Scalar t17 = g.l1 * g.l1 * t6;
+  const Scalar t18 = inertia.c3y * inertia.m3;
+  const Scalar t19 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t20 = inertia.I6xy - inertia.c6y * t13;
   const Scalar t21 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t22 = (inertia.c6z * t11 - (inertia.I6zz - t21)) + (inertia.c5z * t10 - (inertia.I5zz - t19));
-  const Scalar t23 = inertia.I6xy - inertia.c6y * t8;
-  const Scalar t24 = (inertia.I6xx - t21) - inertia.c6x * t8;
-  const Scalar t25 = (inertia.I6yy - t21) - inertia.c6y * t9;
-  const Scalar t26 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t27 = inertia.c3y * inertia.m3;
-  const Scalar t28 = ((inertia.I3zz - t26) - inertia.c3z * t4) + g.d4 * (t4 + t5);
-  const Scalar t29 = ((inertia.I4zz - t18) - inertia.c4z * t2) + g.d4 * (t3 + t2);
-  const Scalar t30 = ((inertia.I3yy - t26) - inertia.c3y * t27) - g.l1 * ((g.l1 * t1 + t27) + t27);
+  const Scalar t22 = (inertia.I6xx - t21) - inertia.c6x * t13;
+  const Scalar t23 = (inertia.I6yy - t21) - inertia.c6y * t12;
+  const Scalar t24 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t25 = (inertia.c6z * t11 - (inertia.I6zz - t21)) + (inertia.c5z * t10 - (inertia.I5zz - t24));
+  const Scalar t26 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t27 = ((inertia.I4yy - t26) - inertia.c4y * t15) - (inertia.c5y * t16 - (inertia.I5yy - t24));
+  const Scalar t28 = ((inertia.I3zz - t19) - inertia.c3z * t4) + g.d4 * (t4 + t5);
+  const Scalar t29 = ((inertia.I4zz - t26) - inertia.c4z * t2) + g.d4 * (t3 + t2);
+  const Scalar t30 = ((inertia.I3yy - t19) - inertia.c3y * t18) - g.l1 * ((g.l1 * t1 + t18) + t18);
   const Scalar t31 = inertia.c2y * inertia.m2;
   const Scalar t32 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
   const Scalar t33 = g.l1 * ((g.l1 * inertia.m2 + t31) + t31) - ((inertia.I2yy - t32) - inertia.c2y * t31);
-  const Scalar t34 = ((t30 - t33) - t13) - (inertia.c2x * inertia.c2x * inertia.m2 - (inertia.I2xx - t32));
+  const Scalar t34 = ((t30 - t33) - t17) - (inertia.c2x * inertia.c2x * inertia.m2 - (inertia.I2xx - t32));
   return { Scalar(1) / g.l1,
            gravity / g.l1,
            t7,
@@ -69,32 +69,32 @@ InverseDynamicsConstants<Scalar> inverse_dynamics_constants(const BasicGeometry<
            g.l1 * t9,
            g.l1 * (t10 + t11),
            g.l1 * t12,
-           g.d4 / g.l1,
-           t13,
+           g.l1 * t13,
            g.l1 * t14,
            g.l1 * (t15 + t16),
-           g.l1 * t17,
+           g.d4 / g.l1,
+           t17,
+           g.d4 * t18 + (inertia.I3yz - inertia.c3z * t18),
+           inertia.I3xy - inertia.c3y * t8,
+           inertia.c3x * t8 - (inertia.I3xx - t19),
+           g.d4 * t8 + (inertia.I3xz - inertia.c3z * t8),
+           Scalar(2) * t20,
+           t22 - t23,
+           t23,
+           t22,
+           t20,
+           inertia.I6yz - inertia.c6z * t12,
+           inertia.I6xz - inertia.c6z * t13,
+           inertia.I5xz - inertia.c5z * t9,
+           inertia.c5x * t9 - (inertia.I5xx - t24),
+           inertia.I5yz - inertia.c5z * t16,
+           inertia.I5xy - inertia.c5y * t9,
+           t25,
            inertia.I4yz - inertia.c4z * t15,
            inertia.I4xz - inertia.c4z * t14,
-           t20,
-           (inertia.I4xx - t18) - inertia.c4x * t14,
            inertia.I4xy - inertia.c4y * t14,
-           inertia.I5yz - inertia.c5z * t16,
-           inertia.I5xz - inertia.c5z * t12,
-           t22,
-           inertia.I5xy - inertia.c5y * t12,
-           inertia.I6yz - inertia.c6z * t9,
-           inertia.I6xz - inertia.c6z * t8,
-           Scalar(2) * t23,
-           t24 - t25,
-           t23,
-           t25,
-           t24,
-           inertia.c5x * t12 - (inertia.I5xx - t19),
-           g.d4 * t17 + (inertia.I3xz - inertia.c3z * t17),
-           inertia.c3x * t17 - (inertia.I3xx - t26),
-           g.d4 * t27 + (inertia.I3yz - inertia.c3z * t27),
-           inertia.I3xy - inertia.c3y * t17,
+           (inertia.I4xx - t26) - inertia.c4x * t14,
+           t27,
            g.d4 * g.d4 * t6 - (t28 + t29),
            t34 };
 }
@@ -115,131 +115,134 @@ inline JointVector<Scalar> inverse_dynamics([[maybe_unused]] const JointVector<S
   const Scalar& c6 = angles.cosine[3];
   const Scalar t0 = k[1] + k[0] * qdd[0];
   const Scalar t1 = qd[1] * c3;
-  const Scalar t2 = qd[3] - t1;
-  const Scalar t3 = qd[1] * s3;
-  const Scalar t4 = s4 * t3 - qd[2] * c4;
-  const Scalar t5 = t2 * t4;
-  const Scalar t6 = qdd[1] * s3;
-  const Scalar t7 = qd[2] * t1;
-  const Scalar t8 = (t6 + t7) + t7;
-  const Scalar t9 = t3 * t1;
-  const Scalar t10 = qdd[2] - t9;
-  const Scalar t11 = c4 * t8 + s4 * t10;
-  const Scalar t12 = (t5 - t11) + t5;
-  const Scalar t13 = c4 * t10 - s4 * t8;
-  const Scalar t14 = qd[2] * s4 + c4 * t3;
-  const Scalar t15 = t2 * t14;
+  const Scalar t2 = t1 * t1;
+  const Scalar t3 = qd[2] * qd[2];
+  const Scalar t4 = t2 + t3;
+  const Scalar t5 = qd[3] - t1;
+  const Scalar t6 = t5 * t5;
+  const Scalar t7 = qd[1] * s3;
+  const Scalar t8 = qd[2] * s4 + c4 * t7;
+  const Scalar t9 = t8 * t8;
+  const Scalar t10 = t6 + t9;
+  const Scalar t11 = s4 * t7 - qd[2] * c4;
+  const Scalar t12 = qd[4] - t11;
+  const Scalar t13 = t12 * t12;
+  const Scalar t14 = s5 * t5 - c5 * t8;
+  const Scalar t15 = t14 * t14;
   const Scalar t16 = t13 - t15;
-  const Scalar t17 = t16 - t15;
-  const Scalar t18 = t3 * t3;
-  const Scalar t19 = qd[2] * qd[2];
-  const Scalar t20 = t18 + t19;
-  const Scalar t21 = c3 * t0 - t6;
-  const Scalar t22 = k[7] * t20 + t21;
-  const Scalar t23 = (k[10] * t12 - k[9] * t17) - k[8] * t22;
-  const Scalar t24 = k[3] * c6 + k[4] * s6;
-  const Scalar t25 = s5 * t14 + c5 * t2;
-  const Scalar t26 = qd[5] + t25;
-  const Scalar t27 = t26 * t26;
-  const Scalar t28 = qd[4] - t4;
-  const Scalar t29 = t28 * t28;
-  const Scalar t30 = t27 + t29;
-  const Scalar t31 = k[4] * c6 - k[3] * s6;
-  const Scalar t32 = qd[2] * t3;
-  const Scalar t33 = qdd[1] * c3;
-  const Scalar t34 = t32 - t33;
-  const Scalar t35 = qdd[3] + t34;
-  const Scalar t36 = t4 * t14;
-  const Scalar t37 = t35 + t36;
-  const Scalar t38 = c5 * t37 - s5 * t12;
-  const Scalar t39 = s5 * t2 - c5 * t14;
-  const Scalar t40 = Scalar(2) * t39 * t28;
-  const Scalar t41 = t38 - t40;
-  const Scalar t42 = qdd[5] + t41;
-  const Scalar t43 = t42 + t40;
-  const Scalar t44 = t2 * t2;
-  const Scalar t45 = t14 * t14;
-  const Scalar t46 = t44 + t45;
-  const Scalar t47 = t39 * t39;
-  const Scalar t48 = t29 + t47;
-  const Scalar t49 = t30 - t48;
-  const Scalar t50 = t27 - t29;
-  const Scalar t51 = t49 - t50;
-  const Scalar t52 = qdd[4] + t16;
-  const Scalar t53 = t39 * t25;
-  const Scalar t54 = t52 - t53;
-  const Scalar t55 = (t24 * t30 - t31 * t43) + (k[6] * (t46 + t51) - k[5] * t54);
-  const Scalar t56 = t52 + t53;
-  const Scalar t57 = t25 * t28;
-  const Scalar t58 = s5 * t37 + c5 * t12;
-  const Scalar t59 = t57 + (t57 + t58);
-  const Scalar t60 = Scalar(2) * t28 * t26 - t59;
-  const Scalar t61 = t39 * t26;
-  const Scalar t62 = (t61 + t54) + t61;
-  const Scalar t63 = (k[5] * t48 + k[6] * t56) + (t31 * t60 + t62 * t24);
-  const Scalar t64 = qdd[2] + t9;
-  const Scalar t65 = (t23 + (s5 * t55 - c5 * t63)) - k[11] * t64;
-  const Scalar t66 = t18 - t19;
-  const Scalar t67 = qd[1] * qd[1];
-  const Scalar t68 = t67 - t20;
-  const Scalar t69 = t66 - t68;
-  const Scalar t70 = s3 * t0 + t33;
-  const Scalar t71 = k[7] * t11 + (s4 * t70 + c4 * t67);
-  const Scalar t72 = t35 - t36;
-  const Scalar t73 = k[8] * t71 - (k[10] * t46 + k[9] * t72);
-  const Scalar t74 = (t31 * (t27 + t47) + t24 * t42) + (k[6] * t41 + k[5] * t59);
-  const Scalar t75 = t73 - t74;
-  const Scalar t76 = t44 - t45;
-  const Scalar t77 = k[7] * t13 - (s4 * t67 - c4 * t70);
-  const Scalar t78 = (k[10] * t37 - k[9] * (t76 + t20)) + k[8] * t77;
-  const Scalar t79 = (s5 * t63 + c5 * t55) - t78;
-  const Scalar t80 = k[11] * (t69 - t20) + (s4 * t75 - c4 * t79);
-  const Scalar t81 = k[2] * t0 + (c3 * t65 - s3 * t80);
-  const Scalar t82 = k[23] * c6 - k[24] * s6;
-  const Scalar t83 = k[25] - c6 * t82;
-  const Scalar t84 = s6 * t82;
-  const Scalar t85 = k[26] - t84;
-  const Scalar t86 = k[27] + t84;
-  const Scalar t87 = t51 * t83 + (t85 * t43 + t86 * t42);
+  const Scalar t17 = t7 * t1;
+  const Scalar t18 = qdd[2] - t17;
+  const Scalar t19 = qdd[1] * s3;
+  const Scalar t20 = qd[2] * t1;
+  const Scalar t21 = (t19 + t20) + t20;
+  const Scalar t22 = c4 * t18 - s4 * t21;
+  const Scalar t23 = t5 * t8;
+  const Scalar t24 = t22 - t23;
+  const Scalar t25 = qdd[4] + t24;
+  const Scalar t26 = s5 * t8 + c5 * t5;
+  const Scalar t27 = t14 * t26;
+  const Scalar t28 = t25 - t27;
+  const Scalar t29 = k[7] * c6 + k[6] * s6;
+  const Scalar t30 = qd[5] + t26;
+  const Scalar t31 = t30 * t30;
+  const Scalar t32 = t31 + t13;
+  const Scalar t33 = k[6] * c6 - k[7] * s6;
+  const Scalar t34 = c4 * t21 + s4 * t18;
+  const Scalar t35 = Scalar(2) * t5 * t11 - t34;
+  const Scalar t36 = qd[2] * t7;
+  const Scalar t37 = qdd[1] * c3;
+  const Scalar t38 = t36 - t37;
+  const Scalar t39 = qdd[3] + t38;
+  const Scalar t40 = t11 * t8;
+  const Scalar t41 = t39 + t40;
+  const Scalar t42 = s5 * t35 - c5 * t41;
+  const Scalar t43 = t14 * t12;
+  const Scalar t44 = t43 + t43;
+  const Scalar t45 = t42 + t44;
+  const Scalar t46 = qdd[5] - t45;
+  const Scalar t47 = t46 + t44;
+  const Scalar t48 = (k[4] * (t10 + t16) - k[5] * t28) + (t29 * t32 - t33 * t47);
+  const Scalar t49 = t14 * t30;
+  const Scalar t50 = (t49 + t49) + t28;
+  const Scalar t51 = t12 * t30;
+  const Scalar t52 = c5 * t35 + s5 * t41;
+  const Scalar t53 = t26 * t12;
+  const Scalar t54 = t52 + (t53 + t53);
+  const Scalar t55 = t51 + (t51 - t54);
+  const Scalar t56 = t25 + t27;
+  const Scalar t57 = t31 - t15;
+  const Scalar t58 = t16 - t57;
+  const Scalar t59 = t16 - t32;
+  const Scalar t60 = t58 - t59;
+  const Scalar t61 = (t29 * t50 + t55 * t33) + (k[4] * t56 + k[5] * t60);
+  const Scalar t62 = qd[1] * qd[1];
+  const Scalar t63 = t2 - t3;
+  const Scalar t64 = t62 - t63;
+  const Scalar t65 = t6 - t9;
+  const Scalar t66 = t64 + t65;
+  const Scalar t67 = s3 * t0 + t37;
+  const Scalar t68 = k[10] * t22 - (s4 * t62 - c4 * t67);
+  const Scalar t69 = (k[9] * t41 - k[8] * t66) + k[11] * t68;
+  const Scalar t70 = (c5 * t48 + s5 * t61) - t69;
+  const Scalar t71 = (k[4] * t45 - k[5] * t54) - (t46 * t29 - t33 * t59);
+  const Scalar t72 = t39 - t40;
+  const Scalar t73 = k[10] * t34 + (s4 * t67 + c4 * t62);
+  const Scalar t74 = (k[9] * t10 + k[8] * t72) - k[11] * t73;
+  const Scalar t75 = t71 - t74;
+  const Scalar t76 = k[3] * t4 + (c4 * t70 - s4 * t75);
+  const Scalar t77 = qdd[2] + t17;
+  const Scalar t78 = c3 * t0 - t19;
+  const Scalar t79 = k[10] * t64 + t78;
+  const Scalar t80 = t24 - t23;
+  const Scalar t81 = k[11] * t79 - (k[9] * t35 - k[8] * t80);
+  const Scalar t82 = k[3] * t77 - ((s5 * t48 - c5 * t61) - t81);
+  const Scalar t83 = k[2] * t0 + (s3 * t76 - c3 * t82);
+  const Scalar t84 = t64 - t4;
+  const Scalar t85 = t36 + t38;
+  const Scalar t86 = (k[13] * (t84 + t63) + k[12] * t18) - (k[15] * t21 + k[14] * t85);
+  const Scalar t87 = k[22] * c6 + k[21] * s6;
   const Scalar t88 = k[21] * c6 - k[22] * s6;
-  const Scalar t89 = k[22] * c6 + k[21] * s6;
-  const Scalar t90 = s5 * t22 + c5 * t77;
-  const Scalar t91 = (t87 + (t88 * t54 + t89 * t59)) - (t71 * t24 - t31 * t90);
-  const Scalar t92 = (k[20] * t51 - k[17] * t54) + (k[28] * t41 - k[18] * t59);
-  const Scalar t93 = t91 - (k[6] * t71 + t92);
-  const Scalar t94 = t46 - t48;
-  const Scalar t95 = k[17] * t94 + (k[18] * t41 - k[19] * t59);
-  const Scalar t96 = (t85 * t60 - t62 * t83) - t88 * t50;
-  const Scalar t97 = s5 * t77 - c5 * t22;
-  const Scalar t98 = (k[5] * t71 + (k[20] * t56 - t95)) - ((t89 * t42 - t96) + t31 * t97);
-  const Scalar t99 = t46 - t20;
-  const Scalar t100 = k[16] * (t99 - t76) + (k[15] * t72 + k[14] * t37);
-  const Scalar t101 = (t100 - (k[13] * t11 - k[12] * t13)) - (k[9] * t71 - k[10] * t77);
-  const Scalar t102 = (c5 * t93 - s5 * t98) + t101;
-  const Scalar t103 = t32 + t34;
-  const Scalar t104 = (k[32] * t66 + k[31] * t10) - (k[29] * t8 + k[30] * t103);
-  const Scalar t105 = c3 * ((t102 + (t104 - k[11] * t67)) - t80);
-  const Scalar t106 = (t89 * t49 - t88 * t43) - (t62 * t86 - t60 * t83);
-  const Scalar t107 = (k[28] * t56 + k[19] * t54) + k[18] * (t94 + t51);
-  const Scalar t108 = ((k[20] * t58 - k[17] * t38) + t107) + (k[6] * t97 - k[5] * t90);
-  const Scalar t109 = (t24 * t97 + t106) + t108;
-  const Scalar t110 = (k[13] * t76 - k[12] * t37) - (k[15] * t17 - k[16] * t12);
-  const Scalar t111 = k[7] * t79 + (t109 + (t110 - k[9] * t22));
-  const Scalar t112 = (k[14] * t12 - k[16] * t17) + k[12] * t99;
-  const Scalar t113 = (c5 * t98 + s5 * t93) - ((k[13] * t72 + t112) - k[10] * t22);
-  const Scalar t114 = t113 + k[7] * t75;
-  const Scalar t115 = (k[33] * t8 + k[29] * t103) + k[31] * t68;
-  const Scalar t116 = (s4 * t111 + c4 * t114) + (k[32] * t64 - t115);
-  const Scalar t117 = k[34] * qdd[1] - (t105 - s3 * (t116 + t65));
-  const Scalar t118 = (k[33] * t10 + k[30] * t64) - k[29] * t69;
-  const Scalar t119 = ((k[31] * t33 - k[32] * t6) + t118) - k[11] * t21;
+  const Scalar t89 = k[17] * s6 - k[16] * c6;
+  const Scalar t90 = s6 * t89;
+  const Scalar t91 = k[18] + t90;
+  const Scalar t92 = k[20] + c6 * t89;
+  const Scalar t93 = t58 * t88 + (t55 * t91 - t50 * t92);
+  const Scalar t94 = s5 * t68 - c5 * t79;
+  const Scalar t95 = t10 - t60;
+  const Scalar t96 = k[25] * t95 - (k[27] * t54 + k[23] * t45);
+  const Scalar t97 = ((t87 * t46 - t93) + t94 * t33) + ((t96 - k[26] * t56) - k[5] * t73);
+  const Scalar t98 = s5 * t79 + c5 * t68;
+  const Scalar t99 = k[19] - t90;
+  const Scalar t100 = t16 * t92 + (t99 * t46 + t91 * t47);
+  const Scalar t101 = (t73 * t29 - t98 * t33) - (t100 + (t88 * t28 + t87 * t54));
+  const Scalar t102 = (k[24] * t45 + k[23] * t54) - (k[26] * t16 - k[25] * t28);
+  const Scalar t103 = t101 + (k[4] * t73 - t102);
+  const Scalar t104 = t10 - t66;
+  const Scalar t105 = (k[31] * t72 + k[32] * t41) + k[30] * t104;
+  const Scalar t106 = ((k[28] * t22 - k[29] * t34) + t105) - (k[8] * t73 - k[9] * t68);
+  const Scalar t107 = (s5 * t97 - c5 * t103) + t106;
+  const Scalar t108 = c3 * (t76 - ((k[3] * t62 - t86) - t107));
+  const Scalar t109 = (k[33] * t21 + k[15] * t85) + k[12] * t63;
+  const Scalar t110 = (k[30] * t35 - k[31] * t80) - (k[28] * t41 - k[29] * t65);
+  const Scalar t111 = (t92 * t55 - t99 * t50) - (t88 * t47 - t87 * t57);
+  const Scalar t112 = (k[24] * t56 + k[27] * t28) + k[23] * (t16 + t95);
+  const Scalar t113 = (k[5] * t98 - k[4] * t94) - ((k[25] * t42 + k[26] * t52) + t112);
+  const Scalar t114 = (t29 * t94 + t111) - t113;
+  const Scalar t115 = k[10] * t70 + ((t110 - k[8] * t79) + t114);
+  const Scalar t116 = (k[32] * t35 - k[30] * t80) + k[28] * (t104 + t65);
+  const Scalar t117 = ((t116 + k[29] * t72) - k[9] * t79) + (c5 * t97 + s5 * t103);
+  const Scalar t118 = t117 - k[10] * t75;
+  const Scalar t119 = (t109 - k[13] * t77) - (s4 * t115 - c4 * t118);
+  const Scalar t120 = (t108 + s3 * (t82 + t119)) - k[34] * qdd[1];
+  const Scalar t121 = k[15] * t84 - (k[33] * t18 + k[14] * t77);
+  const Scalar t122 = ((k[13] * t19 - k[12] * t37) + t121) + k[3] * t78;
   JointVector<Scalar> result;
-  result[0] = k[0] * t81;
-  result[1] = -t117;
-  result[2] = t119 + (c4 * t111 - s4 * t114);
-  result[3] = -t102;
-  result[4] = t109;
-  result[5] = -t91;
+  result[0] = k[0] * t83;
+  result[1] = t120;
+  result[2] = (s4 * t118 + c4 * t115) - t122;
+  result[3] = -t107;
+  result[4] = t114;
+  result[5] = t101;
   return result;
 }
 
@@ -270,14 +273,14 @@ GravityTorqueConstants<Scalar> gravity_torque_constants(const BasicGeometry<Scal
   const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
   const Scalar t1 = (inertia.c4z * inertia.m4 - g.d4 * t0) + (inertia.c3z * inertia.m3 - g.d4 * inertia.m3);
   return { gravity,
-           inertia.c3x * inertia.m3,
-           t1,
+           inertia.c4y * inertia.m4 + inertia.c5y * inertia.m5,
+           inertia.c5x * inertia.m5,
            inertia.c6y * inertia.m6,
            inertia.c6x * inertia.m6,
            inertia.c5z * inertia.m5 + inertia.c6z * inertia.m6,
-           inertia.c5x * inertia.m5,
            inertia.c4x * inertia.m4,
-           inertia.c4y * inertia.m4 + inertia.c5y * inertia.m5,
+           inertia.c3x * inertia.m3,
+           t1,
            gravity * (inertia.m1 + (inertia.m2 + (inertia.m3 + t0))) };
 }
 
@@ -294,25 +297,25 @@ inline JointVector<Scalar> gravity_torque([[maybe_unused]] const JointVector<Sca
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[0] * s3;
-  const Scalar t1 = c4 * t0;
-  const Scalar t2 = k[0] * c3;
-  const Scalar t3 = s5 * t1 - c5 * t2;
-  const Scalar t4 = s5 * t2 + c5 * t1;
+  const Scalar t0 = k[0] * c3;
+  const Scalar t1 = k[0] * s3;
+  const Scalar t2 = c4 * t1;
+  const Scalar t3 = s5 * t2 - c5 * t0;
+  const Scalar t4 = s5 * t0 + c5 * t2;
   const Scalar t5 = k[4] * c6 + k[3] * s6;
-  const Scalar t6 = (k[6] * t3 - k[5] * t4) + t3 * t5;
-  const Scalar t7 = s4 * t0;
+  const Scalar t6 = (k[2] * t3 - k[5] * t4) + t3 * t5;
+  const Scalar t7 = s4 * t1;
   const Scalar t8 = k[3] * c6 - k[4] * s6;
   const Scalar t9 = k[5] * t7 - t3 * t8;
   const Scalar t10 = t7 * t5 - t4 * t8;
-  const Scalar t11 = k[6] * t7 + t10;
-  const Scalar t12 = k[8] * t2 + (c5 * t9 - s5 * t11);
-  const Scalar t13 = c4 * (t6 - k[7] * t2) - s4 * t12;
-  const Scalar t14 = (k[7] * t7 - k[8] * t1) + (c5 * t11 + s5 * t9);
+  const Scalar t11 = t10 + k[2] * t7;
+  const Scalar t12 = (c5 * t9 - s5 * t11) + k[1] * t0;
+  const Scalar t13 = c4 * (k[6] * t0 - t6) + s4 * t12;
+  const Scalar t14 = (c5 * t11 + s5 * t9) + (k[6] * t7 - k[1] * t2);
   JointVector<Scalar> result;
   result[0] = k[9];
   result[1] = Scalar(0);
-  result[2] = t13 - (k[2] * t0 + k[1] * t2);
+  result[2] = -t13 - (k[8] * t1 + k[7] * t0);
   result[3] = t14;
   result[4] = t6;
   result[5] = t10;
@@ -340,72 +343,73 @@ CoriolisTorqueConstants<Scalar> coriolis_torque_constants(const BasicGeometry<Sc
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c3x * inertia.m3;
-  const Scalar t1 = g.d4 * t0;
-  const Scalar t2 = inertia.c4z * inertia.m4;
-  const Scalar t3 = t2 - g.d4 * (inertia.m4 + (inertia.m5 + inertia.m6));
-  const Scalar t4 = inertia.c3z * inertia.m3;
-  const Scalar t5 = t4 - g.d4 * inertia.m3;
-  const Scalar t6 = g.d4 * (t3 + t5);
-  const Scalar t7 = inertia.c4y * inertia.m4;
-  const Scalar t8 = inertia.c5y * inertia.m5;
-  const Scalar t9 = inertia.c4x * inertia.m4;
-  const Scalar t10 = inertia.c6y * inertia.m6;
-  const Scalar t11 = inertia.c6x * inertia.m6;
-  const Scalar t12 = inertia.c5x * inertia.m5;
-  const Scalar t13 = inertia.c5z * inertia.m5;
-  const Scalar t14 = inertia.c6z * inertia.m6;
+  const Scalar t0 = inertia.c6y * inertia.m6;
+  const Scalar t1 = inertia.c6x * inertia.m6;
+  const Scalar t2 = inertia.c5z * inertia.m5;
+  const Scalar t3 = inertia.c6z * inertia.m6;
+  const Scalar t4 = inertia.c5x * inertia.m5;
+  const Scalar t5 = inertia.c4y * inertia.m4;
+  const Scalar t6 = inertia.c5y * inertia.m5;
+  const Scalar t7 = inertia.c4x * inertia.m4;
+  const Scalar t8 = inertia.c3x * inertia.m3;
+  const Scalar t9 = g.d4 * t8;
+  const Scalar t10 = inertia.c4z * inertia.m4;
+  const Scalar t11 = t10 - g.d4 * (inertia.m4 + (inertia.m5 + inertia.m6));
+  const Scalar t12 = inertia.c3z * inertia.m3;
+  const Scalar t13 = t12 - g.d4 * inertia.m3;
+  const Scalar t14 = g.d4 * (t11 + t13);
   const Scalar t15 = g.l1 / g.d4;
-  const Scalar t16 = inertia.c3y * inertia.m3;
-  const Scalar t17 = t1 + (inertia.I3xz - inertia.c3z * t0);
-  const Scalar t18 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t19 = ((inertia.I3zz - t18) - inertia.c3z * t4) + g.d4 * (t4 + t5);
-  const Scalar t20 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t21 = ((inertia.I4zz - t20) - inertia.c4z * t2) + g.d4 * (t3 + t2);
-  const Scalar t22 = t19 + t21;
-  const Scalar t23 = inertia.I6xy - inertia.c6y * t11;
-  const Scalar t24 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t25 = (inertia.I6xx - t24) - inertia.c6x * t11;
-  const Scalar t26 = (inertia.I6yy - t24) - inertia.c6y * t10;
-  const Scalar t27 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t28 = (inertia.c6z * t14 - (inertia.I6zz - t24)) + (inertia.c5z * t13 - (inertia.I5zz - t27));
-  const Scalar t29 = ((inertia.I4yy - t20) - inertia.c4y * t7) - (inertia.c5y * t8 - (inertia.I5yy - t27));
-  const Scalar t30 = inertia.c3x * t0 - (inertia.I3xx - t18);
-  return { t1,
-           t6,
-           g.d4 * (t7 + t8),
-           g.d4 * t9,
-           g.d4 * t10,
-           g.d4 * t11,
-           g.d4 * t12,
-           g.d4 * (t13 + t14),
+  const Scalar t16 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t17 = inertia.c3x * t8 - (inertia.I3xx - t16);
+  const Scalar t18 = t9 + (inertia.I3xz - inertia.c3z * t8);
+  const Scalar t19 = inertia.c3y * inertia.m3;
+  const Scalar t20 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t21 = inertia.I6xy - inertia.c6y * t1;
+  const Scalar t22 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t23 = (inertia.I6xx - t22) - inertia.c6x * t1;
+  const Scalar t24 = (inertia.I6yy - t22) - inertia.c6y * t0;
+  const Scalar t25 = (inertia.c6z * t3 - (inertia.I6zz - t22)) + (inertia.c5z * t2 - (inertia.I5zz - t20));
+  const Scalar t26 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t27 = ((inertia.I4yy - t26) - inertia.c4y * t5) - (inertia.c5y * t6 - (inertia.I5yy - t20));
+  const Scalar t28 = ((inertia.I3zz - t16) - inertia.c3z * t12) + g.d4 * (t12 + t13);
+  const Scalar t29 = ((inertia.I4zz - t26) - inertia.c4z * t10) + g.d4 * (t11 + t10);
+  const Scalar t30 = t28 + t29;
+  return { g.d4 * t0,
+           g.d4 * t1,
+           g.d4 * (t2 + t3),
+           g.d4 * t4,
+           g.d4 * (t5 + t6),
+           g.d4 * t7,
+           t9,
+           t14,
            Scalar(1) / g.d4,
-           t15 * t6,
-           g.d4 * t16 + (inertia.I3yz - inertia.c3z * t16),
-           Scalar(2) * t17,
-           Scalar(2) * t22,
-           inertia.I3xy - inertia.c3y * t0,
-           (inertia.I4xx - t20) - inertia.c4x * t9,
-           inertia.I4xy - inertia.c4y * t9,
-           inertia.I4xz - inertia.c4z * t9,
-           inertia.I4yz - inertia.c4z * t7,
-           Scalar(2) * t23,
-           t25 - t26,
-           t23,
-           t25,
-           inertia.I6yz - inertia.c6z * t10,
-           inertia.I6xz - inertia.c6z * t11,
            t15,
-           inertia.I5xz - inertia.c5z * t12,
-           inertia.c5x * t12 - (inertia.I5xx - t27),
-           t28,
-           inertia.I5yz - inertia.c5z * t8,
-           inertia.I5xy - inertia.c5y * t12,
-           t29,
-           t26,
-           Scalar(2) * t30,
-           t17,
-           t30 + t22 };
+           Scalar(2) * t17,
+           Scalar(2) * t18,
+           inertia.I3xy - inertia.c3y * t8,
+           g.d4 * t19 + (inertia.I3yz - inertia.c3z * t19),
+           t15 * t9,
+           inertia.c5x * t4 - (inertia.I5xx - t20),
+           inertia.I5xz - inertia.c5z * t4,
+           inertia.I5yz - inertia.c5z * t6,
+           inertia.I5xy - inertia.c5y * t4,
+           Scalar(2) * t21,
+           t23 - t24,
+           t24,
+           t23,
+           t21,
+           inertia.I6yz - inertia.c6z * t0,
+           inertia.I6xz - inertia.c6z * t1,
+           t25,
+           inertia.I4xy - inertia.c4y * t7,
+           t27,
+           (inertia.I4xx - t26) - inertia.c4x * t7,
+           inertia.I4yz - inertia.c4z * t5,
+           inertia.I4xz - inertia.c4z * t7,
+           t30,
+           t15 * t14,
+           t18,
+           t17 + t30 };
 }
 
 namespace detail {
@@ -422,117 +426,113 @@ inline JointVector<Scalar> coriolis_torque([[maybe_unused]] const JointVector<Sc
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = qd[1] * s3;
-  const Scalar t1 = qd[1] * c3;
-  const Scalar t2 = t0 * t1;
-  const Scalar t3 = t1 * t1;
-  const Scalar t4 = qd[2] * qd[2];
-  const Scalar t5 = t3 + t4;
-  const Scalar t6 = c4 * t0;
-  const Scalar t7 = qd[2] * s4 + t6;
-  const Scalar t8 = qd[3] - t1;
-  const Scalar t9 = s5 * t7 + c5 * t8;
-  const Scalar t10 = qd[5] + t9;
-  const Scalar t11 = t10 * t10;
-  const Scalar t12 = s5 * t8 - c5 * t7;
-  const Scalar t13 = t12 * t12;
-  const Scalar t14 = t11 + t13;
-  const Scalar t15 = k[4] * c6 - k[5] * s6;
-  const Scalar t16 = s4 * t0 - qd[2] * c4;
-  const Scalar t17 = qd[4] - t16;
-  const Scalar t18 = t12 * t17;
-  const Scalar t19 = qd[2] * t1;
-  const Scalar t20 = t19 + t19;
-  const Scalar t21 = s4 * t2 - c4 * t20;
-  const Scalar t22 = Scalar(2) * t8 * t16 + t21;
-  const Scalar t23 = t16 * t7;
-  const Scalar t24 = qd[2] * t0;
-  const Scalar t25 = t23 + t24;
-  const Scalar t26 = s5 * t22 - c5 * t25;
-  const Scalar t27 = (t18 + t18) + t26;
-  const Scalar t28 = k[4] * s6 + k[5] * c6;
-  const Scalar t29 = s5 * t25 + c5 * t22;
-  const Scalar t30 = Scalar(2) * t9 * t17 + t29;
-  const Scalar t31 = (t14 * t15 - t27 * t28) + (k[7] * t30 - k[6] * t27);
-  const Scalar t32 = t8 * t8;
-  const Scalar t33 = t7 * t7;
-  const Scalar t34 = t32 + t33;
-  const Scalar t35 = t23 - t24;
-  const Scalar t36 = t31 + (k[2] * t34 - k[3] * t35);
-  const Scalar t37 = qd[1] * qd[1];
-  const Scalar t38 = t37 - t5;
-  const Scalar t39 = t3 - t4;
-  const Scalar t40 = t38 - t39;
-  const Scalar t41 = t40 + t5;
-  const Scalar t42 = t32 - t33;
-  const Scalar t43 = t41 + t42;
-  const Scalar t44 = t17 * t17;
-  const Scalar t45 = t11 + t44;
-  const Scalar t46 = s4 * t20 + t1 * t6;
-  const Scalar t47 = t8 * t7;
-  const Scalar t48 = t46 + t47;
-  const Scalar t49 = t12 * t9;
-  const Scalar t50 = t48 + t49;
-  const Scalar t51 = t11 - t13;
-  const Scalar t52 = t45 - t51;
-  const Scalar t53 = t34 - t52;
-  const Scalar t54 = t14 - t45;
-  const Scalar t55 = t53 - t54;
-  const Scalar t56 = (t26 * t15 + t45 * t28) + (k[7] * t50 + k[6] * (t55 + t52));
-  const Scalar t57 = t50 - Scalar(2) * t12 * t10;
-  const Scalar t58 = t17 * t10;
-  const Scalar t59 = t30 - (t58 + t58);
-  const Scalar t60 = t48 - t49;
-  const Scalar t61 = (t28 * t57 + t59 * t15) - (k[7] * t52 - k[6] * t60);
-  const Scalar t62 = (k[2] * t25 - k[3] * t43) - (c5 * t56 - s5 * t61);
-  const Scalar t63 = (k[1] * t2 + k[0] * t5) + (s4 * t36 - c4 * t62);
-  const Scalar t64 = t48 + t47;
-  const Scalar t65 = (s5 * t56 + c5 * t61) + (k[2] * t22 + k[3] * t64);
-  const Scalar t66 = (k[1] * t41 + k[0] * t2) - t65;
-  const Scalar t67 = k[10] * t39 - (k[12] * t19 - k[11] * t24);
-  const Scalar t68 = (k[14] * t64 + k[15] * t22) + (k[16] * t42 - k[17] * t25);
-  const Scalar t69 = k[24] * t37;
-  const Scalar t70 = s4 * t69 + t46;
-  const Scalar t71 = s5 * t70 + c5 * t41;
-  const Scalar t72 = c5 * t70 - s5 * t41;
-  const Scalar t73 = k[25] * t55 - (k[26] * t60 + k[27] * t50);
-  const Scalar t74 = (k[6] * t71 - k[7] * t72) - (t73 + (k[28] * t26 + k[29] * t29));
-  const Scalar t75 = k[19] * s6 - k[18] * c6;
-  const Scalar t76 = k[20] + c6 * t75;
-  const Scalar t77 = s6 * t75;
-  const Scalar t78 = k[21] - t77;
-  const Scalar t79 = k[23] * c6 + k[22] * s6;
-  const Scalar t80 = k[22] * c6 - k[23] * s6;
-  const Scalar t81 = (t59 * t76 - t78 * t57) - (t79 * t51 + t26 * t80);
-  const Scalar t82 = t74 + (t81 + t28 * t71);
-  const Scalar t83 = t62 + ((k[3] * t41 - t68) + t82);
-  const Scalar t84 = k[28] * t53 - (k[27] * t30 + k[25] * t27);
-  const Scalar t85 = c4 * t69 - t21;
-  const Scalar t86 = k[31] + t77;
-  const Scalar t87 = t80 * (t11 - t44) - (t57 * t76 - t86 * t59);
-  const Scalar t88 = ((t84 + k[29] * t60) - k[7] * t85) - ((t79 * t27 - t87) + t71 * t15);
-  const Scalar t89 = (k[28] * t50 - k[29] * t54) - (k[25] * t30 + k[26] * t27);
-  const Scalar t90 = (t86 * t26 + t27 * t78) + t54 * t76;
-  const Scalar t91 = (t72 * t15 + t85 * t28) + ((t50 * t80 - t30 * t79) + t90);
-  const Scalar t92 = (t89 + k[6] * t85) + t91;
-  const Scalar t93 = k[17] * (t34 - t41) + (k[15] * t64 + k[30] * t22);
-  const Scalar t94 = (c5 * t88 + s5 * t92) - (k[2] * t41 + (k[16] * t35 - t93));
-  const Scalar t95 = t94 + t36;
-  const Scalar t96 = (k[9] * t37 - (t67 - k[13] * t2)) - (s4 * t83 + c4 * t95);
-  const Scalar t97 = (k[13] * t38 - k[10] * t2) - (k[32] * t24 + k[33] * t20);
-  const Scalar t98 = k[15] * (t34 - t43) + (k[30] * t25 - k[14] * t35);
-  const Scalar t99 = (k[2] * t70 + k[3] * t85) - ((k[16] * t21 - k[17] * t46) + t98);
-  const Scalar t100 = t99 + (c5 * t92 - s5 * t88);
-  const Scalar t101 = k[24] * t63 - ((k[0] * t69 - t97) + t100);
-  const Scalar t102 = s3 * (k[24] * t66 - t96) + c3 * t101;
-  const Scalar t103 = (k[33] * t40 - k[34] * t2) + (c4 * t83 - s4 * t95);
+  const Scalar t0 = qd[1] * c3;
+  const Scalar t1 = qd[2] * t0;
+  const Scalar t2 = t1 + t1;
+  const Scalar t3 = qd[1] * s3;
+  const Scalar t4 = c4 * t3;
+  const Scalar t5 = s4 * t2 + t0 * t4;
+  const Scalar t6 = qd[3] - t0;
+  const Scalar t7 = qd[2] * s4 + t4;
+  const Scalar t8 = t6 * t7;
+  const Scalar t9 = t5 + t8;
+  const Scalar t10 = t9 + t8;
+  const Scalar t11 = s4 * t3 - qd[2] * c4;
+  const Scalar t12 = t6 * t11;
+  const Scalar t13 = t3 * t0;
+  const Scalar t14 = s4 * t13 - c4 * t2;
+  const Scalar t15 = (t12 + t14) + t12;
+  const Scalar t16 = qd[4] - t11;
+  const Scalar t17 = t16 * t16;
+  const Scalar t18 = s5 * t6 - c5 * t7;
+  const Scalar t19 = t18 * t18;
+  const Scalar t20 = t17 + t19;
+  const Scalar t21 = s5 * t7 + c5 * t6;
+  const Scalar t22 = t18 * t21;
+  const Scalar t23 = t9 - t22;
+  const Scalar t24 = k[0] * s6 + k[1] * c6;
+  const Scalar t25 = t9 + t22;
+  const Scalar t26 = qd[5] + t21;
+  const Scalar t27 = t25 - Scalar(2) * t18 * t26;
+  const Scalar t28 = t11 * t7;
+  const Scalar t29 = qd[2] * t3;
+  const Scalar t30 = t28 + t29;
+  const Scalar t31 = s5 * t30 + c5 * t15;
+  const Scalar t32 = Scalar(2) * t21 * t16 + t31;
+  const Scalar t33 = t32 - Scalar(2) * t16 * t26;
+  const Scalar t34 = k[0] * c6 - k[1] * s6;
+  const Scalar t35 = (k[2] * t20 - k[3] * t23) - (t24 * t27 + t33 * t34);
+  const Scalar t36 = t26 * t26;
+  const Scalar t37 = t36 - t19;
+  const Scalar t38 = t20 + t37;
+  const Scalar t39 = s5 * t15 - c5 * t30;
+  const Scalar t40 = t17 - t19;
+  const Scalar t41 = t11 * t11;
+  const Scalar t42 = t6 * t6;
+  const Scalar t43 = t41 - t42;
+  const Scalar t44 = t3 * t3;
+  const Scalar t45 = qd[2] * qd[2];
+  const Scalar t46 = t44 + t45;
+  const Scalar t47 = t43 - t46;
+  const Scalar t48 = (t24 * t38 + t39 * t34) + (k[3] * (t40 - t47) + k[2] * t25);
+  const Scalar t49 = (k[5] * t10 + k[4] * t15) - (c5 * t35 - s5 * t48);
+  const Scalar t50 = t49 - (k[6] * t13 + k[7] * t46);
+  const Scalar t51 = t44 - t45;
+  const Scalar t52 = qd[1] * qd[1];
+  const Scalar t53 = t52 - t46;
+  const Scalar t54 = t51 - t53;
+  const Scalar t55 = t41 + t42;
+  const Scalar t56 = (k[4] * t30 - k[5] * t55) - (s5 * t35 + c5 * t48);
+  const Scalar t57 = t39 + Scalar(2) * t18 * t16;
+  const Scalar t58 = ((t40 - t38) * t34 + t24 * t57) - (k[2] * t32 - k[3] * t57);
+  const Scalar t59 = t28 - t29;
+  const Scalar t60 = t58 + (k[4] * t47 + k[5] * t59);
+  const Scalar t61 = (k[6] * (t54 - t46) - k[7] * t13) + (c4 * t56 + s4 * t60);
+  const Scalar t62 = (k[12] * t51 - k[13] * t13) - (k[10] * t29 + k[11] * t1);
+  const Scalar t63 = (k[29] * t59 - k[28] * t30) + k[27] * (t55 + t47);
+  const Scalar t64 = k[9] * t52;
+  const Scalar t65 = c4 * t64 - t14;
+  const Scalar t66 = t5 + s4 * t64;
+  const Scalar t67 = ((k[31] * t14 - k[30] * t5) - t63) - (k[5] * t65 + k[4] * t66);
+  const Scalar t68 = t47 + t20;
+  const Scalar t69 = k[17] * t68 + (k[16] * t57 + k[26] * t32);
+  const Scalar t70 = k[19] * c6 - k[20] * s6;
+  const Scalar t71 = k[23] - c6 * t70;
+  const Scalar t72 = s6 * t70;
+  const Scalar t73 = k[21] - t72;
+  const Scalar t74 = k[25] * s6 - k[24] * c6;
+  const Scalar t75 = (t71 * t27 - t73 * t33) + t74 * (t36 - t17);
+  const Scalar t76 = k[25] * c6 + k[24] * s6;
+  const Scalar t77 = s5 * t66 + c5 * t46;
+  const Scalar t78 = (k[2] * t65 - (k[18] * t23 - t69)) + ((t75 + t76 * t57) + t77 * t34);
+  const Scalar t79 = (k[16] * t32 + k[15] * t57) - (k[18] * t40 + k[17] * t25);
+  const Scalar t80 = k[22] + t72;
+  const Scalar t81 = (t73 * t39 + t57 * t80) - t40 * t71;
+  const Scalar t82 = s5 * t46 - c5 * t66;
+  const Scalar t83 = (t81 - (t74 * t25 + t76 * t32)) - (t82 * t34 - t24 * t65);
+  const Scalar t84 = (t79 - k[3] * t65) - t83;
+  const Scalar t85 = t67 - (s5 * t78 - c5 * t84);
+  const Scalar t86 = ((t62 - k[14] * t52) + t85) - k[9] * t61;
+  const Scalar t87 = (k[29] * t10 + k[27] * t15) - (k[30] * t30 - k[31] * (t55 - t46));
+  const Scalar t88 = (t71 * t33 - t80 * t27) - (t76 * t37 - t74 * t39);
+  const Scalar t89 = k[16] * (t40 - t68) - (k[26] * t25 + k[15] * t23);
+  const Scalar t90 = ((k[18] * t31 + k[17] * t39) + t89) - (k[3] * t77 + k[2] * t82);
+  const Scalar t91 = (t88 + t24 * t77) - t90;
+  const Scalar t92 = t56 + ((k[5] * t46 - t87) + t91);
+  const Scalar t93 = (k[27] * t10 + k[28] * t15) - k[30] * t43;
+  const Scalar t94 = (k[4] * t46 + (k[31] * t59 - t93)) + (c5 * t78 + s5 * t84);
+  const Scalar t95 = t60 + t94;
+  const Scalar t96 = (k[11] * t29 - k[32] * t2) + k[13] * t53;
+  const Scalar t97 = (s4 * t92 - c4 * t95) - (k[33] * t52 - (t96 - k[12] * t13));
+  const Scalar t98 = c3 * t86 + s3 * (t97 - k[9] * t50);
+  const Scalar t99 = (k[34] * t54 - k[35] * t13) + (c4 * t92 + s4 * t95);
   JointVector<Scalar> result;
-  result[0] = k[8] * (s3 * t63 - c3 * t66);
-  result[1] = t102;
-  result[2] = -t103;
-  result[3] = t100;
-  result[4] = -t82;
-  result[5] = t91;
+  result[0] = k[8] * (c3 * t50 - s3 * t61);
+  result[1] = t98;
+  result[2] = -t99;
+  result[3] = -t85;
+  result[4] = -t91;
+  result[5] = t83;
   return result;
 }
 
@@ -560,74 +560,72 @@ MassMatrixConstants<Scalar> mass_matrix_constants(const BasicGeometry<Scalar>& g
   using std::sin;
   const Scalar t0 = inertia.c6y * inertia.m6;
   const Scalar t1 = inertia.c6x * inertia.m6;
-  const Scalar t2 = inertia.c5x * inertia.m5;
-  const Scalar t3 = inertia.c5z * inertia.m5;
-  const Scalar t4 = inertia.c6z * inertia.m6;
-  const Scalar t5 = inertia.c4z * inertia.m4;
-  const Scalar t6 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t7 = t5 - g.d4 * t6;
-  const Scalar t8 = inertia.c3z * inertia.m3;
-  const Scalar t9 = t8 - g.d4 * inertia.m3;
-  const Scalar t10 = inertia.c4x * inertia.m4;
-  const Scalar t11 = inertia.c4y * inertia.m4;
-  const Scalar t12 = inertia.c5y * inertia.m5;
-  const Scalar t13 = inertia.c3x * inertia.m3;
+  const Scalar t2 = inertia.c4y * inertia.m4;
+  const Scalar t3 = inertia.c5y * inertia.m5;
+  const Scalar t4 = inertia.c5x * inertia.m5;
+  const Scalar t5 = inertia.c5z * inertia.m5;
+  const Scalar t6 = inertia.c6z * inertia.m6;
+  const Scalar t7 = inertia.c4x * inertia.m4;
+  const Scalar t8 = inertia.c3x * inertia.m3;
+  const Scalar t9 = inertia.c4z * inertia.m4;
+  const Scalar t10 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t11 = t9 - g.d4 * t10;
+  const Scalar t12 = inertia.c3z * inertia.m3;
+  const Scalar t13 = t12 - g.d4 * inertia.m3;
   const Scalar t14 = Scalar(1) / g.l1;
   const Scalar t15 = inertia.I6xy - inertia.c6y * t1;
   const Scalar t16 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
   const Scalar t17 = (inertia.I6xx - t16) - inertia.c6x * t1;
   const Scalar t18 = (inertia.I6yy - t16) - inertia.c6y * t0;
-  const Scalar t19 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t20 = (inertia.c6z * t4 - (inertia.I6zz - t16)) + (inertia.c5z * t3 - (inertia.I5zz - t19));
-  const Scalar t21 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t22 = ((inertia.I4yy - t21) - inertia.c4y * t11) - (inertia.c5y * t12 - (inertia.I5yy - t19));
+  const Scalar t19 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t20 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t21 = ((inertia.I4yy - t19) - inertia.c4y * t2) - (inertia.c5y * t3 - (inertia.I5yy - t20));
+  const Scalar t22 = (inertia.c6z * t6 - (inertia.I6zz - t16)) + (inertia.c5z * t5 - (inertia.I5zz - t20));
   const Scalar t23 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t24 = g.d4 / g.l1;
-  const Scalar t25 = ((inertia.I3zz - t23) - inertia.c3z * t8) + g.d4 * (t8 + t9);
-  const Scalar t26 = ((inertia.I4zz - t21) - inertia.c4z * t5) + g.d4 * (t7 + t5);
-  const Scalar t27 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t28 = inertia.c3y * inertia.m3;
-  const Scalar t29 = inertia.m3 + t6;
-  const Scalar t30 = ((inertia.I3yy - t23) - inertia.c3y * t28) - g.l1 * ((g.l1 * t29 + t28) + t28);
-  const Scalar t31 = inertia.c2y * inertia.m2;
-  const Scalar t32 = g.l1 * ((g.l1 * inertia.m2 + t31) + t31) - ((inertia.I2yy - t27) - inertia.c2y * t31);
-  const Scalar t33 = t14 * g.l1 * g.l1 * (inertia.m1 + (inertia.m2 + t29));
+  const Scalar t24 = inertia.c3y * inertia.m3;
+  const Scalar t25 = inertia.m3 + t10;
+  const Scalar t26 = ((inertia.I3yy - t23) - inertia.c3y * t24) - g.l1 * ((g.l1 * t25 + t24) + t24);
+  const Scalar t27 = inertia.c2y * inertia.m2;
+  const Scalar t28 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t29 = g.l1 * ((g.l1 * inertia.m2 + t27) + t27) - ((inertia.I2yy - t28) - inertia.c2y * t27);
+  const Scalar t30 = ((inertia.I3zz - t23) - inertia.c3z * t12) + g.d4 * (t12 + t13);
+  const Scalar t31 = ((inertia.I4zz - t19) - inertia.c4z * t9) + g.d4 * (t11 + t9);
+  const Scalar t32 = t14 * g.l1 * g.l1 * (inertia.m1 + (inertia.m2 + t25));
   return { g.l1 * t0,
            g.l1 * t1,
-           g.l1 * t2,
-           g.l1 * (t3 + t4),
-           g.l1 * (t7 + t9),
-           g.l1 * t10,
-           g.l1 * (t11 + t12),
-           g.l1 * t13,
+           g.l1 * (t2 + t3),
+           g.l1 * t4,
+           g.l1 * (t5 + t6),
+           g.l1 * t7,
+           g.l1 * t8,
+           g.l1 * (t11 + t13),
            t14,
            Scalar(2) * t15,
            t17 - t18,
            t17,
-           inertia.c5x * t2 - (inertia.I5xx - t19),
-           t20,
-           inertia.I6yz - inertia.c6z * t0,
-           inertia.I6xz - inertia.c6z * t1,
-           inertia.I5xz - inertia.c5z * t2,
-           (inertia.I4xx - t21) - inertia.c4x * t10,
-           inertia.I5yz - inertia.c5z * t12,
-           t15,
-           inertia.I5xy - inertia.c5y * t2,
-           inertia.I4xy - inertia.c4y * t10,
            t17 + t18,
+           t21,
+           inertia.c5x * t4 - (inertia.I5xx - t20),
            t22,
-           inertia.c3x * t13 - (inertia.I3xx - t23),
-           Scalar(2) * t24,
-           t25 + t26,
-           inertia.I4yz - inertia.c4z * t11,
-           inertia.I4xz - inertia.c4z * t10,
-           t24,
-           g.d4 * t13 + (inertia.I3xz - inertia.c3z * t13),
-           inertia.c2x * inertia.c2x * inertia.m2 - (inertia.I2xx - t27),
-           t30 - t32,
-           inertia.I3xy - inertia.c3y * t13,
-           g.d4 * t28 + (inertia.I3yz - inertia.c3z * t28),
-           t14 * t33 };
+           inertia.I6xz - inertia.c6z * t1,
+           inertia.I6yz - inertia.c6z * t0,
+           inertia.I5xz - inertia.c5z * t4,
+           (inertia.I4xx - t19) - inertia.c4x * t7,
+           t15,
+           inertia.I5xy - inertia.c5y * t4,
+           inertia.I5yz - inertia.c5z * t3,
+           inertia.I4xy - inertia.c4y * t7,
+           t26 - t29,
+           g.d4 / g.l1,
+           inertia.I4xz - inertia.c4z * t7,
+           inertia.I4yz - inertia.c4z * t2,
+           g.d4 * t8 + (inertia.I3xz - inertia.c3z * t8),
+           inertia.c3x * t8 - (inertia.I3xx - t23),
+           t30 + t31,
+           inertia.c2x * inertia.c2x * inertia.m2 - (inertia.I2xx - t28),
+           inertia.I3xy - inertia.c3y * t8,
+           g.d4 * t24 + (inertia.I3yz - inertia.c3z * t24),
+           t14 * t32 };
 }
 
 namespace detail {
@@ -644,77 +642,79 @@ inline Eigen::Matrix<Scalar, dof, dof> mass_matrix([[maybe_unused]] const JointV
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
   const Scalar t0 = k[0] * s6 + k[1] * c6;
-  const Scalar t1 = k[2] + t0;
-  const Scalar t2 = k[3] * s5 + c5 * t1;
-  const Scalar t3 = k[5] + t2;
-  const Scalar t4 = k[0] * c6 - k[1] * s6;
-  const Scalar t5 = k[6] + t4;
-  const Scalar t6 = c4 * t3 + s4 * t5;
-  const Scalar t7 = k[7] + t6;
-  const Scalar t8 = s5 * t1 - k[3] * c5;
-  const Scalar t9 = k[4] - t8;
-  const Scalar t10 = s4 * t3 - c4 * t5;
-  const Scalar t11 = c4 * t8;
-  const Scalar t12 = s5 * t4;
-  const Scalar t13 = c5 * t4;
-  const Scalar t14 = c4 * t13 - s4 * t0;
-  const Scalar t15 = k[9] * c6 - k[10] * s6;
-  const Scalar t16 = k[11] + s6 * t15;
-  const Scalar t17 = k[12] - t16;
-  const Scalar t18 = k[14] * s6 + k[15] * c6;
-  const Scalar t19 = k[16] + t18;
-  const Scalar t20 = c5 * t19;
-  const Scalar t21 = s5 * (k[13] - t17) - (t20 + t20);
-  const Scalar t22 = k[13] - s5 * t21;
-  const Scalar t23 = k[13] + t17;
-  const Scalar t24 = k[17] + (t22 - t23);
-  const Scalar t25 = k[23] + (k[22] - t16);
-  const Scalar t26 = k[14] * c6 - k[15] * s6;
-  const Scalar t27 = k[18] + t26;
-  const Scalar t28 = k[20] - (k[19] - c6 * t15);
-  const Scalar t29 = s5 * t27 + c5 * t28;
-  const Scalar t30 = k[21] + t29;
-  const Scalar t31 = s4 * (t25 - t24) + Scalar(2) * c4 * t30;
-  const Scalar t32 = s4 * t31;
-  const Scalar t33 = k[24] - (t24 + t32);
-  const Scalar t34 = k[28] - (c5 * t21 + t19);
-  const Scalar t35 = s5 * t28 - c5 * t27;
-  const Scalar t36 = k[27] - t35;
-  const Scalar t37 = (c4 * t34 + s4 * t36) + k[29] * t6;
-  const Scalar t38 = k[26] - (t22 + k[25] * t8);
-  const Scalar t39 = Scalar(2) * c3 * (k[30] + t37) + s3 * (t33 + t38);
-  const Scalar t40 = (k[31] + (t33 - s3 * t39)) - (k[32] + (Scalar(2) * t10 + (t25 - t32)));
-  const Scalar t41 = s3 * (t7 - (k[33] + (c4 * t31 - t30)));
-  const Scalar t42 = k[29] * t10 + (s4 * t34 - c4 * t36);
-  const Scalar t43 = t25 + t24;
-  const Scalar t44 = k[29] * t8 + t23;
-  const Scalar t45 = s3 * ((s4 * t44 + c4 * t29) - t2);
-  const Scalar t46 = k[29] * t13 + t26;
-  const Scalar t47 = k[29] * t0 + (c5 * t18 - k[22] * s5);
-  const Scalar t48 = s3 * ((s4 * t46 + c4 * t47) + t12);
-  const Scalar t49 = s5 * t18 + k[22] * c5;
+  const Scalar t1 = k[3] + t0;
+  const Scalar t2 = k[4] * c5 - s5 * t1;
+  const Scalar t3 = k[7] + t2;
+  const Scalar t4 = k[4] * s5 + c5 * t1;
+  const Scalar t5 = k[5] + t4;
+  const Scalar t6 = k[0] * c6 - k[1] * s6;
+  const Scalar t7 = k[2] + t6;
+  const Scalar t8 = k[6] + (c4 * t5 + s4 * t7);
+  const Scalar t9 = s4 * t5 - c4 * t7;
+  const Scalar t10 = c4 * t2;
+  const Scalar t11 = s5 * t6;
+  const Scalar t12 = c5 * t6;
+  const Scalar t13 = c4 * t12 - s4 * t0;
+  const Scalar t14 = k[9] * c6 - k[10] * s6;
+  const Scalar t15 = k[21] - (k[20] - c6 * t14);
+  const Scalar t16 = k[17] * c6 - k[16] * s6;
+  const Scalar t17 = k[22] + t16;
+  const Scalar t18 = c5 * t15 + s5 * t17;
+  const Scalar t19 = k[23] + t18;
+  const Scalar t20 = k[11] + s6 * t14;
+  const Scalar t21 = k[14] - t20;
+  const Scalar t22 = k[17] * s6 + k[16] * c6;
+  const Scalar t23 = k[18] + t22;
+  const Scalar t24 = s5 * (k[15] - t21) - Scalar(2) * c5 * t23;
+  const Scalar t25 = s5 * t24;
+  const Scalar t26 = t25 + t21;
+  const Scalar t27 = k[19] - t26;
+  const Scalar t28 = k[13] + (k[12] - t20);
+  const Scalar t29 = Scalar(2) * c4 * t19 - s4 * (t27 - t28);
+  const Scalar t30 = s4 * t29;
+  const Scalar t31 = k[25] * t2;
+  const Scalar t32 = k[15] - t25;
+  const Scalar t33 = k[30] + (Scalar(2) * t31 - t32);
+  const Scalar t34 = k[29] - (t27 + t30);
+  const Scalar t35 = s5 * t15 - c5 * t17;
+  const Scalar t36 = k[25] * t7 + (k[27] - t35);
+  const Scalar t37 = k[25] * t5 + (k[26] - (c5 * t24 + t23));
+  const Scalar t38 = s4 * t36 + c4 * t37;
+  const Scalar t39 = c3 * (k[28] + t38);
+  const Scalar t40 = s3 * (s3 * (t33 + t34) + (t39 + t39));
+  const Scalar t41 = (k[24] - ((t30 - t28) - (t9 + t9))) - (k[31] - (t40 - t34));
+  const Scalar t42 = s3 * ((k[32] - (t19 - c4 * t29)) - t8);
+  const Scalar t43 = s4 * t37 - c4 * t36;
+  const Scalar t44 = t27 + t28;
+  const Scalar t45 = t32 + t26;
+  const Scalar t46 = t31 - t45;
+  const Scalar t47 = s3 * (t4 + (s4 * t46 - c4 * t18));
+  const Scalar t48 = s5 * t22 + k[12] * c5;
+  const Scalar t49 = t16 + k[25] * t12;
+  const Scalar t50 = (k[12] * s5 - c5 * t22) - k[25] * t0;
+  const Scalar t51 = s3 * (t11 + (s4 * t49 - c4 * t50));
   Eigen::Matrix<Scalar, dof, dof> result;
-  result(0, 0) = k[35];
+  result(0, 0) = k[34];
   result(0, 1) = result(1, 0) = Scalar(0);
-  result(0, 2) = result(2, 0) = -k[8] * (c3 * t7 + s3 * t9);
-  result(0, 3) = result(3, 0) = k[8] * s3 * t10;
-  result(0, 4) = result(4, 0) = k[8] * (s3 * t11 - c3 * t2);
-  result(0, 5) = result(5, 0) = -k[8] * (c3 * t12 + s3 * t14);
-  result(1, 1) = t40;
-  result(1, 2) = result(2, 1) = t41 - c3 * (t9 - (k[34] - t42));
-  result(1, 3) = result(3, 1) = c3 * (t43 + t10) + s3 * t37;
-  result(1, 4) = result(4, 1) = c3 * (t11 - t35) - t45;
-  result(1, 5) = result(5, 1) = t48 + c3 * (t49 - t14);
-  result(2, 2) = t33 - t38;
-  result(2, 3) = result(3, 2) = t42;
-  result(2, 4) = result(4, 2) = c4 * t44 - s4 * t29;
-  result(2, 5) = result(5, 2) = s4 * t47 - c4 * t46;
-  result(3, 3) = -t43;
+  result(0, 2) = result(2, 0) = -k[8] * (s3 * t3 + c3 * t8);
+  result(0, 3) = result(3, 0) = k[8] * s3 * t9;
+  result(0, 4) = result(4, 0) = -k[8] * (c3 * t4 + s3 * t10);
+  result(0, 5) = result(5, 0) = -k[8] * (c3 * t11 + s3 * t13);
+  result(1, 1) = -t41;
+  result(1, 2) = result(2, 1) = -t42 - c3 * (t3 - (k[33] - t43));
+  result(1, 3) = result(3, 1) = c3 * (t44 + t9) + s3 * t38;
+  result(1, 4) = result(4, 1) = t47 - c3 * (t10 + t35);
+  result(1, 5) = result(5, 1) = t51 - c3 * (t13 - t48);
+  result(2, 2) = t34 - t33;
+  result(2, 3) = result(3, 2) = t43;
+  result(2, 4) = result(4, 2) = -c4 * t46 - s4 * t18;
+  result(2, 5) = result(5, 2) = -c4 * t49 - s4 * t50;
+  result(3, 3) = -t44;
   result(3, 4) = result(4, 3) = t35;
-  result(3, 5) = result(5, 3) = -t49;
-  result(4, 4) = t23;
-  result(4, 5) = result(5, 4) = -t26;
-  result(5, 5) = -k[22];
+  result(3, 5) = result(5, 3) = -t48;
+  result(4, 4) = t45;
+  result(4, 5) = result(5, 4) = -t16;
+  result(5, 5) = -k[12];
   return result;
 }
 
@@ -740,64 +740,64 @@ CoriolisMatrixConstants<Scalar> coriolis_matrix_constants(const BasicGeometry<Sc
   using std::sin;
   const Scalar t0 = inertia.c6y * inertia.m6;
   const Scalar t1 = inertia.c6x * inertia.m6;
-  const Scalar t2 = inertia.c5x * inertia.m5;
-  const Scalar t3 = inertia.c5z * inertia.m5;
-  const Scalar t4 = inertia.c6z * inertia.m6;
-  const Scalar t5 = inertia.c4x * inertia.m4;
-  const Scalar t6 = inertia.c4y * inertia.m4;
-  const Scalar t7 = inertia.c5y * inertia.m5;
+  const Scalar t2 = inertia.c5z * inertia.m5;
+  const Scalar t3 = inertia.c6z * inertia.m6;
+  const Scalar t4 = inertia.c5x * inertia.m5;
+  const Scalar t5 = inertia.c4y * inertia.m4;
+  const Scalar t6 = inertia.c5y * inertia.m5;
+  const Scalar t7 = inertia.c4x * inertia.m4;
   const Scalar t8 = inertia.c4z * inertia.m4;
   const Scalar t9 = t8 - g.d4 * (inertia.m4 + (inertia.m5 + inertia.m6));
   const Scalar t10 = inertia.c3z * inertia.m3;
   const Scalar t11 = t10 - g.d4 * inertia.m3;
   const Scalar t12 = inertia.c3x * inertia.m3;
-  const Scalar t13 = inertia.I6xy - inertia.c6y * t1;
-  const Scalar t14 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t15 = (inertia.I6xx - t14) - inertia.c6x * t1;
-  const Scalar t16 = (inertia.I6yy - t14) - inertia.c6y * t0;
-  const Scalar t17 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t18 = (inertia.c6z * t4 - (inertia.I6zz - t14)) + (inertia.c5z * t3 - (inertia.I5zz - t17));
-  const Scalar t19 = g.d4 / g.l1;
-  const Scalar t20 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t21 = ((inertia.I3zz - t20) - inertia.c3z * t10) + g.d4 * (t10 + t11);
-  const Scalar t22 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t23 = ((inertia.I4zz - t22) - inertia.c4z * t8) + g.d4 * (t9 + t8);
-  const Scalar t24 = ((inertia.I4yy - t22) - inertia.c4y * t6) - (inertia.c5y * t7 - (inertia.I5yy - t17));
+  const Scalar t13 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t14 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t15 = (inertia.c6z * t3 - (inertia.I6zz - t13)) + (inertia.c5z * t2 - (inertia.I5zz - t14));
+  const Scalar t16 = inertia.I6xy - inertia.c6y * t1;
+  const Scalar t17 = (inertia.I6xx - t13) - inertia.c6x * t1;
+  const Scalar t18 = (inertia.I6yy - t13) - inertia.c6y * t0;
+  const Scalar t19 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t20 = ((inertia.I4yy - t19) - inertia.c4y * t5) - (inertia.c5y * t6 - (inertia.I5yy - t14));
+  const Scalar t21 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t22 = g.d4 / g.l1;
+  const Scalar t23 = ((inertia.I3zz - t21) - inertia.c3z * t10) + g.d4 * (t10 + t11);
+  const Scalar t24 = ((inertia.I4zz - t19) - inertia.c4z * t8) + g.d4 * (t9 + t8);
   const Scalar t25 = inertia.c3y * inertia.m3;
   return { g.l1 * t0,
            g.l1 * t1,
-           g.l1 * t2,
-           g.l1 * (t3 + t4),
-           g.l1 * t5,
-           g.l1 * (t6 + t7),
+           g.l1 * (t2 + t3),
+           g.l1 * t4,
+           g.l1 * (t5 + t6),
+           g.l1 * t7,
            g.l1 * (t9 + t11),
            g.l1 * t12,
            Scalar(1) / g.l1,
-           Scalar(2) * t13,
-           t15 - t16,
            t15,
-           inertia.c5x * t2 - (inertia.I5xx - t17),
-           t18,
            inertia.I6yz - inertia.c6z * t0,
            inertia.I6xz - inertia.c6z * t1,
-           inertia.I5xz - inertia.c5z * t2,
-           Scalar(2) * t19,
-           t21 + t23,
-           inertia.I4xz - inertia.c4z * t5,
-           t19,
-           t13,
-           inertia.I5yz - inertia.c5z * t7,
-           inertia.I5xy - inertia.c5y * t2,
-           inertia.I4yz - inertia.c4z * t6,
-           (inertia.I4xx - t22) - inertia.c4x * t5,
-           inertia.I4xy - inertia.c4y * t5,
-           t15 + t16,
-           t24,
+           inertia.I5xz - inertia.c5z * t4,
+           Scalar(2) * t16,
+           t17 - t18,
+           t16,
+           t17,
+           inertia.c5x * t4 - (inertia.I5xx - t14),
+           inertia.I5xy - inertia.c5y * t4,
+           inertia.I5yz - inertia.c5z * t6,
+           t18,
+           (inertia.I4xx - t19) - inertia.c4x * t7,
+           t20,
+           inertia.I4xy - inertia.c4y * t7,
+           inertia.c3x * t12 - (inertia.I3xx - t21),
+           inertia.I4xz - inertia.c4z * t7,
+           t22,
+           inertia.I4yz - inertia.c4z * t5,
            g.d4 * t12 + (inertia.I3xz - inertia.c3z * t12),
-           inertia.c3x * t12 - (inertia.I3xx - t20),
+           Scalar(2) * t22,
+           t23 + t24,
            g.d4 * t25 + (inertia.I3yz - inertia.c3z * t25),
            inertia.I3xy - inertia.c3y * t12,
-           t16 };
+           t17 + t18 };
 }
 
 namespace detail {
@@ -814,220 +814,224 @@ inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix([[maybe_unused]] const Jo
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[0] * c6 - k[1] * s6;
-  const Scalar t1 = k[5] + t0;
-  const Scalar t2 = k[0] * s6 + k[1] * c6;
-  const Scalar t3 = k[2] + t2;
-  const Scalar t4 = c5 * t3;
-  const Scalar t5 = k[3] * s5 + t4;
+  const Scalar t0 = k[0] * s6 + k[1] * c6;
+  const Scalar t1 = k[3] + t0;
+  const Scalar t2 = c5 * t1;
+  const Scalar t3 = t2 + k[2] * s5;
+  const Scalar t4 = k[5] + t3;
+  const Scalar t5 = k[0] * c6 - k[1] * s6;
   const Scalar t6 = k[4] + t5;
-  const Scalar t7 = qd[2] * (k[7] + (s4 * t1 + c4 * t6));
-  const Scalar t8 = qd[5] * t0;
-  const Scalar t9 = t8 + k[3] * qd[4];
-  const Scalar t10 = s5 * t9 + qd[4] * t4;
+  const Scalar t7 = qd[2] * (k[7] + (c4 * t4 + s4 * t6));
+  const Scalar t8 = qd[5] * t5;
+  const Scalar t9 = t8 + k[2] * qd[4];
+  const Scalar t10 = s5 * t9 + qd[4] * t2;
   const Scalar t11 = t7 + t10;
-  const Scalar t12 = s5 * t3;
-  const Scalar t13 = c5 * t9 - qd[4] * t12;
-  const Scalar t14 = qd[3] * t1 + t13;
-  const Scalar t15 = qd[5] * t2;
-  const Scalar t16 = t15 + qd[3] * t6;
-  const Scalar t17 = t12 - k[3] * c5;
-  const Scalar t18 = (c4 * t14 - s4 * t16) + qd[2] * (k[6] - t17);
-  const Scalar t19 = qd[1] * c3;
-  const Scalar t20 = qd[3] - t19;
-  const Scalar t21 = t6 * t20 + t15;
-  const Scalar t22 = t20 * t1 + t13;
-  const Scalar t23 = c4 * t21 + s4 * t22;
-  const Scalar t24 = qd[1] * s3;
-  const Scalar t25 = qd[2] * s4 + c4 * t24;
-  const Scalar t26 = qd[2] * c4;
-  const Scalar t27 = s4 * t24 - t26;
-  const Scalar t28 = t6 * t25 + t27 * t1;
-  const Scalar t29 = t17 * t26 - t13;
-  const Scalar t30 = qd[2] * t5 - (qd[3] * s4 * t17 - c4 * t10);
-  const Scalar t31 = s5 * t25 + c5 * t20;
+  const Scalar t12 = s5 * t1;
+  const Scalar t13 = qd[4] * t12 - c5 * t9;
+  const Scalar t14 = t13 - qd[3] * t6;
+  const Scalar t15 = qd[5] * t0;
+  const Scalar t16 = qd[3] * t4 + t15;
+  const Scalar t17 = k[2] * c5 - t12;
+  const Scalar t18 = (c4 * t14 + s4 * t16) - qd[2] * (k[6] + t17);
+  const Scalar t19 = qd[1] * s3;
+  const Scalar t20 = qd[2] * c4;
+  const Scalar t21 = s4 * t19 - t20;
+  const Scalar t22 = qd[2] * s4 + c4 * t19;
+  const Scalar t23 = t6 * t21 + t4 * t22;
+  const Scalar t24 = qd[1] * c3;
+  const Scalar t25 = qd[3] - t24;
+  const Scalar t26 = t13 - t6 * t25;
+  const Scalar t27 = t25 * t4 + t15;
+  const Scalar t28 = s4 * t26 - c4 * t27;
+  const Scalar t29 = t17 * t20 - t13;
+  const Scalar t30 = (c4 * t10 + qd[3] * s4 * t17) + qd[2] * t3;
+  const Scalar t31 = s5 * t22 + c5 * t25;
   const Scalar t32 = qd[5] + t31;
-  const Scalar t33 = t2 * t32;
-  const Scalar t34 = s5 * t20 - c5 * t25;
-  const Scalar t35 = qd[4] - t27;
+  const Scalar t33 = t0 * t32;
+  const Scalar t34 = s5 * t25 - c5 * t22;
+  const Scalar t35 = qd[4] - t21;
   const Scalar t36 = s6 * t34 + c6 * t35;
   const Scalar t37 = c6 * t34 - s6 * t35;
   const Scalar t38 = k[0] * t36 + k[1] * t37;
   const Scalar t39 = s5 * t33 - c5 * t38;
-  const Scalar t40 = t0 * t32;
+  const Scalar t40 = t5 * t32;
   const Scalar t41 = c5 * t33 + s5 * t38;
   const Scalar t42 = s4 * t40 + c4 * t41;
-  const Scalar t43 = c4 * t16 + s4 * t14;
-  const Scalar t44 = k[14] * c6 - k[15] * s6;
-  const Scalar t45 = qd[5] * t44;
-  const Scalar t46 = k[13] * qd[4] - t45;
-  const Scalar t47 = k[14] * s6 + k[15] * c6;
-  const Scalar t48 = k[16] + t47;
-  const Scalar t49 = c5 * t48;
-  const Scalar t50 = s5 * t46 - qd[4] * t49;
-  const Scalar t51 = k[9] * c6 - k[10] * s6;
-  const Scalar t52 = k[21] - c6 * t51;
-  const Scalar t53 = qd[5] * t52;
-  const Scalar t54 = k[11] + s6 * t51;
-  const Scalar t55 = k[12] - t54;
-  const Scalar t56 = qd[4] * t55;
-  const Scalar t57 = s5 * (qd[4] * t48 - t53) - c5 * t56;
-  const Scalar t58 = c5 * t50 + s5 * t57;
-  const Scalar t59 = k[22] + t44;
-  const Scalar t60 = k[23] - t52;
-  const Scalar t61 = c5 * t60;
-  const Scalar t62 = s5 * t59 + t61;
-  const Scalar t63 = k[26] + t62;
-  const Scalar t64 = qd[3] * t63 - t53;
-  const Scalar t65 = k[27] - t54;
+  const Scalar t43 = s4 * t14 - c4 * t16;
+  const Scalar t44 = k[14] * s6 - k[13] * c6;
+  const Scalar t45 = k[15] + c6 * t44;
+  const Scalar t46 = k[18] - t45;
+  const Scalar t47 = c5 * t46;
+  const Scalar t48 = k[10] * c6 - k[11] * s6;
+  const Scalar t49 = k[19] + t48;
+  const Scalar t50 = t47 + s5 * t49;
+  const Scalar t51 = k[23] + t50;
+  const Scalar t52 = qd[5] * t45;
+  const Scalar t53 = qd[3] * t51 - t52;
+  const Scalar t54 = s6 * t44;
+  const Scalar t55 = k[20] + t54;
+  const Scalar t56 = k[22] + t55;
+  const Scalar t57 = qd[5] * t55;
+  const Scalar t58 = t57 + qd[4] * t49;
+  const Scalar t59 = s5 * t46;
+  const Scalar t60 = c5 * t58 - qd[4] * t59;
+  const Scalar t61 = qd[3] * t56 + t60;
+  const Scalar t62 = s4 * t53 - c4 * t61;
+  const Scalar t63 = k[16] - t54;
+  const Scalar t64 = qd[5] * t63;
+  const Scalar t65 = k[10] * s6 + k[11] * c6;
   const Scalar t66 = qd[5] * t65;
-  const Scalar t67 = qd[4] * t59 + t66;
-  const Scalar t68 = s5 * t60;
-  const Scalar t69 = c5 * t67 - qd[4] * t68;
-  const Scalar t70 = k[28] + t65;
-  const Scalar t71 = t69 + qd[3] * t70;
-  const Scalar t72 = s4 * t64 - c4 * t71;
-  const Scalar t73 = s5 * (k[13] - t55) - (t49 + t49);
-  const Scalar t74 = t55 + s5 * t73;
-  const Scalar t75 = k[25] - t74;
-  const Scalar t76 = qd[5] * t54;
-  const Scalar t77 = qd[5] * t47;
-  const Scalar t78 = c5 * t76 + s5 * t77;
-  const Scalar t79 = qd[3] * t75 + t78;
-  const Scalar t80 = t64 - t58;
-  const Scalar t81 = c4 * t79 + s4 * t80;
-  const Scalar t82 = s4 * t72 + (s4 * t81 - t80);
-  const Scalar t83 = t58 - t82;
-  const Scalar t84 = k[19] - (c5 * t73 + t48);
-  const Scalar t85 = k[20] * t6 + t84;
-  const Scalar t86 = c5 * t59 - t68;
-  const Scalar t87 = k[24] + t86;
-  const Scalar t88 = t87 + k[20] * t1;
-  const Scalar t89 = c4 * t85 + s4 * t88;
-  const Scalar t90 = k[29] + t89;
-  const Scalar t91 = t82 - qd[2] * t90;
-  const Scalar t92 = k[20] * t10;
-  const Scalar t93 = t83 - t92;
-  const Scalar t94 = c5 * t57;
-  const Scalar t95 = s5 * t50;
-  const Scalar t96 = (t94 + t56) + (t46 - t95);
-  const Scalar t97 = (t96 - qd[3] * t87) - k[20] * t14;
-  const Scalar t98 = c5 * t77 - s5 * t76;
-  const Scalar t99 = k[20] * t16 + (t98 + qd[3] * t84);
-  const Scalar t100 = c4 * t97 + s4 * t99;
-  const Scalar t101 = k[13] + t55;
-  const Scalar t102 = k[18] + ((t74 - t101) - k[17] * t17);
-  const Scalar t103 = s3 * (t91 + t93) - c3 * (t100 - qd[2] * t102);
-  const Scalar t104 = c4 * t63;
-  const Scalar t105 = (t104 + t104) + s4 * (t70 - t75);
-  const Scalar t106 = k[30] - (s4 * t105 + t75);
-  const Scalar t107 = qd[4] * t61 + s5 * t67;
-  const Scalar t108 = t94 - t95;
-  const Scalar t109 = s4 * t107 + c4 * t108;
-  const Scalar t110 = s3 * (qd[2] * t106 - t109) - c3 * t91;
-  const Scalar t111 = (t43 - t83) + (s3 * t103 + c3 * t110);
-  const Scalar t112 = c4 * t99 - s4 * t97;
-  const Scalar t113 = t112 - (s4 * t108 - c4 * t107);
-  const Scalar t114 = t113 + qd[2] * (k[32] - (t63 - c4 * t105));
-  const Scalar t115 = t11 - t114;
-  const Scalar t116 = (t90 * t19 + t106 * t24) - (t112 + t115);
-  const Scalar t117 = qd[2] * (k[31] - (s4 * t85 - c4 * t88));
-  const Scalar t118 = c4 * t81;
-  const Scalar t119 = c4 * t72;
-  const Scalar t120 = t18 - (t117 + ((t79 - t118) - t119));
-  const Scalar t121 = s3 * (t120 + (t90 * t24 - t102 * t19));
-  const Scalar t122 = c3 * t116 - t121;
-  const Scalar t123 = (t70 * t27 + t63 * t25) - (t96 - t87 * t20);
-  const Scalar t124 = t123 + k[20] * t22;
-  const Scalar t125 = (t20 * t84 + t98) + (t75 * t25 + t63 * t27);
-  const Scalar t126 = t125 + k[20] * t21;
-  const Scalar t127 = s3 * ((c4 * t124 - s4 * t126) - t28);
-  const Scalar t128 = t127 - c3 * (t58 - t23);
-  const Scalar t129 = k[3] * t31 - t34 * t3;
-  const Scalar t130 = (t34 * t55 + t48 * t31) - t60 * t35;
-  const Scalar t131 = (t59 * t35 + t66) + (t34 * t48 + k[13] * t31);
-  const Scalar t132 = k[20] * t129 - (s5 * t130 + c5 * t131);
-  const Scalar t133 = k[3] * t35 + t8;
-  const Scalar t134 = s5 * t133 + t4 * t35;
-  const Scalar t135 = k[20] * t134 + t53;
-  const Scalar t136 = (c4 * t132 - s4 * t135) - (t12 * t35 - c5 * t133);
-  const Scalar t137 = s5 * t131 - c5 * t130;
-  const Scalar t138 = c3 * (t137 - (s4 * t129 + c4 * t134));
-  const Scalar t139 = s3 * t136 - t138;
-  const Scalar t140 = (k[21] * t37 + k[33] * t36) - k[14] * t32;
-  const Scalar t141 = (k[21] * t36 + k[11] * t37) - k[15] * t32;
-  const Scalar t142 = s6 * t140 + c6 * t141;
-  const Scalar t143 = t142 - k[20] * t41;
-  const Scalar t144 = c6 * t140 - s6 * t141;
-  const Scalar t145 = k[20] * t40 - c5 * t144;
-  const Scalar t146 = s3 * (t39 - (s4 * t143 + c4 * t145));
-  const Scalar t147 = s5 * t144;
-  const Scalar t148 = t146 + c3 * (t147 - t42);
-  const Scalar t149 = c3 * t115 + s3 * (t120 + ((t71 + t119) + t118));
-  const Scalar t150 = c4 * t126 + s4 * t124;
-  const Scalar t151 = c4 * t135 + s4 * t132;
-  const Scalar t152 = c4 * t143 - s4 * t145;
-  const Scalar t153 = (qd[2] * (t70 + t75) + (t100 + t109)) + qd[2] * (s4 * t6 - c4 * t1);
-  const Scalar t154 = c3 * (t43 + (qd[2] * t89 - Scalar(2) * t58));
-  const Scalar t155 = t98 + t107;
-  const Scalar t156 = k[20] * t17;
-  const Scalar t157 = qd[2] * (c4 * t62 + s4 * (t156 + t101));
-  const Scalar t158 = qd[3] * t156 + ((t69 - t78) + qd[3] * t101);
-  const Scalar t159 = t92 - (qd[3] * t62 - (t53 + t53));
-  const Scalar t160 = qd[2] * t86 + (c4 * t158 + s4 * t159);
-  const Scalar t161 = c3 * (t30 - (t155 + t157)) - s3 * (t160 + t29);
-  const Scalar t162 = c5 * t47 - k[27] * s5;
-  const Scalar t163 = c5 * t0;
-  const Scalar t164 = c4 * (k[20] * t2 + t162) + s4 * (k[20] * t163 + t44);
-  const Scalar t165 = qd[4] * t47;
-  const Scalar t166 = k[27] * qd[4] - t45;
-  const Scalar t167 = c5 * t165 - s5 * t166;
-  const Scalar t168 = s5 * t0;
-  const Scalar t169 = (c5 * t15 + qd[4] * t168) + qd[3] * t2;
-  const Scalar t170 = t8 + qd[3] * t163;
-  const Scalar t171 = qd[2] * t168 + (c4 * t169 + s4 * t170);
-  const Scalar t172 = qd[2] * (c4 * t163 - s4 * t2) + (qd[4] * t163 - s5 * t15);
-  const Scalar t173 = k[20] * t169 + (t77 + qd[3] * t162);
-  const Scalar t174 = (c5 * t166 + s5 * t165) - qd[3] * t44;
-  const Scalar t175 = t174 - k[20] * t170;
-  const Scalar t176 = (s4 * t173 + c4 * t175) + qd[2] * (k[27] * c5 + s5 * t47);
-  const Scalar t177 = c3 * ((qd[2] * t164 + t167) + t171) + s3 * (t172 - t176);
+  const Scalar t67 = c5 * t64 + s5 * t66;
+  const Scalar t68 = k[17] - t63;
+  const Scalar t69 = k[12] + t65;
+  const Scalar t70 = c5 * t69;
+  const Scalar t71 = s5 * (k[9] - t68) - (t70 + t70);
+  const Scalar t72 = s5 * t71;
+  const Scalar t73 = t68 + t72;
+  const Scalar t74 = k[21] - t73;
+  const Scalar t75 = t67 + qd[3] * t74;
+  const Scalar t76 = qd[4] * t69;
+  const Scalar t77 = qd[4] * t68;
+  const Scalar t78 = s5 * (t52 - t76) + c5 * t77;
+  const Scalar t79 = qd[5] * t48;
+  const Scalar t80 = t79 - k[9] * qd[4];
+  const Scalar t81 = c5 * t80 - s5 * t76;
+  const Scalar t82 = s5 * t78 + (s5 * t81 + t76);
+  const Scalar t83 = s4 * t75 - c4 * (t82 + t53);
+  const Scalar t84 = s4 * t62 + c4 * t83;
+  const Scalar t85 = t84 + t82;
+  const Scalar t86 = k[26] * t10;
+  const Scalar t87 = t85 + t86;
+  const Scalar t88 = c5 * t49 - t59;
+  const Scalar t89 = k[27] + t88;
+  const Scalar t90 = t89 + k[26] * t6;
+  const Scalar t91 = k[25] - (t69 + c5 * t71);
+  const Scalar t92 = t91 + k[26] * t4;
+  const Scalar t93 = s4 * t90 + c4 * t92;
+  const Scalar t94 = k[28] + t93;
+  const Scalar t95 = qd[2] * t94 - t84;
+  const Scalar t96 = s5 * t64 - c5 * t66;
+  const Scalar t97 = k[26] * t16 + (qd[3] * t91 - t96);
+  const Scalar t98 = c5 * t78;
+  const Scalar t99 = c5 * t81;
+  const Scalar t100 = (t98 - t77) + t99;
+  const Scalar t101 = (qd[3] * t89 + t100) - k[26] * t14;
+  const Scalar t102 = s4 * t97 - c4 * t101;
+  const Scalar t103 = k[9] - t72;
+  const Scalar t104 = k[30] - (t103 - k[29] * t17);
+  const Scalar t105 = s3 * (t87 + t95) + c3 * (t102 - qd[2] * t104);
+  const Scalar t106 = c4 * t51;
+  const Scalar t107 = (t106 + t106) - s4 * (t74 - t56);
+  const Scalar t108 = k[24] - (t74 + s4 * t107);
+  const Scalar t109 = t98 + (t99 - t80);
+  const Scalar t110 = s5 * t58 + qd[4] * t47;
+  const Scalar t111 = c4 * t109 - s4 * t110;
+  const Scalar t112 = s3 * (qd[2] * t108 + t111) + c3 * t95;
+  const Scalar t113 = (t43 - t85) + (s3 * t105 - c3 * t112);
+  const Scalar t114 = qd[2] * (k[31] - (s4 * t92 - c4 * t90));
+  const Scalar t115 = c4 * t62;
+  const Scalar t116 = s4 * t83;
+  const Scalar t117 = (t114 - (t115 - t116)) + t18;
+  const Scalar t118 = s3 * (t117 + (t104 * t24 - t19 * t94));
+  const Scalar t119 = s4 * t109 + c4 * t110;
+  const Scalar t120 = qd[2] * (k[32] + (c4 * t107 - t51)) + t119;
+  const Scalar t121 = t11 - t120;
+  const Scalar t122 = c3 * ((t24 * t94 + t108 * t19) - t121);
+  const Scalar t123 = t118 + t122;
+  const Scalar t124 = (t74 * t22 + t21 * t51) + (t91 * t25 - t96);
+  const Scalar t125 = t124 + k[26] * t27;
+  const Scalar t126 = (t21 * t56 + t51 * t22) + (t89 * t25 + t100);
+  const Scalar t127 = k[26] * t26 - t126;
+  const Scalar t128 = s3 * (t23 + (s4 * t125 + c4 * t127));
+  const Scalar t129 = t128 - c3 * (t82 - t28);
+  const Scalar t130 = t34 * t1 - k[2] * t31;
+  const Scalar t131 = k[2] * t35 + t8;
+  const Scalar t132 = t2 * t35 + s5 * t131;
+  const Scalar t133 = t46 * t35 - (t68 * t34 + t31 * t69);
+  const Scalar t134 = (t34 * t69 + k[9] * t31) + (t57 + t49 * t35);
+  const Scalar t135 = c5 * t133 + s5 * t134;
+  const Scalar t136 = c3 * ((s4 * t130 - c4 * t132) + t135);
+  const Scalar t137 = k[26] * t132 + t52;
+  const Scalar t138 = k[26] * t130 - (s5 * t133 - c5 * t134);
+  const Scalar t139 = (s4 * t137 + c4 * t138) + (t35 * t12 - c5 * t131);
+  const Scalar t140 = t136 + s3 * t139;
+  const Scalar t141 = (k[15] * t36 + k[16] * t37) - k[11] * t32;
+  const Scalar t142 = k[10] * t32 - (k[15] * t37 + k[20] * t36);
+  const Scalar t143 = s6 * t141 + c6 * t142;
+  const Scalar t144 = s5 * t143;
+  const Scalar t145 = c6 * t141 - s6 * t142;
+  const Scalar t146 = k[26] * t41 - t145;
+  const Scalar t147 = c5 * t143 + k[26] * t40;
+  const Scalar t148 = s3 * (t39 + (s4 * t146 - c4 * t147));
+  const Scalar t149 = c3 * (t144 + t42) - t148;
+  const Scalar t150 = s4 * t101 + c4 * t97;
+  const Scalar t151 = s3 * (t117 - ((t115 + t61) + (t75 - t116)));
+  const Scalar t152 = c4 * t125 - s4 * t127;
+  const Scalar t153 = c4 * t137 - s4 * t138;
+  const Scalar t154 = s4 * t147 + c4 * t146;
+  const Scalar t155 = ((t102 - t111) + qd[2] * (t74 + t56)) + qd[2] * (s4 * t4 - c4 * t6);
+  const Scalar t156 = c3 * (t43 - (qd[2] * t93 + Scalar(2) * t82));
+  const Scalar t157 = t103 + t73;
+  const Scalar t158 = k[26] * t17;
+  const Scalar t159 = ((t67 - t60) - qd[3] * t157) + qd[3] * t158;
+  const Scalar t160 = ((t52 + t52) - qd[3] * t50) + t86;
+  const Scalar t161 = qd[2] * t88 - (c4 * t159 - s4 * t160);
+  const Scalar t162 = t110 - t96;
+  const Scalar t163 = qd[2] * (s4 * (t157 - t158) + c4 * t50);
+  const Scalar t164 = s3 * (t29 - t161) + c3 * (t30 - (t162 + t163));
+  const Scalar t165 = c5 * t5;
+  const Scalar t166 = c5 * t65;
+  const Scalar t167 = t166 - k[33] * s5;
+  const Scalar t168 = s4 * (k[26] * t165 + t48) + c4 * (k[26] * t0 + t167);
+  const Scalar t169 = t79 - k[33] * qd[4];
+  const Scalar t170 = qd[4] * t166 + s5 * t169;
+  const Scalar t171 = s5 * t5;
+  const Scalar t172 = (c5 * t15 + qd[4] * t171) + qd[3] * t0;
+  const Scalar t173 = t8 + qd[3] * t165;
+  const Scalar t174 = qd[2] * t171 + (c4 * t172 + s4 * t173);
+  const Scalar t175 = qd[2] * (c4 * t165 - s4 * t0) + (qd[4] * t165 - s5 * t15);
+  const Scalar t176 = s5 * t65;
+  const Scalar t177 = qd[3] * t48 - (qd[4] * t176 - c5 * t169);
+  const Scalar t178 = t177 + k[26] * t173;
+  const Scalar t179 = (qd[3] * t167 + t66) + k[26] * t172;
+  const Scalar t180 = qd[2] * (t176 + k[33] * c5) - (c4 * t178 - s4 * t179);
+  const Scalar t181 = c3 * ((qd[2] * t168 + t170) + t174) + s3 * (t175 - t180);
   Eigen::Matrix<Scalar, dof, dof> result;
   result(0, 0) = Scalar(0);
   result(0, 1) = Scalar(0);
-  result(0, 2) = k[8] * (s3 * t11 - c3 * t18);
-  result(0, 3) = k[8] * (s3 * t23 + c3 * t28);
-  result(0, 4) = k[8] * (c3 * t29 + s3 * t30);
+  result(0, 2) = k[8] * (s3 * t11 + c3 * t18);
+  result(0, 3) = k[8] * (c3 * t23 - s3 * t28);
+  result(0, 4) = -k[8] * (c3 * t29 - s3 * t30);
   result(0, 5) = k[8] * (c3 * t39 + s3 * t42);
   result(1, 0) = Scalar(0);
-  result(1, 1) = -t111;
-  result(1, 2) = -t122;
-  result(1, 3) = t128;
-  result(1, 4) = t139;
-  result(1, 5) = -t148;
+  result(1, 1) = t113;
+  result(1, 2) = -t123;
+  result(1, 3) = -t129;
+  result(1, 4) = -t140;
+  result(1, 5) = t149;
   result(2, 0) = Scalar(0);
-  result(2, 1) = t122 + t149;
-  result(2, 2) = -t93;
-  result(2, 3) = t150;
-  result(2, 4) = t151;
-  result(2, 5) = -t152;
+  result(2, 1) = t123 - (c3 * (t150 - t121) + t151);
+  result(2, 2) = t87;
+  result(2, 3) = t152;
+  result(2, 4) = t153;
+  result(2, 5) = t154;
   result(3, 0) = Scalar(0);
-  result(3, 1) = -(s3 * t153 - t154) - t128;
-  result(3, 2) = t113 - t150;
-  result(3, 3) = t58;
-  result(3, 4) = t137;
-  result(3, 5) = t147;
+  result(3, 1) = t129 - (s3 * t155 + t156);
+  result(3, 2) = (t150 + t119) - t152;
+  result(3, 3) = -t82;
+  result(3, 4) = t135;
+  result(3, 5) = -t144;
   result(4, 0) = Scalar(0);
-  result(4, 1) = t161 - t139;
-  result(4, 2) = (c4 * t159 - s4 * t158) - t151;
-  result(4, 3) = t155 - t137;
-  result(4, 4) = t53;
-  result(4, 5) = -t142;
+  result(4, 1) = t140 + t164;
+  result(4, 2) = (s4 * t159 + c4 * t160) - t153;
+  result(4, 3) = t162 - t135;
+  result(4, 4) = t52;
+  result(4, 5) = -t145;
   result(5, 0) = Scalar(0);
-  result(5, 1) = t177 + t148;
-  result(5, 2) = t152 - (s4 * t175 - c4 * t173);
-  result(5, 3) = -t147 - t167;
-  result(5, 4) = t142 + t77;
+  result(5, 1) = t181 - t149;
+  result(5, 2) = (s4 * t178 + c4 * t179) - t154;
+  result(5, 3) = t144 - t170;
+  result(5, 4) = t66 + t145;
   result(5, 5) = Scalar(0);
   return result;
 }
@@ -1055,91 +1059,97 @@ ForwardDynamicsConstants<Scalar> forward_dynamics_constants(const BasicGeometry<
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6y * inertia.m6;
-  const Scalar t1 = inertia.c6x * inertia.m6;
-  const Scalar t2 = g.d4 / g.l1;
-  const Scalar t3 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t4 = (inertia.I6xx - t3) - inertia.c6x * t1;
-  const Scalar t5 = (inertia.I6yy - t3) - inertia.c6y * t0;
-  const Scalar t6 = t4 + t5;
-  const Scalar t7 = Scalar(1) / t6;
-  const Scalar t8 = inertia.c5y * inertia.m5;
-  const Scalar t9 = inertia.I6xy - inertia.c6y * t1;
-  const Scalar t10 = inertia.c5x * inertia.m5;
+  const Scalar t0 = inertia.c5z * inertia.m5;
+  const Scalar t1 = inertia.c6z * inertia.m6;
+  const Scalar t2 = inertia.c6y * inertia.m6;
+  const Scalar t3 = inertia.c6x * inertia.m6;
+  const Scalar t4 = inertia.c5x * inertia.m5;
+  const Scalar t5 = g.d4 / g.l1;
+  const Scalar t6 = inertia.I6xy - inertia.c6y * t3;
+  const Scalar t7 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t8 = (inertia.I6xx - t7) - inertia.c6x * t3;
+  const Scalar t9 = (inertia.I6yy - t7) - inertia.c6y * t2;
+  const Scalar t10 = t8 + t9;
   const Scalar t11 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t12 = inertia.c6z * inertia.m6;
-  const Scalar t13 = inertia.c5z * inertia.m5;
-  const Scalar t14 = (inertia.c6z * t12 - (inertia.I6zz - t3)) + (inertia.c5z * t13 - (inertia.I5zz - t11));
-  const Scalar t15 = inertia.c4x * inertia.m4;
-  const Scalar t16 = inertia.c4y * inertia.m4;
-  const Scalar t17 = inertia.c3y * inertia.m3;
-  const Scalar t18 = inertia.c4z * inertia.m4;
-  const Scalar t19 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t20 = t18 - g.d4 * t19;
-  const Scalar t21 = inertia.c3z * inertia.m3;
-  const Scalar t22 = t21 - g.d4 * inertia.m3;
-  const Scalar t23 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t24 = ((inertia.I4yy - t23) - inertia.c4y * t16) - (inertia.c5y * t8 - (inertia.I5yy - t11));
-  const Scalar t25 = inertia.c3x * inertia.m3;
-  const Scalar t26 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t27 = inertia.c3x * t25 - (inertia.I3xx - t26);
-  const Scalar t28 = ((inertia.I3zz - t26) - inertia.c3z * t21) + g.d4 * (t21 + t22);
-  const Scalar t29 = ((inertia.I4zz - t23) - inertia.c4z * t18) + g.d4 * (t20 + t18);
-  const Scalar t30 = t28 + t29;
-  const Scalar t31 = g.d4 * t25 + (inertia.I3xz - inertia.c3z * t25);
-  const Scalar t32 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t33 = inertia.m3 + t19;
-  const Scalar t34 = ((inertia.I3yy - t26) - inertia.c3y * t17) - g.l1 * ((g.l1 * t33 + t17) + t17);
-  const Scalar t35 = inertia.c2y * inertia.m2;
-  const Scalar t36 = g.l1 * ((g.l1 * inertia.m2 + t35) + t35) - ((inertia.I2yy - t32) - inertia.c2y * t35);
-  const Scalar t37 = gravity / g.l1;
-  const Scalar t38 = Scalar(1) / g.l1;
-  const Scalar t39 = t38 * g.l1 * g.l1 * (inertia.m1 + (inertia.m2 + t33));
-  return { inertia.I6yz - inertia.c6z * t0,
-           inertia.I6xz - inertia.c6z * t1,
-           g.l1 * t0,
-           g.l1 * t1,
-           t2,
-           t6,
-           t7,
-           inertia.I5yz - inertia.c5z * t8,
-           Scalar(2) * t9,
-           t4 - t5,
-           t9,
-           inertia.I5xy - inertia.c5y * t10,
-           t4,
-           inertia.c5x * t10 - (inertia.I5xx - t11),
-           t14,
-           g.l1 * t10,
-           g.l1 * (t13 + t12),
-           inertia.I5xz - inertia.c5z * t10,
-           inertia.I4xz - inertia.c4z * t15,
-           g.l1 * t15,
-           inertia.I4yz - inertia.c4z * t16,
-           g.l1 * (t16 + t8),
-           g.d4 * t17 + (inertia.I3yz - inertia.c3z * t17),
-           g.l1 * (t20 + t22),
+  const Scalar t12 = (inertia.c6z * t1 - (inertia.I6zz - t7)) + (inertia.c5z * t0 - (inertia.I5zz - t11));
+  const Scalar t13 = inertia.I6xz - inertia.c6z * t3;
+  const Scalar t14 = Scalar(1) / t10;
+  const Scalar t15 = inertia.I6yz - inertia.c6z * t2;
+  const Scalar t16 = inertia.c5y * inertia.m5;
+  const Scalar t17 = inertia.c4y * inertia.m4;
+  const Scalar t18 = inertia.c4x * inertia.m4;
+  const Scalar t19 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t20 = ((inertia.I4yy - t19) - inertia.c4y * t17) - (inertia.c5y * t16 - (inertia.I5yy - t11));
+  const Scalar t21 = inertia.c3x * inertia.m3;
+  const Scalar t22 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t23 = inertia.c3x * t21 - (inertia.I3xx - t22);
+  const Scalar t24 = inertia.c3z * inertia.m3;
+  const Scalar t25 = t24 - g.d4 * inertia.m3;
+  const Scalar t26 = ((inertia.I3zz - t22) - inertia.c3z * t24) + g.d4 * (t24 + t25);
+  const Scalar t27 = inertia.c4z * inertia.m4;
+  const Scalar t28 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t29 = t27 - g.d4 * t28;
+  const Scalar t30 = ((inertia.I4zz - t19) - inertia.c4z * t27) + g.d4 * (t29 + t27);
+  const Scalar t31 = t26 + t30;
+  const Scalar t32 = inertia.c3y * inertia.m3;
+  const Scalar t33 = g.l1 * t21;
+  const Scalar t34 = Scalar(1) / g.l1;
+  const Scalar t35 = inertia.m3 + t28;
+  const Scalar t36 = ((inertia.I3yy - t22) - inertia.c3y * t32) - g.l1 * ((g.l1 * t35 + t32) + t32);
+  const Scalar t37 = inertia.c2y * inertia.m2;
+  const Scalar t38 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t39 = g.l1 * ((g.l1 * inertia.m2 + t37) + t37) - ((inertia.I2yy - t38) - inertia.c2y * t37);
+  const Scalar t40 = g.d4 * t21 + (inertia.I3xz - inertia.c3z * t21);
+  const Scalar t41 = gravity / g.l1;
+  const Scalar t42 = g.l1 * g.l1 * (inertia.m1 + (inertia.m2 + t35));
+  return { g.l1 * (t0 + t1),
+           g.l1 * t2,
+           g.l1 * t3,
+           g.l1 * t4,
            t5,
-           t24,
-           (inertia.I4xx - t23) - inertia.c4x * t15,
-           inertia.I4xy - inertia.c4y * t15,
-           inertia.I3xy - inertia.c3y * t25,
-           g.l1 * t25,
-           t27,
-           Scalar(2) * t2,
-           t30,
+           Scalar(2) * t6,
+           t8 - t9,
+           t9,
+           t10,
+           inertia.c5x * t4 - (inertia.I5xx - t11),
+           t12,
+           t6,
+           inertia.I5xy - inertia.c5y * t4,
+           t13 * t14,
+           t15 * t14,
+           inertia.I5yz - inertia.c5z * t16,
+           t13,
+           t15,
+           t14,
+           inertia.I4yz - inertia.c4z * t17,
+           inertia.I5xz - inertia.c5z * t4,
+           Scalar(2) * t12,
+           inertia.I4xz - inertia.c4z * t18,
+           g.l1 * (t17 + t16),
+           g.l1 * t18,
+           t20,
+           (inertia.I4xx - t19) - inertia.c4x * t18,
+           inertia.I4xy - inertia.c4y * t18,
+           t23,
+           Scalar(2) * t5,
            t31,
-           inertia.c2x * inertia.c2x * inertia.m2 - (inertia.I2xx - t32),
-           t34 - t36,
-           t37,
-           t27 + t30,
+           g.d4 * t32 + (inertia.I3yz - inertia.c3z * t32),
+           g.l1 * (t29 + t25),
+           t33,
+           inertia.I3xy - inertia.c3y * t21,
+           t34 * t14,
+           t34,
+           t36 - t39,
+           t40,
+           inertia.c2x * inertia.c2x * inertia.m2 - (inertia.I2xx - t38),
+           t41,
            Scalar(2) * t31,
-           Scalar(2) * t30,
-           Scalar(2) * t27,
-           t38,
-           t38 * t7,
-           t39 * t37,
-           t38 * t39 };
+           Scalar(2) * t40,
+           Scalar(2) * t23,
+           t23 + t31,
+           t33 * t41,
+           t42 * t41,
+           t34 * t34 * t42 };
 }
 
 namespace detail {
@@ -1156,224 +1166,224 @@ inline JointVector<Scalar> forward_dynamics([[maybe_unused]] const JointVector<S
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[0] * c6 - k[1] * s6;
-  const Scalar t1 = k[2] * c6 - k[3] * s6;
-  const Scalar t2 = c5 * t1;
-  const Scalar t3 = t0 + k[4] * t2;
-  const Scalar t4 = k[2] * s6 + k[3] * c6;
-  const Scalar t5 = k[0] * s6 + k[1] * c6;
-  const Scalar t6 = k[4] * t4 - (k[5] * s5 - c5 * t5);
-  const Scalar t7 = c4 * t3 - s4 * t6;
-  const Scalar t8 = k[6] * t7;
-  const Scalar t9 = k[8] * c6 - k[9] * s6;
-  const Scalar t10 = s6 * t9;
-  const Scalar t11 = k[12] + t10;
-  const Scalar t12 = k[13] - t11;
-  const Scalar t13 = k[14] + t12;
-  const Scalar t14 = k[15] + t4;
-  const Scalar t15 = s5 * t14 - k[16] * c5;
-  const Scalar t16 = t13 + k[4] * t15;
-  const Scalar t17 = k[7] + t0;
-  const Scalar t18 = k[10] - c6 * t9;
-  const Scalar t19 = k[11] - t18;
-  const Scalar t20 = s5 * t17 + c5 * t19;
-  const Scalar t21 = t8 * t0 + (c4 * t16 - s4 * t20);
-  const Scalar t22 = k[6] * t0;
-  const Scalar t23 = Scalar(1) / (t13 + t22 * t0);
-  const Scalar t24 = t21 * t23;
-  const Scalar t25 = k[5] * c5 + s5 * t5;
-  const Scalar t26 = k[6] * t25;
-  const Scalar t27 = c5 * t17 - s5 * t19;
-  const Scalar t28 = t0 * t26 - t27;
-  const Scalar t29 = k[21] + t1;
-  const Scalar t30 = (k[20] + t27) + k[4] * t29;
-  const Scalar t31 = c5 * t14 + k[16] * s5;
-  const Scalar t32 = k[19] + t31;
-  const Scalar t33 = k[17] + t5;
-  const Scalar t34 = Scalar(2) * c5 * t33 - s5 * (k[14] - t12);
-  const Scalar t35 = k[4] * t32 + (k[18] + (c5 * t34 - t33));
-  const Scalar t36 = c4 * t30 - s4 * t35;
-  const Scalar t37 = t24 * t28 - (t8 * t25 - t36);
-  const Scalar t38 = t12 - s5 * t34;
-  const Scalar t39 = k[26] - t38;
-  const Scalar t40 = k[24] - t10;
-  const Scalar t41 = k[25] + t40;
-  const Scalar t42 = t39 + t41;
-  const Scalar t43 = t23 * t28;
-  const Scalar t44 = Scalar(1) / ((t26 * t25 - t42) - t28 * t43);
-  const Scalar t45 = t37 * t44;
-  const Scalar t46 = k[32] - ((t13 - t38) + k[31] * t15);
-  const Scalar t47 = k[27] + t20;
-  const Scalar t48 = c4 * t47;
-  const Scalar t49 = (t48 + t48) - s4 * (t39 - t41);
-  const Scalar t50 = t41 - s4 * t49;
-  const Scalar t51 = k[30] + (t50 - t42);
-  const Scalar t52 = t24 * t21 + ((t46 - t51) - t7 * t8);
-  const Scalar t53 = Scalar(1) / (t37 * t45 + t52);
-  const Scalar t54 = c4 * t15;
-  const Scalar t55 = s3 * (t31 - (s4 * t16 + c4 * t20));
-  const Scalar t56 = c4 * t2 - s4 * t4;
-  const Scalar t57 = s5 * t1;
-  const Scalar t58 = s3 * ((c4 * t6 + s4 * t3) + t57);
-  const Scalar t59 = c3 * (t56 - t25) - t58;
-  const Scalar t60 = (c3 * (t27 + t54) + t55) + t22 * t59;
-  const Scalar t61 = s4 * t30 + c4 * t35;
-  const Scalar t62 = c4 * t29 - s4 * t32;
-  const Scalar t63 = k[6] * t59;
-  const Scalar t64 = (s3 * t61 - c3 * (t62 - t42)) + t63 * t25;
-  const Scalar t65 = t60 * t43 - t64;
-  const Scalar t66 = t65 * t44;
-  const Scalar t67 = k[23] - t15;
-  const Scalar t68 = k[29] + (c4 * t32 + s4 * t29);
-  const Scalar t69 = s3 * ((k[28] - (t47 - c4 * t49)) - t68);
-  const Scalar t70 = t8 * t59 + (c3 * ((k[22] + t36) - t67) - t69);
-  const Scalar t71 = t37 * t66 - (t70 - t60 * t24);
-  const Scalar t72 = t53 * t71;
-  const Scalar t73 = k[42] * (c3 * t57 + s3 * t56);
-  const Scalar t74 = k[41] * (c3 * t68 + s3 * t67) - t7 * t73;
-  const Scalar t75 = k[5] * t73;
-  const Scalar t76 = t75 * t22 + k[41] * (s3 * t54 - c3 * t31);
-  const Scalar t77 = t76 * t23;
-  const Scalar t78 = (t73 * t25 - k[41] * s3 * t62) - t76 * t43;
-  const Scalar t79 = (t74 + t77 * t21) - t78 * t45;
-  const Scalar t80 = (t60 * t77 - t73 * t59) - t78 * t66;
-  const Scalar t81 = t72 * t79 - t80;
-  const Scalar t82 = s3 * (t46 + t51) + Scalar(2) * c3 * (k[33] + t61);
-  const Scalar t83 = (k[35] + (t50 - Scalar(2) * t62)) - (k[34] - (s3 * t82 - t51));
-  const Scalar t84 = t60 * t23;
-  const Scalar t85 = t65 * t66 - ((t63 * t59 - t83) - t60 * t84);
-  const Scalar t86 = Scalar(1) / (t72 * t71 - t85);
-  const Scalar t87 = qd[1] * c3;
-  const Scalar t88 = qd[3] - t87;
-  const Scalar t89 = qd[1] * s3;
-  const Scalar t90 = s4 * t89 - qd[2] * c4;
-  const Scalar t91 = t88 * t90;
-  const Scalar t92 = t89 * t87;
-  const Scalar t93 = qd[2] * t87;
-  const Scalar t94 = t93 + t93;
-  const Scalar t95 = s4 * t92 - c4 * t94;
-  const Scalar t96 = (t91 + t95) + t91;
-  const Scalar t97 = c4 * t89;
-  const Scalar t98 = qd[2] * s4 + t97;
-  const Scalar t99 = t90 * t98;
-  const Scalar t100 = qd[2] * t89;
-  const Scalar t101 = t99 + t100;
-  const Scalar t102 = s5 * t96 - c5 * t101;
-  const Scalar t103 = s5 * t88 - c5 * t98;
-  const Scalar t104 = qd[4] - t90;
-  const Scalar t105 = t102 + Scalar(2) * t103 * t104;
-  const Scalar t106 = t104 * t104;
-  const Scalar t107 = t103 * t103;
-  const Scalar t108 = t106 - t107;
-  const Scalar t109 = (t102 * t40 + t11 * t105) - t108 * t18;
-  const Scalar t110 = s4 * t94 + t87 * t97;
-  const Scalar t111 = t88 * t98;
-  const Scalar t112 = t110 + t111;
-  const Scalar t113 = s5 * t98 + c5 * t88;
-  const Scalar t114 = t103 * t113;
-  const Scalar t115 = t112 + t114;
-  const Scalar t116 = s5 * t101 + c5 * t96;
-  const Scalar t117 = Scalar(2) * t113 * t104 + t116;
-  const Scalar t118 = k[36] * s3;
-  const Scalar t119 = t118 - k[4] * t92;
-  const Scalar t120 = qd[1] * qd[1];
-  const Scalar t121 = t120 + k[4] * t94;
-  const Scalar t122 = c4 * t119 - s4 * t121;
-  const Scalar t123 = k[36] * c3;
-  const Scalar t124 = t89 * t89;
-  const Scalar t125 = qd[2] * qd[2];
-  const Scalar t126 = t124 + t125;
-  const Scalar t127 = t123 + k[4] * t126;
-  const Scalar t128 = c5 * t122 + s5 * t127;
-  const Scalar t129 = s4 * t119 + c4 * t121;
-  const Scalar t130 = (t109 + (t115 * t0 - t5 * t117)) - (t128 * t1 - t129 * t4);
-  const Scalar t131 = torque[5] - t130;
-  const Scalar t132 = k[6] * t131;
-  const Scalar t133 = t124 - t125;
-  const Scalar t134 = (k[22] * t92 - k[28] * t133) + (k[40] * t100 + k[33] * t94);
-  const Scalar t135 = (k[7] * t115 + k[11] * t108) - (k[17] * t117 + k[13] * t105);
-  const Scalar t136 = (t135 + k[15] * t129) + t130;
-  const Scalar t137 = t113 * t113;
-  const Scalar t138 = t137 - t106;
-  const Scalar t139 = (k[17] * t105 + k[14] * t117) - k[7] * t138;
-  const Scalar t140 = t112 - t114;
-  const Scalar t141 = c5 * t127 - s5 * t122;
-  const Scalar t142 = qd[5] + t113;
-  const Scalar t143 = t142 * t142;
-  const Scalar t144 = t143 - t106;
-  const Scalar t145 = t103 * t142;
-  const Scalar t146 = t145 + (t145 - t115);
-  const Scalar t147 = t104 * t142;
-  const Scalar t148 = (t147 - t117) + t147;
-  const Scalar t149 = t0 * t144 + (t18 * t146 - t148 * t40);
-  const Scalar t150 = (k[16] * t129 + (t139 - k[11] * t140)) + (t1 * t141 + (t5 * t105 - t149));
-  const Scalar t151 = t99 - t100;
-  const Scalar t152 = t98 * t98;
-  const Scalar t153 = (t152 - t126) + t152;
-  const Scalar t154 = (k[25] * t101 - k[26] * t151) + k[27] * t153;
-  const Scalar t155 = (k[19] * t129 - k[21] * t122) - ((k[18] * t95 - k[20] * t110) + t154);
-  const Scalar t156 = (c5 * t136 + s5 * t150) + t155;
-  const Scalar t157 = t120 - t126;
-  const Scalar t158 = t133 - t157;
-  const Scalar t159 = t137 + t107;
-  const Scalar t160 = t153 - t159;
-  const Scalar t161 = t137 + t106;
-  const Scalar t162 = (k[16] * t115 + k[15] * t161) + (t1 * t102 + (t143 + t106) * t4);
-  const Scalar t163 = t138 + t108;
-  const Scalar t164 = t161 - t163;
-  const Scalar t165 = (t146 * t4 + t148 * t1) + (k[16] * t164 - k[15] * t140);
-  const Scalar t166 = (k[21] * t101 + k[19] * t160) - (c5 * t162 + s5 * t165);
-  const Scalar t167 = (t105 * t4 - t1 * (t164 + t144)) - (k[16] * t117 - k[15] * t105);
-  const Scalar t168 = t167 - (k[21] * t159 - k[19] * t151);
-  const Scalar t169 = (k[29] * (t158 - t126) - k[23] * t92) + (c4 * t166 + s4 * t168);
-  const Scalar t170 = c3 * (((k[29] * t120 + t134) + t156) + t169);
-  const Scalar t171 = t112 + t111;
-  const Scalar t172 = k[20] * (t159 - t126) + (k[27] * t171 + k[25] * t96);
-  const Scalar t173 = (c5 * t150 - s5 * t136) + (k[21] * t127 + (k[18] * t151 - t172));
-  const Scalar t174 = t173 + k[4] * t168;
-  const Scalar t175 = (k[13] * t140 + k[14] * t115) - k[17] * t163;
-  const Scalar t176 = (t175 - (k[11] * t116 + k[7] * t102)) + (k[15] * t141 + k[16] * t128);
-  const Scalar t177 = (t5 * (t108 + t144) + t102 * t0) - (t11 * t146 - t148 * t18);
-  const Scalar t178 = t176 + (t141 * t4 - t177);
-  const Scalar t179 = (k[26] * t171 + k[27] * t96) - (k[18] * (t160 + t126) + k[20] * t101);
-  const Scalar t180 = k[4] * t166 + (t178 - (t179 - k[19] * t127));
-  const Scalar t181 = k[22] * t157 + (k[38] * t100 - k[39] * t93);
-  const Scalar t182 = (c4 * t174 - s4 * t180) + (k[23] * t120 + (k[28] * t92 - t181));
-  const Scalar t183 = (k[19] * t171 + k[21] * t96) + (s5 * t162 - c5 * t165);
-  const Scalar t184 = (k[23] * t126 + k[29] * t92) - t183;
-  const Scalar t185 = t132 * t59 - (torque[1] + (t170 + s3 * (t182 - t184)));
-  const Scalar t186 = (torque[4] + t178) - t132 * t0;
-  const Scalar t187 = t23 * t186;
-  const Scalar t188 = ((torque[3] - t156) - t132 * t25) - t187 * t28;
-  const Scalar t189 = (k[23] * t118 + k[29] * t123) - (k[37] * t92 - k[33] * t158);
-  const Scalar t190 = torque[2] + ((c4 * t180 + s4 * t174) + t189);
-  const Scalar t191 = ((t131 * t8 - t190) + t24 * t186) - t188 * t45;
-  const Scalar t192 = ((t185 + t84 * t186) - t188 * t66) - t72 * t191;
-  const Scalar t193 = t86 * t192;
-  const Scalar t194 = t78 * t44;
-  const Scalar t195 = k[43] - k[41] * (s3 * t169 + c3 * t184);
-  const Scalar t196 = t77 * t186 - ((torque[0] - t195) - t75 * t132);
-  const Scalar t197 = t53 * t191;
-  const Scalar t198 = t81 * t193 - ((t188 * t194 + t196) - t197 * t79);
-  const Scalar t199 = t86 * t81;
-  const Scalar t200 = t194 * t78 + (t76 * t77 - (k[44] + t75 * t73));
-  const Scalar t201 = t79 * t53;
-  const Scalar t202 = Scalar(1) / (t81 * t199 + (t200 - t201 * t79));
-  const Scalar t203 = t198 * t202;
-  const Scalar t204 = t203 * t199 - t193;
-  const Scalar t205 = t72 * t204 - (t197 + t201 * t203);
-  const Scalar t206 = (t188 * t44 + t194 * t203) + t204 * t66;
-  const Scalar t207 = t45 * t205 - t206;
-  const Scalar t208 = t24 * t205 - (t84 * t204 - (t77 * t203 + t187));
-  const Scalar t209 = t207 * t43 + t208;
-  const Scalar t210 = (t204 * t63 + (t132 - t73 * t203)) - t8 * t205;
+  const Scalar t0 = k[2] * c6 + k[1] * s6;
+  const Scalar t1 = k[17] * s6 + k[16] * c6;
+  const Scalar t2 = k[4] * t0 - (k[8] * s5 - c5 * t1);
+  const Scalar t3 = k[14] * c6 - k[13] * s6;
+  const Scalar t4 = k[8] * t3;
+  const Scalar t5 = k[1] * c6 - k[2] * s6;
+  const Scalar t6 = c5 * t5;
+  const Scalar t7 = t4 + k[4] * t6;
+  const Scalar t8 = s4 * t2 - c4 * t7;
+  const Scalar t9 = k[18] * t8;
+  const Scalar t10 = k[6] * s6 - k[5] * c6;
+  const Scalar t11 = k[7] + s6 * t10;
+  const Scalar t12 = k[25] + t11;
+  const Scalar t13 = k[8] - t11;
+  const Scalar t14 = k[9] - t13;
+  const Scalar t15 = k[10] + t14;
+  const Scalar t16 = k[20] + t1;
+  const Scalar t17 = s5 * (k[21] - t15) - Scalar(2) * c5 * t16;
+  const Scalar t18 = s5 * t17;
+  const Scalar t19 = k[26] - (t14 + t18);
+  const Scalar t20 = t12 + t19;
+  const Scalar t21 = k[11] + c6 * t10;
+  const Scalar t22 = k[12] - t21;
+  const Scalar t23 = k[15] + t4;
+  const Scalar t24 = c5 * t22 + s5 * t23;
+  const Scalar t25 = k[27] + t24;
+  const Scalar t26 = Scalar(2) * c4 * t25 + s4 * (t12 - t19);
+  const Scalar t27 = s4 * t26 - t12;
+  const Scalar t28 = k[28] - (t20 + t27);
+  const Scalar t29 = k[3] + t0;
+  const Scalar t30 = s5 * t29 - k[0] * c5;
+  const Scalar t31 = k[30] - (k[29] * t30 + (k[10] - t18));
+  const Scalar t32 = k[4] * t30 + t15;
+  const Scalar t33 = t3 * t8 + (s4 * t24 - c4 * t32);
+  const Scalar t34 = Scalar(1) / (t15 + t4 * t3);
+  const Scalar t35 = t33 * t34;
+  const Scalar t36 = (t9 * t8 + (t28 - t31)) - t33 * t35;
+  const Scalar t37 = c5 + k[18] * s5 * t1;
+  const Scalar t38 = k[8] * t37;
+  const Scalar t39 = s5 * t22 - c5 * t23;
+  const Scalar t40 = t39 + t4 * t37;
+  const Scalar t41 = t34 * t40;
+  const Scalar t42 = Scalar(1) / ((t20 - t38 * t37) + t41 * t40);
+  const Scalar t43 = k[22] - (c5 * t17 + t16);
+  const Scalar t44 = k[19] - t39;
+  const Scalar t45 = c5 * t29 + k[0] * s5;
+  const Scalar t46 = k[24] + t45;
+  const Scalar t47 = k[23] + t5;
+  const Scalar t48 = s4 * t46 - c4 * t47;
+  const Scalar t49 = (s4 * t43 - c4 * t44) + k[4] * t48;
+  const Scalar t50 = t33 * t41 - (t37 * t8 - t49);
+  const Scalar t51 = t42 * t50;
+  const Scalar t52 = Scalar(1) / (t36 + t51 * t50);
+  const Scalar t53 = c4 * t6 - s4 * t0;
+  const Scalar t54 = s5 * t5;
+  const Scalar t55 = s3 * (t54 + (s4 * t7 + c4 * t2));
+  const Scalar t56 = c3 * (t53 - t38) - t55;
+  const Scalar t57 = k[18] * t56;
+  const Scalar t58 = c4 * t30;
+  const Scalar t59 = s3 * ((s4 * t32 + c4 * t24) - t45);
+  const Scalar t60 = t4 * t57 - (c3 * (t39 - t58) + t59);
+  const Scalar t61 = t34 * t60;
+  const Scalar t62 = k[32] - t30;
+  const Scalar t63 = c4 * t46 + s4 * t47;
+  const Scalar t64 = k[33] + t63;
+  const Scalar t65 = s3 * ((k[34] + (c4 * t26 - t25)) - t64);
+  const Scalar t66 = t9 * t56 - (c3 * ((k[31] - t49) - t62) - t65);
+  const Scalar t67 = k[4] * t63 + (s4 * t44 + c4 * t43);
+  const Scalar t68 = (s3 * t67 + c3 * (t20 + t48)) + t38 * t57;
+  const Scalar t69 = t68 - t61 * t40;
+  const Scalar t70 = (t33 * t61 - t66) + t69 * t51;
+  const Scalar t71 = t52 * t70;
+  const Scalar t72 = k[35] * (c3 * t54 + s3 * t53);
+  const Scalar t73 = k[36] * (c3 * t64 + s3 * t62) + t72 * t8;
+  const Scalar t74 = t72 * t4 + k[36] * (s3 * t58 - c3 * t45);
+  const Scalar t75 = t41 * t74 - (t72 * t38 + k[36] * s3 * t48);
+  const Scalar t76 = t75 * t42;
+  const Scalar t77 = (t73 - t35 * t74) + t76 * t50;
+  const Scalar t78 = k[8] * t72;
+  const Scalar t79 = t34 * t74;
+  const Scalar t80 = t69 * t42;
+  const Scalar t81 = (t78 * t57 - t79 * t60) - t75 * t80;
+  const Scalar t82 = t71 * t77 + t81;
+  const Scalar t83 = c3 * (k[38] + t67);
+  const Scalar t84 = s3 * (s3 * (t28 + t31) + (t83 + t83));
+  const Scalar t85 = (k[37] + (Scalar(2) * t48 - t27)) - (k[39] + (t28 - t84));
+  const Scalar t86 = ((t56 * t57 - t85) - t61 * t60) + t80 * t69;
+  const Scalar t87 = Scalar(1) / (t71 * t70 - t86);
+  const Scalar t88 = t82 * t87;
+  const Scalar t89 = t77 * t52;
+  const Scalar t90 = t75 * t76 + ((k[47] + t78 * t72) - t79 * t74);
+  const Scalar t91 = Scalar(1) / (t88 * t82 - (t77 * t89 - t90));
+  const Scalar t92 = qd[1] * s3;
+  const Scalar t93 = qd[2] * s4 + c4 * t92;
+  const Scalar t94 = qd[1] * c3;
+  const Scalar t95 = qd[3] - t94;
+  const Scalar t96 = s5 * t93 + c5 * t95;
+  const Scalar t97 = qd[5] + t96;
+  const Scalar t98 = t97 * t97;
+  const Scalar t99 = s5 * t95 - c5 * t93;
+  const Scalar t100 = t99 * t99;
+  const Scalar t101 = t98 + t100;
+  const Scalar t102 = s4 * t92;
+  const Scalar t103 = t102 - qd[2] * c4;
+  const Scalar t104 = qd[4] - t103;
+  const Scalar t105 = t104 * t104;
+  const Scalar t106 = t98 + t105;
+  const Scalar t107 = t101 - t106;
+  const Scalar t108 = t99 * t104;
+  const Scalar t109 = qd[2] * t94;
+  const Scalar t110 = Scalar(2) * t109;
+  const Scalar t111 = t102 * t94 - c4 * t110;
+  const Scalar t112 = Scalar(2) * t95 * t103 + t111;
+  const Scalar t113 = t103 * t93;
+  const Scalar t114 = qd[2] * t92;
+  const Scalar t115 = t113 + t114;
+  const Scalar t116 = s5 * t112 - c5 * t115;
+  const Scalar t117 = (t108 + t108) + t116;
+  const Scalar t118 = t21 * t107 + (t13 * t117 + t11 * t116);
+  const Scalar t119 = t99 * t96;
+  const Scalar t120 = t95 * t93;
+  const Scalar t121 = t92 * t94;
+  const Scalar t122 = c4 * t121 + s4 * t110;
+  const Scalar t123 = t120 + t122;
+  const Scalar t124 = t119 + t123;
+  const Scalar t125 = t96 * t104;
+  const Scalar t126 = s5 * t115 + c5 * t112;
+  const Scalar t127 = t125 + (t125 + t126);
+  const Scalar t128 = qd[1] * qd[1];
+  const Scalar t129 = t128 + k[4] * t110;
+  const Scalar t130 = k[40] * s3;
+  const Scalar t131 = k[4] * t121 - t130;
+  const Scalar t132 = c4 * t129 - s4 * t131;
+  const Scalar t133 = t103 * t103;
+  const Scalar t134 = t93 * t93;
+  const Scalar t135 = t133 + t134;
+  const Scalar t136 = k[40] * c3 + k[4] * t135;
+  const Scalar t137 = c4 * t131 + s4 * t129;
+  const Scalar t138 = s5 * t136 - c5 * t137;
+  const Scalar t139 = (t118 + (t4 * t124 - t1 * t127)) + (t132 * t0 - t5 * t138);
+  const Scalar t140 = torque[5] - t139;
+  const Scalar t141 = (k[20] * t127 + k[9] * t117) - (k[15] * t124 - k[12] * t107);
+  const Scalar t142 = (t141 - k[3] * t132) - t139;
+  const Scalar t143 = t99 * t97;
+  const Scalar t144 = (t143 + t143) - t124;
+  const Scalar t145 = t104 * t97;
+  const Scalar t146 = (t145 + t145) - t127;
+  const Scalar t147 = (t21 * t144 - t11 * t146) + t4 * (t98 - t105);
+  const Scalar t148 = s5 * t137 + c5 * t136;
+  const Scalar t149 = t119 - t123;
+  const Scalar t150 = t96 * t96;
+  const Scalar t151 = t150 - t105;
+  const Scalar t152 = (k[10] * t127 + k[20] * t117) - k[15] * t151;
+  const Scalar t153 = ((t1 * t117 - t147) + t148 * t5) + ((k[12] * t149 + t152) + k[0] * t132);
+  const Scalar t154 = t150 + t105;
+  const Scalar t155 = t154 + t107;
+  const Scalar t156 = t155 - t135;
+  const Scalar t157 = t120 + t123;
+  const Scalar t158 = k[19] * t156 + (k[25] * t112 + k[27] * t157);
+  const Scalar t159 = t113 - t114;
+  const Scalar t160 = (s5 * t142 + c5 * t153) - ((t158 - k[22] * t159) - k[23] * t136);
+  const Scalar t161 = (t0 * t117 - t5 * t101) - (k[0] * t127 - k[3] * t117);
+  const Scalar t162 = t161 - (k[23] * t155 - k[24] * t159);
+  const Scalar t163 = t160 + k[4] * t162;
+  const Scalar t164 = t98 - t100;
+  const Scalar t165 = (t5 * t146 + t0 * t144) + (k[0] * (t106 - t164) + k[3] * t149);
+  const Scalar t166 = (t5 * t116 + t0 * t106) + (k[0] * t124 + k[3] * t154);
+  const Scalar t167 = t133 - t134;
+  const Scalar t168 = t167 + t156;
+  const Scalar t169 = (s5 * t165 + c5 * t166) + (k[24] * (t168 + t135) - k[23] * t115);
+  const Scalar t170 = k[20] * (t151 - t107) - (k[10] * t124 - k[9] * t149);
+  const Scalar t171 = (k[0] * t138 + k[3] * t148) - (t170 + (k[12] * t126 + k[15] * t116));
+  const Scalar t172 = (t4 * t116 + t1 * t164) + (t21 * t146 - t13 * t144);
+  const Scalar t173 = t171 - (t172 - t148 * t0);
+  const Scalar t174 = (k[27] * t112 + k[26] * t157) + (k[22] * t168 - k[19] * t115);
+  const Scalar t175 = k[4] * t169 - (t173 + (k[24] * t136 - t174));
+  const Scalar t176 = t92 * t92 - t94 * t94;
+  const Scalar t177 = (k[32] * t130 + k[45] * c3) + (k[38] * t176 - k[44] * t121);
+  const Scalar t178 = torque[2] + ((s4 * t163 - c4 * t175) + t177);
+  const Scalar t179 = t140 * t3 - (torque[4] + t173);
+  const Scalar t180 = t34 * t179;
+  const Scalar t181 = (k[25] * t115 - k[26] * t159) - k[27] * t167;
+  const Scalar t182 = (k[24] * t132 + k[23] * t137) - (t181 + (k[22] * t111 - k[19] * t122));
+  const Scalar t183 = (s5 * t153 - c5 * t142) + t182;
+  const Scalar t184 = ((torque[3] - t183) - t140 * t37) + t180 * t40;
+  const Scalar t185 = t184 * t42;
+  const Scalar t186 = ((t9 * t140 + t178) - t33 * t180) + t185 * t50;
+  const Scalar t187 = t52 * t186;
+  const Scalar t188 = t176 - t135;
+  const Scalar t189 = t128 + t188;
+  const Scalar t190 = k[31] * (t189 - t176) - (k[41] * t109 - k[42] * t114);
+  const Scalar t191 = (k[32] * t128 - (t190 - k[34] * t121)) + (c4 * t163 + s4 * t175);
+  const Scalar t192 = (k[24] * t157 + k[23] * t112) - (c5 * t165 - s5 * t166);
+  const Scalar t193 = t192 - (k[33] * t121 + k[32] * t135);
+  const Scalar t194 = (k[31] * t121 - k[34] * t189) + (k[38] * t110 + k[43] * t114);
+  const Scalar t195 = (k[33] * t188 - k[32] * t121) + (s4 * t162 - c4 * t169);
+  const Scalar t196 = c3 * (((k[33] * t128 + t194) + t183) + t195);
+  const Scalar t197 = (torque[1] + (s3 * (t191 + t193) + t196)) - t140 * t57;
+  const Scalar t198 = t187 * t70 - (t184 * t80 + (t179 * t61 + t197));
+  const Scalar t199 = t87 * t198;
+  const Scalar t200 = k[36] * (k[46] - (s3 * t195 - c3 * t193));
+  const Scalar t201 = t180 * t74 + ((torque[0] - t200) - t72 * t140);
+  const Scalar t202 = t82 * t199 + ((t184 * t76 - t201) - t77 * t187);
+  const Scalar t203 = t91 * t202;
+  const Scalar t204 = t203 * t88 - t199;
+  const Scalar t205 = t71 * t204 + (t187 - t203 * t89);
+  const Scalar t206 = ((t185 - t203 * t76) + t204 * t80) - t205 * t51;
+  const Scalar t207 = ((t180 - t79 * t203) - t204 * t61) - t35 * t205;
+  const Scalar t208 = t41 * t206 - t207;
+  const Scalar t209 = (t72 * t203 - k[18] * t140) + t204 * t57;
+  const Scalar t210 = t208 * t3 - ((t9 * t205 + t209) + t206 * t37);
   JointVector<Scalar> result;
   result[0] = -t203;
-  result[1] = t204;
-  result[2] = -t205;
-  result[3] = -t207;
-  result[4] = t209;
-  result[5] = -(t210 - t207 * t26) - t22 * t209;
+  result[1] = -t204;
+  result[2] = t205;
+  result[3] = -t206;
+  result[4] = t208;
+  result[5] = -t210;
   return result;
 }
 
@@ -1400,77 +1410,76 @@ KineticEnergyConstants<Scalar> kinetic_energy_constants(const BasicGeometry<Scal
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6y * inertia.m6;
-  const Scalar t1 = inertia.c6x * inertia.m6;
-  const Scalar t2 = inertia.c5y * inertia.m5;
-  const Scalar t3 = inertia.I6xy - inertia.c6y * t1;
-  const Scalar t4 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t5 = (inertia.I6xx - t4) - inertia.c6x * t1;
-  const Scalar t6 = (inertia.I6yy - t4) - inertia.c6y * t0;
-  const Scalar t7 = inertia.c5x * inertia.m5;
-  const Scalar t8 = inertia.c5z * inertia.m5;
-  const Scalar t9 = inertia.c6z * inertia.m6;
-  const Scalar t10 = g.d4 / g.l1;
+  const Scalar t0 = inertia.c6x * inertia.m6;
+  const Scalar t1 = inertia.I6xy - inertia.c6y * t0;
+  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t0;
+  const Scalar t4 = inertia.c6y * inertia.m6;
+  const Scalar t5 = (inertia.I6yy - t2) - inertia.c6y * t4;
+  const Scalar t6 = inertia.c5x * inertia.m5;
+  const Scalar t7 = inertia.c5y * inertia.m5;
+  const Scalar t8 = inertia.c4x * inertia.m4;
+  const Scalar t9 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t10 = inertia.c4y * inertia.m4;
   const Scalar t11 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t12 = (inertia.c6z * t9 - (inertia.I6zz - t4)) + (inertia.c5z * t8 - (inertia.I5zz - t11));
-  const Scalar t13 = inertia.c4y * inertia.m4;
-  const Scalar t14 = inertia.c4x * inertia.m4;
-  const Scalar t15 = Scalar(1) / g.l1;
-  const Scalar t16 = inertia.c4z * inertia.m4;
-  const Scalar t17 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t18 = t16 - g.d4 * t17;
-  const Scalar t19 = inertia.c3z * inertia.m3;
-  const Scalar t20 = t19 - g.d4 * inertia.m3;
-  const Scalar t21 = inertia.c3x * inertia.m3;
-  const Scalar t22 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t23 = ((inertia.I4yy - t22) - inertia.c4y * t13) - (inertia.c5y * t2 - (inertia.I5yy - t11));
-  const Scalar t24 = inertia.c3y * inertia.m3;
-  const Scalar t25 = inertia.m3 + t17;
-  const Scalar t26 = t15 * g.l1 * g.l1 * (inertia.m1 + (inertia.m2 + t25));
-  const Scalar t27 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t28 = ((inertia.I3yy - t27) - inertia.c3y * t24) - g.l1 * ((g.l1 * t25 + t24) + t24);
-  const Scalar t29 = inertia.c2y * inertia.m2;
-  const Scalar t30 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t31 = g.l1 * ((g.l1 * inertia.m2 + t29) + t29) - ((inertia.I2yy - t30) - inertia.c2y * t29);
-  const Scalar t32 = ((inertia.I3zz - t27) - inertia.c3z * t19) + g.d4 * (t19 + t20);
-  const Scalar t33 = ((inertia.I4zz - t22) - inertia.c4z * t16) + g.d4 * (t18 + t16);
-  return { inertia.I6yz - inertia.c6z * t0,
-           inertia.I6xz - inertia.c6z * t1,
-           inertia.I5yz - inertia.c5z * t2,
-           Scalar(2) * t3,
-           t5 - t6,
-           t3,
-           inertia.I5xy - inertia.c5y * t7,
-           g.l1 * t0,
-           g.l1 * t1,
-           g.l1 * t7,
-           g.l1 * (t8 + t9),
-           Scalar(2) * t10,
-           inertia.I5xz - inertia.c5z * t7,
+  const Scalar t12 = ((inertia.I4yy - t9) - inertia.c4y * t10) - (inertia.c5y * t7 - (inertia.I5yy - t11));
+  const Scalar t13 = inertia.c6z * inertia.m6;
+  const Scalar t14 = inertia.c5z * inertia.m5;
+  const Scalar t15 = (inertia.c6z * t13 - (inertia.I6zz - t2)) + (inertia.c5z * t14 - (inertia.I5zz - t11));
+  const Scalar t16 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t17 = inertia.c3y * inertia.m3;
+  const Scalar t18 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t19 = inertia.m3 + t18;
+  const Scalar t20 = ((inertia.I3yy - t16) - inertia.c3y * t17) - g.l1 * ((g.l1 * t19 + t17) + t17);
+  const Scalar t21 = inertia.c2y * inertia.m2;
+  const Scalar t22 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t23 = g.l1 * ((g.l1 * inertia.m2 + t21) + t21) - ((inertia.I2yy - t22) - inertia.c2y * t21);
+  const Scalar t24 = inertia.c3x * inertia.m3;
+  const Scalar t25 = g.d4 / g.l1;
+  const Scalar t26 = inertia.c3z * inertia.m3;
+  const Scalar t27 = t26 - g.d4 * inertia.m3;
+  const Scalar t28 = ((inertia.I3zz - t16) - inertia.c3z * t26) + g.d4 * (t26 + t27);
+  const Scalar t29 = inertia.c4z * inertia.m4;
+  const Scalar t30 = t29 - g.d4 * t18;
+  const Scalar t31 = ((inertia.I4zz - t9) - inertia.c4z * t29) + g.d4 * (t30 + t29);
+  const Scalar t32 = Scalar(1) / g.l1;
+  const Scalar t33 = t32 * g.l1 * g.l1 * (inertia.m1 + (inertia.m2 + t19));
+  return { Scalar(2) * t1,
+           t3 - t5,
+           t1,
+           inertia.I5xy - inertia.c5y * t6,
+           inertia.I6yz - inertia.c6z * t4,
+           inertia.I6xz - inertia.c6z * t0,
+           inertia.I5yz - inertia.c5z * t7,
+           inertia.I4xy - inertia.c4y * t8,
            t5,
-           inertia.c5x * t7 - (inertia.I5xx - t11),
            t12,
-           inertia.I4yz - inertia.c4z * t13,
-           g.l1 * (t13 + t2),
-           t10,
-           g.l1 * t14,
-           inertia.I4xz - inertia.c4z * t14,
-           t5 + t6,
+           t3 + t5,
+           inertia.c5x * t6 - (inertia.I5xx - t11),
            t15,
-           g.l1 * (t18 + t20),
-           g.l1 * t21,
-           inertia.I4xy - inertia.c4y * t14,
-           t6,
-           t23,
-           (inertia.I4xx - t22) - inertia.c4x * t14,
-           inertia.I3xy - inertia.c3y * t21,
-           g.d4 * t24 + (inertia.I3yz - inertia.c3z * t24),
-           t15 * t26,
-           t28 - t31,
-           inertia.c3x * t21 - (inertia.I3xx - t27),
-           t32 + t33,
-           g.d4 * t21 + (inertia.I3xz - inertia.c3z * t21),
-           inertia.c2x * inertia.c2x * inertia.m2 - (inertia.I2xx - t30) };
+           inertia.I5xz - inertia.c5z * t6,
+           (inertia.I4xx - t9) - inertia.c4x * t8,
+           g.l1 * t4,
+           g.l1 * t0,
+           g.l1 * (t10 + t7),
+           g.l1 * t6,
+           g.l1 * (t14 + t13),
+           g.l1 * t8,
+           t20 - t23,
+           inertia.c3x * t24 - (inertia.I3xx - t16),
+           Scalar(2) * t25,
+           t28 + t31,
+           inertia.I4yz - inertia.c4z * t10,
+           inertia.I4xz - inertia.c4z * t8,
+           t25,
+           g.d4 * t24 + (inertia.I3xz - inertia.c3z * t24),
+           inertia.c2x * inertia.c2x * inertia.m2 - (inertia.I2xx - t22),
+           t32 * t33,
+           t32,
+           g.l1 * t24,
+           g.l1 * (t30 + t27),
+           g.d4 * t17 + (inertia.I3yz - inertia.c3z * t17),
+           inertia.I3xy - inertia.c3y * t24 };
 }
 
 namespace detail {
@@ -1487,77 +1496,74 @@ inline Scalar kinetic_energy([[maybe_unused]] const JointVector<Scalar>& q, cons
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[3] * c6 - k[4] * s6;
-  const Scalar t1 = s6 * t0;
-  const Scalar t2 = k[14] - (k[13] + t1);
-  const Scalar t3 = k[0] * s6 + k[1] * c6;
-  const Scalar t4 = k[12] + t3;
-  const Scalar t5 = c5 * t4;
-  const Scalar t6 = s5 * (k[15] - t2) - (t5 + t5);
-  const Scalar t7 = s5 * t6;
-  const Scalar t8 = t2 + t7;
-  const Scalar t9 = k[28] - t8;
-  const Scalar t10 = k[27] + (k[26] - t1);
-  const Scalar t11 = t9 + t10;
-  const Scalar t12 = k[15] - t7;
-  const Scalar t13 = k[8] * c6 + k[7] * s6;
-  const Scalar t14 = k[9] + t13;
-  const Scalar t15 = s5 * t14 - k[10] * c5;
-  const Scalar t16 = k[11] * t15;
-  const Scalar t17 = k[34] - (t12 + t16);
-  const Scalar t18 = k[0] * c6 - k[1] * s6;
-  const Scalar t19 = k[2] + t18;
-  const Scalar t20 = k[6] - (k[5] - c6 * t0);
-  const Scalar t21 = s5 * t19 + c5 * t20;
-  const Scalar t22 = k[25] + t21;
-  const Scalar t23 = c4 * t22;
-  const Scalar t24 = s4 * (t9 - t10) - (t23 + t23);
-  const Scalar t25 = t9 - s4 * t24;
-  const Scalar t26 = k[33] - t25;
-  const Scalar t27 = c5 * t14 + k[10] * s5;
-  const Scalar t28 = k[19] + t27;
-  const Scalar t29 = k[7] * c6 - k[8] * s6;
-  const Scalar t30 = k[17] + t29;
-  const Scalar t31 = s4 * t28 - c4 * t30;
-  const Scalar t32 = k[18] * t28 + (k[20] - (c5 * t6 + t4));
-  const Scalar t33 = s5 * t20 - c5 * t19;
-  const Scalar t34 = k[18] * t30 + (k[16] - t33);
-  const Scalar t35 = c4 * t32 + s4 * t34;
-  const Scalar t36 = s3 * (t17 + t26) + Scalar(2) * c3 * (k[35] + t35);
-  const Scalar t37 = (k[32] + ((t11 - t25) + Scalar(2) * t31)) - (k[36] - (s3 * t36 - t26));
-  const Scalar t38 = qd[0] * k[31] * qd[0] - qd[1] * qd[1] * t37;
-  const Scalar t39 = qd[3] * qd[3] * t11 + (qd[2] * qd[2] * (t17 - t26) - t38);
-  const Scalar t40 = t12 + t8;
-  const Scalar t41 = qd[5] * k[21] * qd[5] + (t39 - qd[4] * qd[4] * t40);
-  const Scalar t42 = s4 * t32 - c4 * t34;
-  const Scalar t43 = Scalar(0.5) * t16 + t40;
-  const Scalar t44 = qd[3] * t42 - qd[4] * (s4 * t21 - c4 * t43);
-  const Scalar t45 = c5 * t29;
-  const Scalar t46 = t18 + k[18] * t45;
-  const Scalar t47 = k[18] * t13 - (k[21] * s5 - c5 * t3);
-  const Scalar t48 = t44 - qd[5] * (c4 * t46 - s4 * t47);
-  const Scalar t49 = s5 * t29;
-  const Scalar t50 = s3 * ((s4 * t46 + c4 * t47) + t49);
-  const Scalar t51 = s5 * t3 + k[21] * c5;
-  const Scalar t52 = s4 * t13 - c4 * t45;
-  const Scalar t53 = qd[3] * (c3 * (t11 + t31) + s3 * t35);
-  const Scalar t54 = k[24] + (s4 * t30 + c4 * t28);
-  const Scalar t55 = s3 * ((k[29] - (c4 * t24 + t22)) - t54);
-  const Scalar t56 = k[23] - t15;
-  const Scalar t57 = qd[2] * (t55 + c3 * (t56 - (k[30] - t42)));
-  const Scalar t58 = c4 * t15;
-  const Scalar t59 = s3 * (t27 - (s4 * t43 + c4 * t21));
-  const Scalar t60 = (t53 - t57) + qd[4] * (c3 * (t58 - t33) + t59);
-  const Scalar t61 = qd[5] * (t50 + c3 * (t51 + t52)) + t60;
-  const Scalar t62 = qd[4] * k[22] * (s3 * t58 - c3 * t27);
-  const Scalar t63 = qd[2] * k[22] * (c3 * t54 + s3 * t56);
-  const Scalar t64 = t62 + (qd[3] * k[22] * s3 * t31 - t63);
-  const Scalar t65 = qd[5] * k[22] * (c3 * t49 - s3 * t52);
-  const Scalar t66 = qd[2] * t48 + (qd[1] * t61 + qd[0] * (t64 - t65));
-  const Scalar t67 = t66 - qd[3] * (qd[5] * t51 - qd[4] * t33);
-  const Scalar t68 = Scalar(0.5) * t41 + (qd[4] * qd[5] * t18 - t67);
+  const Scalar t0 = k[4] * c6 - k[5] * s6;
+  const Scalar t1 = k[0] * c6 - k[1] * s6;
+  const Scalar t2 = k[3] - (k[2] - c6 * t1);
+  const Scalar t3 = k[6] + t0;
+  const Scalar t4 = c5 * t2 + s5 * t3;
+  const Scalar t5 = k[8] - s6 * t1;
+  const Scalar t6 = k[11] - (k[10] - t5);
+  const Scalar t7 = k[12] + t6;
+  const Scalar t8 = k[16] * c6 + k[15] * s6;
+  const Scalar t9 = k[18] + t8;
+  const Scalar t10 = k[19] * c5 - s5 * t9;
+  const Scalar t11 = t7 - k[27] * t10;
+  const Scalar t12 = k[4] * s6 + k[5] * c6;
+  const Scalar t13 = k[13] + t12;
+  const Scalar t14 = s5 * (k[12] - t6) - Scalar(2) * c5 * t13;
+  const Scalar t15 = k[26] - (t13 + c5 * t14);
+  const Scalar t16 = s5 * t2 - c5 * t3;
+  const Scalar t17 = k[25] - t16;
+  const Scalar t18 = c5 * t9 + k[19] * s5;
+  const Scalar t19 = k[20] + t18;
+  const Scalar t20 = k[16] * s6 - k[15] * c6;
+  const Scalar t21 = k[17] - t20;
+  const Scalar t22 = s4 * t19 - c4 * t21;
+  const Scalar t23 = (s4 * t15 - c4 * t17) + k[27] * t22;
+  const Scalar t24 = qd[4] * (s4 * t4 - c4 * t11) - qd[3] * t23;
+  const Scalar t25 = c5 * t20;
+  const Scalar t26 = t0 - k[27] * t25;
+  const Scalar t27 = k[27] * t8 + (c5 * t12 - k[10] * s5);
+  const Scalar t28 = t24 + qd[5] * (c4 * t26 - s4 * t27);
+  const Scalar t29 = c4 * t10;
+  const Scalar t30 = s3 * ((s4 * t11 + c4 * t4) - t18);
+  const Scalar t31 = s4 * t21 + c4 * t19;
+  const Scalar t32 = (s4 * t17 + c4 * t15) + k[27] * t31;
+  const Scalar t33 = s5 * t14;
+  const Scalar t34 = k[14] - (t6 + t33);
+  const Scalar t35 = k[9] + t5;
+  const Scalar t36 = t34 + t35;
+  const Scalar t37 = qd[3] * (s3 * t32 + c3 * (t22 + t36));
+  const Scalar t38 = k[7] + t4;
+  const Scalar t39 = c4 * t38;
+  const Scalar t40 = s4 * (t34 - t35) - (t39 + t39);
+  const Scalar t41 = k[32] + t31;
+  const Scalar t42 = s3 * ((k[35] - (c4 * t40 + t38)) - t41);
+  const Scalar t43 = k[33] + t10;
+  const Scalar t44 = qd[2] * (t42 - c3 * ((k[34] - t23) - t43));
+  const Scalar t45 = qd[4] * (c3 * (t16 + t29) + t30) - (t37 - t44);
+  const Scalar t46 = s4 * t8 + c4 * t25;
+  const Scalar t47 = s5 * t12 + k[10] * c5;
+  const Scalar t48 = s5 * t20;
+  const Scalar t49 = s3 * (t48 - (c4 * t27 + s4 * t26));
+  const Scalar t50 = t45 - qd[5] * (c3 * (t46 + t47) - t49);
+  const Scalar t51 = qd[4] * k[31] * (c3 * t18 + s3 * t29);
+  const Scalar t52 = qd[2] * k[31] * (c3 * t41 + s3 * t43);
+  const Scalar t53 = t51 + (t52 - qd[3] * k[31] * s3 * t22);
+  const Scalar t54 = qd[5] * k[31] * (s3 * t46 + c3 * t48);
+  const Scalar t55 = qd[2] * t28 + (qd[1] * t50 + qd[0] * (t53 - t54));
+  const Scalar t56 = t55 + qd[3] * (qd[5] * t47 - qd[4] * t16);
+  const Scalar t57 = k[24] + (k[23] * t10 - (k[12] - t33));
+  const Scalar t58 = s4 * t40 - t34;
+  const Scalar t59 = k[22] + t58;
+  const Scalar t60 = Scalar(2) * c3 * (k[28] + t32) + s3 * (t57 + t59);
+  const Scalar t61 = (k[29] + (t59 - s3 * t60)) - (k[21] + ((t58 + t36) + Scalar(2) * t22));
+  const Scalar t62 = qd[0] * k[30] * qd[0] + qd[1] * qd[1] * t61;
+  const Scalar t63 = (qd[2] * qd[2] * (t57 - t59) - t62) + qd[3] * qd[3] * t36;
+  const Scalar t64 = (t63 - qd[4] * qd[4] * t7) + qd[5] * k[10] * qd[5];
+  const Scalar t65 = (qd[4] * qd[5] * t0 + t56) + Scalar(0.5) * t64;
   Scalar result;
-  result = -t68;
+  result = -t65;
   return result;
 }
 

@@ -26,7 +26,7 @@ LoadAngles<Scalar> load_angles(const JointVector<Scalar>& q);
 
 /// Joint forces for a motion, under gravity in any direction.
 ///
-/// 187 multiplications, 176 additions, 5 sine/cosine pairs. Set-up: 71 multiplications, 83 additions, 6 divisions.
+/// 185 multiplications, 178 additions, 5 sine/cosine pairs. Set-up: 71 multiplications, 83 additions, 6 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l1, which must not be zero.
 template <class Scalar>
@@ -46,7 +46,7 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint forces for a motion while a wrench acts on the tool from outside: those without it minus jacobian(q)^T wrench.
 ///
-/// 220 multiplications, 200 additions, 5 sine/cosine pairs. Set-up: 71 multiplications, 83 additions, 6 divisions.
+/// 223 multiplications, 197 additions, 5 sine/cosine pairs. Set-up: 71 multiplications, 83 additions, 6 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l1, which must not be zero.
 template <class Scalar>
@@ -83,7 +83,7 @@ JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const LoadAngle
 
 /// Joint accelerations for given joint forces, under gravity in any direction.
 ///
-/// 334 multiplications, 311 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 74 multiplications, 80 additions, 6
+/// 339 multiplications, 306 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 78 multiplications, 80 additions, 6
 /// divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l1, which must not be zero.
@@ -92,7 +92,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
     const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
 template <class Scalar>
-using ForwardDynamicsWithGravityVectorConstants = std::array<Scalar, 46>;
+using ForwardDynamicsWithGravityVectorConstants = std::array<Scalar, 50>;
 template <class Scalar>
 ForwardDynamicsWithGravityVectorConstants<Scalar> forward_dynamics_with_gravity_vector_constants(
     const BasicGeometry<Scalar>& g,
@@ -104,7 +104,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint accelerations for given joint forces while a wrench acts on the tool from outside.
 ///
-/// 371 multiplications, 331 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 75 multiplications, 80 additions, 6
+/// 372 multiplications, 330 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 75 multiplications, 80 additions, 6
 /// divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l1, which must not be zero.

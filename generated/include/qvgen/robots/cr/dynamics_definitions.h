@@ -32,77 +32,77 @@ InverseDynamicsConstants<Scalar> inverse_dynamics_constants(const BasicGeometry<
   const Scalar t2 = g.l2 * (t0 + (g.l2 * inertia.m1 + t0)) + (inertia.c1x * t0 - (inertia.I1xx - t1));
   const Scalar t3 = inertia.c2x * inertia.m2;
   const Scalar t4 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t5 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t6 = inertia.c3y * inertia.m3;
-  const Scalar t7 = inertia.c2y * inertia.m2;
-  const Scalar t8 = ((inertia.I3yy - t5) - inertia.c3y * t6) + ((inertia.I2yy - t4) - inertia.c2y * t7);
+  const Scalar t5 = (inertia.c2x * t3 - (inertia.I2xx - t4)) + Scalar(2) * g.l2 * t3;
+  const Scalar t6 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t7 = inertia.c3y * inertia.m3;
+  const Scalar t8 = ((inertia.I3yy - t6) - inertia.c3y * t7)
+      + ((inertia.I2yy - t4) - inertia.c2y * inertia.c2y * inertia.m2);
   const Scalar t9 = t8 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t1));
-  const Scalar t10 = (t2 + (inertia.c2x * t3 - (inertia.I2xx - t4))) - t9;
-  const Scalar t11 = inertia.c4z * inertia.m4;
-  const Scalar t12 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t13 = t11 - g.d4 * t12;
-  const Scalar t14 = inertia.c3z * inertia.m3;
-  const Scalar t15 = t14 - g.d4 * inertia.m3;
-  const Scalar t16 = (t13 + t15) / g.d4;
-  const Scalar t17 = g.l2 * g.l2 * (t16 + (inertia.m2 + (inertia.m3 + t12)));
-  const Scalar t18 = inertia.c5x * inertia.m5;
-  const Scalar t19 = inertia.c5z * inertia.m5;
-  const Scalar t20 = inertia.c6z * inertia.m6;
-  const Scalar t21 = inertia.c6x * inertia.m6;
-  const Scalar t22 = inertia.c6y * inertia.m6;
-  const Scalar t23 = Scalar(1) / g.l2;
-  const Scalar t24 = inertia.c4x * inertia.m4;
-  const Scalar t25 = inertia.c4y * inertia.m4;
-  const Scalar t26 = inertia.c5y * inertia.m5;
-  const Scalar t27 = inertia.c3x * inertia.m3;
-  const Scalar t28 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t29 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t30 = ((inertia.I4yy - t28) - inertia.c4y * t25) - (inertia.c5y * t26 - (inertia.I5yy - t29));
-  const Scalar t31 = inertia.I6xy - inertia.c6y * t21;
-  const Scalar t32 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t33 = (inertia.I6xx - t32) - inertia.c6x * t21;
-  const Scalar t34 = (inertia.I6yy - t32) - inertia.c6y * t22;
-  const Scalar t35 = (inertia.c6z * t20 - (inertia.I6zz - t32)) + (inertia.c5z * t19 - (inertia.I5zz - t29));
-  const Scalar t36 = ((inertia.I3zz - t5) - inertia.c3z * t14) + g.d4 * (t14 + t15);
-  const Scalar t37 = ((inertia.I4zz - t28) - inertia.c4z * t11) + g.d4 * (t13 + t11);
-  return { t10,
-           t17,
-           g.l2 * (t6 + t7),
-           g.l2 * t3,
-           g.l2 * t18,
-           g.l2 * (t19 + t20),
-           g.l2 * t21,
-           g.l2 * t22,
-           g.d4 / g.l2,
-           t23,
-           gravity / g.l2,
-           g.l2 * g.l2 * t16,
-           g.l2 * t24,
-           g.l2 * (t25 + t26),
-           g.l2 * t27,
-           t30,
-           (inertia.I4xx - t28) - inertia.c4x * t24,
-           inertia.I4xy - inertia.c4y * t24,
-           inertia.I4yz - inertia.c4z * t25,
-           inertia.I4xz - inertia.c4z * t24,
-           inertia.I5xy - inertia.c5y * t18,
-           inertia.I5yz - inertia.c5z * t26,
-           inertia.c5x * t18 - (inertia.I5xx - t29),
-           inertia.I5xz - inertia.c5z * t18,
-           inertia.I6yz - inertia.c6z * t22,
-           inertia.I6xz - inertia.c6z * t21,
-           Scalar(2) * t31,
-           t33 - t34,
-           t31,
-           t33,
-           t34,
+  const Scalar t10 = inertia.c4y * inertia.m4;
+  const Scalar t11 = inertia.c5y * inertia.m5;
+  const Scalar t12 = inertia.c4x * inertia.m4;
+  const Scalar t13 = g.l2 / g.d4;
+  const Scalar t14 = inertia.c4z * inertia.m4;
+  const Scalar t15 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t16 = t14 - g.d4 * t15;
+  const Scalar t17 = inertia.c3z * inertia.m3;
+  const Scalar t18 = t17 - g.d4 * inertia.m3;
+  const Scalar t19 = (t16 + t18) / g.d4;
+  const Scalar t20 = g.d4 * g.d4 * t19;
+  const Scalar t21 = inertia.c6y * inertia.m6;
+  const Scalar t22 = inertia.c6x * inertia.m6;
+  const Scalar t23 = inertia.c5x * inertia.m5;
+  const Scalar t24 = inertia.c5z * inertia.m5;
+  const Scalar t25 = inertia.c6z * inertia.m6;
+  const Scalar t26 = inertia.c3x * inertia.m3;
+  const Scalar t27 = g.d4 * t26;
+  const Scalar t28 = g.d4 * g.d4 * (t19 + (inertia.m2 + (inertia.m3 + t15)));
+  const Scalar t29 = ((inertia.I3zz - t6) - inertia.c3z * t17) + g.d4 * (t17 + t18);
+  const Scalar t30 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t31 = ((inertia.I4zz - t30) - inertia.c4z * t14) + g.d4 * (t16 + t14);
+  const Scalar t32 = inertia.I6xy - inertia.c6y * t22;
+  const Scalar t33 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t34 = (inertia.I6xx - t33) - inertia.c6x * t22;
+  const Scalar t35 = (inertia.I6yy - t33) - inertia.c6y * t21;
+  const Scalar t36 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t37 = (inertia.c6z * t25 - (inertia.I6zz - t33)) + (inertia.c5z * t24 - (inertia.I5zz - t36));
+  const Scalar t38 = ((inertia.I4yy - t30) - inertia.c4y * t10) - (inertia.c5y * t11 - (inertia.I5yy - t36));
+  return { (t2 + t5) - t9,
+           g.d4 * (t10 + t11),
+           g.d4 * t12,
+           t13,
+           Scalar(1) / g.d4,
+           gravity / g.d4,
+           t20,
+           g.d4 * t21,
+           g.d4 * t22,
+           g.d4 * t23,
+           g.d4 * (t24 + t25),
+           t27,
+           t28 * t13,
+           t27 + (inertia.I3xz - inertia.c3z * t26),
+           t20 - (t29 + t31),
+           g.d4 * t7 + (inertia.I3yz - inertia.c3z * t7),
+           inertia.I3xy - inertia.c3y * t26,
+           Scalar(2) * t32,
+           t34 - t35,
            t35,
-           inertia.I3xy - inertia.c3y * t27,
-           g.d4 * t6 + (inertia.I3yz - inertia.c3z * t6),
-           g.d4 * t27 + (inertia.I3xz - inertia.c3z * t27),
-           inertia.c3x * t27 - (inertia.I3xx - t5),
-           g.d4 * g.d4 * t16 - (t36 + t37),
-           t17 * t23 };
+           t32,
+           inertia.I6yz - inertia.c6z * t21,
+           inertia.I6xz - inertia.c6z * t22,
+           inertia.I5yz - inertia.c5z * t11,
+           t37,
+           inertia.I5xz - inertia.c5z * t23,
+           inertia.I5xy - inertia.c5y * t23,
+           inertia.c5x * t23 - (inertia.I5xx - t36),
+           t34,
+           t38,
+           inertia.I4xy - inertia.c4y * t12,
+           inertia.I4yz - inertia.c4z * t10,
+           inertia.I4xz - inertia.c4z * t12,
+           (inertia.I4xx - t30) - inertia.c4x * t12,
+           inertia.c3x * t26 - (inertia.I3xx - t6),
+           t28 };
 }
 
 namespace detail {
@@ -124,133 +124,131 @@ inline JointVector<Scalar> inverse_dynamics([[maybe_unused]] const JointVector<S
   const Scalar t2 = qdd[0] * c3;
   const Scalar t3 = t1 - t2;
   const Scalar t4 = t1 + t3;
-  const Scalar t5 = s4 * t0 - qd[2] * c4;
-  const Scalar t6 = t5 * t5;
-  const Scalar t7 = qd[0] * c3;
-  const Scalar t8 = qd[3] - t7;
-  const Scalar t9 = t8 * t8;
-  const Scalar t10 = t6 + t9;
-  const Scalar t11 = qd[2] * s4 + c4 * t0;
-  const Scalar t12 = t5 * t11;
-  const Scalar t13 = qdd[3] + t3;
-  const Scalar t14 = t12 + t13;
-  const Scalar t15 = qd[0] * qd[0];
-  const Scalar t16 = c3 * t15;
-  const Scalar t17 = k[10] + k[9] * qdd[1];
-  const Scalar t18 = t0 * t7;
-  const Scalar t19 = qdd[2] - t18;
-  const Scalar t20 = (t16 + s3 * t17) + k[8] * t19;
-  const Scalar t21 = qd[2] * t7;
-  const Scalar t22 = qdd[0] * s3;
-  const Scalar t23 = t21 + (t21 + t22);
-  const Scalar t24 = qdd[0] - k[8] * t23;
-  const Scalar t25 = c4 * t20 + s4 * t24;
-  const Scalar t26 = (k[12] * t10 - k[13] * t14) - k[11] * t25;
-  const Scalar t27 = k[7] * c6 - k[6] * s6;
-  const Scalar t28 = qd[4] - t5;
-  const Scalar t29 = c5 * t8 + s5 * t11;
-  const Scalar t30 = qd[5] + t29;
-  const Scalar t31 = t28 * t30;
-  const Scalar t32 = s4 * t19 + c4 * t23;
-  const Scalar t33 = t32 - Scalar(2) * t5 * t8;
-  const Scalar t34 = c5 * t33 - s5 * t14;
-  const Scalar t35 = t28 * t29;
-  const Scalar t36 = t34 - (t35 + t35);
-  const Scalar t37 = t31 + (t31 + t36);
-  const Scalar t38 = c5 * t11 - s5 * t8;
-  const Scalar t39 = t29 * t38;
-  const Scalar t40 = t11 * t8;
-  const Scalar t41 = c4 * t19 - s4 * t23;
-  const Scalar t42 = t40 - t41;
-  const Scalar t43 = qdd[4] - t42;
-  const Scalar t44 = t39 + t43;
-  const Scalar t45 = t38 * t30;
-  const Scalar t46 = (t44 - t45) - t45;
-  const Scalar t47 = k[6] * c6 + k[7] * s6;
-  const Scalar t48 = t30 * t30;
-  const Scalar t49 = t38 * t38;
-  const Scalar t50 = t48 - t49;
-  const Scalar t51 = t28 * t28 + t48;
-  const Scalar t52 = t50 - t51;
-  const Scalar t53 = t39 - t43;
-  const Scalar t54 = (t27 * t37 + t46 * t47) - (k[5] * t52 + k[4] * t53);
-  const Scalar t55 = c3 * t16;
-  const Scalar t56 = qd[2] * qd[2];
-  const Scalar t57 = t55 - t56;
-  const Scalar t58 = t15 - t57;
-  const Scalar t59 = t6 - t9;
-  const Scalar t60 = t58 - t59;
-  const Scalar t61 = t48 + t49;
-  const Scalar t62 = t61 - t51;
-  const Scalar t63 = t60 - t62;
-  const Scalar t64 = c5 * t14 + s5 * t33;
-  const Scalar t65 = qdd[5] + t64;
-  const Scalar t66 = (k[4] * t63 - k[5] * t44) + (t51 * t47 - t65 * t27);
-  const Scalar t67 = t26 + (s5 * t54 + c5 * t66);
-  const Scalar t68 = t28 * t38;
-  const Scalar t69 = (t68 + t64) + t68;
-  const Scalar t70 = qdd[5] + t69;
-  const Scalar t71 = (k[5] * t36 - k[4] * t69) - (t70 * t47 + t27 * t61);
-  const Scalar t72 = s4 * t20 - c4 * t24;
-  const Scalar t73 = t12 - t13;
-  const Scalar t74 = k[11] * t72 - (k[13] * t60 - k[12] * t73);
-  const Scalar t75 = t71 + t74;
-  const Scalar t76 = k[14] * t4 - (s4 * t67 + c4 * t75);
-  const Scalar t77 = k[2] * t15;
-  const Scalar t78 = k[3] * qdd[0];
-  const Scalar t79 = t55 + t56;
-  const Scalar t80 = t15 - t79;
-  const Scalar t81 = (k[34] * t23 + k[35] * t4) - (k[33] * t19 + k[32] * t80);
-  const Scalar t82 = (k[23] * t36 + k[22] * t69) - (k[20] * t62 + k[21] * t44);
-  const Scalar t83 = s3 * t15 - c3 * t17;
-  const Scalar t84 = t83 - k[8] * t58;
-  const Scalar t85 = s5 * t84 - c5 * t25;
-  const Scalar t86 = k[25] * c6 + k[24] * s6;
-  const Scalar t87 = k[25] * s6 - k[24] * c6;
-  const Scalar t88 = k[26] * c6 - k[27] * s6;
-  const Scalar t89 = k[28] - c6 * t88;
-  const Scalar t90 = s6 * t88;
-  const Scalar t91 = k[30] - t90;
-  const Scalar t92 = k[29] + t90;
-  const Scalar t93 = t89 * t62 - (t65 * t91 + t70 * t92);
-  const Scalar t94 = (t27 * t85 + t72 * t47) + ((t86 * t36 + t44 * t87) + t93);
-  const Scalar t95 = (t82 + k[4] * t72) + t94;
-  const Scalar t96 = (t46 * t89 - t37 * t91) - (t50 + t62) * t87;
-  const Scalar t97 = c5 * t84 + s5 * t25;
-  const Scalar t98 = (k[23] * t69 + k[31] * t36) + k[21] * (t60 + t52);
-  const Scalar t99 = ((t70 * t86 + t96) + t97 * t27) - (k[5] * t72 - (k[20] * t53 + t98));
-  const Scalar t100 = t60 - t10;
-  const Scalar t101 = (k[16] * t73 - k[15] * t14) - k[17] * t100;
-  const Scalar t102 = (k[12] * t72 - k[13] * t25) - ((k[18] * t41 - k[19] * t32) - t101);
-  const Scalar t103 = (c5 * t95 - s5 * t99) + t102;
-  const Scalar t104 = t40 + t42;
-  const Scalar t105 = (k[15] * t33 - k[17] * t104) + k[18] * t59;
-  const Scalar t106 = (c5 * t99 + s5 * t95) + (k[13] * t84 - (k[19] * t73 + t105));
-  const Scalar t107 = t106 - k[8] * t75;
-  const Scalar t108 = (k[16] * t104 - k[17] * t33) - (k[18] * t14 + k[19] * (t59 + t100));
-  const Scalar t109 = (t89 * t37 - t92 * t46) + (t86 * t50 + t65 * t87);
-  const Scalar t110 = (k[22] * t53 - k[31] * t44) - k[23] * (t52 + t63);
-  const Scalar t111 = (k[4] * t97 + k[5] * t85) - (t110 + (k[21] * t64 + k[20] * t34));
-  const Scalar t112 = (t97 * t47 + t109) + t111;
-  const Scalar t113 = k[8] * t67 + ((t108 + k[12] * t84) + t112);
-  const Scalar t114 = k[33] * t57 + (k[34] * t4 + k[36] * t23);
-  const Scalar t115 = qdd[2] + t18;
-  const Scalar t116 = (c4 * t107 - s4 * t113) + (t114 - k[32] * t115);
-  const Scalar t117 = c3 * ((t81 - k[14] * qdd[0]) + t103) - s3 * t116;
-  const Scalar t118 = (t76 + ((t77 - t78) - k[1] * qdd[0])) + (t117 - (t77 + t78));
-  const Scalar t119 = (s4 * t75 - c4 * t67) - k[14] * t79;
-  const Scalar t120 = k[11] * t84 - (k[13] * t33 - k[12] * t104);
-  const Scalar t121 = (t120 + (s5 * t66 - c5 * t54)) - k[14] * t115;
-  const Scalar t122 = k[9] * (s3 * t119 - c3 * t121) - k[37] * t17;
-  const Scalar t123 = k[34] * (t57 - t80) + (k[36] * t19 + k[35] * t115);
-  const Scalar t124 = k[14] * t83 + ((k[33] * t2 - k[32] * t22) + t123);
+  const Scalar t5 = k[8] * c6 + k[7] * s6;
+  const Scalar t6 = qd[0] * c3;
+  const Scalar t7 = qd[3] - t6;
+  const Scalar t8 = qd[2] * s4 + c4 * t0;
+  const Scalar t9 = c5 * t7 + s5 * t8;
+  const Scalar t10 = c5 * t8 - s5 * t7;
+  const Scalar t11 = t9 * t10;
+  const Scalar t12 = t8 * t7;
+  const Scalar t13 = t0 * t6;
+  const Scalar t14 = qdd[2] - t13;
+  const Scalar t15 = qdd[0] * s3;
+  const Scalar t16 = qd[2] * t6;
+  const Scalar t17 = t15 + (t16 + t16);
+  const Scalar t18 = c4 * t14 - s4 * t17;
+  const Scalar t19 = t12 - t18;
+  const Scalar t20 = qdd[4] - t19;
+  const Scalar t21 = t11 + t20;
+  const Scalar t22 = qd[5] + t9;
+  const Scalar t23 = t21 - Scalar(2) * t10 * t22;
+  const Scalar t24 = s4 * t0 - qd[2] * c4;
+  const Scalar t25 = qd[4] - t24;
+  const Scalar t26 = t25 * t22;
+  const Scalar t27 = t24 * t8;
+  const Scalar t28 = qdd[3] + t3;
+  const Scalar t29 = t27 + t28;
+  const Scalar t30 = c4 * t17 + s4 * t14;
+  const Scalar t31 = t30 - Scalar(2) * t24 * t7;
+  const Scalar t32 = s5 * t29 - c5 * t31;
+  const Scalar t33 = Scalar(2) * t25 * t9 + t32;
+  const Scalar t34 = (t26 + t26) - t33;
+  const Scalar t35 = k[7] * c6 - k[8] * s6;
+  const Scalar t36 = qd[0] * qd[0];
+  const Scalar t37 = t6 * t6;
+  const Scalar t38 = qd[2] * qd[2];
+  const Scalar t39 = t37 - t38;
+  const Scalar t40 = t36 - t39;
+  const Scalar t41 = t24 * t24;
+  const Scalar t42 = t7 * t7;
+  const Scalar t43 = t41 - t42;
+  const Scalar t44 = t40 - t43;
+  const Scalar t45 = t25 * t25;
+  const Scalar t46 = t9 * t9;
+  const Scalar t47 = t45 - t46;
+  const Scalar t48 = t44 + t47;
+  const Scalar t49 = t11 - t20;
+  const Scalar t50 = (t5 * t23 + t34 * t35) + (k[10] * t48 - k[9] * t49);
+  const Scalar t51 = t45 + t46;
+  const Scalar t52 = c5 * t29 + s5 * t31;
+  const Scalar t53 = qdd[5] + t52;
+  const Scalar t54 = t22 * t22;
+  const Scalar t55 = t45 + t54;
+  const Scalar t56 = (k[10] * t21 - k[9] * t51) + (t53 * t35 - t5 * t55);
+  const Scalar t57 = k[3] * qdd[0];
+  const Scalar t58 = t17 - t57;
+  const Scalar t59 = k[5] + k[4] * qdd[1];
+  const Scalar t60 = k[3] * t36;
+  const Scalar t61 = t14 + (s3 * t59 + c3 * t60);
+  const Scalar t62 = s4 * t58 - c4 * t61;
+  const Scalar t63 = t41 + t42;
+  const Scalar t64 = k[6] * t62 - (k[1] * t29 - k[2] * t63);
+  const Scalar t65 = (s5 * t50 - c5 * t56) + t64;
+  const Scalar t66 = t25 * t10;
+  const Scalar t67 = t52 + (t66 + t66);
+  const Scalar t68 = qdd[5] + t67;
+  const Scalar t69 = t45 - t54;
+  const Scalar t70 = (t5 * t68 + (t48 - t69) * t35) + (k[10] * t33 + k[9] * t67);
+  const Scalar t71 = s4 * t61 + c4 * t58;
+  const Scalar t72 = t27 - t28;
+  const Scalar t73 = k[6] * t71 - (k[1] * t44 - k[2] * t72);
+  const Scalar t74 = t70 - t73;
+  const Scalar t75 = k[11] * t4 - (s4 * t65 - c4 * t74);
+  const Scalar t76 = t37 + t38;
+  const Scalar t77 = t36 - t76;
+  const Scalar t78 = (k[34] * t4 + k[13] * t17) - (k[16] * t77 + k[15] * t14);
+  const Scalar t79 = k[23] * t47 + (k[24] * t33 - k[25] * t67);
+  const Scalar t80 = k[22] * c6 + k[21] * s6;
+  const Scalar t81 = k[17] * c6 - k[18] * s6;
+  const Scalar t82 = k[20] - c6 * t81;
+  const Scalar t83 = s6 * t81;
+  const Scalar t84 = k[19] - t83;
+  const Scalar t85 = k[21] * c6 - k[22] * s6;
+  const Scalar t86 = (t82 * t23 - t84 * t34) - t85 * t69;
+  const Scalar t87 = c3 * t59 - s3 * t60;
+  const Scalar t88 = t87 + t40;
+  const Scalar t89 = c5 * t88 + s5 * t62;
+  const Scalar t90 = (k[10] * t71 - (k[26] * t49 - t79)) - ((t80 * t68 + t86) - t89 * t35);
+  const Scalar t91 = t44 - t51;
+  const Scalar t92 = k[28] + t83;
+  const Scalar t93 = t91 * t82 - (t53 * t84 + t92 * t68);
+  const Scalar t94 = s5 * t88 - c5 * t62;
+  const Scalar t95 = ((t80 * t33 + t85 * t21) - t93) - (t71 * t5 - t94 * t35);
+  const Scalar t96 = (k[25] * t33 - k[27] * t67) + (k[26] * t91 + k[23] * t21);
+  const Scalar t97 = t95 + (t96 - k[9] * t71);
+  const Scalar t98 = t44 - t63;
+  const Scalar t99 = k[30] * t98 + (k[29] * t29 - k[33] * t72);
+  const Scalar t100 = ((k[31] * t18 - k[32] * t30) + t99) - (k[2] * t71 + k[1] * t62);
+  const Scalar t101 = (s5 * t90 - c5 * t97) - t100;
+  const Scalar t102 = t12 + t19;
+  const Scalar t103 = (k[31] * t29 + k[32] * (t98 + t43)) + (k[30] * t31 - k[33] * t102);
+  const Scalar t104 = (t80 * (t48 - t55) + t53 * t85) - (t82 * t34 - t23 * t92);
+  const Scalar t105 = (k[24] * t21 - k[27] * t49) - k[25] * (t48 - t51);
+  const Scalar t106 = ((k[26] * t32 - k[23] * t52) + t105) - (k[9] * t89 + k[10] * t94);
+  const Scalar t107 = (t5 * t89 + t104) - t106;
+  const Scalar t108 = t65 - ((t103 + k[2] * t88) + t107);
+  const Scalar t109 = k[31] * t43 - (k[30] * t102 - k[29] * t31);
+  const Scalar t110 = (s5 * t97 + c5 * t90) + ((k[32] * t72 + t109) + k[1] * t88);
+  const Scalar t111 = t74 - t110;
+  const Scalar t112 = qdd[2] + t13;
+  const Scalar t113 = k[15] * t39 + (k[13] * t4 + k[14] * t17);
+  const Scalar t114 = (s4 * t108 - c4 * t111) + (k[16] * t112 - t113);
+  const Scalar t115 = c3 * ((t78 - k[11] * t57) + t101) + s3 * t114;
+  const Scalar t116 = k[0] * qdd[0] - ((k[3] * t75 - k[12] * t57) + t115);
+  const Scalar t117 = (k[2] * t102 - k[1] * t31) - k[6] * t88;
+  const Scalar t118 = k[11] * t112 - (t117 - (c5 * t50 + s5 * t56));
+  const Scalar t119 = (s4 * t74 + c4 * t65) + k[11] * t76;
+  const Scalar t120 = k[35] * t59 - (c3 * t118 - s3 * t119);
+  const Scalar t121 = (k[14] * t14 + k[34] * t112) - k[13] * (t77 - t39);
+  const Scalar t122 = k[11] * t87 - ((k[15] * t2 - k[16] * t15) + t121);
   JointVector<Scalar> result;
-  result[0] = k[0] * qdd[0] - t118;
-  result[1] = -t122;
-  result[2] = t124 + (c4 * t113 + s4 * t107);
-  result[3] = t103;
-  result[4] = t112;
-  result[5] = t94;
+  result[0] = t116;
+  result[1] = k[4] * t120;
+  result[2] = (s4 * t111 + c4 * t108) - t122;
+  result[3] = t101;
+  result[4] = -t107;
+  result[5] = -t95;
   return result;
 }
 
@@ -281,14 +279,14 @@ GravityTorqueConstants<Scalar> gravity_torque_constants(const BasicGeometry<Scal
   const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
   const Scalar t1 = (inertia.c4z * inertia.m4 - g.d4 * t0) + (inertia.c3z * inertia.m3 - g.d4 * inertia.m3);
   return { gravity,
-           inertia.c3x * inertia.m3,
-           t1,
+           inertia.c4y * inertia.m4 + inertia.c5y * inertia.m5,
+           inertia.c5x * inertia.m5,
            inertia.c6y * inertia.m6,
            inertia.c6x * inertia.m6,
            inertia.c5z * inertia.m5 + inertia.c6z * inertia.m6,
-           inertia.c5x * inertia.m5,
            inertia.c4x * inertia.m4,
-           inertia.c4y * inertia.m4 + inertia.c5y * inertia.m5,
+           inertia.c3x * inertia.m3,
+           t1,
            gravity * (inertia.m2 + (inertia.m3 + t0)) };
 }
 
@@ -305,25 +303,25 @@ inline JointVector<Scalar> gravity_torque([[maybe_unused]] const JointVector<Sca
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[0] * s3;
-  const Scalar t1 = c4 * t0;
-  const Scalar t2 = k[0] * c3;
-  const Scalar t3 = s5 * t1 - c5 * t2;
-  const Scalar t4 = s5 * t2 + c5 * t1;
+  const Scalar t0 = k[0] * c3;
+  const Scalar t1 = k[0] * s3;
+  const Scalar t2 = c4 * t1;
+  const Scalar t3 = s5 * t2 - c5 * t0;
+  const Scalar t4 = s5 * t0 + c5 * t2;
   const Scalar t5 = k[4] * c6 + k[3] * s6;
-  const Scalar t6 = (k[6] * t3 - k[5] * t4) + t3 * t5;
-  const Scalar t7 = s4 * t0;
+  const Scalar t6 = (k[2] * t3 - k[5] * t4) + t3 * t5;
+  const Scalar t7 = s4 * t1;
   const Scalar t8 = k[3] * c6 - k[4] * s6;
   const Scalar t9 = k[5] * t7 - t3 * t8;
   const Scalar t10 = t7 * t5 - t4 * t8;
-  const Scalar t11 = k[6] * t7 + t10;
-  const Scalar t12 = k[8] * t2 + (c5 * t9 - s5 * t11);
-  const Scalar t13 = c4 * (t6 - k[7] * t2) - s4 * t12;
-  const Scalar t14 = (k[7] * t7 - k[8] * t1) + (c5 * t11 + s5 * t9);
+  const Scalar t11 = t10 + k[2] * t7;
+  const Scalar t12 = (c5 * t9 - s5 * t11) + k[1] * t0;
+  const Scalar t13 = c4 * (k[6] * t0 - t6) + s4 * t12;
+  const Scalar t14 = (c5 * t11 + s5 * t9) + (k[6] * t7 - k[1] * t2);
   JointVector<Scalar> result;
   result[0] = Scalar(0);
   result[1] = k[9];
-  result[2] = t13 - (k[2] * t0 + k[1] * t2);
+  result[2] = -t13 - (k[8] * t1 + k[7] * t0);
   result[3] = t14;
   result[4] = t6;
   result[5] = t10;
@@ -351,71 +349,71 @@ CoriolisTorqueConstants<Scalar> coriolis_torque_constants(const BasicGeometry<Sc
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c5y * inertia.m5;
-  const Scalar t1 = inertia.c5x * inertia.m5;
-  const Scalar t2 = inertia.c6z * inertia.m6;
-  const Scalar t3 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t4 = inertia.c5z * inertia.m5;
-  const Scalar t5 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t6 = (inertia.c6z * t2 - (inertia.I6zz - t3)) + (inertia.c5z * t4 - (inertia.I5zz - t5));
-  const Scalar t7 = inertia.c6y * inertia.m6;
-  const Scalar t8 = inertia.c6x * inertia.m6;
-  const Scalar t9 = inertia.I6xy - inertia.c6y * t8;
-  const Scalar t10 = (inertia.I6xx - t3) - inertia.c6x * t8;
-  const Scalar t11 = (inertia.I6yy - t3) - inertia.c6y * t7;
-  const Scalar t12 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t13 = inertia.c4y * inertia.m4;
-  const Scalar t14 = ((inertia.I4yy - t12) - inertia.c4y * t13) - (inertia.c5y * t0 - (inertia.I5yy - t5));
-  const Scalar t15 = inertia.c4x * inertia.m4;
-  const Scalar t16 = inertia.c3x * inertia.m3;
-  const Scalar t17 = inertia.c3y * inertia.m3;
-  const Scalar t18 = g.d4 * t16;
-  const Scalar t19 = t18 + (inertia.I3xz - inertia.c3z * t16);
-  const Scalar t20 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t21 = inertia.c3x * t16 - (inertia.I3xx - t20);
+  const Scalar t0 = inertia.c3y * inertia.m3;
+  const Scalar t1 = inertia.c3x * inertia.m3;
+  const Scalar t2 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t3 = inertia.c3x * t1 - (inertia.I3xx - t2);
+  const Scalar t4 = g.d4 * t1;
+  const Scalar t5 = t4 + (inertia.I3xz - inertia.c3z * t1);
+  const Scalar t6 = inertia.c4y * inertia.m4;
+  const Scalar t7 = inertia.c5y * inertia.m5;
+  const Scalar t8 = inertia.c4x * inertia.m4;
+  const Scalar t9 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t10 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t11 = ((inertia.I4yy - t9) - inertia.c4y * t6) - (inertia.c5y * t7 - (inertia.I5yy - t10));
+  const Scalar t12 = inertia.c5x * inertia.m5;
+  const Scalar t13 = inertia.c6y * inertia.m6;
+  const Scalar t14 = inertia.c6x * inertia.m6;
+  const Scalar t15 = inertia.I6xy - inertia.c6y * t14;
+  const Scalar t16 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t17 = (inertia.I6xx - t16) - inertia.c6x * t14;
+  const Scalar t18 = (inertia.I6yy - t16) - inertia.c6y * t13;
+  const Scalar t19 = inertia.c5z * inertia.m5;
+  const Scalar t20 = inertia.c6z * inertia.m6;
+  const Scalar t21 = (inertia.c6z * t20 - (inertia.I6zz - t16)) + (inertia.c5z * t19 - (inertia.I5zz - t10));
   const Scalar t22 = inertia.c4z * inertia.m4;
   const Scalar t23 = t22 - g.d4 * (inertia.m4 + (inertia.m5 + inertia.m6));
   const Scalar t24 = inertia.c3z * inertia.m3;
   const Scalar t25 = t24 - g.d4 * inertia.m3;
   const Scalar t26 = g.d4 * g.d4 * (t23 + t25) / g.d4;
-  const Scalar t27 = ((inertia.I3zz - t20) - inertia.c3z * t24) + g.d4 * (t24 + t25);
-  const Scalar t28 = ((inertia.I4zz - t12) - inertia.c4z * t22) + g.d4 * (t23 + t22);
+  const Scalar t27 = ((inertia.I3zz - t2) - inertia.c3z * t24) + g.d4 * (t24 + t25);
+  const Scalar t28 = ((inertia.I4zz - t9) - inertia.c4z * t22) + g.d4 * (t23 + t22);
   const Scalar t29 = t26 - (t27 + t28);
-  return { inertia.I5yz - inertia.c5z * t0,
-           inertia.I5xz - inertia.c5z * t1,
-           t6,
-           inertia.I5xy - inertia.c5y * t1,
+  return { g.d4 * t0 + (inertia.I3yz - inertia.c3z * t0),
+           inertia.I3xy - inertia.c3y * t1,
+           Scalar(2) * t3,
+           t5,
            g.l2 / g.d4,
-           g.d4 * (t4 + t2),
-           inertia.I6yz - inertia.c6z * t7,
-           inertia.I6xz - inertia.c6z * t8,
-           Scalar(2) * t9,
-           t10 - t11,
-           t9,
-           t11,
+           g.d4 * (t6 + t7),
            g.d4 * t8,
-           g.d4 * t7,
-           inertia.c5x * t1 - (inertia.I5xx - t5),
-           g.d4 * t1,
-           t10,
-           t14,
-           (inertia.I4xx - t12) - inertia.c4x * t15,
-           inertia.I4xy - inertia.c4y * t15,
-           inertia.I4yz - inertia.c4z * t13,
-           inertia.I4xz - inertia.c4z * t15,
-           g.d4 * t15,
-           g.d4 * (t13 + t0),
-           inertia.I3xy - inertia.c3y * t16,
-           g.d4 * t17 + (inertia.I3yz - inertia.c3z * t17),
-           Scalar(2) * t19,
-           Scalar(2) * t21,
-           t26,
-           Scalar(2) * t29,
-           Scalar(2) * t18,
+           inertia.I4xy - inertia.c4y * t8,
+           (inertia.I4xx - t9) - inertia.c4x * t8,
+           t11,
+           inertia.I4xz - inertia.c4z * t8,
+           inertia.I4yz - inertia.c4z * t6,
+           inertia.I5xy - inertia.c5y * t12,
+           inertia.I5yz - inertia.c5z * t7,
+           inertia.I5xz - inertia.c5z * t12,
+           inertia.c5x * t12 - (inertia.I5xx - t10),
+           g.d4 * t12,
+           g.d4 * t13,
+           g.d4 * t14,
+           inertia.I6yz - inertia.c6z * t13,
+           inertia.I6xz - inertia.c6z * t14,
+           Scalar(2) * t15,
+           t17 - t18,
+           t17,
            t18,
+           t15,
+           g.d4 * (t19 + t20),
+           t21,
+           Scalar(2) * t5,
+           t29,
+           t26,
+           Scalar(2) * t4,
+           t4,
            Scalar(1) / g.d4,
-           t19,
-           t21 - t29 };
+           t3 - t29 };
 }
 
 namespace detail {
@@ -433,121 +431,123 @@ inline JointVector<Scalar> coriolis_torque([[maybe_unused]] const JointVector<Sc
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
   const Scalar t0 = qd[0] * s3;
-  const Scalar t1 = s4 * t0;
-  const Scalar t2 = t1 - qd[2] * c4;
-  const Scalar t3 = qd[4] - t2;
-  const Scalar t4 = qd[2] * s4 + c4 * t0;
-  const Scalar t5 = qd[0] * c3;
-  const Scalar t6 = qd[3] - t5;
-  const Scalar t7 = c5 * t4 - s5 * t6;
-  const Scalar t8 = t2 * t4;
-  const Scalar t9 = qd[2] * t0;
-  const Scalar t10 = t8 + t9;
-  const Scalar t11 = t2 * t6;
-  const Scalar t12 = qd[2] * t5;
-  const Scalar t13 = t12 + t12;
-  const Scalar t14 = t1 * t5 - c4 * t13;
-  const Scalar t15 = t11 + (t14 + t11);
-  const Scalar t16 = c5 * t10 - s5 * t15;
-  const Scalar t17 = Scalar(2) * t3 * t7 + t16;
-  const Scalar t18 = c5 * t6 + s5 * t4;
-  const Scalar t19 = t3 * t18;
-  const Scalar t20 = s5 * t10 + c5 * t15;
-  const Scalar t21 = t19 + (t19 + t20);
-  const Scalar t22 = k[13] * s6 + k[12] * c6;
-  const Scalar t23 = k[12] * s6 - k[13] * c6;
-  const Scalar t24 = qd[5] + t18;
-  const Scalar t25 = t24 * t24;
-  const Scalar t26 = t7 * t7;
-  const Scalar t27 = t25 + t26;
-  const Scalar t28 = (k[15] * t17 + k[5] * t21) + (t22 * t17 - t23 * t27);
-  const Scalar t29 = qd[0] * qd[0];
-  const Scalar t30 = k[4] * t29;
-  const Scalar t31 = c3 * t30;
-  const Scalar t32 = s4 * t31 - t14;
-  const Scalar t33 = t8 - t9;
-  const Scalar t34 = t6 * t6;
-  const Scalar t35 = t4 * t4;
-  const Scalar t36 = t34 + t35;
-  const Scalar t37 = k[28] * t32 + (k[22] * t33 - k[23] * t36);
-  const Scalar t38 = t28 - t37;
-  const Scalar t39 = t0 * t0;
-  const Scalar t40 = qd[2] * qd[2];
-  const Scalar t41 = t39 + t40;
-  const Scalar t42 = t34 - t35;
-  const Scalar t43 = t0 * t5;
-  const Scalar t44 = c4 * t43 + s4 * t13;
-  const Scalar t45 = t44 - c4 * t31;
-  const Scalar t46 = (k[22] * (t41 + t42) - k[23] * t10) + k[28] * t45;
-  const Scalar t47 = t4 * t6;
-  const Scalar t48 = t47 + t44;
-  const Scalar t49 = t18 * t7;
-  const Scalar t50 = t48 + t49;
-  const Scalar t51 = t3 * t3;
-  const Scalar t52 = t51 + t26;
-  const Scalar t53 = t7 * t24;
-  const Scalar t54 = t48 - t49;
-  const Scalar t55 = (t53 + t53) + t54;
-  const Scalar t56 = t3 * t24;
-  const Scalar t57 = t21 - (t56 + t56);
-  const Scalar t58 = (k[15] * t50 - k[5] * t52) + (t22 * t55 - t57 * t23);
-  const Scalar t59 = t25 - t26;
-  const Scalar t60 = t51 - t25;
-  const Scalar t61 = t59 + t60;
-  const Scalar t62 = t61 + t36;
-  const Scalar t63 = (k[15] * t62 + k[5] * t54) + (t23 * t16 + (t61 + t27) * t22);
-  const Scalar t64 = t46 - (s5 * t58 - c5 * t63);
-  const Scalar t65 = (c4 * t38 - s4 * t64) + k[30] * t9;
-  const Scalar t66 = (k[29] * t12 + k[26] * t9) + k[25] * (t29 - t41);
-  const Scalar t67 = t47 + t48;
-  const Scalar t68 = (k[18] * t67 + k[19] * t15) - (k[20] * t10 - k[21] * t42);
-  const Scalar t69 = s3 * t30;
-  const Scalar t70 = t41 - t69;
-  const Scalar t71 = s5 * t45 + c5 * t70;
-  const Scalar t72 = k[8] * c6 - k[9] * s6;
-  const Scalar t73 = k[10] - c6 * t72;
-  const Scalar t74 = s6 * t72;
-  const Scalar t75 = k[16] + t74;
-  const Scalar t76 = k[6] * c6 - k[7] * s6;
-  const Scalar t77 = k[7] * c6 + k[6] * s6;
-  const Scalar t78 = (t57 * t73 - t75 * t55) + (t76 * t16 - t77 * t59);
-  const Scalar t79 = s5 * t70 - c5 * t45;
-  const Scalar t80 = t62 - t52;
-  const Scalar t81 = (k[2] * t54 + k[14] * t50) - k[1] * t80;
-  const Scalar t82 = (k[5] * t79 + k[15] * t71) + ((k[0] * t16 - k[3] * t20) + t81);
-  const Scalar t83 = (t22 * t71 + t78) + t82;
-  const Scalar t84 = t64 + ((t68 - k[22] * t70) - t83);
-  const Scalar t85 = k[0] * (t61 - t80) + (k[2] * t21 - k[1] * t17);
-  const Scalar t86 = k[11] - t74;
-  const Scalar t87 = t76 * t60 + (t73 * t55 - t57 * t86);
-  const Scalar t88 = ((t85 - k[3] * t50) + k[5] * t32) - (t23 * t71 - (t87 - t77 * t17));
-  const Scalar t89 = (k[1] * t21 - k[14] * t17) - (k[3] * t61 + k[0] * t54);
-  const Scalar t90 = t61 * t73 + (t17 * t75 + t86 * t16);
-  const Scalar t91 = ((t76 * t54 - t21 * t77) - t90) + (t23 * t79 + t32 * t22);
-  const Scalar t92 = (k[15] * t32 - t89) + t91;
-  const Scalar t93 = t41 - t36;
-  const Scalar t94 = (k[17] * t15 + k[19] * t67) - k[20] * t93;
-  const Scalar t95 = (c5 * t88 - s5 * t92) + (k[23] * t70 - (t94 - k[21] * t33));
-  const Scalar t96 = t38 - t95;
-  const Scalar t97 = (k[24] * t43 - t66) + (s4 * t84 - c4 * t96);
-  const Scalar t98 = t39 - t40;
-  const Scalar t99 = (k[24] * t98 - k[25] * t43) - (k[27] * t9 + k[26] * t12);
-  const Scalar t100 = (k[18] * t33 - k[17] * t10) + k[19] * (t93 + t42);
-  const Scalar t101 = (k[22] * t32 + k[23] * t45) + (t100 - (k[21] * t14 - k[20] * t44));
-  const Scalar t102 = (c5 * t92 + s5 * t88) + t101;
-  const Scalar t103 = k[4] * t65 + (s3 * t97 - c3 * (t99 - t102));
-  const Scalar t104 = (k[22] * t67 + k[23] * t15) - k[28] * t70;
-  const Scalar t105 = k[31] * t43 - ((s5 * t63 + c5 * t58) + t104);
-  const Scalar t106 = t29 - t98;
-  const Scalar t107 = (c4 * t64 + s4 * t38) + k[31] * t106;
-  const Scalar t108 = (k[34] * t43 + k[33] * (t106 - t41)) + k[31] * t69;
+  const Scalar t1 = s4 * t0 - qd[2] * c4;
+  const Scalar t2 = t1 * t1;
+  const Scalar t3 = qd[0] * c3;
+  const Scalar t4 = qd[3] - t3;
+  const Scalar t5 = t4 * t4;
+  const Scalar t6 = t2 - t5;
+  const Scalar t7 = t0 * t0;
+  const Scalar t8 = qd[2] * qd[2];
+  const Scalar t9 = t7 + t8;
+  const Scalar t10 = t6 - t9;
+  const Scalar t11 = c4 * t0;
+  const Scalar t12 = qd[2] * s4 + t11;
+  const Scalar t13 = t1 * t12;
+  const Scalar t14 = qd[2] * t0;
+  const Scalar t15 = t13 - t14;
+  const Scalar t16 = qd[0] * qd[0];
+  const Scalar t17 = k[4] * t16;
+  const Scalar t18 = c3 * t17;
+  const Scalar t19 = t0 * t3;
+  const Scalar t20 = qd[2] * t3;
+  const Scalar t21 = t20 + t20;
+  const Scalar t22 = s4 * t19 - c4 * t21;
+  const Scalar t23 = s4 * t18 - t22;
+  const Scalar t24 = (k[5] * t10 + k[6] * t15) + k[30] * t23;
+  const Scalar t25 = t1 * t4;
+  const Scalar t26 = (t25 + t25) + t22;
+  const Scalar t27 = t13 + t14;
+  const Scalar t28 = s5 * t26 - c5 * t27;
+  const Scalar t29 = qd[4] - t1;
+  const Scalar t30 = c5 * t12 - s5 * t4;
+  const Scalar t31 = t29 * t30;
+  const Scalar t32 = t28 - (t31 + t31);
+  const Scalar t33 = k[17] * s6 + k[18] * c6;
+  const Scalar t34 = k[17] * c6 - k[18] * s6;
+  const Scalar t35 = c5 * t4 + s5 * t12;
+  const Scalar t36 = qd[5] + t35;
+  const Scalar t37 = t36 * t36;
+  const Scalar t38 = t30 * t30;
+  const Scalar t39 = t37 + t38;
+  const Scalar t40 = s5 * t27 + c5 * t26;
+  const Scalar t41 = t40 + Scalar(2) * t29 * t35;
+  const Scalar t42 = (t32 * t33 - t34 * t39) + (k[16] * t32 - k[26] * t41);
+  const Scalar t43 = t24 + t42;
+  const Scalar t44 = t2 + t5;
+  const Scalar t45 = s4 * t21 + t3 * t11;
+  const Scalar t46 = t45 - c4 * t18;
+  const Scalar t47 = (k[6] * t44 - k[5] * t27) + k[30] * t46;
+  const Scalar t48 = t35 * t30;
+  const Scalar t49 = t12 * t4;
+  const Scalar t50 = t49 + t45;
+  const Scalar t51 = t48 - t50;
+  const Scalar t52 = t30 * t36;
+  const Scalar t53 = (t51 - t52) - t52;
+  const Scalar t54 = t29 * t36;
+  const Scalar t55 = t54 + (t54 - t41);
+  const Scalar t56 = t48 + t50;
+  const Scalar t57 = t29 * t29;
+  const Scalar t58 = t57 - t38;
+  const Scalar t59 = t57 - t37;
+  const Scalar t60 = t58 - t59;
+  const Scalar t61 = t58 + t39;
+  const Scalar t62 = t60 - t61;
+  const Scalar t63 = (t33 * t53 + t34 * t55) - (k[16] * t56 + k[26] * t62);
+  const Scalar t64 = t10 - t58;
+  const Scalar t65 = (t33 * t61 + t34 * t28) - (k[26] * t51 + k[16] * t64);
+  const Scalar t66 = t47 + (s5 * t63 + c5 * t65);
+  const Scalar t67 = (c4 * t43 + s4 * t66) - k[31] * t14;
+  const Scalar t68 = k[0] * (t16 - t9) + (k[28] * t14 + k[29] * t21);
+  const Scalar t69 = t62 - t64;
+  const Scalar t70 = k[14] * t69 + (k[27] * t51 - k[15] * t56);
+  const Scalar t71 = s3 * t17;
+  const Scalar t72 = t9 - t71;
+  const Scalar t73 = s5 * t72 - c5 * t46;
+  const Scalar t74 = s5 * t46 + c5 * t72;
+  const Scalar t75 = ((k[12] * t40 + k[13] * t28) + t70) - (k[26] * t73 + k[16] * t74);
+  const Scalar t76 = k[19] * s6 + k[20] * c6;
+  const Scalar t77 = k[19] * c6 - k[20] * s6;
+  const Scalar t78 = k[21] * c6 - k[22] * s6;
+  const Scalar t79 = k[25] - c6 * t78;
+  const Scalar t80 = s6 * t78;
+  const Scalar t81 = k[23] + t80;
+  const Scalar t82 = (t60 * t76 + t77 * t28) + (t55 * t79 - t81 * t53);
+  const Scalar t83 = t75 + (t82 - t33 * t74);
+  const Scalar t84 = t49 + t50;
+  const Scalar t85 = t10 + t44;
+  const Scalar t86 = (k[8] * t84 + k[7] * t26) - (k[10] * (t6 - t85) + k[11] * t27);
+  const Scalar t87 = (t83 + (t86 - k[6] * t72)) + t66;
+  const Scalar t88 = k[24] - t80;
+  const Scalar t89 = t77 * t59 + (t55 * t88 - t79 * t53);
+  const Scalar t90 = k[13] * (t58 - t69) + (k[27] * t41 + k[14] * t32);
+  const Scalar t91 = ((t76 * t32 + t89) + t34 * t74) + (k[26] * t23 - (k[12] * t56 - t90));
+  const Scalar t92 = (k[15] * t32 + k[14] * t41) + (k[13] * t51 - k[12] * t58);
+  const Scalar t93 = t58 * t79 - (t28 * t88 + t32 * t81);
+  const Scalar t94 = (t34 * t73 - t33 * t23) + (t93 + (t76 * t41 + t77 * t51));
+  const Scalar t95 = (k[16] * t23 - t92) - t94;
+  const Scalar t96 = (k[7] * t84 + k[9] * t26) - k[11] * t6;
+  const Scalar t97 = (c5 * t91 - s5 * t95) + (k[5] * t72 - (t96 - k[10] * t15));
+  const Scalar t98 = t43 + t97;
+  const Scalar t99 = (k[1] * t19 - t68) + (s4 * t87 + c4 * t98);
+  const Scalar t100 = t7 - t8;
+  const Scalar t101 = (k[3] * t21 + k[2] * t14) - (k[1] * t100 - k[0] * t19);
+  const Scalar t102 = (k[8] * t15 - k[9] * t27) + k[7] * t85;
+  const Scalar t103 = (k[5] * t46 + k[6] * t23) - ((k[10] * t22 - k[11] * t45) - t102);
+  const Scalar t104 = (c5 * t95 + s5 * t91) + t103;
+  const Scalar t105 = k[4] * t67 - (s3 * t99 + c3 * (t101 + t104));
+  const Scalar t106 = t16 - t100;
+  const Scalar t107 = (c4 * t66 - s4 * t43) + k[32] * t106;
+  const Scalar t108 = k[30] * t72 - (k[6] * t84 + k[5] * t26);
+  const Scalar t109 = (t108 - (s5 * t65 - c5 * t63)) + k[32] * t19;
+  const Scalar t110 = k[32] * t71 + (k[34] * t19 + k[3] * (t106 - t9));
   JointVector<Scalar> result;
-  result[0] = -t103;
-  result[1] = -k[32] * (c3 * t105 - s3 * t107);
-  result[2] = t108 + (c4 * t84 + s4 * t96);
-  result[3] = t102;
-  result[4] = -t83;
-  result[5] = t91;
+  result[0] = t105;
+  result[1] = k[33] * (s3 * t107 - c3 * t109);
+  result[2] = t110 + (c4 * t87 - s4 * t98);
+  result[3] = t104;
+  result[4] = t83;
+  result[5] = -t94;
   return result;
 }
 
@@ -573,82 +573,82 @@ MassMatrixConstants<Scalar> mass_matrix_constants(const BasicGeometry<Scalar>& g
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6y * inertia.m6;
-  const Scalar t1 = inertia.c6x * inertia.m6;
-  const Scalar t2 = inertia.c5x * inertia.m5;
-  const Scalar t3 = inertia.c5z * inertia.m5;
-  const Scalar t4 = inertia.c6z * inertia.m6;
-  const Scalar t5 = inertia.c4x * inertia.m4;
-  const Scalar t6 = inertia.c4y * inertia.m4;
-  const Scalar t7 = inertia.c5y * inertia.m5;
-  const Scalar t8 = inertia.c3x * inertia.m3;
-  const Scalar t9 = g.d4 * t8;
-  const Scalar t10 = inertia.c4z * inertia.m4;
-  const Scalar t11 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t12 = t10 - g.d4 * t11;
-  const Scalar t13 = inertia.c3z * inertia.m3;
-  const Scalar t14 = t13 - g.d4 * inertia.m3;
-  const Scalar t15 = inertia.c2x * inertia.m2;
-  const Scalar t16 = g.d4 * g.d4 * (inertia.m2 + (inertia.m3 + t11));
-  const Scalar t17 = g.l2 / g.d4;
-  const Scalar t18 = inertia.I6xy - inertia.c6y * t1;
-  const Scalar t19 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t20 = (inertia.I6xx - t19) - inertia.c6x * t1;
-  const Scalar t21 = (inertia.I6yy - t19) - inertia.c6y * t0;
-  const Scalar t22 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t23 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t24 = ((inertia.I4yy - t22) - inertia.c4y * t6) - (inertia.c5y * t7 - (inertia.I5yy - t23));
-  const Scalar t25 = (inertia.c6z * t4 - (inertia.I6zz - t19)) + (inertia.c5z * t3 - (inertia.I5zz - t23));
-  const Scalar t26 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t27 = ((inertia.I3zz - t26) - inertia.c3z * t13) + g.d4 * (t13 + t14);
-  const Scalar t28 = ((inertia.I4zz - t22) - inertia.c4z * t10) + g.d4 * (t12 + t10);
-  const Scalar t29 = inertia.c1x * inertia.m1;
-  const Scalar t30 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t31 = g.l2 * (t29 + (g.l2 * inertia.m1 + t29)) + (inertia.c1x * t29 - (inertia.I1xx - t30));
-  const Scalar t32 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t33 = inertia.c3y * inertia.m3;
-  const Scalar t34 = ((inertia.I3yy - t26) - inertia.c3y * t33)
-      + ((inertia.I2yy - t32) - inertia.c2y * inertia.c2y * inertia.m2);
-  const Scalar t35 = t34 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t30));
-  const Scalar t36 = Scalar(1) / g.d4;
-  return { g.d4 * t0,
-           g.d4 * t1,
-           g.d4 * t2,
-           g.d4 * (t3 + t4),
-           g.d4 * t5,
-           g.d4 * (t6 + t7),
-           t9,
-           g.d4 * (t12 + t14),
-           g.d4 * t15,
-           t16 * t17,
-           t17,
-           Scalar(2) * t18,
-           t20 - t21,
+  const Scalar t0 = inertia.c6x * inertia.m6;
+  const Scalar t1 = inertia.I6xy - inertia.c6y * t0;
+  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t0;
+  const Scalar t4 = inertia.c6y * inertia.m6;
+  const Scalar t5 = (inertia.I6yy - t2) - inertia.c6y * t4;
+  const Scalar t6 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t7 = inertia.c4y * inertia.m4;
+  const Scalar t8 = inertia.c5y * inertia.m5;
+  const Scalar t9 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t10 = ((inertia.I4yy - t6) - inertia.c4y * t7) - (inertia.c5y * t8 - (inertia.I5yy - t9));
+  const Scalar t11 = inertia.c5x * inertia.m5;
+  const Scalar t12 = inertia.c4x * inertia.m4;
+  const Scalar t13 = inertia.c6z * inertia.m6;
+  const Scalar t14 = inertia.c5z * inertia.m5;
+  const Scalar t15 = (inertia.c6z * t13 - (inertia.I6zz - t2)) + (inertia.c5z * t14 - (inertia.I5zz - t9));
+  const Scalar t16 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t17 = inertia.c3y * inertia.m3;
+  const Scalar t18 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t19 = ((inertia.I3yy - t16) - inertia.c3y * t17)
+      + ((inertia.I2yy - t18) - inertia.c2y * inertia.c2y * inertia.m2);
+  const Scalar t20 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t21 = t19 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t20));
+  const Scalar t22 = inertia.c3x * inertia.m3;
+  const Scalar t23 = g.d4 * t22;
+  const Scalar t24 = inertia.c4z * inertia.m4;
+  const Scalar t25 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t26 = t24 - g.d4 * t25;
+  const Scalar t27 = inertia.c3z * inertia.m3;
+  const Scalar t28 = t27 - g.d4 * inertia.m3;
+  const Scalar t29 = g.d4 * g.d4 * (inertia.m2 + (inertia.m3 + t25));
+  const Scalar t30 = g.l2 / g.d4;
+  const Scalar t31 = ((inertia.I3zz - t16) - inertia.c3z * t27) + g.d4 * (t27 + t28);
+  const Scalar t32 = ((inertia.I4zz - t6) - inertia.c4z * t24) + g.d4 * (t26 + t24);
+  const Scalar t33 = inertia.c1x * inertia.m1;
+  const Scalar t34 = g.l2 * (t33 + (g.l2 * inertia.m1 + t33)) + (inertia.c1x * t33 - (inertia.I1xx - t20));
+  const Scalar t35 = inertia.c2x * inertia.m2;
+  const Scalar t36 = (inertia.c2x * t35 - (inertia.I2xx - t18)) + Scalar(2) * g.l2 * t35;
+  const Scalar t37 = Scalar(1) / g.d4;
+  return { Scalar(2) * t1,
+           t3 - t5,
+           t5,
+           t10,
+           t1,
+           inertia.I5xy - inertia.c5y * t11,
+           inertia.I6yz - inertia.c6z * t4,
+           inertia.I6xz - inertia.c6z * t0,
+           inertia.I5yz - inertia.c5z * t8,
+           inertia.I4xy - inertia.c4y * t12,
+           t3,
+           inertia.c5x * t11 - (inertia.I5xx - t9),
+           t15,
+           inertia.I5xz - inertia.c5z * t11,
+           (inertia.I4xx - t6) - inertia.c4x * t12,
            t21,
-           t24,
-           t20,
-           inertia.c5x * t2 - (inertia.I5xx - t23),
-           inertia.I6yz - inertia.c6z * t0,
-           inertia.I6xz - inertia.c6z * t1,
-           inertia.I5xz - inertia.c5z * t2,
-           t25,
-           (inertia.I4xx - t22) - inertia.c4x * t5,
-           inertia.I5yz - inertia.c5z * t7,
-           t18,
-           inertia.I5xy - inertia.c5y * t2,
-           inertia.I4xy - inertia.c4y * t5,
-           inertia.c3x * t8 - (inertia.I3xx - t26),
-           t27 + t28,
-           inertia.I4yz - inertia.c4z * t6,
-           inertia.I4xz - inertia.c4z * t5,
-           t9 + (inertia.I3xz - inertia.c3z * t8),
-           t31 + (inertia.c2x * t15 - (inertia.I2xx - t32)),
-           t35,
-           g.d4 * t33 + (inertia.I3yz - inertia.c3z * t33),
-           inertia.I3xy - inertia.c3y * t8,
-           t20 + t21,
-           t36,
-           t16 * t36 * t36 };
+           g.d4 * t4,
+           g.d4 * t0,
+           g.d4 * (t7 + t8),
+           g.d4 * t11,
+           g.d4 * (t14 + t13),
+           g.d4 * t12,
+           t23,
+           g.d4 * (t26 + t28),
+           t29 * t30,
+           t30,
+           inertia.c3x * t22 - (inertia.I3xx - t16),
+           inertia.I4yz - inertia.c4z * t7,
+           inertia.I4xz - inertia.c4z * t12,
+           t23 + (inertia.I3xz - inertia.c3z * t22),
+           t31 + t32,
+           t34 + t36,
+           inertia.I3xy - inertia.c3y * t22,
+           g.d4 * t17 + (inertia.I3yz - inertia.c3z * t17),
+           t3 + t5,
+           t37,
+           t29 * t37 * t37 };
 }
 
 namespace detail {
@@ -664,79 +664,81 @@ inline Eigen::Matrix<Scalar, dof, dof> mass_matrix([[maybe_unused]] const JointV
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[12] * s6 - k[11] * c6;
+  const Scalar t0 = k[0] * c6 - k[1] * s6;
   const Scalar t1 = s6 * t0;
-  const Scalar t2 = k[16] - (k[15] - t1);
-  const Scalar t3 = k[17] * s6 + k[18] * c6;
-  const Scalar t4 = k[19] + t3;
-  const Scalar t5 = s5 * (k[20] - t2) - Scalar(2) * c5 * t4;
-  const Scalar t6 = s5 * t5;
-  const Scalar t7 = k[21] - (t6 + t2);
-  const Scalar t8 = k[14] + (k[13] + t1);
-  const Scalar t9 = k[17] * c6 - k[18] * s6;
-  const Scalar t10 = k[22] + t9;
-  const Scalar t11 = k[24] - (k[23] + c6 * t0);
-  const Scalar t12 = s5 * t10 + c5 * t11;
-  const Scalar t13 = k[25] + t12;
-  const Scalar t14 = c4 * t13;
-  const Scalar t15 = s4 * (t7 - t8) - (t14 + t14);
-  const Scalar t16 = s4 * t15 + t8;
-  const Scalar t17 = k[0] * c6 - k[1] * s6;
-  const Scalar t18 = k[5] + t17;
-  const Scalar t19 = k[0] * s6 + k[1] * c6;
-  const Scalar t20 = k[2] + t19;
-  const Scalar t21 = k[3] * s5 + c5 * t20;
-  const Scalar t22 = k[4] + t21;
-  const Scalar t23 = s4 * t18 + c4 * t22;
-  const Scalar t24 = s5 * t20 - k[3] * c5;
-  const Scalar t25 = c3 * (k[6] + t23) + s3 * (k[7] - t24);
-  const Scalar t26 = k[8] + t25;
-  const Scalar t27 = t7 + t8;
-  const Scalar t28 = k[26] + (t16 - t27);
-  const Scalar t29 = t22 + (k[29] - (t4 + c5 * t5));
-  const Scalar t30 = s5 * t11 - c5 * t10;
-  const Scalar t31 = t18 + (k[28] - t30);
-  const Scalar t32 = c4 * t29 + s4 * t31;
-  const Scalar t33 = k[27] - ((t24 + t24) + (k[20] - t6));
-  const Scalar t34 = Scalar(2) * c3 * (k[30] + t32) + s3 * (t28 + t33);
-  const Scalar t35 = k[10] * ((k[9] + t26) + t26) + (t28 - s3 * t34);
-  const Scalar t36 = s4 * t29 - c4 * t31;
-  const Scalar t37 = s3 * (k[34] - (t13 + c4 * t15)) - c3 * (k[33] - t36);
-  const Scalar t38 = k[10] * t23 - (c3 * t27 + s3 * t32);
-  const Scalar t39 = k[20] + t2;
-  const Scalar t40 = t24 + t39;
-  const Scalar t41 = c3 * t30 + s3 * (c4 * t12 + s4 * t40);
-  const Scalar t42 = c5 * t17;
-  const Scalar t43 = t42 + t9;
-  const Scalar t44 = t19 + (c5 * t3 - k[35] * s5);
-  const Scalar t45 = k[35] * c5 + s5 * t3;
-  const Scalar t46 = s3 * (s4 * t43 + c4 * t44) + c3 * t45;
-  const Scalar t47 = t46 - k[10] * (c4 * t19 + s4 * t42);
-  const Scalar t48 = k[36] * s3 * (s4 * t22 - c4 * t18);
-  const Scalar t49 = k[36] * (s3 * c4 * t24 - c3 * t21);
-  const Scalar t50 = c3 * s5 * t17 + s3 * (c4 * t42 - s4 * t19);
+  const Scalar t2 = k[3] + (k[2] - t1);
+  const Scalar t3 = k[6] * c6 - k[7] * s6;
+  const Scalar t4 = k[8] + t3;
+  const Scalar t5 = k[5] - (k[4] - c6 * t0);
+  const Scalar t6 = s5 * t4 + c5 * t5;
+  const Scalar t7 = k[9] + t6;
+  const Scalar t8 = c4 * t7;
+  const Scalar t9 = k[11] - (k[10] + t1);
+  const Scalar t10 = k[12] + t9;
+  const Scalar t11 = k[7] * c6 + k[6] * s6;
+  const Scalar t12 = k[13] + t11;
+  const Scalar t13 = c5 * t12;
+  const Scalar t14 = s5 * (k[12] - t9) - (t13 + t13);
+  const Scalar t15 = k[12] - s5 * t14;
+  const Scalar t16 = k[14] - (t10 - t15);
+  const Scalar t17 = (t8 + t8) - s4 * (t16 - t2);
+  const Scalar t18 = s4 * t17;
+  const Scalar t19 = t2 - t18;
+  const Scalar t20 = k[17] * c6 + k[16] * s6;
+  const Scalar t21 = k[19] + t20;
+  const Scalar t22 = s5 * t21 - k[20] * c5;
+  const Scalar t23 = k[17] * s6 - k[16] * c6;
+  const Scalar t24 = k[18] - t23;
+  const Scalar t25 = c5 * t21 + k[20] * s5;
+  const Scalar t26 = k[21] + t25;
+  const Scalar t27 = s4 * t24 + c4 * t26;
+  const Scalar t28 = s3 * (k[23] - t22) + c3 * (k[22] + t27);
+  const Scalar t29 = k[30] - (Scalar(2) * t22 + t15);
+  const Scalar t30 = t16 + t18;
+  const Scalar t31 = k[26] - t30;
+  const Scalar t32 = s5 * t5 - c5 * t4;
+  const Scalar t33 = (k[27] - t32) + t24;
+  const Scalar t34 = t26 + (k[28] - (t12 + c5 * t14));
+  const Scalar t35 = s4 * t33 + c4 * t34;
+  const Scalar t36 = s3 * (t29 + t31) + Scalar(2) * c3 * (k[29] + t35);
+  const Scalar t37 = k[25] * ((k[24] + t28) + t28) - (s3 * t36 - t31);
+  const Scalar t38 = c4 * t33 - s4 * t34;
+  const Scalar t39 = c3 * (k[33] + t38) - s3 * (k[32] + (c4 * t17 - t7));
+  const Scalar t40 = t30 + t19;
+  const Scalar t41 = k[25] * t27 - (s3 * t35 + c3 * t40);
+  const Scalar t42 = t22 + t10;
+  const Scalar t43 = s3 * (c4 * t6 + s4 * t42) + c3 * t32;
+  const Scalar t44 = c5 * t23;
+  const Scalar t45 = t44 - t3;
+  const Scalar t46 = (k[34] * s5 - c5 * t11) - t20;
+  const Scalar t47 = s5 * t11 + k[34] * c5;
+  const Scalar t48 = s3 * (s4 * t45 + c4 * t46) - c3 * t47;
+  const Scalar t49 = k[25] * (s4 * t44 - c4 * t20) - t48;
+  const Scalar t50 = k[35] * s3 * (s4 * t26 - c4 * t24);
+  const Scalar t51 = k[35] * (s3 * c4 * t22 - c3 * t25);
+  const Scalar t52 = c3 * s5 * t23 + s3 * (c4 * t44 + s4 * t20);
   Eigen::Matrix<Scalar, dof, dof> result;
-  result(0, 0) = (k[31] + t35) - (k[32] + t16);
+  result(0, 0) = (k[31] + t37) - (k[15] + t19);
   result(0, 1) = result(1, 0) = Scalar(0);
-  result(0, 2) = result(2, 0) = -t37;
-  result(0, 3) = result(3, 0) = -t38;
-  result(0, 4) = result(4, 0) = k[10] * s4 * t24 - t41;
-  result(0, 5) = result(5, 0) = t47;
-  result(1, 1) = k[37];
-  result(1, 2) = result(2, 1) = -k[36] * t25;
-  result(1, 3) = result(3, 1) = t48;
-  result(1, 4) = result(4, 1) = t49;
-  result(1, 5) = result(5, 1) = -k[36] * t50;
-  result(2, 2) = t28 - t33;
-  result(2, 3) = result(3, 2) = t36;
-  result(2, 4) = result(4, 2) = c4 * t40 - s4 * t12;
-  result(2, 5) = result(5, 2) = s4 * t44 - c4 * t43;
-  result(3, 3) = -t27;
-  result(3, 4) = result(4, 3) = t30;
-  result(3, 5) = result(5, 3) = -t45;
-  result(4, 4) = t39;
-  result(4, 5) = result(5, 4) = -t9;
-  result(5, 5) = -k[35];
+  result(0, 2) = result(2, 0) = t39;
+  result(0, 3) = result(3, 0) = -t41;
+  result(0, 4) = result(4, 0) = k[25] * s4 * t22 - t43;
+  result(0, 5) = result(5, 0) = t49;
+  result(1, 1) = k[36];
+  result(1, 2) = result(2, 1) = -k[35] * t28;
+  result(1, 3) = result(3, 1) = t50;
+  result(1, 4) = result(4, 1) = t51;
+  result(1, 5) = result(5, 1) = k[35] * t52;
+  result(2, 2) = t31 - t29;
+  result(2, 3) = result(3, 2) = -t38;
+  result(2, 4) = result(4, 2) = c4 * t42 - s4 * t6;
+  result(2, 5) = result(5, 2) = c4 * t45 - s4 * t46;
+  result(3, 3) = -t40;
+  result(3, 4) = result(4, 3) = t32;
+  result(3, 5) = result(5, 3) = -t47;
+  result(4, 4) = t10;
+  result(4, 5) = result(5, 4) = -t3;
+  result(5, 5) = -k[34];
   return result;
 }
 
@@ -760,64 +762,64 @@ CoriolisMatrixConstants<Scalar> coriolis_matrix_constants(const BasicGeometry<Sc
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6x * inertia.m6;
-  const Scalar t1 = inertia.I6xy - inertia.c6y * t0;
-  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t0;
-  const Scalar t4 = inertia.c6y * inertia.m6;
-  const Scalar t5 = (inertia.I6yy - t2) - inertia.c6y * t4;
-  const Scalar t6 = inertia.c5x * inertia.m5;
-  const Scalar t7 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t8 = inertia.c6z * inertia.m6;
-  const Scalar t9 = inertia.c5z * inertia.m5;
-  const Scalar t10 = (inertia.c6z * t8 - (inertia.I6zz - t2)) + (inertia.c5z * t9 - (inertia.I5zz - t7));
-  const Scalar t11 = inertia.c5y * inertia.m5;
-  const Scalar t12 = inertia.c4x * inertia.m4;
-  const Scalar t13 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t14 = inertia.c4y * inertia.m4;
-  const Scalar t15 = ((inertia.I4yy - t13) - inertia.c4y * t14) - (inertia.c5y * t11 - (inertia.I5yy - t7));
-  const Scalar t16 = inertia.c3x * inertia.m3;
-  const Scalar t17 = g.d4 * t16;
-  const Scalar t18 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t19 = inertia.c3z * inertia.m3;
-  const Scalar t20 = t19 - g.d4 * inertia.m3;
-  const Scalar t21 = ((inertia.I3zz - t18) - inertia.c3z * t19) + g.d4 * (t19 + t20);
-  const Scalar t22 = inertia.c4z * inertia.m4;
-  const Scalar t23 = t22 - g.d4 * (inertia.m4 + (inertia.m5 + inertia.m6));
-  const Scalar t24 = ((inertia.I4zz - t13) - inertia.c4z * t22) + g.d4 * (t23 + t22);
+  const Scalar t0 = inertia.c6y * inertia.m6;
+  const Scalar t1 = inertia.c6x * inertia.m6;
+  const Scalar t2 = inertia.c5z * inertia.m5;
+  const Scalar t3 = inertia.c6z * inertia.m6;
+  const Scalar t4 = inertia.c5x * inertia.m5;
+  const Scalar t5 = inertia.c4y * inertia.m4;
+  const Scalar t6 = inertia.c5y * inertia.m5;
+  const Scalar t7 = inertia.c4x * inertia.m4;
+  const Scalar t8 = inertia.c3x * inertia.m3;
+  const Scalar t9 = g.d4 * t8;
+  const Scalar t10 = inertia.c4z * inertia.m4;
+  const Scalar t11 = t10 - g.d4 * (inertia.m4 + (inertia.m5 + inertia.m6));
+  const Scalar t12 = inertia.c3z * inertia.m3;
+  const Scalar t13 = t12 - g.d4 * inertia.m3;
+  const Scalar t14 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t15 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t16 = (inertia.c6z * t3 - (inertia.I6zz - t14)) + (inertia.c5z * t2 - (inertia.I5zz - t15));
+  const Scalar t17 = inertia.I6xy - inertia.c6y * t1;
+  const Scalar t18 = (inertia.I6xx - t14) - inertia.c6x * t1;
+  const Scalar t19 = (inertia.I6yy - t14) - inertia.c6y * t0;
+  const Scalar t20 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t21 = ((inertia.I4yy - t20) - inertia.c4y * t5) - (inertia.c5y * t6 - (inertia.I5yy - t15));
+  const Scalar t22 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t23 = ((inertia.I3zz - t22) - inertia.c3z * t12) + g.d4 * (t12 + t13);
+  const Scalar t24 = ((inertia.I4zz - t20) - inertia.c4z * t10) + g.d4 * (t11 + t10);
   const Scalar t25 = inertia.c3y * inertia.m3;
-  return { Scalar(2) * t1,
-           t3 - t5,
-           t5,
-           t3 + t5,
-           inertia.c5x * t6 - (inertia.I5xx - t7),
-           t1,
-           inertia.I6yz - inertia.c6z * t4,
-           inertia.I6xz - inertia.c6z * t0,
-           inertia.I5xz - inertia.c5z * t6,
-           t10,
-           inertia.I5yz - inertia.c5z * t11,
-           inertia.I5xy - inertia.c5y * t6,
-           inertia.I4xy - inertia.c4y * t12,
-           t15,
-           (inertia.I4xx - t13) - inertia.c4x * t12,
-           inertia.I4yz - inertia.c4z * t14,
-           g.d4 * t0,
+  return { g.d4 * t0,
+           g.d4 * t1,
+           g.d4 * (t2 + t3),
            g.d4 * t4,
-           g.d4 * (t14 + t11),
-           g.d4 * t6,
-           g.d4 * (t9 + t8),
-           g.d4 * t12,
-           inertia.I4xz - inertia.c4z * t12,
-           t17 + (inertia.I3xz - inertia.c3z * t16),
-           inertia.c3x * t16 - (inertia.I3xx - t18),
-           t21 + t24,
-           t17,
-           g.d4 * (t23 + t20),
+           g.d4 * (t5 + t6),
+           g.d4 * t7,
+           t9,
+           g.d4 * (t11 + t13),
            g.l2 / g.d4,
+           inertia.I6xz - inertia.c6z * t1,
+           inertia.I6yz - inertia.c6z * t0,
+           inertia.I5xz - inertia.c5z * t4,
+           t16,
+           Scalar(2) * t17,
+           t18 - t19,
+           t17,
+           t18,
+           inertia.c5x * t4 - (inertia.I5xx - t15),
+           inertia.I5xy - inertia.c5y * t4,
+           t18 + t19,
+           inertia.I5yz - inertia.c5z * t6,
+           (inertia.I4xx - t20) - inertia.c4x * t7,
+           t21,
+           inertia.I4xy - inertia.c4y * t7,
+           inertia.c3x * t8 - (inertia.I3xx - t22),
+           inertia.I4yz - inertia.c4z * t5,
+           inertia.I4xz - inertia.c4z * t7,
+           t9 + (inertia.I3xz - inertia.c3z * t8),
+           t23 + t24,
+           inertia.I3xy - inertia.c3y * t8,
            g.d4 * t25 + (inertia.I3yz - inertia.c3z * t25),
-           inertia.I3xy - inertia.c3y * t16,
-           t3,
+           t19,
            Scalar(1) / g.d4 };
 }
 
@@ -835,210 +837,210 @@ inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix([[maybe_unused]] const Jo
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[0] * c6 - k[1] * s6;
-  const Scalar t1 = k[2] - s6 * t0;
-  const Scalar t2 = k[13] + t1;
-  const Scalar t3 = k[6] * c6 - k[7] * s6;
-  const Scalar t4 = k[10] + t3;
-  const Scalar t5 = qd[5] * t1;
-  const Scalar t6 = qd[4] * t4 + t5;
-  const Scalar t7 = k[5] - c6 * t0;
-  const Scalar t8 = k[11] - t7;
-  const Scalar t9 = s5 * t8;
-  const Scalar t10 = c5 * t6 - qd[4] * t9;
-  const Scalar t11 = qd[3] * t2 + t10;
-  const Scalar t12 = qd[5] * t7;
-  const Scalar t13 = c5 * t8;
-  const Scalar t14 = t13 + s5 * t4;
-  const Scalar t15 = k[12] + t14;
-  const Scalar t16 = t12 - qd[3] * t15;
-  const Scalar t17 = s4 * t11 - c4 * t16;
-  const Scalar t18 = k[3] - t1;
-  const Scalar t19 = qd[5] * t18;
-  const Scalar t20 = k[7] * c6 + k[6] * s6;
-  const Scalar t21 = s5 * t20;
-  const Scalar t22 = c5 * t19 + qd[5] * t21;
-  const Scalar t23 = k[4] - t18;
-  const Scalar t24 = k[8] + t20;
-  const Scalar t25 = s5 * (k[9] - t23) - Scalar(2) * c5 * t24;
-  const Scalar t26 = s5 * t25;
-  const Scalar t27 = k[14] - (t26 + t23);
-  const Scalar t28 = t22 + qd[3] * t27;
-  const Scalar t29 = qd[4] * t24;
-  const Scalar t30 = qd[5] * t3;
-  const Scalar t31 = t30 - k[9] * qd[4];
-  const Scalar t32 = s5 * t29 - c5 * t31;
-  const Scalar t33 = qd[4] * t23;
-  const Scalar t34 = c5 * t33 + s5 * (t12 - t29);
-  const Scalar t35 = (t29 - s5 * t32) + s5 * t34;
-  const Scalar t36 = c4 * t28 - s4 * (t16 - t35);
-  const Scalar t37 = c4 * t17 - s4 * t36;
-  const Scalar t38 = k[17] * s6 + k[16] * c6;
-  const Scalar t39 = k[19] + t38;
-  const Scalar t40 = c5 * t39;
-  const Scalar t41 = k[21] + (t40 + k[20] * s5);
-  const Scalar t42 = k[17] * c6 - k[16] * s6;
-  const Scalar t43 = k[18] + t42;
-  const Scalar t44 = k[26] + (c4 * t41 + s4 * t43);
-  const Scalar t45 = qd[5] * t42;
-  const Scalar t46 = t45 + k[20] * qd[4];
-  const Scalar t47 = s5 * t46 + qd[4] * t40;
-  const Scalar t48 = qd[5] * t38;
-  const Scalar t49 = t48 + qd[3] * t41;
-  const Scalar t50 = s5 * t39;
-  const Scalar t51 = qd[4] * t50 - c5 * t46;
-  const Scalar t52 = t51 - qd[3] * t43;
+  const Scalar t0 = k[14] * s6 - k[13] * c6;
+  const Scalar t1 = k[15] + c6 * t0;
+  const Scalar t2 = k[18] - t1;
+  const Scalar t3 = c5 * t2;
+  const Scalar t4 = k[10] * c6 - k[9] * s6;
+  const Scalar t5 = k[20] + t4;
+  const Scalar t6 = t3 + s5 * t5;
+  const Scalar t7 = k[23] + t6;
+  const Scalar t8 = qd[5] * t1;
+  const Scalar t9 = qd[3] * t7 - t8;
+  const Scalar t10 = k[16] - s6 * t0;
+  const Scalar t11 = k[19] - t10;
+  const Scalar t12 = k[22] + t11;
+  const Scalar t13 = s5 * t2;
+  const Scalar t14 = qd[5] * t11;
+  const Scalar t15 = t14 + qd[4] * t5;
+  const Scalar t16 = qd[4] * t13 - c5 * t15;
+  const Scalar t17 = qd[3] * t12 - t16;
+  const Scalar t18 = c4 * t9 + s4 * t17;
+  const Scalar t19 = k[9] * c6 + k[10] * s6;
+  const Scalar t20 = k[11] + t19;
+  const Scalar t21 = qd[4] * t20;
+  const Scalar t22 = qd[5] * t4;
+  const Scalar t23 = t22 - k[12] * qd[4];
+  const Scalar t24 = c5 * t21 + s5 * t23;
+  const Scalar t25 = k[17] - t10;
+  const Scalar t26 = qd[4] * t25;
+  const Scalar t27 = s5 * (t8 - t21) + c5 * t26;
+  const Scalar t28 = c5 * t24 + s5 * t27;
+  const Scalar t29 = s5 * t19;
+  const Scalar t30 = qd[5] * t10;
+  const Scalar t31 = qd[5] * t29 + c5 * t30;
+  const Scalar t32 = s5 * (k[12] - t25) - Scalar(2) * c5 * t20;
+  const Scalar t33 = s5 * t32;
+  const Scalar t34 = k[21] - (t25 + t33);
+  const Scalar t35 = t31 + qd[3] * t34;
+  const Scalar t36 = s4 * (t9 + t28) + c4 * t35;
+  const Scalar t37 = c4 * t18 - s4 * t36;
+  const Scalar t38 = k[0] * c6 - k[1] * s6;
+  const Scalar t39 = qd[5] * t38;
+  const Scalar t40 = t39 + k[2] * qd[4];
+  const Scalar t41 = k[0] * s6 + k[1] * c6;
+  const Scalar t42 = k[3] + t41;
+  const Scalar t43 = c5 * t42;
+  const Scalar t44 = s5 * t40 + qd[4] * t43;
+  const Scalar t45 = t37 - t44;
+  const Scalar t46 = k[4] + t38;
+  const Scalar t47 = c5 * t5 - t13;
+  const Scalar t48 = k[25] + t47;
+  const Scalar t49 = t46 + t48;
+  const Scalar t50 = k[26] - (t20 + c5 * t32);
+  const Scalar t51 = k[5] + (t43 + k[2] * s5);
+  const Scalar t52 = t50 + t51;
   const Scalar t53 = s4 * t49 + c4 * t52;
-  const Scalar t54 = k[20] * c5 - t50;
-  const Scalar t55 = k[27] + t54;
-  const Scalar t56 = s3 * (qd[2] * t44 + t47) + c3 * (t53 - qd[2] * t55);
-  const Scalar t57 = c5 * t32;
-  const Scalar t58 = c5 * t34;
-  const Scalar t59 = (t31 + t57) - t58;
-  const Scalar t60 = s5 * t6 + qd[4] * t13;
-  const Scalar t61 = c4 * t59 + s4 * t60;
-  const Scalar t62 = c4 * t15;
-  const Scalar t63 = (t62 + t62) - s4 * (t27 - t2);
-  const Scalar t64 = k[24] - (s4 * t63 + t27);
-  const Scalar t65 = k[22] - (c5 * t25 + t24);
-  const Scalar t66 = t41 + t65;
-  const Scalar t67 = c5 * t4 - t9;
-  const Scalar t68 = k[15] + t67;
-  const Scalar t69 = t68 + t43;
-  const Scalar t70 = c4 * t66 + s4 * t69;
-  const Scalar t71 = k[23] + t70;
-  const Scalar t72 = qd[2] * t71 + (t37 + t35);
-  const Scalar t73 = s3 * (t61 - qd[2] * t64) - c3 * t72;
-  const Scalar t74 = t37 - t47;
-  const Scalar t75 = c5 * t20;
-  const Scalar t76 = s5 * t19 - qd[5] * t75;
-  const Scalar t77 = (t76 - qd[3] * t65) - t49;
-  const Scalar t78 = (t58 - t33) - t57;
-  const Scalar t79 = t52 - (qd[3] * t68 + t78);
-  const Scalar t80 = s4 * t77 - c4 * t79;
-  const Scalar t81 = k[25] - ((k[9] - t26) - (t54 + t54));
-  const Scalar t82 = s3 * (t74 - t72) + c3 * (t80 + qd[2] * t81);
-  const Scalar t83 = k[28] * t56 - (c3 * t73 - s3 * t82);
-  const Scalar t84 = qd[0] * s3;
-  const Scalar t85 = qd[0] * c3;
-  const Scalar t86 = c4 * t77;
-  const Scalar t87 = s4 * (t79 + t59) + (t86 - c4 * t60);
-  const Scalar t88 = qd[2] * (k[30] - (t15 - c4 * t63)) - t87;
-  const Scalar t89 = (t85 * t71 + t84 * t64) + (t88 + (t86 + s4 * t79));
-  const Scalar t90 = qd[2] * (k[29] - (s4 * t66 - c4 * t69));
-  const Scalar t91 = c4 * t36;
-  const Scalar t92 = s4 * t17;
-  const Scalar t93 = t90 - ((t91 - t28) + (t92 - t11));
-  const Scalar t94 = s3 * ((t84 * t71 - t81 * t85) - t93);
-  const Scalar t95 = k[28] * (t84 * t44 - t85 * t55) + (c3 * t89 - t94);
-  const Scalar t96 = qd[3] - t85;
-  const Scalar t97 = t43 * t96 - t51;
-  const Scalar t98 = t48 + t41 * t96;
-  const Scalar t99 = c4 * t97 - s4 * t98;
-  const Scalar t100 = s4 * t84 - qd[2] * c4;
-  const Scalar t101 = qd[2] * s4 + c4 * t84;
-  const Scalar t102 = (t15 * t100 + t27 * t101) - (t76 - t65 * t96);
-  const Scalar t103 = (t68 * t96 + t78) + (t15 * t101 + t100 * t2);
-  const Scalar t104 = s3 * (t99 - (s4 * t102 - c4 * t103));
-  const Scalar t105 = (c3 * t35 + t104) - k[28] * t99;
-  const Scalar t106 = c5 * t101 - s5 * t96;
-  const Scalar t107 = c5 * t96 + s5 * t101;
-  const Scalar t108 = qd[4] - t100;
-  const Scalar t109 = (t24 * t106 - k[9] * t107) - (t108 * t4 + t5);
-  const Scalar t110 = (t106 * t23 - t107 * t24) + t108 * t8;
-  const Scalar t111 = s5 * t109 - c5 * t110;
-  const Scalar t112 = k[20] * t107 + t39 * t106;
-  const Scalar t113 = t112 + (s5 * t110 + c5 * t109);
-  const Scalar t114 = k[20] * t108 + t45;
-  const Scalar t115 = t108 * t40 + s5 * t114;
-  const Scalar t116 = t12 + t115;
-  const Scalar t117 = c3 * t111 + s3 * (c4 * t113 - s4 * t116);
-  const Scalar t118 = t117 + k[28] * (s4 * t115 - c4 * t112);
-  const Scalar t119 = qd[5] + t107;
-  const Scalar t120 = t42 * t119;
-  const Scalar t121 = t38 * t119;
-  const Scalar t122 = s6 * t106 - c6 * t108;
-  const Scalar t123 = s6 * t108 + c6 * t106;
-  const Scalar t124 = k[17] * t122 + k[16] * t123;
-  const Scalar t125 = c5 * t121 - s5 * t124;
-  const Scalar t126 = c4 * t120 - s4 * t125;
-  const Scalar t127 = k[6] * t119 + (k[5] * t123 + k[2] * t122);
-  const Scalar t128 = (k[31] * t123 + k[5] * t122) + k[7] * t119;
-  const Scalar t129 = s6 * t127 + c6 * t128;
-  const Scalar t130 = c6 * t127 - s6 * t128;
-  const Scalar t131 = c5 * t130;
-  const Scalar t132 = s3 * (t126 - (s4 * t129 - c4 * t131));
-  const Scalar t133 = s5 * t130;
-  const Scalar t134 = (t132 + c3 * t133) - k[28] * t126;
-  const Scalar t135 = s4 * t97 + c4 * t98;
-  const Scalar t136 = c3 * (t41 * t101 + t43 * t100) + s3 * t135;
-  const Scalar t137 = s3 * (s4 * t112 + c4 * t115) - c3 * (c5 * t114 - t108 * t50);
-  const Scalar t138 = c4 * t125 + s4 * t120;
-  const Scalar t139 = s3 * t138 + c3 * (s5 * t121 + c5 * t124);
-  const Scalar t140 = s3 * ((t92 + t91) - t93) - c3 * t88;
-  const Scalar t141 = t135 + (c4 * t102 + s4 * t103);
-  const Scalar t142 = s4 * t113 + c4 * t116;
-  const Scalar t143 = (c4 * t129 + s4 * t131) + t138;
-  const Scalar t144 = s3 * (qd[2] * (t27 + t2) + (t61 - t80));
-  const Scalar t145 = t144 - c3 * (qd[2] * t70 + Scalar(2) * t35);
-  const Scalar t146 = qd[3] * t54;
-  const Scalar t147 = k[9] + t23;
-  const Scalar t148 = t146 - ((t10 - t22) + qd[3] * t147);
-  const Scalar t149 = t47 - (qd[3] * t14 - Scalar(2) * t12);
-  const Scalar t150 = qd[2] * t67 - (c4 * t148 - s4 * t149);
-  const Scalar t151 = qd[2] * (s4 * (t54 - t147) - c4 * t14);
-  const Scalar t152 = t60 - t76;
-  const Scalar t153 = (s3 * t150 - c3 * (t151 - t152)) + k[28] * (c4 * t146 - s4 * t47);
-  const Scalar t154 = qd[3] * t38 + (qd[4] * s5 * t42 + c5 * t48);
-  const Scalar t155 = k[3] * s5 - t75;
-  const Scalar t156 = qd[5] * t20;
-  const Scalar t157 = t154 - (qd[3] * t155 - t156);
-  const Scalar t158 = t30 - k[3] * qd[4];
-  const Scalar t159 = qd[3] * t3 + (c5 * t158 - qd[4] * t21);
-  const Scalar t160 = c5 * t42;
-  const Scalar t161 = qd[3] * t160 + t45;
-  const Scalar t162 = t159 + t161;
-  const Scalar t163 = qd[2] * (k[3] * c5 + t21) + (s4 * t157 - c4 * t162);
-  const Scalar t164 = s4 * (t160 + t3) + c4 * (t38 - t155);
-  const Scalar t165 = s5 * t158 + qd[4] * t75;
-  const Scalar t166 = s3 * t163 - c3 * (qd[2] * t164 + t165);
-  const Scalar t167 = t166 - k[28] * (s4 * t154 - c4 * t161);
+  const Scalar t54 = k[27] + t53;
+  const Scalar t55 = (t37 + t28) + qd[2] * t54;
+  const Scalar t56 = c5 * t19;
+  const Scalar t57 = qd[5] * t56 - s5 * t30;
+  const Scalar t58 = qd[5] * t41;
+  const Scalar t59 = qd[3] * t51 + t58;
+  const Scalar t60 = (t57 + qd[3] * t50) + t59;
+  const Scalar t61 = s5 * t24;
+  const Scalar t62 = c5 * t27;
+  const Scalar t63 = (t23 - t61) + (t62 - t26);
+  const Scalar t64 = s5 * t42;
+  const Scalar t65 = qd[4] * t64 - c5 * t40;
+  const Scalar t66 = t65 - qd[3] * t46;
+  const Scalar t67 = (qd[3] * t48 + t63) - t66;
+  const Scalar t68 = s4 * t60 - c4 * t67;
+  const Scalar t69 = k[2] * c5 - t64;
+  const Scalar t70 = k[28] + (Scalar(2) * t69 - (k[12] - t33));
+  const Scalar t71 = s3 * (t45 - t55) - c3 * (t68 - qd[2] * t70);
+  const Scalar t72 = c4 * t7;
+  const Scalar t73 = (t72 + t72) - s4 * (t34 - t12);
+  const Scalar t74 = k[24] - (t34 + s4 * t73);
+  const Scalar t75 = s5 * t15 + qd[4] * t3;
+  const Scalar t76 = t62 - t61;
+  const Scalar t77 = s4 * t75 - c4 * t76;
+  const Scalar t78 = c3 * t55 + s3 * (qd[2] * t74 - t77);
+  const Scalar t79 = c4 * t66 + s4 * t59;
+  const Scalar t80 = k[7] + t69;
+  const Scalar t81 = k[6] + (c4 * t51 + s4 * t46);
+  const Scalar t82 = c3 * (t79 - qd[2] * t80) + s3 * (qd[2] * t81 + t44);
+  const Scalar t83 = (s3 * t71 + c3 * t78) + k[8] * t82;
+  const Scalar t84 = s4 * t76 + c4 * t75;
+  const Scalar t85 = qd[2] * (k[29] + (c4 * t73 - t7)) + t84;
+  const Scalar t86 = qd[0] * s3;
+  const Scalar t87 = qd[0] * c3;
+  const Scalar t88 = c3 * (t85 + (t86 * t74 + t54 * t87));
+  const Scalar t89 = s4 * t18;
+  const Scalar t90 = c4 * t36;
+  const Scalar t91 = qd[2] * (k[30] + (c4 * t49 - s4 * t52));
+  const Scalar t92 = ((t17 - t89) - (t90 - t35)) + t91;
+  const Scalar t93 = s3 * (t92 - (t86 * t54 - t70 * t87));
+  const Scalar t94 = (t88 + t93) + k[8] * (t86 * t81 - t80 * t87);
+  const Scalar t95 = qd[3] - t87;
+  const Scalar t96 = t65 - t46 * t95;
+  const Scalar t97 = t51 * t95 + t58;
+  const Scalar t98 = qd[2] * s4 + c4 * t86;
+  const Scalar t99 = s4 * t86 - qd[2] * c4;
+  const Scalar t100 = (t7 * t98 + t12 * t99) + (t48 * t95 + t63);
+  const Scalar t101 = t96 - t100;
+  const Scalar t102 = (t57 + t50 * t95) + (t7 * t99 + t34 * t98);
+  const Scalar t103 = t97 + t102;
+  const Scalar t104 = s3 * (c4 * t101 + s4 * t103) - c3 * t28;
+  const Scalar t105 = k[8] * (c4 * t96 + s4 * t97) - t104;
+  const Scalar t106 = qd[4] - t99;
+  const Scalar t107 = t39 + k[2] * t106;
+  const Scalar t108 = s5 * t107 + t106 * t43;
+  const Scalar t109 = c5 * t98 - s5 * t95;
+  const Scalar t110 = c5 * t95 + s5 * t98;
+  const Scalar t111 = t109 * t42 + k[2] * t110;
+  const Scalar t112 = s4 * t108 - c4 * t111;
+  const Scalar t113 = t106 * t2 - (t110 * t20 - t25 * t109);
+  const Scalar t114 = (k[12] * t110 - t20 * t109) + (t106 * t5 + t14);
+  const Scalar t115 = s5 * t113 - c5 * t114;
+  const Scalar t116 = s3 * ((s4 * t8 - c4 * t115) + t112);
+  const Scalar t117 = c5 * t113 + s5 * t114;
+  const Scalar t118 = k[8] * t112 - (t116 + c3 * t117);
+  const Scalar t119 = s6 * t106 + c6 * t109;
+  const Scalar t120 = s6 * t109 - c6 * t106;
+  const Scalar t121 = k[1] * t119 + k[0] * t120;
+  const Scalar t122 = qd[5] + t110;
+  const Scalar t123 = t41 * t122;
+  const Scalar t124 = s5 * t121 - c5 * t123;
+  const Scalar t125 = t38 * t122;
+  const Scalar t126 = (k[16] * t119 + k[15] * t120) + k[9] * t122;
+  const Scalar t127 = k[10] * t122 + (k[31] * t120 + k[15] * t119);
+  const Scalar t128 = c6 * t126 + s6 * t127;
+  const Scalar t129 = t124 - t128;
+  const Scalar t130 = s6 * t126 - c6 * t127;
+  const Scalar t131 = t125 - c5 * t130;
+  const Scalar t132 = s5 * t130;
+  const Scalar t133 = s3 * (s4 * t129 + c4 * t131) - c3 * t132;
+  const Scalar t134 = k[8] * (s4 * t124 + c4 * t125) - t133;
+  const Scalar t135 = s3 * (s4 * t96 - c4 * t97) - c3 * (t51 * t98 + t46 * t99);
+  const Scalar t136 = c4 * t108 + s4 * t111;
+  const Scalar t137 = s3 * t136 + c3 * (t106 * t64 - c5 * t107);
+  const Scalar t138 = s3 * (s4 * t125 - c4 * t124) + c3 * (c5 * t121 + s5 * t123);
+  const Scalar t139 = c4 * t60 + s4 * t67;
+  const Scalar t140 = s3 * ((t90 + t89) - t92) - c3 * (t139 + t85);
+  const Scalar t141 = c4 * t103 - s4 * t101;
+  const Scalar t142 = (s4 * t115 + c4 * t8) + t136;
+  const Scalar t143 = s4 * t131 - c4 * t129;
+  const Scalar t144 = s3 * ((t68 + t77) + qd[2] * (t34 + t12));
+  const Scalar t145 = t144 - c3 * (Scalar(2) * t28 + qd[2] * t53);
+  const Scalar t146 = qd[3] * t69;
+  const Scalar t147 = k[12] + t25;
+  const Scalar t148 = qd[2] * (s4 * (t69 - t147) - c4 * t6);
+  const Scalar t149 = t57 + t75;
+  const Scalar t150 = t146 - (qd[3] * t147 - (t31 + t16));
+  const Scalar t151 = (Scalar(2) * t8 - qd[3] * t6) + t44;
+  const Scalar t152 = (c4 * t150 - s4 * t151) - qd[2] * t47;
+  const Scalar t153 = k[8] * (c4 * t146 - s4 * t44) - (c3 * (t148 - t149) + s3 * t152);
+  const Scalar t154 = k[19] * qd[4] - t22;
+  const Scalar t155 = qd[4] * t56 - s5 * t154;
+  const Scalar t156 = c5 * t38;
+  const Scalar t157 = t56 - k[19] * s5;
+  const Scalar t158 = s4 * (t156 + t4) + c4 * (t41 + t157);
+  const Scalar t159 = (qd[4] * t29 + c5 * t154) - qd[3] * t4;
+  const Scalar t160 = t39 + qd[3] * t156;
+  const Scalar t161 = t159 - t160;
+  const Scalar t162 = qd[5] * t19;
+  const Scalar t163 = (c5 * t58 + qd[4] * s5 * t38) + qd[3] * t41;
+  const Scalar t164 = (t162 + qd[3] * t157) + t163;
+  const Scalar t165 = (c4 * t161 + s4 * t164) + qd[2] * (k[19] * c5 + t29);
+  const Scalar t166 = c3 * (t155 + qd[2] * t158) - s3 * t165;
+  const Scalar t167 = t166 + k[8] * (s4 * t163 - c4 * t160);
   Eigen::Matrix<Scalar, dof, dof> result;
   result(0, 0) = t37 - t83;
   result(0, 1) = Scalar(0);
-  result(0, 2) = -t95;
+  result(0, 2) = -t94;
   result(0, 3) = t105;
   result(0, 4) = t118;
-  result(0, 5) = t134;
+  result(0, 5) = -t134;
   result(1, 0) = Scalar(0);
   result(1, 1) = Scalar(0);
-  result(1, 2) = k[32] * t56;
-  result(1, 3) = k[32] * t136;
+  result(1, 2) = k[32] * t82;
+  result(1, 3) = -k[32] * t135;
   result(1, 4) = k[32] * t137;
-  result(1, 5) = k[32] * t139;
-  result(2, 0) = t95 + t140;
+  result(1, 5) = k[32] * t138;
+  result(2, 0) = t140 + t94;
   result(2, 1) = Scalar(0);
-  result(2, 2) = -t74;
+  result(2, 2) = -t45;
   result(2, 3) = t141;
   result(2, 4) = t142;
   result(2, 5) = t143;
-  result(3, 0) = -t105 - (t145 - k[28] * t53);
+  result(3, 0) = (k[8] * t79 - t145) - t105;
   result(3, 1) = Scalar(0);
-  result(3, 2) = -t141 - t87;
-  result(3, 3) = -t35;
-  result(3, 4) = -t111;
-  result(3, 5) = -t133;
-  result(4, 0) = -t153 - t118;
+  result(3, 2) = (t139 + t84) - t141;
+  result(3, 3) = -t28;
+  result(3, 4) = t117;
+  result(3, 5) = t132;
+  result(4, 0) = -t118 - t153;
   result(4, 1) = Scalar(0);
-  result(4, 2) = (c4 * t149 + s4 * t148) - t142;
-  result(4, 3) = t152 + t111;
-  result(4, 4) = t12;
-  result(4, 5) = t129;
-  result(5, 0) = -t134 - t167;
+  result(4, 2) = (c4 * t151 + s4 * t150) - t142;
+  result(4, 3) = t149 - t117;
+  result(4, 4) = t8;
+  result(4, 5) = t128;
+  result(5, 0) = t167 + t134;
   result(5, 1) = Scalar(0);
-  result(5, 2) = (s4 * t162 + c4 * t157) - t143;
-  result(5, 3) = t133 - t165;
-  result(5, 4) = t156 - t129;
+  result(5, 2) = (c4 * t164 - s4 * t161) - t143;
+  result(5, 3) = -t132 - t155;
+  result(5, 4) = t162 - t128;
   result(5, 5) = Scalar(0);
   return result;
 }
@@ -1066,97 +1068,97 @@ ForwardDynamicsConstants<Scalar> forward_dynamics_constants(const BasicGeometry<
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6y * inertia.m6;
-  const Scalar t1 = inertia.c6x * inertia.m6;
-  const Scalar t2 = inertia.c5y * inertia.m5;
-  const Scalar t3 = inertia.I6xy - inertia.c6y * t1;
-  const Scalar t4 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t5 = (inertia.I6xx - t4) - inertia.c6x * t1;
-  const Scalar t6 = (inertia.I6yy - t4) - inertia.c6y * t0;
-  const Scalar t7 = inertia.c5x * inertia.m5;
-  const Scalar t8 = t5 + t6;
-  const Scalar t9 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t10 = inertia.c6z * inertia.m6;
+  const Scalar t0 = g.l2 / g.d4;
+  const Scalar t1 = gravity / g.d4;
+  const Scalar t2 = inertia.c5x * inertia.m5;
+  const Scalar t3 = inertia.c5y * inertia.m5;
+  const Scalar t4 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t5 = inertia.c6y * inertia.m6;
+  const Scalar t6 = inertia.c6x * inertia.m6;
+  const Scalar t7 = inertia.I6xy - inertia.c6y * t6;
+  const Scalar t8 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t9 = (inertia.I6xx - t8) - inertia.c6x * t6;
+  const Scalar t10 = (inertia.I6yy - t8) - inertia.c6y * t5;
   const Scalar t11 = inertia.c5z * inertia.m5;
-  const Scalar t12 = (inertia.c6z * t10 - (inertia.I6zz - t4)) + (inertia.c5z * t11 - (inertia.I5zz - t9));
-  const Scalar t13 = Scalar(1) / g.d4;
-  const Scalar t14 = inertia.c4z * inertia.m4;
-  const Scalar t15 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t16 = t14 - g.d4 * t15;
-  const Scalar t17 = inertia.c3z * inertia.m3;
-  const Scalar t18 = t17 - g.d4 * inertia.m3;
-  const Scalar t19 = (t16 + t18) / g.d4;
-  const Scalar t20 = g.d4 * g.d4 * t19;
-  const Scalar t21 = inertia.c4x * inertia.m4;
-  const Scalar t22 = inertia.c4y * inertia.m4;
-  const Scalar t23 = inertia.c3x * inertia.m3;
-  const Scalar t24 = g.d4 * t23;
-  const Scalar t25 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t26 = ((inertia.I4yy - t25) - inertia.c4y * t22) - (inertia.c5y * t2 - (inertia.I5yy - t9));
-  const Scalar t27 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t28 = inertia.c3x * t23 - (inertia.I3xx - t27);
-  const Scalar t29 = ((inertia.I3zz - t27) - inertia.c3z * t17) + g.d4 * (t17 + t18);
-  const Scalar t30 = ((inertia.I4zz - t25) - inertia.c4z * t14) + g.d4 * (t16 + t14);
-  const Scalar t31 = t20 - (t29 + t30);
-  const Scalar t32 = g.d4 * g.d4 * (t19 + (inertia.m2 + (inertia.m3 + t15)));
-  const Scalar t33 = t20 - t32;
-  const Scalar t34 = g.l2 / g.d4;
-  const Scalar t35 = inertia.c3y * inertia.m3;
-  const Scalar t36 = gravity / g.d4;
-  const Scalar t37 = t24 + (inertia.I3xz - inertia.c3z * t23);
+  const Scalar t12 = inertia.c6z * inertia.m6;
+  const Scalar t13 = (inertia.c6z * t12 - (inertia.I6zz - t8)) + (inertia.c5z * t11 - (inertia.I5zz - t4));
+  const Scalar t14 = inertia.c4x * inertia.m4;
+  const Scalar t15 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t16 = inertia.c4y * inertia.m4;
+  const Scalar t17 = ((inertia.I4yy - t15) - inertia.c4y * t16) - (inertia.c5y * t3 - (inertia.I5yy - t4));
+  const Scalar t18 = inertia.c3y * inertia.m3;
+  const Scalar t19 = inertia.c3x * inertia.m3;
+  const Scalar t20 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t21 = inertia.c3x * t19 - (inertia.I3xx - t20);
+  const Scalar t22 = g.d4 * t19;
+  const Scalar t23 = t22 + (inertia.I3xz - inertia.c3z * t19);
+  const Scalar t24 = inertia.c4z * inertia.m4;
+  const Scalar t25 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t26 = t24 - g.d4 * t25;
+  const Scalar t27 = inertia.c3z * inertia.m3;
+  const Scalar t28 = t27 - g.d4 * inertia.m3;
+  const Scalar t29 = (t26 + t28) / g.d4;
+  const Scalar t30 = g.d4 * g.d4 * t29;
+  const Scalar t31 = ((inertia.I3zz - t20) - inertia.c3z * t27) + g.d4 * (t27 + t28);
+  const Scalar t32 = ((inertia.I4zz - t15) - inertia.c4z * t24) + g.d4 * (t26 + t24);
+  const Scalar t33 = t30 - (t31 + t32);
+  const Scalar t34 = t9 + t10;
+  const Scalar t35 = Scalar(1) / g.d4;
+  const Scalar t36 = g.d4 * g.d4 * (t29 + (inertia.m2 + (inertia.m3 + t25)));
+  const Scalar t37 = t30 - t36;
   const Scalar t38 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t39 = ((inertia.I3yy - t27) - inertia.c3y * t35)
+  const Scalar t39 = ((inertia.I3yy - t20) - inertia.c3y * t18)
       + ((inertia.I2yy - t38) - inertia.c2y * inertia.c2y * inertia.m2);
   const Scalar t40 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
   const Scalar t41 = t39 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t40));
-  const Scalar t42 = inertia.c2x * inertia.m2;
-  const Scalar t43 = inertia.c1x * inertia.m1;
-  const Scalar t44 = g.l2 * (t43 + (g.l2 * inertia.m1 + t43)) + (inertia.c1x * t43 - (inertia.I1xx - t40));
-  return { inertia.I6yz - inertia.c6z * t0,
-           inertia.I6xz - inertia.c6z * t1,
-           inertia.I5yz - inertia.c5z * t2,
-           Scalar(2) * t3,
-           t5 - t6,
-           t3,
-           inertia.I5xy - inertia.c5y * t7,
-           t6,
-           t8,
-           inertia.c5x * t7 - (inertia.I5xx - t9),
-           t12,
-           g.d4 * t0,
-           g.d4 * t1,
-           g.d4 * t7,
-           g.d4 * (t11 + t10),
-           Scalar(1) / t8,
+  const Scalar t42 = inertia.c1x * inertia.m1;
+  const Scalar t43 = g.l2 * (t42 + (g.l2 * inertia.m1 + t42)) + (inertia.c1x * t42 - (inertia.I1xx - t40));
+  const Scalar t44 = inertia.c2x * inertia.m2;
+  const Scalar t45 = (inertia.c2x * t44 - (inertia.I2xx - t38)) + Scalar(2) * g.l2 * t44;
+  return { t0,
+           t1,
+           g.d4 * t2,
+           inertia.I5xy - inertia.c5y * t2,
+           inertia.I5yz - inertia.c5z * t3,
+           inertia.c5x * t2 - (inertia.I5xx - t4),
+           inertia.I5xz - inertia.c5z * t2,
+           g.d4 * t5,
+           g.d4 * t6,
+           Scalar(2) * t7,
+           t9 - t10,
+           t7,
+           t9,
+           t10,
+           inertia.I6yz - inertia.c6z * t5,
+           inertia.I6xz - inertia.c6z * t6,
+           g.d4 * (t11 + t12),
            t13,
-           t20,
-           g.d4 * t21,
-           g.d4 * (t22 + t2),
-           t24,
-           inertia.I5xz - inertia.c5z * t7,
-           Scalar(2) * t12,
-           inertia.I4xz - inertia.c4z * t21,
-           inertia.I4yz - inertia.c4z * t22,
-           (inertia.I4xx - t25) - inertia.c4x * t21,
-           inertia.I4xy - inertia.c4y * t21,
-           t26,
-           t28,
-           t31,
-           t13 * t33 * t13,
+           inertia.I4xy - inertia.c4y * t14,
+           (inertia.I4xx - t15) - inertia.c4x * t14,
+           t17,
+           inertia.I4yz - inertia.c4z * t16,
+           inertia.I4xz - inertia.c4z * t14,
+           g.d4 * t14,
+           g.d4 * (t16 + t3),
+           g.d4 * t18 + (inertia.I3yz - inertia.c3z * t18),
+           inertia.I3xy - inertia.c3y * t19,
+           Scalar(2) * t21,
+           t23,
+           t30,
+           Scalar(2) * t23,
+           t33,
+           Scalar(2) * t22,
+           Scalar(1) / t34,
            t34,
-           inertia.I3xy - inertia.c3y * t23,
-           g.d4 * t35 + (inertia.I3yz - inertia.c3z * t35),
-           t36,
-           t36 * t32,
-           t37,
-           t28 - t31,
-           Scalar(2) * t24,
-           Scalar(2) * t37,
-           Scalar(2) * t28,
+           t21,
+           t21 - t33,
+           t22,
+           t35,
+           t35 * t37 * t35,
+           t1 * t36,
            t41,
-           g.d4 * t42,
-           t33 * t34,
-           t44 + (inertia.c2x * t42 - (inertia.I2xx - t38)) };
+           t37 * t0,
+           t43 + t45 };
 }
 
 namespace detail {
@@ -1173,224 +1175,228 @@ inline JointVector<Scalar> forward_dynamics([[maybe_unused]] const JointVector<S
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[12] * s6 - k[11] * c6;
-  const Scalar t1 = k[12] * c6 + k[11] * s6;
-  const Scalar t2 = c5 * t0;
-  const Scalar t3 = c3 * s5 * t0 + s3 * (s4 * t1 + c4 * t2);
-  const Scalar t4 = k[16] * t3;
-  const Scalar t5 = k[15] * t4;
-  const Scalar t6 = k[0] * s6 + k[1] * c6;
-  const Scalar t7 = c5 + k[15] * s5 * t6;
-  const Scalar t8 = k[8] * t7;
-  const Scalar t9 = k[13] + t1;
-  const Scalar t10 = c5 * t9 + k[14] * s5;
-  const Scalar t11 = k[18] + t10;
-  const Scalar t12 = k[19] - t0;
-  const Scalar t13 = k[16] * s3 * (s4 * t11 - c4 * t12);
-  const Scalar t14 = s5 * t9 - k[14] * c5;
-  const Scalar t15 = k[16] * (s3 * c4 * t14 - c3 * t10);
-  const Scalar t16 = k[0] * c6 - k[1] * s6;
-  const Scalar t17 = k[15] * t16;
-  const Scalar t18 = t15 - t4 * t17;
-  const Scalar t19 = k[3] * c6 - k[4] * s6;
-  const Scalar t20 = k[7] - s6 * t19;
-  const Scalar t21 = k[8] - t20;
-  const Scalar t22 = k[10] + (k[9] - t21);
-  const Scalar t23 = Scalar(1) / (t16 * t17 + t22);
-  const Scalar t24 = t18 * t23;
-  const Scalar t25 = k[5] - c6 * t19;
-  const Scalar t26 = k[6] - t25;
-  const Scalar t27 = k[2] + t16;
-  const Scalar t28 = s5 * t26 - c5 * t27;
-  const Scalar t29 = t7 * t16 + t28;
-  const Scalar t30 = (t5 * t8 - t13) + t24 * t29;
-  const Scalar t31 = t1 - (k[8] * s5 - c5 * t6);
-  const Scalar t32 = t2 - t16;
-  const Scalar t33 = c3 * t8 + s3 * (c4 * t31 - s4 * t32);
-  const Scalar t34 = k[31] * (c4 * t1 - s4 * t2) - t33;
-  const Scalar t35 = k[21] + t6;
-  const Scalar t36 = Scalar(2) * c5 * t35 - s5 * (k[22] - t22);
-  const Scalar t37 = t11 + (k[23] + (c5 * t36 - t35));
-  const Scalar t38 = t12 + (k[24] - t28);
-  const Scalar t39 = c4 * t37 + s4 * t38;
-  const Scalar t40 = k[10] + s5 * t36;
-  const Scalar t41 = k[25] + (t40 - t22);
-  const Scalar t42 = k[27] + t20;
-  const Scalar t43 = s5 * t27 + c5 * t26;
-  const Scalar t44 = k[26] + t43;
-  const Scalar t45 = c4 * t44;
-  const Scalar t46 = s4 * (t42 - t41) + (t45 + t45);
-  const Scalar t47 = s4 * t46;
-  const Scalar t48 = t41 + t47;
-  const Scalar t49 = t42 - t47;
-  const Scalar t50 = t48 + t49;
-  const Scalar t51 = s4 * t12 + c4 * t11;
-  const Scalar t52 = (s3 * t39 + c3 * t50) - k[31] * t51;
-  const Scalar t53 = t14 + t22;
-  const Scalar t54 = s3 * (s4 * t53 + c4 * t43) + c3 * t28;
-  const Scalar t55 = (k[31] * s4 * t14 - t54) + t34 * t17;
-  const Scalar t56 = t55 * t23;
-  const Scalar t57 = (t34 * t7 + t52) - t56 * t29;
-  const Scalar t58 = t23 * t29;
-  const Scalar t59 = Scalar(1) / (t58 * t29 - (t7 * t8 - t50));
-  const Scalar t60 = t57 * t59;
-  const Scalar t61 = t30 * t60 + (t5 * t34 + t18 * t56);
-  const Scalar t62 = s4 * t31 + c4 * t32;
-  const Scalar t63 = s4 * t37 - c4 * t38;
-  const Scalar t64 = k[15] * t62;
-  const Scalar t65 = (s4 * t43 - c4 * t53) + t64 * t16;
-  const Scalar t66 = t65 * t23;
-  const Scalar t67 = (t7 * t62 - t63) - t66 * t29;
-  const Scalar t68 = t67 * t59;
-  const Scalar t69 = k[17] - t14;
-  const Scalar t70 = c3 * (k[20] + t51) + s3 * t69;
-  const Scalar t71 = t24 * t65 + (t64 * t4 - k[16] * t70);
-  const Scalar t72 = t68 * t30 + t71;
-  const Scalar t73 = s3 * (k[32] + (c4 * t46 - t44)) - c3 * (k[33] - t63);
-  const Scalar t74 = t67 * t60 + ((t64 * t34 + t73) - t55 * t66);
-  const Scalar t75 = k[28] - t48;
-  const Scalar t76 = k[29] + (t40 + (t14 - t69));
-  const Scalar t77 = (t64 * t62 + (t75 + t76)) - t65 * t66;
-  const Scalar t78 = Scalar(1) / (t68 * t67 + t77);
-  const Scalar t79 = t74 * t78;
-  const Scalar t80 = t61 - t72 * t79;
-  const Scalar t81 = t30 * t59;
-  const Scalar t82 = t81 * t30 - ((k[30] - t5 * t4) + t24 * t18);
-  const Scalar t83 = t78 * t72;
-  const Scalar t84 = Scalar(1) / (t82 - t83 * t72);
-  const Scalar t85 = t80 * t84;
-  const Scalar t86 = k[15] * t34;
-  const Scalar t87 = k[42] + t70;
-  const Scalar t88 = Scalar(2) * c3 * (k[36] + t39) + s3 * (t75 - t76);
-  const Scalar t89 = k[31] * (t87 - (k[43] - t87)) - (s3 * t88 - t75);
-  const Scalar t90 = t34 * t86 + ((k[44] + t89) - (k[41] + t49));
-  const Scalar t91 = t74 * t79 - (t57 * t60 + (t90 - t55 * t56));
-  const Scalar t92 = qd[0] * s3;
-  const Scalar t93 = s4 * t92 - qd[2] * c4;
-  const Scalar t94 = qd[2] * s4 + c4 * t92;
-  const Scalar t95 = t93 * t94;
-  const Scalar t96 = qd[2] * t92;
-  const Scalar t97 = t95 + t96;
-  const Scalar t98 = qd[0] * c3;
-  const Scalar t99 = qd[3] - t98;
-  const Scalar t100 = t93 * t99;
-  const Scalar t101 = t92 * t98;
-  const Scalar t102 = qd[2] * t98;
-  const Scalar t103 = Scalar(2) * t102;
-  const Scalar t104 = s4 * t101 - c4 * t103;
-  const Scalar t105 = (t100 + t100) + t104;
-  const Scalar t106 = s5 * t97 + c5 * t105;
-  const Scalar t107 = c5 * t97 - s5 * t105;
-  const Scalar t108 = c5 * t94 - s5 * t99;
-  const Scalar t109 = t108 * t108;
-  const Scalar t110 = c5 * t99 + s5 * t94;
-  const Scalar t111 = t110 * t110;
-  const Scalar t112 = t109 - t111;
-  const Scalar t113 = t110 * t108;
-  const Scalar t114 = t94 * t99;
-  const Scalar t115 = c4 * t101 + s4 * t103;
-  const Scalar t116 = t114 + t115;
-  const Scalar t117 = t113 + t116;
-  const Scalar t118 = t113 - t116;
-  const Scalar t119 = k[21] * t112 + (k[9] * t117 - k[10] * t118);
-  const Scalar t120 = t98 * t98;
-  const Scalar t121 = t92 * t92;
-  const Scalar t122 = t120 + t121;
-  const Scalar t123 = k[31] * t122;
-  const Scalar t124 = k[34] * s3 + c3 * t123;
-  const Scalar t125 = c4 * t124 - t115;
-  const Scalar t126 = s3 * t123 - k[34] * c3;
-  const Scalar t127 = t93 * t93;
-  const Scalar t128 = t99 * t99;
-  const Scalar t129 = t127 - t128;
-  const Scalar t130 = qd[4] - t93;
-  const Scalar t131 = t130 * t130;
-  const Scalar t132 = t131 - t111;
-  const Scalar t133 = t131 + t109;
-  const Scalar t134 = t132 - t133;
-  const Scalar t135 = t129 - t134;
-  const Scalar t136 = t126 - t135;
-  const Scalar t137 = s5 * t125 + c5 * t136;
-  const Scalar t138 = s5 * t136 - c5 * t125;
-  const Scalar t139 = ((k[6] * t106 - k[2] * t107) - t119) + (k[13] * t137 + k[14] * t138);
-  const Scalar t140 = qd[5] + t110;
-  const Scalar t141 = t130 * t140;
-  const Scalar t142 = Scalar(2) * t130 * t110 + t106;
-  const Scalar t143 = (t141 - t142) + t141;
-  const Scalar t144 = t118 - Scalar(2) * t108 * t140;
-  const Scalar t145 = t140 * t140 - t109;
-  const Scalar t146 = (t143 * t25 - t21 * t144) - (t107 * t16 - t6 * t145);
-  const Scalar t147 = t139 + (t146 + t137 * t1);
-  const Scalar t148 = s4 * t124 - t104;
-  const Scalar t149 = t132 - t112;
-  const Scalar t150 = t130 * t108;
-  const Scalar t151 = t107 + (t150 + t150);
-  const Scalar t152 = t25 * t149 + (t107 * t20 + t21 * t151);
-  const Scalar t153 = (t148 * t1 - t138 * t0) - (t152 + (t6 * t142 + t118 * t16));
-  const Scalar t154 = torque[5] - t153;
-  const Scalar t155 = t23 * ((torque[4] - t147) - t154 * t17);
-  const Scalar t156 = t127 + t128;
-  const Scalar t157 = t134 + t156;
-  const Scalar t158 = t95 - t96;
-  const Scalar t159 = k[26] * t157 + (k[25] * t158 - k[27] * t97);
-  const Scalar t160 = (k[19] * t125 - k[18] * t148) - (t159 - (k[23] * t104 - k[24] * t115));
-  const Scalar t161 = t149 - t145;
-  const Scalar t162 = (t25 * t144 - t143 * t20) - t16 * t161;
-  const Scalar t163 = (k[21] * t151 - k[10] * t142) - k[2] * t132;
-  const Scalar t164 = ((t162 + t6 * t151) - t137 * t0) + ((t163 + k[6] * t117) - k[14] * t148);
-  const Scalar t165 = (k[21] * t142 - k[9] * t151) - (k[6] * t149 - k[2] * t118);
-  const Scalar t166 = (k[13] * t148 - t165) + t153;
-  const Scalar t167 = t160 + (s5 * t164 - c5 * t166);
-  const Scalar t168 = k[15] * t154;
-  const Scalar t169 = t29 * t155 - ((torque[3] + t167) - t8 * t168);
-  const Scalar t170 = t169 * t59;
-  const Scalar t171 = (k[18] * t158 + k[19] * t134) + k[17] * t148;
-  const Scalar t172 = (k[14] * t142 + k[13] * t151) + (t1 * t151 - t0 * (t133 - t161));
-  const Scalar t173 = t171 - t172;
-  const Scalar t174 = (k[18] * t156 - k[19] * t97) - k[17] * t125;
-  const Scalar t175 = (k[14] * t133 - k[13] * t117) - (t143 * t0 - t1 * t144);
-  const Scalar t176 = (k[14] * t118 + k[13] * (t112 - t133)) - (t1 * (t145 + t133) + t107 * t0);
-  const Scalar t177 = t174 + (s5 * t175 - c5 * t176);
-  const Scalar t178 = c4 * t173 + s4 * t177;
-  const Scalar t179 = t120 - t121;
-  const Scalar t180 = t122 - t135;
-  const Scalar t181 = t179 - t180;
-  const Scalar t182 = (k[39] * t102 + k[40] * t96) + (k[32] * t181 + k[33] * t101);
-  const Scalar t183 = (k[29] * t103 + k[39] * t96) + k[33] * t180;
-  const Scalar t184 = t114 + t116;
-  const Scalar t185 = (k[27] * t105 + k[26] * t184) - k[24] * t129;
-  const Scalar t186 = (k[19] * t136 + (t185 - k[23] * t158)) + (c5 * t164 + s5 * t166);
-  const Scalar t187 = (k[26] * t105 + k[25] * t184) - (k[24] * t97 + k[23] * (t129 - t157));
-  const Scalar t188 = (k[18] * t136 + t187) + t147;
-  const Scalar t189 = (t183 - k[32] * t101) - (t178 - (c4 * t186 - s4 * t188));
-  const Scalar t190 = k[31] * (t178 - k[38] * t96) - (c3 * (t182 - t167) - s3 * t189);
-  const Scalar t191 = t55 * t155 + (t34 * t168 - (torque[0] - t190));
-  const Scalar t192 = c4 * t177 - s4 * t173;
-  const Scalar t193 = (k[37] * t101 + k[36] * t179) + k[20] * t126;
-  const Scalar t194 = (t192 + (c4 * t188 + s4 * t186)) + t193;
-  const Scalar t195 = t65 * t155 + ((torque[2] - t194) + t64 * t154);
-  const Scalar t196 = t68 * t169 + t195;
-  const Scalar t197 = t78 * t196;
-  const Scalar t198 = k[17] * t136 + (k[19] * t105 + k[18] * t184);
-  const Scalar t199 = ((s5 * t176 + c5 * t175) - t198) + k[20] * t101;
-  const Scalar t200 = c3 * t199 - s3 * (t192 + k[20] * (t181 + t122));
-  const Scalar t201 = t5 * t154 + (torque[1] - k[16] * (k[35] - t200));
-  const Scalar t202 = t197 * t72 - (t169 * t81 + (t201 - t18 * t155));
-  const Scalar t203 = ((t57 * t170 + t191) - t196 * t79) + t202 * t85;
-  const Scalar t204 = Scalar(1) / (t80 * t85 + t91) * t203;
-  const Scalar t205 = t202 * t84 - t85 * t204;
-  const Scalar t206 = t83 * t205 + (t79 * t204 + t197);
-  const Scalar t207 = t68 * t206 - ((t204 * t60 + t170) + t205 * t81);
-  const Scalar t208 = (t24 * t205 - (t56 * t204 - t155)) + t206 * t66;
-  const Scalar t209 = t208 + t58 * t207;
-  const Scalar t210 = (t5 * t205 + (t168 + t204 * t86)) - t64 * t206;
+  const Scalar t0 = k[14] * s6 + k[15] * c6;
+  const Scalar t1 = c5 + k[33] * s5 * t0;
+  const Scalar t2 = k[14] * c6 - k[15] * s6;
+  const Scalar t3 = k[9] * c6 - k[10] * s6;
+  const Scalar t4 = k[11] - c6 * t3;
+  const Scalar t5 = k[3] - t4;
+  const Scalar t6 = k[4] + t2;
+  const Scalar t7 = s5 * t5 - c5 * t6;
+  const Scalar t8 = t1 * t2 + t7;
+  const Scalar t9 = s6 * t3;
+  const Scalar t10 = k[12] + t9;
+  const Scalar t11 = k[5] - t10;
+  const Scalar t12 = k[17] + t11;
+  const Scalar t13 = k[33] * t2;
+  const Scalar t14 = Scalar(1) / (t12 + t13 * t2);
+  const Scalar t15 = t8 * t14;
+  const Scalar t16 = s5 * t6 + c5 * t5;
+  const Scalar t17 = k[18] + t16;
+  const Scalar t18 = c4 * t17;
+  const Scalar t19 = k[13] - t9;
+  const Scalar t20 = k[20] + t19;
+  const Scalar t21 = k[6] + t0;
+  const Scalar t22 = Scalar(2) * c5 * t21 - s5 * (k[17] - t11);
+  const Scalar t23 = s5 * t22;
+  const Scalar t24 = k[19] - (t11 - t23);
+  const Scalar t25 = (t18 + t18) + s4 * (t20 - t24);
+  const Scalar t26 = s4 * t25;
+  const Scalar t27 = t26 + t24;
+  const Scalar t28 = t26 - t20;
+  const Scalar t29 = t27 - t28;
+  const Scalar t30 = k[34] * t1;
+  const Scalar t31 = Scalar(1) / (t8 * t15 + (t29 - t30 * t1));
+  const Scalar t32 = k[7] * c6 - k[8] * s6;
+  const Scalar t33 = c5 * t32;
+  const Scalar t34 = t33 + t2;
+  const Scalar t35 = k[8] * c6 + k[7] * s6;
+  const Scalar t36 = t35 - (k[34] * s5 - c5 * t0);
+  const Scalar t37 = s3 * (s4 * t34 + c4 * t36) + c3 * t30;
+  const Scalar t38 = t37 - k[0] * (s4 * t33 + c4 * t35);
+  const Scalar t39 = k[33] * t38;
+  const Scalar t40 = k[2] + t35;
+  const Scalar t41 = k[16] * c5 - s5 * t40;
+  const Scalar t42 = t41 - t12;
+  const Scalar t43 = c3 * t7 + s3 * (c4 * t16 - s4 * t42);
+  const Scalar t44 = t39 * t2 + (t43 + k[0] * s4 * t41);
+  const Scalar t45 = t14 * t44;
+  const Scalar t46 = k[16] * s5 + c5 * t40;
+  const Scalar t47 = k[23] + t46;
+  const Scalar t48 = k[24] + t32;
+  const Scalar t49 = c4 * t47 + s4 * t48;
+  const Scalar t50 = t48 + (k[21] - t7);
+  const Scalar t51 = (k[22] + (c5 * t22 - t21)) + t47;
+  const Scalar t52 = s4 * t50 + c4 * t51;
+  const Scalar t53 = k[0] * t49 - (c3 * t29 + s3 * t52);
+  const Scalar t54 = t8 * t45 - (t53 + t39 * t30);
+  const Scalar t55 = t31 * t54;
+  const Scalar t56 = s4 * t36 - c4 * t34;
+  const Scalar t57 = k[33] * t56;
+  const Scalar t58 = t57 * t2 + (c4 * t42 + s4 * t16);
+  const Scalar t59 = s4 * t51 - c4 * t50;
+  const Scalar t60 = t58 * t15 - (t30 * t57 - t59);
+  const Scalar t61 = c3 * (k[25] - t59) - s3 * (k[26] - (t17 - c4 * t25));
+  const Scalar t62 = t58 * t14;
+  const Scalar t63 = t55 * t60 + ((t61 + t39 * t56) - t62 * t44);
+  const Scalar t64 = k[35] - t27;
+  const Scalar t65 = k[29] + t41;
+  const Scalar t66 = k[31] - ((t41 + t65) - (k[17] + t23));
+  const Scalar t67 = t62 * t58 - (t56 * t57 + (t64 + t66));
+  const Scalar t68 = t31 * t60;
+  const Scalar t69 = Scalar(1) / (t67 - t68 * t60);
+  const Scalar t70 = t63 * t69;
+  const Scalar t71 = c3 * (k[37] + t49) + s3 * t65;
+  const Scalar t72 = s3 * (t64 - t66) + Scalar(2) * c3 * (k[28] + t52);
+  const Scalar t73 = k[0] * (t71 - (k[42] - t71)) - (s3 * t72 - t64);
+  const Scalar t74 = ((k[43] + t73) - (k[41] - t28)) + t39 * t38;
+  const Scalar t75 = t63 * t70 + ((t74 - t44 * t45) + t55 * t54);
+  const Scalar t76 = k[38] * (s3 * c4 * t41 + c3 * t46);
+  const Scalar t77 = c3 * s5 * t32 - s3 * (s4 * t35 - c4 * t33);
+  const Scalar t78 = k[38] * t77;
+  const Scalar t79 = k[33] * t78;
+  const Scalar t80 = t76 - t79 * t2;
+  const Scalar t81 = t14 * t80;
+  const Scalar t82 = k[38] * s3 * (c4 * t48 - s4 * t47);
+  const Scalar t83 = t8 * t81 - (t82 - t79 * t30);
+  const Scalar t84 = t31 * t83;
+  const Scalar t85 = t62 * t80 + (k[38] * t71 + t79 * t56);
+  const Scalar t86 = t84 * t60 - t85;
+  const Scalar t87 = (t81 * t44 + t79 * t38) - t83 * t55;
+  const Scalar t88 = t86 * t70 - t87;
+  const Scalar t89 = t83 * t84 - (t81 * t80 + (k[39] - t79 * t78));
+  const Scalar t90 = t86 * t69;
+  const Scalar t91 = Scalar(1) / (t89 + t90 * t86);
+  const Scalar t92 = t88 * t91;
+  const Scalar t93 = qd[0] * s3;
+  const Scalar t94 = s4 * t93;
+  const Scalar t95 = qd[0] * c3;
+  const Scalar t96 = qd[2] * t95;
+  const Scalar t97 = t96 + t96;
+  const Scalar t98 = t94 * t95 - c4 * t97;
+  const Scalar t99 = qd[0] * qd[0];
+  const Scalar t100 = k[0] * t99;
+  const Scalar t101 = k[1] * s3 + c3 * t100;
+  const Scalar t102 = t98 - s4 * t101;
+  const Scalar t103 = t93 * t95;
+  const Scalar t104 = c4 * t103 + s4 * t97;
+  const Scalar t105 = t104 - c4 * t101;
+  const Scalar t106 = t93 * t93;
+  const Scalar t107 = qd[2] * qd[2];
+  const Scalar t108 = t106 + t107;
+  const Scalar t109 = qd[3] - t95;
+  const Scalar t110 = t109 * t109;
+  const Scalar t111 = qd[2] * s4 + c4 * t93;
+  const Scalar t112 = t111 * t111;
+  const Scalar t113 = t110 - t112;
+  const Scalar t114 = t108 + t113;
+  const Scalar t115 = t110 + t112;
+  const Scalar t116 = t94 - qd[2] * c4;
+  const Scalar t117 = t116 * t111;
+  const Scalar t118 = qd[2] * t93;
+  const Scalar t119 = t117 + t118;
+  const Scalar t120 = t117 - t118;
+  const Scalar t121 = k[18] * (t114 - t115) - (k[20] * t119 - k[19] * t120);
+  const Scalar t122 = (k[23] * t102 - k[24] * t105) + ((k[22] * t98 - k[21] * t104) - t121);
+  const Scalar t123 = s3 * t100 - k[1] * c3;
+  const Scalar t124 = t108 - t123;
+  const Scalar t125 = c5 * t105 - s5 * t124;
+  const Scalar t126 = t111 * t109;
+  const Scalar t127 = t126 + t104;
+  const Scalar t128 = c5 * t109 + s5 * t111;
+  const Scalar t129 = c5 * t111 - s5 * t109;
+  const Scalar t130 = t128 * t129;
+  const Scalar t131 = t127 - t130;
+  const Scalar t132 = qd[4] - t116;
+  const Scalar t133 = t132 * t128;
+  const Scalar t134 = t116 * t109;
+  const Scalar t135 = (t134 + t134) + t98;
+  const Scalar t136 = s5 * t119 + c5 * t135;
+  const Scalar t137 = (t133 + t133) + t136;
+  const Scalar t138 = c5 * t119 - s5 * t135;
+  const Scalar t139 = t138 + Scalar(2) * t132 * t129;
+  const Scalar t140 = qd[5] + t128;
+  const Scalar t141 = t140 * t140;
+  const Scalar t142 = t129 * t129;
+  const Scalar t143 = t141 + t142;
+  const Scalar t144 = t132 * t132;
+  const Scalar t145 = t144 + t141;
+  const Scalar t146 = t143 - t145;
+  const Scalar t147 = (t139 * t10 + t19 * t138) - t4 * t146;
+  const Scalar t148 = (t35 * t102 - t125 * t32) - ((t2 * t131 - t0 * t137) - t147);
+  const Scalar t149 = (k[5] * t139 - k[6] * t137) - (k[3] * t146 - k[4] * t131);
+  const Scalar t150 = t148 + (k[2] * t102 - t149);
+  const Scalar t151 = c5 * t124 + s5 * t105;
+  const Scalar t152 = t129 * t140;
+  const Scalar t153 = (t152 + t152) + t131;
+  const Scalar t154 = t132 * t140;
+  const Scalar t155 = (t154 + t154) - t137;
+  const Scalar t156 = t2 * (t144 - t141) + (t4 * t153 + t19 * t155);
+  const Scalar t157 = t141 - t142;
+  const Scalar t158 = t157 - t145;
+  const Scalar t159 = t158 + t115;
+  const Scalar t160 = k[4] * t159 - (k[17] * t137 - k[6] * t139);
+  const Scalar t161 = t127 + t130;
+  const Scalar t162 = (t151 * t32 - (t139 * t0 - t156)) - ((t160 + k[3] * t161) + k[16] * t102);
+  const Scalar t163 = t122 + (c5 * t150 - s5 * t162);
+  const Scalar t164 = torque[5] + t148;
+  const Scalar t165 = k[33] * t164;
+  const Scalar t166 = t159 - t146;
+  const Scalar t167 = k[6] * t166 - (k[5] * t161 + k[17] * t131);
+  const Scalar t168 = (k[2] * t151 - k[16] * t125) - (t167 + (k[3] * t136 - k[4] * t138));
+  const Scalar t169 = (t10 * t153 + t4 * t155) + (t0 * t157 - t138 * t2);
+  const Scalar t170 = t168 - (t169 - t35 * t151);
+  const Scalar t171 = t164 * t13 - (torque[4] + t170);
+  const Scalar t172 = t14 * t171;
+  const Scalar t173 = ((torque[3] + t163) - t30 * t165) + t8 * t172;
+  const Scalar t174 = t99 - t108;
+  const Scalar t175 = t106 - t107;
+  const Scalar t176 = t174 - t175;
+  const Scalar t177 = k[37] * t123 + (k[36] * t103 + k[28] * t176);
+  const Scalar t178 = k[29] * t105 + (k[23] * t114 - k[24] * t119);
+  const Scalar t179 = (k[16] * t131 - k[2] * (t158 - t166)) + (t35 * t145 - t138 * t32);
+  const Scalar t180 = (k[2] * t161 + k[16] * t158) + (t35 * t153 - t155 * t32);
+  const Scalar t181 = t178 + (c5 * t179 - s5 * t180);
+  const Scalar t182 = (t143 * t32 + t35 * t139) + (k[16] * t137 + k[2] * t139);
+  const Scalar t183 = (k[24] * t115 - k[23] * t120) + k[29] * t102;
+  const Scalar t184 = t182 + t183;
+  const Scalar t185 = c4 * t181 + s4 * t184;
+  const Scalar t186 = t126 + t127;
+  const Scalar t187 = k[21] * (t108 - t115) - (k[18] * t186 + k[20] * t135);
+  const Scalar t188 = (s5 * t150 + c5 * t162) + ((k[22] * t120 + t187) + k[24] * t124);
+  const Scalar t189 = (k[22] * t113 - k[21] * t119) + (k[18] * t135 + k[19] * t186);
+  const Scalar t190 = (k[23] * t124 - t189) + t170;
+  const Scalar t191 = t177 + (t185 - (s4 * t188 + c4 * t190));
+  const Scalar t192 = (t56 * t165 + (torque[2] - t191)) - t62 * t171;
+  const Scalar t193 = t68 * t173 + t192;
+  const Scalar t194 = t69 * t193;
+  const Scalar t195 = s4 * t181 - c4 * t184;
+  const Scalar t196 = (k[31] * t97 + k[30] * t118) + k[25] * t174;
+  const Scalar t197 = ((s4 * t190 - c4 * t188) - t195) - (k[26] * t103 - t196);
+  const Scalar t198 = (k[26] * t175 - k[25] * t103) - (k[27] * t118 + k[28] * t97);
+  const Scalar t199 = (s3 * t197 + c3 * (t163 + t198)) + k[0] * (t195 - k[32] * t118);
+  const Scalar t200 = t172 * t44 - ((torque[0] - t199) + t164 * t39);
+  const Scalar t201 = k[29] * t124 - (k[24] * t135 + k[23] * t186);
+  const Scalar t202 = k[37] * t103 + (t201 - (c5 * t180 + s5 * t179));
+  const Scalar t203 = c3 * t202 - s3 * (t185 + k[37] * (t176 + t108));
+  const Scalar t204 = (torque[1] - k[38] * (k[40] - t203)) - t164 * t79;
+  const Scalar t205 = t31 * t173;
+  const Scalar t206 = t90 * t193 - ((t172 * t80 - t204) - t83 * t205);
+  const Scalar t207 = (t194 * t63 - (t200 - t173 * t55)) - t206 * t92;
+  const Scalar t208 = Scalar(1) / (t75 - t88 * t92) * t207;
+  const Scalar t209 = t206 * t91 - t92 * t208;
+  const Scalar t210 = (t194 - t70 * t208) - t90 * t209;
+  const Scalar t211 = ((t55 * t208 - t205) + t84 * t209) - t68 * t210;
+  const Scalar t212 = t62 * t210 - (t81 * t209 + (t208 * t45 - t172));
+  const Scalar t213 = t15 * t211 + t212;
+  const Scalar t214 = (t79 * t209 - (t39 * t208 - t165)) + t57 * t210;
   JointVector<Scalar> result;
-  result[0] = t204;
-  result[1] = -t205;
-  result[2] = t206;
-  result[3] = -t207;
-  result[4] = t209;
-  result[5] = (t207 * t7 - t210) - t209 * t17;
+  result[0] = t208;
+  result[1] = t209;
+  result[2] = -t210;
+  result[3] = t211;
+  result[4] = -t213;
+  result[5] = t213 * t13 - (t214 + t211 * t1);
   return result;
 }
 
@@ -1417,81 +1423,81 @@ KineticEnergyConstants<Scalar> kinetic_energy_constants(const BasicGeometry<Scal
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6y * inertia.m6;
+  const Scalar t0 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
   const Scalar t1 = inertia.c6x * inertia.m6;
-  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t1;
-  const Scalar t4 = (inertia.I6yy - t2) - inertia.c6y * t0;
-  const Scalar t5 = inertia.c5y * inertia.m5;
-  const Scalar t6 = inertia.I6xy - inertia.c6y * t1;
-  const Scalar t7 = inertia.c5x * inertia.m5;
-  const Scalar t8 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t9 = inertia.c6z * inertia.m6;
-  const Scalar t10 = inertia.c5z * inertia.m5;
-  const Scalar t11 = (inertia.c6z * t9 - (inertia.I6zz - t2)) + (inertia.c5z * t10 - (inertia.I5zz - t8));
-  const Scalar t12 = inertia.c4y * inertia.m4;
-  const Scalar t13 = inertia.c4x * inertia.m4;
-  const Scalar t14 = inertia.c3x * inertia.m3;
-  const Scalar t15 = g.d4 * t14;
-  const Scalar t16 = inertia.c4z * inertia.m4;
-  const Scalar t17 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t18 = t16 - g.d4 * t17;
-  const Scalar t19 = inertia.c3z * inertia.m3;
-  const Scalar t20 = t19 - g.d4 * inertia.m3;
-  const Scalar t21 = Scalar(1) / g.d4;
-  const Scalar t22 = inertia.c3y * inertia.m3;
-  const Scalar t23 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t24 = ((inertia.I4yy - t23) - inertia.c4y * t12) - (inertia.c5y * t5 - (inertia.I5yy - t8));
-  const Scalar t25 = g.l2 / g.d4;
-  const Scalar t26 = g.d4 * g.d4 * (inertia.m2 + (inertia.m3 + t17));
-  const Scalar t27 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t28 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t29 = ((inertia.I3yy - t27) - inertia.c3y * t22)
-      + ((inertia.I2yy - t28) - inertia.c2y * inertia.c2y * inertia.m2);
-  const Scalar t30 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t31 = t29 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t30));
-  const Scalar t32 = inertia.c2x * inertia.m2;
-  const Scalar t33 = ((inertia.I3zz - t27) - inertia.c3z * t19) + g.d4 * (t19 + t20);
-  const Scalar t34 = ((inertia.I4zz - t23) - inertia.c4z * t16) + g.d4 * (t18 + t16);
-  const Scalar t35 = inertia.c1x * inertia.m1;
-  const Scalar t36 = g.l2 * (t35 + (g.l2 * inertia.m1 + t35)) + (inertia.c1x * t35 - (inertia.I1xx - t30));
-  return { inertia.I6yz - inertia.c6z * t0,
+  const Scalar t2 = (inertia.I6xx - t0) - inertia.c6x * t1;
+  const Scalar t3 = inertia.c6y * inertia.m6;
+  const Scalar t4 = (inertia.I6yy - t0) - inertia.c6y * t3;
+  const Scalar t5 = inertia.I6xy - inertia.c6y * t1;
+  const Scalar t6 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t7 = inertia.c4y * inertia.m4;
+  const Scalar t8 = inertia.c5y * inertia.m5;
+  const Scalar t9 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t10 = ((inertia.I4yy - t6) - inertia.c4y * t7) - (inertia.c5y * t8 - (inertia.I5yy - t9));
+  const Scalar t11 = inertia.c5x * inertia.m5;
+  const Scalar t12 = inertia.c6z * inertia.m6;
+  const Scalar t13 = inertia.c5z * inertia.m5;
+  const Scalar t14 = (inertia.c6z * t12 - (inertia.I6zz - t0)) + (inertia.c5z * t13 - (inertia.I5zz - t9));
+  const Scalar t15 = inertia.c4x * inertia.m4;
+  const Scalar t16 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t17 = inertia.c3y * inertia.m3;
+  const Scalar t18 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t19 = ((inertia.I3yy - t16) - inertia.c3y * t17)
+      + ((inertia.I2yy - t18) - inertia.c2y * inertia.c2y * inertia.m2);
+  const Scalar t20 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t21 = t19 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t20));
+  const Scalar t22 = inertia.c3x * inertia.m3;
+  const Scalar t23 = g.d4 * t22;
+  const Scalar t24 = inertia.c4z * inertia.m4;
+  const Scalar t25 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t26 = t24 - g.d4 * t25;
+  const Scalar t27 = inertia.c3z * inertia.m3;
+  const Scalar t28 = t27 - g.d4 * inertia.m3;
+  const Scalar t29 = g.d4 * g.d4 * (inertia.m2 + (inertia.m3 + t25));
+  const Scalar t30 = g.l2 / g.d4;
+  const Scalar t31 = ((inertia.I3zz - t16) - inertia.c3z * t27) + g.d4 * (t27 + t28);
+  const Scalar t32 = ((inertia.I4zz - t6) - inertia.c4z * t24) + g.d4 * (t26 + t24);
+  const Scalar t33 = inertia.c1x * inertia.m1;
+  const Scalar t34 = g.l2 * (t33 + (g.l2 * inertia.m1 + t33)) + (inertia.c1x * t33 - (inertia.I1xx - t20));
+  const Scalar t35 = inertia.c2x * inertia.m2;
+  const Scalar t36 = (inertia.c2x * t35 - (inertia.I2xx - t18)) + Scalar(2) * g.l2 * t35;
+  const Scalar t37 = Scalar(1) / g.d4;
+  return { t2 + t4,
+           Scalar(2) * t5,
+           t2 - t4,
+           t2,
+           t10,
+           inertia.c5x * t11 - (inertia.I5xx - t9),
+           t14,
            inertia.I6xz - inertia.c6z * t1,
-           t3 + t4,
-           inertia.I5yz - inertia.c5z * t5,
-           Scalar(2) * t6,
-           t3 - t4,
-           t6,
-           inertia.I5xy - inertia.c5y * t7,
-           g.d4 * t1,
-           g.d4 * t0,
-           inertia.I5xz - inertia.c5z * t7,
-           t4,
-           inertia.c5x * t7 - (inertia.I5xx - t8),
-           t11,
-           g.d4 * t7,
-           g.d4 * (t10 + t9),
-           inertia.I4yz - inertia.c4z * t12,
-           g.d4 * (t12 + t5),
-           inertia.I4xz - inertia.c4z * t13,
-           g.d4 * t13,
-           t15,
-           g.d4 * (t18 + t20),
+           inertia.I6yz - inertia.c6z * t3,
+           inertia.I5xz - inertia.c5z * t11,
+           (inertia.I4xx - t6) - inertia.c4x * t15,
+           t5,
+           inertia.I5xy - inertia.c5y * t11,
+           inertia.I5yz - inertia.c5z * t8,
+           inertia.I4xy - inertia.c4y * t15,
            t21,
-           g.d4 * t22 + (inertia.I3yz - inertia.c3z * t22),
-           inertia.I4xy - inertia.c4y * t13,
-           (inertia.I4xx - t23) - inertia.c4x * t13,
-           t24,
-           inertia.I3xy - inertia.c3y * t14,
-           t25,
-           t26 * t21 * t21,
-           t31,
-           g.d4 * t32,
-           t26 * t25,
-           inertia.c3x * t14 - (inertia.I3xx - t27),
-           t33 + t34,
-           t15 + (inertia.I3xz - inertia.c3z * t14),
-           t36 + (inertia.c2x * t32 - (inertia.I2xx - t28)) };
+           g.d4 * t3,
+           g.d4 * t1,
+           g.d4 * (t7 + t8),
+           g.d4 * t11,
+           g.d4 * (t13 + t12),
+           g.d4 * t15,
+           t23,
+           g.d4 * (t26 + t28),
+           t29 * t30,
+           t30,
+           inertia.c3x * t22 - (inertia.I3xx - t16),
+           t31 + t32,
+           inertia.I4yz - inertia.c4z * t7,
+           inertia.I4xz - inertia.c4z * t15,
+           t23 + (inertia.I3xz - inertia.c3z * t22),
+           t34 + t36,
+           t29 * t37 * t37,
+           t37,
+           g.d4 * t17 + (inertia.I3yz - inertia.c3z * t17),
+           inertia.I3xy - inertia.c3y * t22 };
 }
 
 namespace detail {
@@ -1508,73 +1514,69 @@ inline Scalar kinetic_energy([[maybe_unused]] const JointVector<Scalar>& q, cons
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[0] * c6 - k[1] * s6;
-  const Scalar t1 = k[4] * c6 - k[5] * s6;
-  const Scalar t2 = k[7] - (k[6] - c6 * t1);
-  const Scalar t3 = k[3] + t0;
-  const Scalar t4 = s5 * t2 - c5 * t3;
-  const Scalar t5 = k[0] * s6 + k[1] * c6;
-  const Scalar t6 = k[2] * c5 + s5 * t5;
-  const Scalar t7 = k[8] * c6 + k[9] * s6;
-  const Scalar t8 = k[14] + t7;
-  const Scalar t9 = k[15] * s5 + c5 * t8;
-  const Scalar t10 = k[19] + t9;
-  const Scalar t11 = k[9] * c6 - k[8] * s6;
-  const Scalar t12 = k[17] + t11;
-  const Scalar t13 = c4 * t10 + s4 * t12;
-  const Scalar t14 = s5 * t8 - k[15] * c5;
-  const Scalar t15 = c3 * (k[20] + t13) + s3 * (k[21] - t14);
-  const Scalar t16 = k[22] * s3 * (s4 * t10 - c4 * t12);
-  const Scalar t17 = k[22] * (c3 * t9 - s3 * c4 * t14);
-  const Scalar t18 = (qd[2] * k[22] * t15 - qd[3] * t16) + qd[4] * t17;
-  const Scalar t19 = c5 * t11;
-  const Scalar t20 = c3 * s5 * t11 - s3 * (s4 * t7 - c4 * t19);
-  const Scalar t21 = k[11] - s6 * t1;
-  const Scalar t22 = k[12] - (k[2] - t21);
-  const Scalar t23 = k[10] + t5;
-  const Scalar t24 = c5 * t23;
-  const Scalar t25 = s5 * (k[13] - t22) - (t24 + t24);
-  const Scalar t26 = s5 * t25;
-  const Scalar t27 = t26 + t22;
-  const Scalar t28 = k[13] - t26;
-  const Scalar t29 = t27 + t28;
-  const Scalar t30 = t14 + t29;
-  const Scalar t31 = c5 * t2 + s5 * t3;
-  const Scalar t32 = c3 * t4 + s3 * (s4 * t30 + c4 * t31);
-  const Scalar t33 = k[24] + t31;
-  const Scalar t34 = c4 * t33;
-  const Scalar t35 = k[26] + t21;
-  const Scalar t36 = k[25] - t27;
-  const Scalar t37 = (t34 + t34) + s4 * (t35 - t36);
-  const Scalar t38 = t12 + (k[16] - t4);
-  const Scalar t39 = (k[18] - (t23 + c5 * t25)) + t10;
-  const Scalar t40 = c4 * t38 - s4 * t39;
-  const Scalar t41 = s3 * (k[27] - (t33 - c4 * t37)) - c3 * (k[23] + t40);
-  const Scalar t42 = t35 + t36;
-  const Scalar t43 = s4 * t38 + c4 * t39;
-  const Scalar t44 = (c3 * t42 + s3 * t43) - k[28] * t13;
-  const Scalar t45 = qd[4] * (k[28] * s4 * t14 - t32) - (qd[2] * t41 - qd[3] * t44);
-  const Scalar t46 = t0 + t19;
-  const Scalar t47 = t7 + (c5 * t5 - k[2] * s5);
-  const Scalar t48 = s3 * (s4 * t46 + c4 * t47) + c3 * t6;
-  const Scalar t49 = t48 - k[28] * (c4 * t7 + s4 * t19);
-  const Scalar t50 = qd[1] * (t18 + qd[5] * k[22] * t20) - qd[0] * (t45 + qd[5] * t49);
-  const Scalar t51 = qd[4] * (s4 * t31 - c4 * t30) + qd[3] * t40;
-  const Scalar t52 = qd[5] * (s4 * t47 - c4 * t46) - t51;
-  const Scalar t53 = qd[3] * (qd[4] * t4 - qd[5] * t6) - (t50 - qd[2] * t52);
-  const Scalar t54 = s4 * t37 + t36;
-  const Scalar t55 = c3 * (k[35] + t43);
-  const Scalar t56 = k[34] - (t28 + (t14 + t14));
-  const Scalar t57 = k[33] - t54;
-  const Scalar t58 = s3 * ((t55 + t55) + s3 * (t56 + t57));
-  const Scalar t59 = k[31] + t15;
-  const Scalar t60 = (t58 - t57) - k[28] * ((k[32] + t59) + t59);
-  const Scalar t61 = qd[0] * ((k[30] + (t42 - t54)) - (k[36] - t60));
-  const Scalar t62 = (qd[1] * k[29] * qd[1] - qd[0] * t61) - qd[2] * qd[2] * (t56 - t57);
-  const Scalar t63 = (qd[3] * qd[3] * t42 - t62) - qd[4] * qd[4] * t29;
-  const Scalar t64 = (qd[4] * qd[5] * t0 - t53) + Scalar(0.5) * (t63 + qd[5] * k[2] * qd[5]);
+  const Scalar t0 = k[1] * c6 - k[2] * s6;
+  const Scalar t1 = k[3] + s6 * t0;
+  const Scalar t2 = k[5] - t1;
+  const Scalar t3 = k[6] + t2;
+  const Scalar t4 = k[7] * c6 + k[8] * s6;
+  const Scalar t5 = k[9] + t4;
+  const Scalar t6 = Scalar(2) * c5 * t5 - s5 * (k[6] - t2);
+  const Scalar t7 = k[6] + s5 * t6;
+  const Scalar t8 = k[10] - (t3 - t7);
+  const Scalar t9 = k[4] + (k[0] - t1);
+  const Scalar t10 = t8 + t9;
+  const Scalar t11 = k[12] - (k[11] - c6 * t0);
+  const Scalar t12 = k[8] * c6 - k[7] * s6;
+  const Scalar t13 = k[13] + t12;
+  const Scalar t14 = c5 * t11 + s5 * t13;
+  const Scalar t15 = k[14] + t14;
+  const Scalar t16 = c4 * t15;
+  const Scalar t17 = (t16 + t16) - s4 * (t8 - t9);
+  const Scalar t18 = s4 * t17;
+  const Scalar t19 = k[26] - (t8 + t18);
+  const Scalar t20 = k[17] * c6 + k[16] * s6;
+  const Scalar t21 = k[19] + t20;
+  const Scalar t22 = s5 * t21 - k[20] * c5;
+  const Scalar t23 = k[27] - (Scalar(2) * t22 + t7);
+  const Scalar t24 = k[17] * s6 - k[16] * c6;
+  const Scalar t25 = k[18] - t24;
+  const Scalar t26 = c5 * t21 + k[20] * s5;
+  const Scalar t27 = k[21] + t26;
+  const Scalar t28 = s4 * t25 + c4 * t27;
+  const Scalar t29 = s3 * (k[23] - t22) + c3 * (k[22] + t28);
+  const Scalar t30 = (k[29] - (t5 - c5 * t6)) + t27;
+  const Scalar t31 = s5 * t11 - c5 * t13;
+  const Scalar t32 = (k[28] - t31) + t25;
+  const Scalar t33 = c4 * t30 + s4 * t32;
+  const Scalar t34 = c3 * (k[30] + t33);
+  const Scalar t35 = s3 * (s3 * (t19 + t23) + (t34 + t34));
+  const Scalar t36 = k[25] * ((k[24] + t29) + t29) + (t19 - t35);
+  const Scalar t37 = qd[0] * ((k[31] + t36) - (k[15] + (t9 - t18)));
+  const Scalar t38 = qd[2] * qd[2] * (t19 - t23) + (qd[1] * k[32] * qd[1] + qd[0] * t37);
+  const Scalar t39 = qd[4] * qd[4] * t3 - (qd[3] * qd[3] * t10 - t38);
+  const Scalar t40 = (c3 * t10 + s3 * t33) - k[25] * t28;
+  const Scalar t41 = s4 * t30 - c4 * t32;
+  const Scalar t42 = s3 * (k[35] - (t15 - c4 * t17)) - c3 * (k[34] - t41);
+  const Scalar t43 = t3 + t22;
+  const Scalar t44 = s3 * (s4 * t43 + c4 * t14) + c3 * t31;
+  const Scalar t45 = (qd[3] * t40 - qd[2] * t42) - qd[4] * (t44 - k[25] * s4 * t22);
+  const Scalar t46 = c5 * t24;
+  const Scalar t47 = (c5 * t4 - k[0] * s5) + t20;
+  const Scalar t48 = t46 - t12;
+  const Scalar t49 = k[0] * c5 + s5 * t4;
+  const Scalar t50 = s3 * (c4 * t47 - s4 * t48) + c3 * t49;
+  const Scalar t51 = k[25] * (s4 * t46 - c4 * t20) + t50;
+  const Scalar t52 = k[33] * s3 * (s4 * t27 - c4 * t25);
+  const Scalar t53 = k[33] * (s3 * c4 * t22 - c3 * t26);
+  const Scalar t54 = (qd[2] * k[33] * t29 - qd[3] * t52) - qd[4] * t53;
+  const Scalar t55 = c3 * s5 * t24 + s3 * (c4 * t46 + s4 * t20);
+  const Scalar t56 = qd[0] * (t45 + qd[5] * t51) - qd[1] * (t54 - qd[5] * k[33] * t55);
+  const Scalar t57 = qd[4] * (s4 * t14 - c4 * t43) - qd[3] * t41;
+  const Scalar t58 = qd[5] * (s4 * t47 + c4 * t48) - t57;
+  const Scalar t59 = (t56 + qd[2] * t58) + qd[3] * (qd[4] * t31 - qd[5] * t49);
+  const Scalar t60 = Scalar(0.5) * (t39 - qd[5] * k[0] * qd[5]) + (t59 - qd[4] * qd[5] * t12);
   Scalar result;
-  result = -t64;
+  result = t60;
   return result;
 }
 

@@ -27,82 +27,82 @@ InverseDynamicsConstants<Scalar> inverse_dynamics_constants(const BasicGeometry<
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c4z * inertia.m4;
-  const Scalar t1 = inertia.c4y * inertia.m4;
-  const Scalar t2 = inertia.c5y * inertia.m5;
-  const Scalar t3 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t4 = inertia.c4x * inertia.m4;
-  const Scalar t5 = g.d4 * t3 + t4;
-  const Scalar t6 = inertia.c3x * inertia.m3;
-  const Scalar t7 = g.d4 * inertia.m3 + t6;
-  const Scalar t8 = (t5 + t7) / g.d4;
-  const Scalar t9 = g.d4 * g.d4 * t8;
-  const Scalar t10 = inertia.c6z * inertia.m6;
-  const Scalar t11 = inertia.c6y * inertia.m6;
-  const Scalar t12 = inertia.c5z * inertia.m5;
-  const Scalar t13 = inertia.c6x * inertia.m6;
-  const Scalar t14 = inertia.c5x * inertia.m5;
-  const Scalar t15 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t16 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t17 = ((inertia.I6xx - t15) - inertia.c6x * t13) - (inertia.c5x * t14 - (inertia.I5xx - t16));
-  const Scalar t18 = inertia.I6yz - inertia.c6z * t11;
-  const Scalar t19 = inertia.c6z * t10 - (inertia.I6zz - t15);
-  const Scalar t20 = (inertia.I6yy - t15) - inertia.c6y * t11;
-  const Scalar t21 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t22 = ((inertia.I4yy - t21) - inertia.c4y * t1) - (inertia.c5y * t2 - (inertia.I5yy - t16));
-  const Scalar t23 = inertia.c3y * inertia.m3;
-  const Scalar t24 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t25 = (inertia.c3x * t6 - (inertia.I3xx - t24)) + g.d4 * (t6 + t7);
-  const Scalar t26 = g.d4 * (t5 + t4) - ((inertia.I4xx - t21) - inertia.c4x * t4);
-  const Scalar t27 = inertia.c3z * inertia.m3;
-  const Scalar t28 = g.d4 * t27;
-  const Scalar t29 = inertia.c2x * inertia.m2;
-  const Scalar t30 = inertia.c2y * inertia.m2;
-  const Scalar t31 = g.d4 * g.d4 * ((inertia.m2 + (inertia.m3 + t3)) - t8);
-  const Scalar t32 = inertia.c1y * inertia.m1;
-  const Scalar t33 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t34 = g.l2 * ((t32 - g.l2 * inertia.m1) + t32) - (inertia.c1y * t32 - (inertia.I1yy - t33));
-  const Scalar t35 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t36 = ((inertia.I3yy - t24) - inertia.c3y * t23) + ((inertia.I2yy - t35) - inertia.c2y * t30);
-  const Scalar t37 = (inertia.c2x * t29 - (inertia.I2xx - t35))
-      + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t33));
-  return { g.d4 * t0,
-           g.d4 * (t1 + t2),
+  const Scalar t0 = inertia.c1y * inertia.m1;
+  const Scalar t1 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t2 = g.l2 * ((t0 - g.l2 * inertia.m1) + t0) - (inertia.c1y * t0 - (inertia.I1yy - t1));
+  const Scalar t3 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t4 = inertia.c3y * inertia.m3;
+  const Scalar t5 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t6 = inertia.c2y * inertia.m2;
+  const Scalar t7 = ((inertia.I3yy - t3) - inertia.c3y * t4) + ((inertia.I2yy - t5) - inertia.c2y * t6);
+  const Scalar t8 = inertia.c2x * inertia.m2;
+  const Scalar t9 = (inertia.c2x * t8 - (inertia.I2xx - t5))
+      + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t1));
+  const Scalar t10 = inertia.c3x * inertia.m3;
+  const Scalar t11 = inertia.c3z * inertia.m3;
+  const Scalar t12 = g.d4 * t11;
+  const Scalar t13 = g.d4 * inertia.m3 + t10;
+  const Scalar t14 = (inertia.c3x * t10 - (inertia.I3xx - t3)) + g.d4 * (t10 + t13);
+  const Scalar t15 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t16 = inertia.c4x * inertia.m4;
+  const Scalar t17 = g.d4 * t15 + t16;
+  const Scalar t18 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t19 = g.d4 * (t17 + t16) - ((inertia.I4xx - t18) - inertia.c4x * t16);
+  const Scalar t20 = (t17 + t13) / g.d4;
+  const Scalar t21 = g.d4 * g.d4 * t20;
+  const Scalar t22 = inertia.c6x * inertia.m6;
+  const Scalar t23 = inertia.c6z * inertia.m6;
+  const Scalar t24 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t25 = inertia.c6z * t23 - (inertia.I6zz - t24);
+  const Scalar t26 = inertia.c6y * inertia.m6;
+  const Scalar t27 = (inertia.I6yy - t24) - inertia.c6y * t26;
+  const Scalar t28 = inertia.I6yz - inertia.c6z * t26;
+  const Scalar t29 = inertia.c5x * inertia.m5;
+  const Scalar t30 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t31 = ((inertia.I6xx - t24) - inertia.c6x * t22) - (inertia.c5x * t29 - (inertia.I5xx - t30));
+  const Scalar t32 = inertia.c5y * inertia.m5;
+  const Scalar t33 = inertia.c5z * inertia.m5;
+  const Scalar t34 = inertia.c4y * inertia.m4;
+  const Scalar t35 = ((inertia.I4yy - t18) - inertia.c4y * t34) - (inertia.c5y * t32 - (inertia.I5yy - t30));
+  const Scalar t36 = inertia.c4z * inertia.m4;
+  const Scalar t37 = g.d4 * g.d4 * ((inertia.m2 + (inertia.m3 + t15)) - t20);
+  return { (t2 + t7) - t9,
+           inertia.I3yz - inertia.c3z * t4,
+           g.d4 * t4 - (inertia.I3xy - inertia.c3y * t10),
+           t12 - (inertia.I3xz - inertia.c3z * t10),
+           (t14 + t19) - t21,
+           inertia.I6xz - inertia.c6z * t22,
+           inertia.I6xy - inertia.c6y * t22,
+           t25 + t27,
+           Scalar(2) * t28,
+           t25,
+           t28,
            Scalar(1) / g.d4,
            g.l2 / g.d4,
            gravity / g.d4,
-           t9,
-           g.d4 * t10,
-           g.d4 * t11,
-           g.d4 * t12,
-           g.d4 * (t13 + t14),
-           t17,
-           inertia.c5z * t12 - (inertia.I5zz - t16),
-           inertia.I5xz - inertia.c5z * t14,
-           inertia.I5xy - inertia.c5y * t14,
-           inertia.I5yz - inertia.c5z * t2,
-           inertia.I6xz - inertia.c6z * t13,
-           inertia.I6xy - inertia.c6y * t13,
-           Scalar(2) * t18,
-           t19 + t20,
-           t20,
-           t18,
-           inertia.I4yz - inertia.c4z * t1,
-           (inertia.I4zz - t21) - inertia.c4z * t0,
-           inertia.I4xz - inertia.c4z * t4,
-           inertia.I4xy - inertia.c4y * t4,
-           t19,
-           t22,
-           inertia.I3yz - inertia.c3z * t23,
-           g.d4 * t23 - (inertia.I3xy - inertia.c3y * t6),
-           (t25 + t26) - t9,
-           t28 - (inertia.I3xz - inertia.c3z * t6),
-           (inertia.I3zz - t24) - inertia.c3z * t27,
-           t28,
-           g.d4 * t29,
-           g.d4 * (t23 + t30),
+           g.d4 * t23,
+           g.d4 * t26,
            t31,
-           (t34 + t36) - t37 };
+           inertia.I5xz - inertia.c5z * t29,
+           inertia.I5xy - inertia.c5y * t29,
+           inertia.I5yz - inertia.c5z * t32,
+           g.d4 * (t22 + t29),
+           t27,
+           g.d4 * t33,
+           inertia.c5z * t33 - (inertia.I5zz - t30),
+           g.d4 * (t34 + t32),
+           inertia.I4xy - inertia.c4y * t16,
+           t35,
+           inertia.I4yz - inertia.c4z * t34,
+           inertia.I4xz - inertia.c4z * t16,
+           g.d4 * t36,
+           (inertia.I4zz - t18) - inertia.c4z * t36,
+           t21,
+           t12,
+           (inertia.I3zz - t3) - inertia.c3z * t11,
+           g.d4 * (t4 + t6),
+           g.d4 * t8,
+           t37 };
 }
 
 namespace detail {
@@ -119,142 +119,140 @@ inline JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const 
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[3] + k[2] * q[1];
-  const Scalar t1 = qd[0] * k[2] * qd[1];
+  const Scalar t0 = k[12] + k[11] * q[1];
+  const Scalar t1 = qd[0] * k[11] * qd[1];
   const Scalar t2 = qdd[0] * t0 + (t1 + t1);
   const Scalar t3 = qd[0] * qd[0];
-  const Scalar t4 = t0 * t3 - k[2] * qdd[1];
+  const Scalar t4 = k[36] * t2 - (k[34] * qdd[0] + k[35] * t3);
   const Scalar t5 = qd[0] * s3;
   const Scalar t6 = qd[0] * c3;
   const Scalar t7 = t5 * t6;
-  const Scalar t8 = qdd[2] + t7;
-  const Scalar t9 = t8 + (k[4] * c3 - s3 * t2);
-  const Scalar t10 = qd[2] * t5;
-  const Scalar t11 = qdd[0] * c3;
-  const Scalar t12 = t10 + (t10 - t11);
-  const Scalar t13 = t4 - t12;
-  const Scalar t14 = c4 * t9 - s4 * t13;
-  const Scalar t15 = c4 * t13 + s4 * t9;
-  const Scalar t16 = qd[3] + t5;
-  const Scalar t17 = t16 * t16;
-  const Scalar t18 = c4 * t6 + qd[2] * s4;
-  const Scalar t19 = t18 * t18;
-  const Scalar t20 = t17 + t19;
-  const Scalar t21 = t17 - t19;
-  const Scalar t22 = t5 * t5;
-  const Scalar t23 = qd[2] * qd[2];
-  const Scalar t24 = t22 - t23;
-  const Scalar t25 = t3 - t24;
-  const Scalar t26 = t21 + t25;
-  const Scalar t27 = t20 - t26;
-  const Scalar t28 = qd[2] * t6;
-  const Scalar t29 = qdd[0] * s3;
-  const Scalar t30 = t28 + t29;
-  const Scalar t31 = qdd[3] + t30;
-  const Scalar t32 = qd[2] * c4 - s4 * t6;
-  const Scalar t33 = t18 * t32;
-  const Scalar t34 = t31 + t33;
-  const Scalar t35 = t31 - t33;
-  const Scalar t36 = k[21] * t27 + (k[22] * t34 + k[26] * t35);
-  const Scalar t37 = s4 * t12 + c4 * t8;
-  const Scalar t38 = c4 * t12 - s4 * t8;
-  const Scalar t39 = (k[1] * t14 - k[0] * t15) - (t36 + (k[24] * t37 + k[23] * t38));
-  const Scalar t40 = c5 * t18 - s5 * t16;
-  const Scalar t41 = t40 * t40;
-  const Scalar t42 = qd[4] + t32;
-  const Scalar t43 = t42 * t42;
-  const Scalar t44 = t41 - t43;
-  const Scalar t45 = c5 * t16 + s5 * t18;
-  const Scalar t46 = qd[5] + t45;
-  const Scalar t47 = t46 * t46;
-  const Scalar t48 = t47 - t41;
-  const Scalar t49 = t44 + t48;
-  const Scalar t50 = k[16] * c6 - k[15] * s6;
-  const Scalar t51 = k[17] * s6 - k[18] * c6;
-  const Scalar t52 = c6 * t51;
-  const Scalar t53 = k[25] + t52;
-  const Scalar t54 = t42 * t46;
-  const Scalar t55 = t45 * t42;
-  const Scalar t56 = t16 * t32;
-  const Scalar t57 = t56 + (t56 - t38);
-  const Scalar t58 = s5 * t35 - c5 * t57;
-  const Scalar t59 = t55 + (t55 + t58);
-  const Scalar t60 = (t54 - t59) + t54;
-  const Scalar t61 = k[20] - s6 * t51;
-  const Scalar t62 = t46 * t40;
-  const Scalar t63 = t45 * t40;
-  const Scalar t64 = t16 * t18;
-  const Scalar t65 = t37 - t64;
-  const Scalar t66 = qdd[4] + t65;
-  const Scalar t67 = t63 + t66;
-  const Scalar t68 = (t62 + t62) - t67;
-  const Scalar t69 = t49 * t50 + (t53 * t60 + t61 * t68);
-  const Scalar t70 = t42 * t40;
-  const Scalar t71 = s5 * t57 + c5 * t35;
-  const Scalar t72 = qdd[5] + t71;
-  const Scalar t73 = (t70 + t70) + t72;
-  const Scalar t74 = k[16] * s6 + k[15] * c6;
-  const Scalar t75 = k[7] * c6 - k[6] * s6;
-  const Scalar t76 = c3 * t2 + k[4] * s3;
-  const Scalar t77 = t25 - t76;
-  const Scalar t78 = c5 * t77 - s5 * t14;
-  const Scalar t79 = t47 + t43;
-  const Scalar t80 = t48 - t79;
-  const Scalar t81 = t20 + t80;
-  const Scalar t82 = qdd[5] - t73;
-  const Scalar t83 = k[13] * t81 + (k[10] * t59 - k[12] * t82);
-  const Scalar t84 = t63 - t66;
-  const Scalar t85 = ((t69 + t73 * t74) + t75 * t78) + (k[9] * t15 + (t83 + k[14] * t84));
-  const Scalar t86 = (k[14] * t44 + k[13] * t67) + (k[11] * t82 + k[12] * t59);
-  const Scalar t87 = k[19] + t52;
-  const Scalar t88 = t44 * t61 + (t87 * t73 - t53 * t72);
-  const Scalar t89 = k[6] * c6 + k[7] * s6;
-  const Scalar t90 = s5 * t77 + c5 * t14;
-  const Scalar t91 = ((t50 * t67 + t59 * t74) + t88) + (t15 * t89 - t90 * t75);
-  const Scalar t92 = (k[8] * t15 + t86) + t91;
-  const Scalar t93 = t39 - (s5 * t85 + c5 * t92);
-  const Scalar t94 = t22 + t23;
-  const Scalar t95 = t28 + t30;
-  const Scalar t96 = (k[28] * t8 - k[27] * (t3 - t94)) + (k[30] * t12 - k[31] * t95);
-  const Scalar t97 = k[28] * t24 + (k[29] * t12 + k[30] * t95);
-  const Scalar t98 = qdd[2] - t7;
-  const Scalar t99 = t64 - t65;
-  const Scalar t100 = (k[22] * t99 - k[21] * t57) + (k[23] * t21 - k[24] * t35);
-  const Scalar t101 = (t72 * t50 - t48 * t74) + (t61 * t60 - t87 * t68);
-  const Scalar t102 = t44 - t81;
-  const Scalar t103 = (k[10] * t67 + k[11] * t84) + k[12] * t102;
-  const Scalar t104 = ((k[14] * t58 - k[13] * t71) - t103) + (k[8] * t78 + k[9] * t90);
-  const Scalar t105 = (t78 * t89 - t101) + t104;
-  const Scalar t106 = (t75 * t72 - t89 * t79) + (k[9] * t67 + k[8] * (t102 + t80));
-  const Scalar t107 = (k[9] * t80 + k[8] * t84) - (t75 * t60 - t68 * t89);
-  const Scalar t108 = (k[0] * t26 - k[1] * t35) - k[5] * t14;
-  const Scalar t109 = (c5 * t106 + s5 * t107) - t108;
-  const Scalar t110 = ((t100 + k[0] * t77) + t105) + t109;
-  const Scalar t111 = k[24] * (t21 + t27) + (k[21] * t99 - k[26] * t57);
-  const Scalar t112 = (c5 * t85 - s5 * t92) + ((t111 + k[23] * t34) + k[1] * t77);
-  const Scalar t113 = (t73 * t89 + t75 * (t49 - t80)) + (k[9] * t59 - k[8] * t82);
-  const Scalar t114 = k[5] * t15 - (k[0] * t34 + k[1] * t20);
-  const Scalar t115 = t113 - t114;
-  const Scalar t116 = t112 - t115;
-  const Scalar t117 = (t97 + k[27] * t98) + (s4 * t110 - c4 * t116);
-  const Scalar t118 = s3 * (t93 + (t96 - k[32] * t4)) - c3 * t117;
-  const Scalar t119 = (k[33] * t3 + k[34] * qdd[0]) - k[35] * t2;
-  const Scalar t120 = k[32] * t94 + (s4 * t115 - c4 * t109);
-  const Scalar t121 = k[5] * t77 + (k[1] * t57 - k[0] * t99);
-  const Scalar t122 = k[32] * t98 + (t121 - (c5 * t107 - s5 * t106));
-  const Scalar t123 = (t119 - (s3 * t120 - c3 * t122)) * t0;
-  const Scalar t124 = ((k[34] * t2 - k[33] * t4) - t118) + t123;
-  const Scalar t125 = (k[33] * qdd[0] - k[34] * t3) + k[35] * t4;
-  const Scalar t126 = (s4 * t109 + c4 * t115) + k[32] * t95;
-  const Scalar t127 = k[30] * (t25 - t94) + (k[29] * t8 - k[31] * t98);
-  const Scalar t128 = (t127 - (k[27] * t11 - k[28] * t29)) - k[32] * t76;
+  const Scalar t8 = qdd[2] - t7;
+  const Scalar t9 = k[13] * s3 + c3 * t2;
+  const Scalar t10 = t5 * t5;
+  const Scalar t11 = qd[2] * qd[2];
+  const Scalar t12 = t10 - t11;
+  const Scalar t13 = t3 - t12;
+  const Scalar t14 = t9 - t13;
+  const Scalar t15 = qdd[0] * c3;
+  const Scalar t16 = qd[2] * t5;
+  const Scalar t17 = t15 - (t16 + t16);
+  const Scalar t18 = qdd[2] + t7;
+  const Scalar t19 = s4 * t17 - c4 * t18;
+  const Scalar t20 = qd[3] + t5;
+  const Scalar t21 = c4 * t6 + qd[2] * s4;
+  const Scalar t22 = t20 * t21;
+  const Scalar t23 = t19 + t22;
+  const Scalar t24 = t23 + t22;
+  const Scalar t25 = qd[2] * c4 - s4 * t6;
+  const Scalar t26 = c4 * t17 + s4 * t18;
+  const Scalar t27 = Scalar(2) * t20 * t25 + t26;
+  const Scalar t28 = k[31] * t14 + (k[29] * t24 - k[24] * t27);
+  const Scalar t29 = qd[4] + t25;
+  const Scalar t30 = c5 * t20 + s5 * t21;
+  const Scalar t31 = qd[5] + t30;
+  const Scalar t32 = t29 * t31;
+  const Scalar t33 = t30 * t29;
+  const Scalar t34 = qd[2] * t6;
+  const Scalar t35 = qdd[0] * s3;
+  const Scalar t36 = t34 + t35;
+  const Scalar t37 = qdd[3] + t36;
+  const Scalar t38 = t21 * t25;
+  const Scalar t39 = t37 - t38;
+  const Scalar t40 = c5 * t27 - s5 * t39;
+  const Scalar t41 = (t33 + t33) - t40;
+  const Scalar t42 = t32 + (t32 - t41);
+  const Scalar t43 = k[14] * s6 - k[15] * c6;
+  const Scalar t44 = k[14] * c6 + k[15] * s6;
+  const Scalar t45 = c5 * t21 - s5 * t20;
+  const Scalar t46 = t31 * t45;
+  const Scalar t47 = qdd[4] - t23;
+  const Scalar t48 = t30 * t45;
+  const Scalar t49 = t47 + t48;
+  const Scalar t50 = t46 - (t49 - t46);
+  const Scalar t51 = t45 * t45;
+  const Scalar t52 = t29 * t29;
+  const Scalar t53 = t51 + t52;
+  const Scalar t54 = t47 - t48;
+  const Scalar t55 = (t42 * t43 + t44 * t50) - (k[20] * t53 + k[22] * t54);
+  const Scalar t56 = t51 - t52;
+  const Scalar t57 = t20 * t20;
+  const Scalar t58 = t21 * t21;
+  const Scalar t59 = t57 + t58;
+  const Scalar t60 = t56 - t59;
+  const Scalar t61 = t31 * t31;
+  const Scalar t62 = t61 + t52;
+  const Scalar t63 = t29 * t45;
+  const Scalar t64 = t63 + t63;
+  const Scalar t65 = s5 * t27 + c5 * t39;
+  const Scalar t66 = t64 + t65;
+  const Scalar t67 = qdd[5] + t66;
+  const Scalar t68 = t64 - t67;
+  const Scalar t69 = (k[20] * t49 + k[22] * t60) - (t44 * t62 - t43 * t68);
+  const Scalar t70 = k[32] * t8 - (t28 + (c5 * t55 - s5 * t69));
+  const Scalar t71 = (k[22] * t66 + k[20] * t41) - (t43 * (t56 + t62) - t44 * t67);
+  const Scalar t72 = t37 + t38;
+  const Scalar t73 = (k[13] * c3 - s3 * t2) + t18;
+  const Scalar t74 = k[11] * qdd[1] - t3 * t0;
+  const Scalar t75 = t17 - t74;
+  const Scalar t76 = s4 * t73 + c4 * t75;
+  const Scalar t77 = (k[24] * t59 + k[29] * t72) - k[31] * t76;
+  const Scalar t78 = t71 + t77;
+  const Scalar t79 = c4 * t73 - s4 * t75;
+  const Scalar t80 = t57 - t58;
+  const Scalar t81 = k[31] * t79 - (k[29] * (t80 + t13) - k[24] * t39);
+  const Scalar t82 = t81 + (c5 * t69 + s5 * t55);
+  const Scalar t83 = s4 * t78 - c4 * t82;
+  const Scalar t84 = t10 + t11;
+  const Scalar t85 = c3 * t70 - s3 * (t83 + k[32] * t84);
+  const Scalar t86 = t59 - t13;
+  const Scalar t87 = (k[26] * t39 + k[30] * t72) - k[27] * (t80 - t86);
+  const Scalar t88 = (k[29] * t76 - k[24] * t79) - ((k[28] * t26 + k[25] * t19) - t87);
+  const Scalar t89 = k[7] * c6 - k[8] * s6;
+  const Scalar t90 = k[10] + s6 * t89;
+  const Scalar t91 = c6 * t89;
+  const Scalar t92 = k[21] - t91;
+  const Scalar t93 = k[9] - t91;
+  const Scalar t94 = t56 * t90 + (t67 * t92 + t93 * t68);
+  const Scalar t95 = k[6] * s6 + k[5] * c6;
+  const Scalar t96 = k[6] * c6 - k[5] * s6;
+  const Scalar t97 = c5 * t79 - s5 * t14;
+  const Scalar t98 = (t94 + (t95 * t41 + t49 * t96)) + (t43 * t97 + t44 * t76);
+  const Scalar t99 = (k[18] * t49 + k[19] * t56) + (k[17] * t41 - k[23] * t66);
+  const Scalar t100 = t98 + (t99 + k[22] * t76);
+  const Scalar t101 = c5 * t14 + s5 * t79;
+  const Scalar t102 = t61 - t51;
+  const Scalar t103 = (t90 * t50 + t42 * t93) + (t56 + t102) * t96;
+  const Scalar t104 = (k[16] * t41 + k[17] * t66) + k[18] * (t59 - t53);
+  const Scalar t105 = (t43 * t101 + (t95 * t67 + t103)) + (k[20] * t76 - (k[19] * t54 - t104));
+  const Scalar t106 = t88 + (c5 * t100 + s5 * t105);
+  const Scalar t107 = t3 - t84;
+  const Scalar t108 = t34 + t36;
+  const Scalar t109 = (k[1] * t107 - k[2] * t18) + (k[33] * t108 + k[3] * t17);
+  const Scalar t110 = c4 * t78 + s4 * t82;
+  const Scalar t111 = k[25] * t86 - (k[26] * t27 - k[27] * t24);
+  const Scalar t112 = (c5 * t105 - s5 * t100) - (k[24] * t14 - (k[28] * t72 + t111));
+  const Scalar t113 = (k[23] * t54 - k[16] * t49) - k[17] * (t53 + t60);
+  const Scalar t114 = (k[20] * t97 - k[22] * t101) - ((k[19] * t40 + k[18] * t65) - t113);
+  const Scalar t115 = (t92 * t50 - t42 * t90) + (t96 * t68 + t95 * t102);
+  const Scalar t116 = t114 + (t115 - t44 * t101);
+  const Scalar t117 = (k[30] * t24 - k[27] * t27) + (k[28] * t80 - k[25] * t39);
+  const Scalar t118 = t116 - (k[29] * t14 - t117);
+  const Scalar t119 = k[2] * t12 + (k[3] * t108 - k[4] * t17);
+  const Scalar t120 = (t110 - (c4 * t112 - s4 * t118)) + (t119 + k[1] * t8);
+  const Scalar t121 = s3 * (t106 - (k[32] * t74 - t109)) + c3 * t120;
+  const Scalar t122 = (t4 - t85) * t0 - ((k[34] * t2 + k[35] * t74) + t121);
+  const Scalar t123 = k[36] * t74 - (k[35] * qdd[0] - k[34] * t3);
+  const Scalar t124 = (k[33] * t8 - k[4] * t18) - k[3] * (t107 - t12);
+  const Scalar t125 = k[32] * t9 + (t124 + (k[1] * t15 - k[2] * t35));
+  const Scalar t126 = ((s4 * t112 + c4 * t118) - t83) - t125;
   JointVector<Scalar> result;
-  result[0] = -k[36] * qdd[0] - t124;
-  result[1] = -k[2] * (t125 - t126);
-  result[2] = t128 + (c4 * t110 + s4 * t116);
-  result[3] = t93;
-  result[4] = t105;
-  result[5] = -t91;
+  result[0] = t122 - k[0] * qdd[0];
+  result[1] = k[11] * ((k[32] * t108 + t110) + t123);
+  result[2] = t126;
+  result[3] = -t106;
+  result[4] = t116;
+  result[5] = -t98;
   return result;
 }
 
@@ -284,14 +282,14 @@ GravityTorqueConstants<Scalar> gravity_torque_constants(const BasicGeometry<Scal
   using std::sin;
   const Scalar t0 = g.d4 * (inertia.m4 + (inertia.m5 + inertia.m6)) + inertia.c4x * inertia.m4;
   return { gravity,
-           inertia.c3z * inertia.m3,
-           t0 + (g.d4 * inertia.m3 + inertia.c3x * inertia.m3),
+           inertia.c6z * inertia.m6,
+           inertia.c6y * inertia.m6,
            inertia.c6x * inertia.m6 + inertia.c5x * inertia.m5,
            inertia.c5z * inertia.m5,
-           inertia.c6y * inertia.m6,
-           inertia.c6z * inertia.m6,
            inertia.c4z * inertia.m4,
-           inertia.c4y * inertia.m4 + inertia.c5y * inertia.m5 };
+           inertia.c4y * inertia.m4 + inertia.c5y * inertia.m5,
+           inertia.c3z * inertia.m3,
+           t0 + (g.d4 * inertia.m3 + inertia.c3x * inertia.m3) };
 }
 
 namespace detail {
@@ -307,28 +305,28 @@ inline JointVector<Scalar> gravity_torque([[maybe_unused]] const JointVector<Sca
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[0] * s3;
-  const Scalar t1 = k[0] * c3;
-  const Scalar t2 = s4 * t1;
-  const Scalar t3 = k[6] * c6 + k[5] * s6;
-  const Scalar t4 = c4 * t1;
-  const Scalar t5 = s5 * t0 - c5 * t4;
-  const Scalar t6 = k[6] * s6 - k[5] * c6;
-  const Scalar t7 = t2 * t3 - t5 * t6;
-  const Scalar t8 = k[4] * t2 + t7;
-  const Scalar t9 = c5 * t0 + s5 * t4;
-  const Scalar t10 = k[3] * t2 + t9 * t6;
-  const Scalar t11 = k[8] * t0 + (s5 * t8 - c5 * t10);
-  const Scalar t12 = t9 * t3 + (k[4] * t9 + k[3] * t5);
-  const Scalar t13 = s4 * t11 + c4 * (t12 + k[7] * t0);
-  const Scalar t14 = (c5 * t8 + s5 * t10) + (k[7] * t2 - k[8] * t4);
+  const Scalar t0 = k[0] * c3;
+  const Scalar t1 = k[0] * s3;
+  const Scalar t2 = c4 * t0;
+  const Scalar t3 = c5 * t1 + s5 * t2;
+  const Scalar t4 = k[1] * c6 + k[2] * s6;
+  const Scalar t5 = s5 * t1 - c5 * t2;
+  const Scalar t6 = t3 * t4 + (k[4] * t3 + k[3] * t5);
+  const Scalar t7 = s4 * t0;
+  const Scalar t8 = k[2] * c6 - k[1] * s6;
+  const Scalar t9 = k[3] * t7 - t3 * t8;
+  const Scalar t10 = t5 * t8 + t7 * t4;
+  const Scalar t11 = k[4] * t7 + t10;
+  const Scalar t12 = (c5 * t9 - s5 * t11) - k[6] * t1;
+  const Scalar t13 = c4 * (k[5] * t1 + t6) - s4 * t12;
+  const Scalar t14 = (s5 * t9 + c5 * t11) + (k[5] * t7 - k[6] * t2);
   JointVector<Scalar> result;
   result[0] = Scalar(0);
   result[1] = Scalar(0);
-  result[2] = -(k[1] * t0 - k[2] * t1) - t13;
+  result[2] = (k[8] * t0 - k[7] * t1) - t13;
   result[3] = -t14;
-  result[4] = -t12;
-  result[5] = -t7;
+  result[4] = -t6;
+  result[5] = -t10;
   return result;
 }
 
@@ -353,74 +351,79 @@ CoriolisTorqueConstants<Scalar> coriolis_torque_constants(const BasicGeometry<Sc
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c4x * inertia.m4;
-  const Scalar t1 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t2 = inertia.c4y * inertia.m4;
-  const Scalar t3 = inertia.c5y * inertia.m5;
-  const Scalar t4 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t5 = ((inertia.I4yy - t1) - inertia.c4y * t2) - (inertia.c5y * t3 - (inertia.I5yy - t4));
-  const Scalar t6 = inertia.c4z * inertia.m4;
-  const Scalar t7 = inertia.c6z * inertia.m6;
-  const Scalar t8 = inertia.c6y * inertia.m6;
-  const Scalar t9 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t10 = inertia.c6z * t7 - (inertia.I6zz - t9);
-  const Scalar t11 = (inertia.I6yy - t9) - inertia.c6y * t8;
-  const Scalar t12 = inertia.I6yz - inertia.c6z * t8;
-  const Scalar t13 = inertia.c6x * inertia.m6;
-  const Scalar t14 = inertia.c5z * inertia.m5;
-  const Scalar t15 = inertia.c5x * inertia.m5;
-  const Scalar t16 = ((inertia.I6xx - t9) - inertia.c6x * t13) - (inertia.c5x * t15 - (inertia.I5xx - t4));
-  const Scalar t17 = inertia.c3z * inertia.m3;
-  const Scalar t18 = inertia.c3x * inertia.m3;
-  const Scalar t19 = g.d4 * t17 - (inertia.I3xz - inertia.c3z * t18);
-  const Scalar t20 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t21 = (inertia.I3zz - t20) - inertia.c3z * t17;
-  const Scalar t22 = inertia.c3y * inertia.m3;
-  const Scalar t23 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t24 = g.d4 * t23 + t0;
-  const Scalar t25 = g.d4 * inertia.m3 + t18;
-  const Scalar t26 = (t24 + t25) / g.d4;
-  const Scalar t27 = (inertia.c3x * t18 - (inertia.I3xx - t20)) + g.d4 * (t18 + t25);
-  const Scalar t28 = g.d4 * (t24 + t0) - ((inertia.I4xx - t1) - inertia.c4x * t0);
-  const Scalar t29 = (t27 + t28) - g.d4 * g.d4 * t26;
-  return { inertia.I4xy - inertia.c4y * t0,
-           inertia.I4xz - inertia.c4z * t0,
+  const Scalar t0 = inertia.c6y * inertia.m6;
+  const Scalar t1 = inertia.c6z * inertia.m6;
+  const Scalar t2 = inertia.c5z * inertia.m5;
+  const Scalar t3 = inertia.c6x * inertia.m6;
+  const Scalar t4 = inertia.c5x * inertia.m5;
+  const Scalar t5 = Scalar(1) / g.d4;
+  const Scalar t6 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t7 = inertia.c4x * inertia.m4;
+  const Scalar t8 = g.d4 * t6 + t7;
+  const Scalar t9 = inertia.c3x * inertia.m3;
+  const Scalar t10 = g.d4 * inertia.m3 + t9;
+  const Scalar t11 = (t8 + t10) / g.d4;
+  const Scalar t12 = g.d4 * g.d4 * t11;
+  const Scalar t13 = inertia.c4y * inertia.m4;
+  const Scalar t14 = inertia.c5y * inertia.m5;
+  const Scalar t15 = inertia.c4z * inertia.m4;
+  const Scalar t16 = inertia.c3z * inertia.m3;
+  const Scalar t17 = g.d4 * t16;
+  const Scalar t18 = g.d4 * g.d4 * ((inertia.m2 + (inertia.m3 + t6)) - t11);
+  const Scalar t19 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t20 = inertia.c6z * t1 - (inertia.I6zz - t19);
+  const Scalar t21 = (inertia.I6yy - t19) - inertia.c6y * t0;
+  const Scalar t22 = inertia.I6yz - inertia.c6z * t0;
+  const Scalar t23 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t24 = ((inertia.I6xx - t19) - inertia.c6x * t3) - (inertia.c5x * t4 - (inertia.I5xx - t23));
+  const Scalar t25 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t26 = ((inertia.I4yy - t25) - inertia.c4y * t13) - (inertia.c5y * t14 - (inertia.I5yy - t23));
+  const Scalar t27 = inertia.c3y * inertia.m3;
+  const Scalar t28 = t17 - (inertia.I3xz - inertia.c3z * t9);
+  const Scalar t29 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t30 = (inertia.c3x * t9 - (inertia.I3xx - t29)) + g.d4 * (t9 + t10);
+  const Scalar t31 = g.d4 * (t8 + t7) - ((inertia.I4xx - t25) - inertia.c4x * t7);
+  const Scalar t32 = (t30 + t31) - t12;
+  const Scalar t33 = (inertia.I3zz - t29) - inertia.c3z * t16;
+  return { g.d4 * t0,
+           g.d4 * t1,
+           g.d4 * t2,
+           g.d4 * (t3 + t4),
+           Scalar(2) * t5,
            t5,
-           (inertia.I4zz - t1) - inertia.c4z * t6,
-           inertia.I4yz - inertia.c4z * t2,
-           g.d4,
-           g.l2,
-           t2 + t3,
-           t6,
-           t7,
-           t8,
-           t10 + t11,
-           Scalar(2) * t12,
-           t10,
-           t11,
+           g.l2 / g.d4,
            t12,
-           inertia.I6xz - inertia.c6z * t13,
-           inertia.I6xy - inertia.c6y * t13,
-           t14,
-           inertia.I5xy - inertia.c5y * t15,
-           inertia.I5yz - inertia.c5z * t3,
-           inertia.I5xz - inertia.c5z * t15,
-           inertia.c5z * t14 - (inertia.I5zz - t4),
-           t16,
-           t13 + t15,
-           t19,
-           Scalar(2) * t21,
-           inertia.I3yz - inertia.c3z * t22,
-           g.d4 * t22 - (inertia.I3xy - inertia.c3y * t18),
+           g.d4 * (t13 + t14),
+           g.d4 * t15,
            t17,
+           g.d4 * inertia.c2x * inertia.m2,
+           t18,
+           inertia.I6xz - inertia.c6z * t3,
+           inertia.I6xy - inertia.c6y * t3,
+           t20 + t21,
+           Scalar(2) * t22,
+           t22,
+           t20,
+           inertia.I5yz - inertia.c5z * t14,
+           inertia.I5xy - inertia.c5y * t4,
+           inertia.I5xz - inertia.c5z * t4,
+           t24,
+           inertia.c5z * t2 - (inertia.I5zz - t23),
+           t21,
+           inertia.I4yz - inertia.c4z * t13,
            t26,
-           t29,
-           Scalar(2) * t19,
-           t22 + inertia.c2y * inertia.m2,
-           inertia.c2x * inertia.m2,
-           (inertia.m2 + (inertia.m3 + t23)) - t26,
+           inertia.I4xy - inertia.c4y * t7,
+           inertia.I4xz - inertia.c4z * t7,
+           (inertia.I4zz - t25) - inertia.c4z * t15,
+           inertia.I3yz - inertia.c3z * t27,
+           g.d4 * t27 - (inertia.I3xy - inertia.c3y * t9),
+           Scalar(2) * t28,
+           t32,
+           Scalar(2) * t33,
+           g.d4 * (t27 + inertia.c2y * inertia.m2),
            Scalar(2) * t17,
-           t21 + t29 };
+           t28,
+           t33 + t32 };
 }
 
 namespace detail {
@@ -437,121 +440,133 @@ inline JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const J
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = qd[0] * qd[0];
-  const Scalar t1 = qd[0] * c3;
-  const Scalar t2 = qd[0] * s3;
-  const Scalar t3 = t1 * t1 - t2 * t2;
-  const Scalar t4 = s4 * t1;
-  const Scalar t5 = qd[2] * c4 - t4;
-  const Scalar t6 = t5 * t5;
-  const Scalar t7 = c4 * t1;
-  const Scalar t8 = t7 + qd[2] * s4;
-  const Scalar t9 = t8 * t8;
-  const Scalar t10 = t6 + t9;
-  const Scalar t11 = t0 - t10;
-  const Scalar t12 = t3 + t11;
-  const Scalar t13 = qd[2] * t1;
-  const Scalar t14 = t8 * t5;
-  const Scalar t15 = t13 - t14;
-  const Scalar t16 = Scalar(2) * qd[2] * t2;
-  const Scalar t17 = c4 * t16 - t2 * t4;
-  const Scalar t18 = qd[3] + t2;
-  const Scalar t19 = t17 - Scalar(2) * t18 * t5;
-  const Scalar t20 = s5 * t15 + c5 * t19;
-  const Scalar t21 = c5 * t18 + s5 * t8;
-  const Scalar t22 = qd[4] + t5;
-  const Scalar t23 = t20 + Scalar(2) * t21 * t22;
-  const Scalar t24 = c5 * t8 - s5 * t18;
-  const Scalar t25 = c5 * t15 - s5 * t19;
-  const Scalar t26 = Scalar(2) * t22 * t24 + t25;
-  const Scalar t27 = k[9] * c6 + k[10] * s6;
-  const Scalar t28 = qd[5] + t21;
-  const Scalar t29 = t28 * t28;
-  const Scalar t30 = t24 * t24;
-  const Scalar t31 = t29 + t30;
-  const Scalar t32 = k[10] * c6 - k[9] * s6;
-  const Scalar t33 = (k[24] * t23 + k[18] * t26) + (t27 * t26 + t31 * t32);
-  const Scalar t34 = k[6] + q[1];
-  const Scalar t35 = t0 * t34;
-  const Scalar t36 = qd[1] * Scalar(2) * qd[0];
-  const Scalar t37 = s3 * t36;
-  const Scalar t38 = (c4 * t35 - s4 * t37) - k[5] * t17;
-  const Scalar t39 = t13 + t14;
-  const Scalar t40 = t18 * t18 + t9;
-  const Scalar t41 = k[30] * t38 - (k[8] * t39 + k[7] * t40);
-  const Scalar t42 = t33 - t41;
-  const Scalar t43 = t21 * t24;
-  const Scalar t44 = t7 * t2 + s4 * t16;
-  const Scalar t45 = t18 * t8;
-  const Scalar t46 = t44 - t45;
-  const Scalar t47 = t43 - t46;
-  const Scalar t48 = t22 * t22;
-  const Scalar t49 = t29 - t48;
-  const Scalar t50 = t49 - t31;
-  const Scalar t51 = t22 * t28;
-  const Scalar t52 = t51 + (t51 - t23);
-  const Scalar t53 = t43 + t46;
-  const Scalar t54 = t53 - Scalar(2) * t28 * t24;
-  const Scalar t55 = (k[18] * t47 + k[24] * t50) - (t32 * t52 + t54 * t27);
-  const Scalar t56 = t30 - t48;
-  const Scalar t57 = t56 - t31;
-  const Scalar t58 = (k[24] * t53 + k[18] * (t56 - t40)) + (t25 * t32 + t57 * t27);
-  const Scalar t59 = t6 - t9;
-  const Scalar t60 = k[5] * t44 - (s4 * t35 + c4 * t37);
-  const Scalar t61 = (k[7] * t15 - k[8] * (t40 + t59)) + k[30] * t60;
-  const Scalar t62 = (s5 * t55 + c5 * t58) + t61;
-  const Scalar t63 = k[29] * (t0 - t12) + (s4 * t42 - c4 * t62);
-  const Scalar t64 = t2 * t1;
-  const Scalar t65 = t45 - t46;
-  const Scalar t66 = c3 * t36;
-  const Scalar t67 = t66 - k[5] * t10;
-  const Scalar t68 = (k[7] * t19 + k[8] * t65) + k[30] * t67;
-  const Scalar t69 = k[29] * t64 - ((s5 * t58 - c5 * t55) - t68);
-  const Scalar t70 = (s3 * t63 + c3 * t69) + (k[35] * t36 - k[34] * t0);
-  const Scalar t71 = (k[22] * t26 - k[21] * t23) - (k[19] * t53 + k[20] * t56);
-  const Scalar t72 = k[17] * s6 + k[16] * c6;
-  const Scalar t73 = k[17] * c6 - k[16] * s6;
-  const Scalar t74 = k[12] * s6 - k[11] * c6;
-  const Scalar t75 = c6 * t74;
-  const Scalar t76 = k[14] + t75;
-  const Scalar t77 = k[13] + t75;
-  const Scalar t78 = k[15] - s6 * t74;
-  const Scalar t79 = (t26 * t76 - t25 * t77) + t56 * t78;
-  const Scalar t80 = c5 * t60 - s5 * t67;
-  const Scalar t81 = ((t72 * t23 + t73 * t53) + t79) - (t80 * t32 - t27 * t38);
-  const Scalar t82 = (t71 - k[18] * t38) - t81;
-  const Scalar t83 = s5 * t60 + c5 * t67;
-  const Scalar t84 = t49 * t73 + (t77 * t52 - t54 * t78);
-  const Scalar t85 = t40 + t50;
-  const Scalar t86 = (k[21] * t26 + k[23] * t23) + k[19] * t85;
-  const Scalar t87 = (t32 * t83 - (t84 + t72 * t26)) - (k[24] * t38 + (t86 + k[20] * t47));
-  const Scalar t88 = t40 - t10;
-  const Scalar t89 = (k[2] * t19 + k[4] * t65) + k[0] * t88;
-  const Scalar t90 = (s5 * t82 - c5 * t87) - (k[7] * t67 - (k[1] * t39 + t89));
-  const Scalar t91 = k[5] * t42 - t90;
-  const Scalar t92 = (k[1] * (t88 + t59) - k[0] * t15) + (k[4] * t19 + k[3] * t65);
-  const Scalar t93 = ((t57 - t50) * t72 + t25 * t73) + (t54 * t76 + t52 * t78);
-  const Scalar t94 = k[21] * (t56 - t85) + (k[22] * t47 + k[23] * t53);
-  const Scalar t95 = (k[18] * t83 - k[24] * t80) + (t94 - (k[20] * t20 - k[19] * t25));
-  const Scalar t96 = (t93 + t27 * t83) + t95;
-  const Scalar t97 = ((k[8] * t67 - t92) + t96) - k[5] * t62;
-  const Scalar t98 = (k[32] * t13 + k[31] * t16) + k[28] * t11;
-  const Scalar t99 = (c4 * t91 - s4 * t97) + (t98 - k[27] * t64);
-  const Scalar t100 = (k[3] * t39 + k[2] * t15) - k[4] * t59;
-  const Scalar t101 = (k[8] * t38 - k[7] * t60) + (t100 + (k[1] * t17 + k[0] * t44));
-  const Scalar t102 = t101 - (s5 * t87 + c5 * t82);
-  const Scalar t103 = (k[28] * t64 - k[27] * t12) + (k[25] * t16 - k[26] * t13);
-  const Scalar t104 = c3 * t99 + s3 * (t102 - (t103 - k[29] * t35));
-  const Scalar t105 = t70 * t34 + ((k[34] * t35 - k[33] * t36) - t104);
-  const Scalar t106 = (c4 * t42 + s4 * t62) + k[36] * t13;
-  const Scalar t107 = (k[37] * t64 + k[25] * t3) - k[29] * t66;
+  const Scalar t0 = k[6] + k[5] * q[1];
+  const Scalar t1 = qd[0] * qd[0];
+  const Scalar t2 = t1 * t0;
+  const Scalar t3 = qd[0] * s3;
+  const Scalar t4 = qd[2] * t3;
+  const Scalar t5 = t4 + t4;
+  const Scalar t6 = t2 - t5;
+  const Scalar t7 = qd[0] * c3;
+  const Scalar t8 = k[4] * qd[1];
+  const Scalar t9 = t3 * (t7 - t8);
+  const Scalar t10 = c4 * t6 + s4 * t9;
+  const Scalar t11 = s4 * t7;
+  const Scalar t12 = qd[2] * c4 - t11;
+  const Scalar t13 = t12 * t12;
+  const Scalar t14 = qd[3] + t3;
+  const Scalar t15 = t14 * t14;
+  const Scalar t16 = t13 + t15;
+  const Scalar t17 = t13 - t15;
+  const Scalar t18 = t3 * t3;
+  const Scalar t19 = qd[2] * qd[2];
+  const Scalar t20 = t18 + t19;
+  const Scalar t21 = t1 - t20;
+  const Scalar t22 = t18 - t19;
+  const Scalar t23 = t21 - t22;
+  const Scalar t24 = t23 + t20;
+  const Scalar t25 = t24 - t16;
+  const Scalar t26 = t17 - t25;
+  const Scalar t27 = t16 - t26;
+  const Scalar t28 = qd[2] * t7;
+  const Scalar t29 = c4 * t7;
+  const Scalar t30 = t29 + qd[2] * s4;
+  const Scalar t31 = t30 * t12;
+  const Scalar t32 = t28 + t31;
+  const Scalar t33 = k[7] * t10 - (k[8] * t27 + k[9] * t32);
+  const Scalar t34 = qd[4] + t12;
+  const Scalar t35 = c5 * t30 - s5 * t14;
+  const Scalar t36 = t34 * t35;
+  const Scalar t37 = t28 - t31;
+  const Scalar t38 = t14 * t12;
+  const Scalar t39 = c4 * t5 - t3 * t11;
+  const Scalar t40 = (t38 + t38) - t39;
+  const Scalar t41 = c5 * t37 + s5 * t40;
+  const Scalar t42 = t36 + (t36 + t41);
+  const Scalar t43 = c5 * t14 + s5 * t30;
+  const Scalar t44 = t43 * t34;
+  const Scalar t45 = s5 * t37 - c5 * t40;
+  const Scalar t46 = t44 + (t44 + t45);
+  const Scalar t47 = qd[5] + t43;
+  const Scalar t48 = t47 * t47;
+  const Scalar t49 = t35 * t35;
+  const Scalar t50 = t48 + t49;
+  const Scalar t51 = k[0] * c6 - k[1] * s6;
+  const Scalar t52 = k[0] * s6 + k[1] * c6;
+  const Scalar t53 = (k[2] * t42 + k[3] * t46) + (t50 * t51 + t52 * t42);
+  const Scalar t54 = t33 - t53;
+  const Scalar t55 = t48 - t34 * t34;
+  const Scalar t56 = t48 - t49;
+  const Scalar t57 = t55 - t56;
+  const Scalar t58 = t50 - t57;
+  const Scalar t59 = t58 - t56;
+  const Scalar t60 = t43 * t35;
+  const Scalar t61 = t14 * t30;
+  const Scalar t62 = t29 * t3 + s4 * t5;
+  const Scalar t63 = t61 - t62;
+  const Scalar t64 = t60 + t63;
+  const Scalar t65 = Scalar(2) * t34 * t47 - t46;
+  const Scalar t66 = t60 - t63;
+  const Scalar t67 = t66 - Scalar(2) * t47 * t35;
+  const Scalar t68 = (k[3] * t59 - k[2] * t64) + (t65 * t51 + t52 * t67);
+  const Scalar t69 = t57 - t27;
+  const Scalar t70 = (t52 * t58 - t41 * t51) - (k[3] * t66 + k[2] * t69);
+  const Scalar t71 = s4 * t6 - c4 * t9;
+  const Scalar t72 = (k[8] * t37 - k[9] * t16) - k[7] * t71;
+  const Scalar t73 = (s5 * t68 + c5 * t70) - t72;
+  const Scalar t74 = s4 * t54 - c4 * t73;
+  const Scalar t75 = t7 * t8;
+  const Scalar t76 = t24 - t75;
+  const Scalar t77 = t63 + t61;
+  const Scalar t78 = k[7] * t76 + (k[8] * t40 - k[9] * t77);
+  const Scalar t79 = t3 * t7;
+  const Scalar t80 = ((c5 * t68 - s5 * t70) + t78) - k[10] * t79;
+  const Scalar t81 = s3 * (t74 - k[10] * t20) + c3 * t80;
+  const Scalar t82 = qd[0] * t8;
+  const Scalar t83 = t0 * (t81 + (k[11] * t1 - k[12] * t82));
+  const Scalar t84 = (k[34] * t28 - k[32] * t4) - (k[31] * t79 - k[30] * t21);
+  const Scalar t85 = k[14] * c6 - k[13] * s6;
+  const Scalar t86 = k[14] * s6 + k[13] * c6;
+  const Scalar t87 = k[16] * s6 - k[15] * c6;
+  const Scalar t88 = c6 * t87;
+  const Scalar t89 = k[24] + t88;
+  const Scalar t90 = k[18] + t88;
+  const Scalar t91 = k[17] - s6 * t87;
+  const Scalar t92 = (t42 * t89 - t90 * t41) + t91 * t57;
+  const Scalar t93 = s5 * t76 - c5 * t71;
+  const Scalar t94 = ((t66 * t85 + t86 * t46) + t92) + (t52 * t10 - t93 * t51);
+  const Scalar t95 = (k[19] * t57 + k[20] * t66) - (k[23] * t42 - k[21] * t46);
+  const Scalar t96 = t94 + (k[2] * t10 + t95);
+  const Scalar t97 = (k[21] * t42 + k[22] * t46) - k[20] * (t59 - t27);
+  const Scalar t98 = s5 * t71 + c5 * t76;
+  const Scalar t99 = t55 * t85 - (t91 * t67 - t90 * t65);
+  const Scalar t100 = ((t97 + k[19] * t64) + k[3] * t10) + (t98 * t51 + (t86 * t42 + t99));
+  const Scalar t101 = k[25] * t26 - (k[26] * t37 + k[29] * t32);
+  const Scalar t102 = ((k[28] * t39 + k[27] * t62) - t101) + (k[8] * t71 + k[9] * t10);
+  const Scalar t103 = (c5 * t96 + s5 * t100) + t102;
+  const Scalar t104 = k[27] * t17 - (k[25] * t77 - k[26] * t40);
+  const Scalar t105 = ((t104 - k[28] * t32) - k[8] * t76) + (s5 * t96 - c5 * t100);
+  const Scalar t106 = (k[27] * t37 + k[28] * t25) - (k[29] * t77 - k[25] * t40);
+  const Scalar t107 = (t86 * t56 - t41 * t85) - (t89 * t67 + t91 * t65);
+  const Scalar t108 = (k[23] * t64 + k[22] * t66) + k[21] * (t69 + t59);
+  const Scalar t109 = (k[3] * t93 + k[2] * t98) + ((k[19] * t45 - k[20] * t41) - t108);
+  const Scalar t110 = (t52 * t98 + t107) + t109;
+  const Scalar t111 = (t106 - k[9] * t76) - t110;
+  const Scalar t112 = c4 * t54 + s4 * t73;
+  const Scalar t113 = k[31] * t22 + (k[32] * t28 + k[33] * t5);
+  const Scalar t114 = ((c4 * t105 - s4 * t111) - t112) - (k[30] * t79 - t113);
+  const Scalar t115 = s3 * ((k[10] * t2 + t84) + t103) + c3 * t114;
+  const Scalar t116 = t83 + ((k[35] * t82 - k[11] * t2) + t115);
+  const Scalar t117 = (k[36] * t28 - t112) - (k[12] * t2 - k[35] * t1);
+  const Scalar t118 = (k[38] * t79 + k[37] * t23) - k[10] * t75;
+  const Scalar t119 = ((c4 * t111 + s4 * t105) - t74) - t118;
   JointVector<Scalar> result;
-  result[0] = t105;
-  result[1] = (k[33] * t0 - k[35] * t35) + t106;
-  result[2] = t107 - (s4 * t91 + c4 * t97);
-  result[3] = -t102;
-  result[4] = -t96;
-  result[5] = -t81;
+  result[0] = -t116;
+  result[1] = k[5] * t117;
+  result[2] = -t119;
+  result[3] = -t103;
+  result[4] = t110;
+  result[5] = -t94;
   return result;
 }
 
@@ -577,79 +592,79 @@ MassMatrixConstants<Scalar> mass_matrix_constants(const BasicGeometry<Scalar>& g
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t1 = inertia.c6z * inertia.m6;
+  const Scalar t0 = inertia.c6x * inertia.m6;
+  const Scalar t1 = inertia.c5x * inertia.m5;
   const Scalar t2 = inertia.c6y * inertia.m6;
-  const Scalar t3 = inertia.c4y * inertia.m4;
-  const Scalar t4 = inertia.c5y * inertia.m5;
-  const Scalar t5 = inertia.c6x * inertia.m6;
-  const Scalar t6 = inertia.c5x * inertia.m5;
-  const Scalar t7 = inertia.c5z * inertia.m5;
-  const Scalar t8 = inertia.c4z * inertia.m4;
-  const Scalar t9 = inertia.c3y * inertia.m3;
-  const Scalar t10 = inertia.c2y * inertia.m2;
-  const Scalar t11 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t12 = inertia.c6z * t1 - (inertia.I6zz - t11);
-  const Scalar t13 = (inertia.I6yy - t11) - inertia.c6y * t2;
-  const Scalar t14 = inertia.I6yz - inertia.c6z * t2;
-  const Scalar t15 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t16 = ((inertia.I6xx - t11) - inertia.c6x * t5) - (inertia.c5x * t6 - (inertia.I5xx - t15));
-  const Scalar t17 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t18 = ((inertia.I4yy - t17) - inertia.c4y * t3) - (inertia.c5y * t4 - (inertia.I5yy - t15));
+  const Scalar t3 = inertia.I6yz - inertia.c6z * t2;
+  const Scalar t4 = inertia.c6z * inertia.m6;
+  const Scalar t5 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t6 = inertia.c6z * t4 - (inertia.I6zz - t5);
+  const Scalar t7 = (inertia.I6yy - t5) - inertia.c6y * t2;
+  const Scalar t8 = inertia.c5y * inertia.m5;
+  const Scalar t9 = inertia.c4y * inertia.m4;
+  const Scalar t10 = inertia.c5z * inertia.m5;
+  const Scalar t11 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t12 = ((inertia.I6xx - t5) - inertia.c6x * t0) - (inertia.c5x * t1 - (inertia.I5xx - t11));
+  const Scalar t13 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t14 = inertia.c4z * inertia.m4;
+  const Scalar t15 = ((inertia.I4yy - t13) - inertia.c4y * t9) - (inertia.c5y * t8 - (inertia.I5yy - t11));
+  const Scalar t16 = inertia.c3y * inertia.m3;
+  const Scalar t17 = inertia.c2y * inertia.m2;
+  const Scalar t18 = inertia.m4 + (inertia.m5 + inertia.m6);
   const Scalar t19 = inertia.c1y * inertia.m1;
   const Scalar t20 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
   const Scalar t21 = g.l2 * ((t19 - g.l2 * inertia.m1) + t19) - (inertia.c1y * t19 - (inertia.I1yy - t20));
   const Scalar t22 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
   const Scalar t23 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t24 = ((inertia.I3yy - t22) - inertia.c3y * t9) + ((inertia.I2yy - t23) - inertia.c2y * t10);
-  const Scalar t25 = inertia.c3x * inertia.m3;
-  const Scalar t26 = g.d4 * inertia.m3 + t25;
-  const Scalar t27 = (inertia.c3x * t25 - (inertia.I3xx - t22)) + g.d4 * (t25 + t26);
-  const Scalar t28 = inertia.c4x * inertia.m4;
-  const Scalar t29 = g.d4 * t0 + t28;
-  const Scalar t30 = g.d4 * (t29 + t28) - ((inertia.I4xx - t17) - inertia.c4x * t28);
-  const Scalar t31 = inertia.c3z * inertia.m3;
+  const Scalar t24 = ((inertia.I3yy - t22) - inertia.c3y * t16) + ((inertia.I2yy - t23) - inertia.c2y * t17);
+  const Scalar t25 = inertia.c3z * inertia.m3;
+  const Scalar t26 = inertia.c3x * inertia.m3;
+  const Scalar t27 = g.d4 * inertia.m3 + t26;
+  const Scalar t28 = (inertia.c3x * t26 - (inertia.I3xx - t22)) + g.d4 * (t26 + t27);
+  const Scalar t29 = inertia.c4x * inertia.m4;
+  const Scalar t30 = g.d4 * t18 + t29;
+  const Scalar t31 = g.d4 * (t30 + t29) - ((inertia.I4xx - t13) - inertia.c4x * t29);
   const Scalar t32 = inertia.c2x * inertia.m2;
   const Scalar t33 = (inertia.c2x * t32 - (inertia.I2xx - t23))
       + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t20));
-  return { g.l2,
-           inertia.m2 + (inertia.m3 + t0),
-           t1,
-           t2,
-           t3 + t4,
-           t5 + t6,
+  return { inertia.I6xy - inertia.c6y * t0,
+           inertia.I6xz - inertia.c6z * t0,
+           inertia.I5xy - inertia.c5y * t1,
+           Scalar(2) * t3,
+           t6 + t7,
+           t3,
+           inertia.I5yz - inertia.c5z * t8,
+           inertia.I4yz - inertia.c4z * t9,
            t7,
-           t8,
-           t9 + t10,
-           t12 + t13,
-           Scalar(2) * t14,
-           t14,
-           inertia.I5yz - inertia.c5z * t4,
-           inertia.I6xz - inertia.c6z * t5,
-           inertia.I6xy - inertia.c6y * t5,
-           inertia.I5xy - inertia.c5y * t6,
-           inertia.I4yz - inertia.c4z * t3,
-           t13,
-           inertia.c5z * t7 - (inertia.I5zz - t15),
-           inertia.I5xz - inertia.c5z * t6,
-           t16,
-           (inertia.I4zz - t17) - inertia.c4z * t8,
+           inertia.c5z * t10 - (inertia.I5zz - t11),
            t12,
-           t18,
+           inertia.I5xz - inertia.c5z * t1,
+           (inertia.I4zz - t13) - inertia.c4z * t14,
+           t6,
+           t15,
+           g.l2,
+           t4,
+           t2,
+           t9 + t8,
+           t0 + t1,
+           t10,
+           t14,
+           t16 + t17,
+           inertia.m2 + (inertia.m3 + t18),
            t21 + t24,
+           (inertia.I3zz - t22) - inertia.c3z * t25,
            g.d4,
-           t27 + t30,
-           (inertia.I3zz - t22) - inertia.c3z * t31,
-           inertia.I4xz - inertia.c4z * t28,
-           inertia.I4xy - inertia.c4y * t28,
-           g.d4 * t31 - (inertia.I3xz - inertia.c3z * t25),
+           t28 + t31,
+           inertia.I4xy - inertia.c4y * t29,
+           inertia.I4xz - inertia.c4z * t29,
+           g.d4 * t25 - (inertia.I3xz - inertia.c3z * t26),
            t33,
-           t31,
-           t29 + t26,
+           t25,
+           t30 + t27,
            t32,
-           inertia.I3yz - inertia.c3z * t9,
-           g.d4 * t9 - (inertia.I3xy - inertia.c3y * t25),
-           t12 - t13 };
+           g.d4 * t16 - (inertia.I3xy - inertia.c3y * t26),
+           inertia.I3yz - inertia.c3z * t16,
+           t6 - t7 };
 }
 
 namespace detail {
@@ -665,85 +680,81 @@ inline Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q,
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[14] * c6 - k[13] * s6;
-  const Scalar t1 = k[15] + t0;
-  const Scalar t2 = k[9] * c6 - k[10] * s6;
-  const Scalar t3 = k[12] + (k[11] + s6 * t2);
-  const Scalar t4 = s5 * t1 + c5 * t3;
-  const Scalar t5 = k[16] + t4;
-  const Scalar t6 = c4 * t5;
-  const Scalar t7 = k[14] * s6 + k[13] * c6;
-  const Scalar t8 = k[19] + t7;
-  const Scalar t9 = c5 * t8;
-  const Scalar t10 = c6 * t2;
-  const Scalar t11 = k[18] - (k[17] - t10);
-  const Scalar t12 = (t9 + t9) + s5 * (k[20] + t11);
-  const Scalar t13 = s5 * t12;
-  const Scalar t14 = k[21] + (t13 - t11);
-  const Scalar t15 = k[23] - (k[22] - t10);
-  const Scalar t16 = (t6 + t6) - s4 * (t14 - t15);
-  const Scalar t17 = s4 * t16;
-  const Scalar t18 = t17 - t15;
-  const Scalar t19 = k[2] * c6 + k[3] * s6;
-  const Scalar t20 = k[6] + t19;
-  const Scalar t21 = k[5] * s5 + c5 * t20;
-  const Scalar t22 = k[7] + t21;
-  const Scalar t23 = k[2] * s6 - k[3] * c6;
-  const Scalar t24 = k[4] - t23;
-  const Scalar t25 = s4 * t22 - c4 * t24;
-  const Scalar t26 = k[8] - t25;
-  const Scalar t27 = k[0] + q[1];
-  const Scalar t28 = t18 - (t26 + (t26 - k[1] * t27)) * t27;
-  const Scalar t29 = t14 + t17;
-  const Scalar t30 = k[27] + t29;
-  const Scalar t31 = c5 * t1 - s5 * t3;
-  const Scalar t32 = (k[29] + t31) - k[25] * t24;
-  const Scalar t33 = (k[28] + (c5 * t12 - t8)) - k[25] * t22;
-  const Scalar t34 = s4 * t32 + c4 * t33;
-  const Scalar t35 = s3 * (k[30] - t34);
-  const Scalar t36 = k[5] * c5 - s5 * t20;
-  const Scalar t37 = k[25] * t36;
-  const Scalar t38 = k[26] - ((k[20] - t13) - Scalar(2) * t37);
-  const Scalar t39 = c3 * ((t35 + t35) - c3 * (t38 + t30));
-  const Scalar t40 = s4 * t24 + c4 * t22;
-  const Scalar t41 = k[32] + t40;
-  const Scalar t42 = k[33] + t36;
-  const Scalar t43 = s4 * t33 - c4 * t32;
-  const Scalar t44 = s3 * (k[36] + t43) - c3 * (k[35] + (c4 * t16 - t5));
-  const Scalar t45 = t44 - (s3 * t42 + c3 * t41) * t27;
-  const Scalar t46 = t18 - t29;
-  const Scalar t47 = (s3 * t46 + c3 * t34) + s3 * t25 * t27;
-  const Scalar t48 = k[20] - t11;
-  const Scalar t49 = t37 - t48;
-  const Scalar t50 = c3 * (c4 * t4 + s4 * t49) + s3 * t31;
-  const Scalar t51 = (s3 * c4 * t36 + c3 * t21) * t27;
-  const Scalar t52 = c5 * t23;
-  const Scalar t53 = s3 * (s4 * t19 + c4 * t52) + c3 * s5 * t23;
-  const Scalar t54 = k[37] * c5 - s5 * t7;
-  const Scalar t55 = t0 + k[25] * t52;
-  const Scalar t56 = k[25] * t19 - (k[37] * s5 + c5 * t7);
-  const Scalar t57 = s3 * t54 + c3 * (s4 * t55 - c4 * t56);
+  const Scalar t0 = k[4] * c6 - k[3] * s6;
+  const Scalar t1 = c6 * t0;
+  const Scalar t2 = k[14] - (k[13] - t1);
+  const Scalar t3 = k[9] - (k[8] - t1);
+  const Scalar t4 = k[0] * s6 + k[1] * c6;
+  const Scalar t5 = k[11] + t4;
+  const Scalar t6 = s5 * (k[10] + t3) + Scalar(2) * c5 * t5;
+  const Scalar t7 = t3 - s5 * t6;
+  const Scalar t8 = k[12] - t7;
+  const Scalar t9 = k[0] * c6 - k[1] * s6;
+  const Scalar t10 = k[2] + t9;
+  const Scalar t11 = k[6] + (k[5] + s6 * t0);
+  const Scalar t12 = s5 * t10 + c5 * t11;
+  const Scalar t13 = k[7] + t12;
+  const Scalar t14 = s4 * (t2 - t8) + Scalar(2) * c4 * t13;
+  const Scalar t15 = t2 - s4 * t14;
+  const Scalar t16 = k[15] + q[1];
+  const Scalar t17 = k[17] * c6 - k[16] * s6;
+  const Scalar t18 = k[18] + t17;
+  const Scalar t19 = k[17] * s6 + k[16] * c6;
+  const Scalar t20 = k[20] + t19;
+  const Scalar t21 = c5 * t20 + k[19] * s5;
+  const Scalar t22 = k[21] + t21;
+  const Scalar t23 = c4 * t18 - s4 * t22;
+  const Scalar t24 = k[22] + t23;
+  const Scalar t25 = t15 - t16 * ((k[23] * t16 - t24) - t24);
+  const Scalar t26 = t2 + t8;
+  const Scalar t27 = k[25] - (t15 - t26);
+  const Scalar t28 = k[29] - (t5 - c5 * t6);
+  const Scalar t29 = s5 * t11 - c5 * t10;
+  const Scalar t30 = k[28] - t29;
+  const Scalar t31 = c4 * t22 + s4 * t18;
+  const Scalar t32 = (c4 * t28 + s4 * t30) - k[26] * t31;
+  const Scalar t33 = s3 * (k[30] - t32);
+  const Scalar t34 = k[10] - t3;
+  const Scalar t35 = s5 * t20 - k[19] * c5;
+  const Scalar t36 = k[26] * t35;
+  const Scalar t37 = k[27] - ((t7 + t34) + (t36 + t36));
+  const Scalar t38 = c3 * ((t33 + t33) - c3 * (t37 + t27));
+  const Scalar t39 = k[32] + t31;
+  const Scalar t40 = k[33] - t35;
+  const Scalar t41 = k[26] * t23 - (c4 * t30 - s4 * t28);
+  const Scalar t42 = s3 * (k[35] + t41) - c3 * (k[36] - (t13 - c4 * t14));
+  const Scalar t43 = t42 - t16 * (s3 * t40 + c3 * t39);
+  const Scalar t44 = (c3 * t32 - s3 * t26) - t16 * s3 * t23;
+  const Scalar t45 = t34 + t36;
+  const Scalar t46 = s3 * t29 + c3 * (s4 * t45 - c4 * t12);
+  const Scalar t47 = t16 * (s3 * c4 * t35 - c3 * t21);
+  const Scalar t48 = k[37] * c5 - s5 * t4;
+  const Scalar t49 = k[26] * t19 - (k[37] * s5 + c5 * t4);
+  const Scalar t50 = c5 * t17;
+  const Scalar t51 = t9 - k[26] * t50;
+  const Scalar t52 = s3 * t48 - c3 * (c4 * t49 - s4 * t51);
+  const Scalar t53 = c3 * s5 * t17 + s3 * (c4 * t50 - s4 * t19);
   Eigen::Matrix<Scalar, dof, dof> result;
-  result(0, 0) = (k[31] - (t30 + t39)) - (k[24] - t28);
-  result(0, 1) = result(1, 0) = (s3 * t41 - c3 * t42) - k[34];
-  result(0, 2) = result(2, 0) = t45;
-  result(0, 3) = result(3, 0) = t47;
-  result(0, 4) = result(4, 0) = -t50 - t51;
-  result(0, 5) = result(5, 0) = t53 * t27 + t57;
-  result(1, 1) = k[1];
+  result(0, 0) = (k[31] - (t27 + t38)) - (k[24] + t25);
+  result(0, 1) = result(1, 0) = (s3 * t39 - c3 * t40) - k[34];
+  result(0, 2) = result(2, 0) = t43;
+  result(0, 3) = result(3, 0) = t44;
+  result(0, 4) = result(4, 0) = t46 + t47;
+  result(0, 5) = result(5, 0) = t52 - t16 * t53;
+  result(1, 1) = k[23];
   result(1, 2) = result(2, 1) = Scalar(0);
-  result(1, 3) = result(3, 1) = t40;
-  result(1, 4) = result(4, 1) = s4 * t36;
-  result(1, 5) = result(5, 1) = c4 * t19 - s4 * t52;
-  result(2, 2) = t38 - t30;
-  result(2, 3) = result(3, 2) = t43;
-  result(2, 4) = result(4, 2) = c4 * t49 - s4 * t4;
-  result(2, 5) = result(5, 2) = -c4 * t55 - s4 * t56;
-  result(3, 3) = t46;
-  result(3, 4) = result(4, 3) = -t31;
-  result(3, 5) = result(5, 3) = t54;
-  result(4, 4) = -t48;
-  result(4, 5) = result(5, 4) = -t0;
+  result(1, 3) = result(3, 1) = t31;
+  result(1, 4) = result(4, 1) = -s4 * t35;
+  result(1, 5) = result(5, 1) = c4 * t19 + s4 * t50;
+  result(2, 2) = t37 - t27;
+  result(2, 3) = result(3, 2) = t41;
+  result(2, 4) = result(4, 2) = -s4 * t12 - c4 * t45;
+  result(2, 5) = result(5, 2) = -s4 * t49 - c4 * t51;
+  result(3, 3) = -t26;
+  result(3, 4) = result(4, 3) = t29;
+  result(3, 5) = result(5, 3) = t48;
+  result(4, 4) = -t34;
+  result(4, 5) = result(5, 4) = -t9;
   result(5, 5) = k[37];
   return result;
 }
@@ -768,67 +779,68 @@ CoriolisMatrixConstants<Scalar> coriolis_matrix_constants(const BasicGeometry<Sc
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t0 = inertia.c6z * inertia.m6;
   const Scalar t1 = inertia.c6y * inertia.m6;
-  const Scalar t2 = inertia.c6z * inertia.m6;
-  const Scalar t3 = inertia.c5z * inertia.m5;
-  const Scalar t4 = inertia.c6x * inertia.m6;
-  const Scalar t5 = inertia.c5x * inertia.m5;
-  const Scalar t6 = inertia.c4y * inertia.m4;
-  const Scalar t7 = inertia.c5y * inertia.m5;
-  const Scalar t8 = inertia.c4z * inertia.m4;
-  const Scalar t9 = inertia.c3y * inertia.m3;
-  const Scalar t10 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t11 = inertia.c6z * t2 - (inertia.I6zz - t10);
-  const Scalar t12 = (inertia.I6yy - t10) - inertia.c6y * t1;
-  const Scalar t13 = inertia.I6yz - inertia.c6z * t1;
-  const Scalar t14 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t15 = ((inertia.I6xx - t10) - inertia.c6x * t4) - (inertia.c5x * t5 - (inertia.I5xx - t14));
-  const Scalar t16 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t17 = ((inertia.I4yy - t16) - inertia.c4y * t6) - (inertia.c5y * t7 - (inertia.I5yy - t14));
-  const Scalar t18 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t19 = inertia.c3z * inertia.m3;
-  const Scalar t20 = inertia.c4x * inertia.m4;
-  const Scalar t21 = inertia.c3x * inertia.m3;
-  const Scalar t22 = g.d4 * inertia.m3 + t21;
-  const Scalar t23 = (inertia.c3x * t21 - (inertia.I3xx - t18)) + g.d4 * (t21 + t22);
-  const Scalar t24 = g.d4 * t0 + t20;
-  const Scalar t25 = g.d4 * (t24 + t20) - ((inertia.I4xx - t16) - inertia.c4x * t20);
-  return { g.l2,
-           inertia.m2 + (inertia.m3 + t0),
+  const Scalar t2 = inertia.c5z * inertia.m5;
+  const Scalar t3 = inertia.c6x * inertia.m6;
+  const Scalar t4 = inertia.c5x * inertia.m5;
+  const Scalar t5 = inertia.c4y * inertia.m4;
+  const Scalar t6 = inertia.c5y * inertia.m5;
+  const Scalar t7 = inertia.c4z * inertia.m4;
+  const Scalar t8 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t9 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t10 = ((inertia.I6xx - t8) - inertia.c6x * t3) - (inertia.c5x * t4 - (inertia.I5xx - t9));
+  const Scalar t11 = inertia.I6yz - inertia.c6z * t1;
+  const Scalar t12 = inertia.c6z * t0 - (inertia.I6zz - t8);
+  const Scalar t13 = (inertia.I6yy - t8) - inertia.c6y * t1;
+  const Scalar t14 = inertia.c4x * inertia.m4;
+  const Scalar t15 = inertia.c3x * inertia.m3;
+  const Scalar t16 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t17 = g.d4 * inertia.m3 + t15;
+  const Scalar t18 = (inertia.c3x * t15 - (inertia.I3xx - t16)) + g.d4 * (t15 + t17);
+  const Scalar t19 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t20 = g.d4 * t19 + t14;
+  const Scalar t21 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t22 = g.d4 * (t20 + t14) - ((inertia.I4xx - t21) - inertia.c4x * t14);
+  const Scalar t23 = ((inertia.I4yy - t21) - inertia.c4y * t5) - (inertia.c5y * t6 - (inertia.I5yy - t9));
+  const Scalar t24 = inertia.c3z * inertia.m3;
+  const Scalar t25 = inertia.c3y * inertia.m3;
+  return { t0,
            t1,
            t2,
-           t3,
-           t4 + t5,
-           t6 + t7,
-           t8,
-           t9 + inertia.c2y * inertia.m2,
-           t11 + t12,
-           Scalar(2) * t13,
-           t13,
-           inertia.I6xz - inertia.c6z * t4,
-           inertia.I6xy - inertia.c6y * t4,
-           inertia.I5xz - inertia.c5z * t5,
-           t15,
-           t12,
-           inertia.c5z * t3 - (inertia.I5zz - t14),
-           inertia.I5yz - inertia.c5z * t7,
-           t11 - t12,
-           inertia.I5xy - inertia.c5y * t5,
-           t17,
-           inertia.I4yz - inertia.c4z * t6,
-           (inertia.I4zz - t16) - inertia.c4z * t8,
-           (inertia.I3zz - t18) - inertia.c3z * t19,
+           t3 + t4,
+           t5 + t6,
+           t7,
            g.d4,
-           inertia.I4xz - inertia.c4z * t20,
-           inertia.I4xy - inertia.c4y * t20,
-           g.d4 * t19 - (inertia.I3xz - inertia.c3z * t21),
-           t23 + t25,
-           inertia.I3yz - inertia.c3z * t9,
-           g.d4 * t9 - (inertia.I3xy - inertia.c3y * t21),
-           t19,
-           t24 + t22,
-           t11 };
+           inertia.I6xy - inertia.c6y * t3,
+           inertia.I6xz - inertia.c6z * t3,
+           t10,
+           inertia.I5xz - inertia.c5z * t4,
+           Scalar(2) * t11,
+           t12 + t13,
+           t13,
+           inertia.c5z * t2 - (inertia.I5zz - t9),
+           t11,
+           inertia.I5yz - inertia.c5z * t6,
+           inertia.I5xy - inertia.c5y * t4,
+           inertia.I4xy - inertia.c4y * t14,
+           t12,
+           inertia.I4xz - inertia.c4z * t14,
+           Scalar(2) * g.d4,
+           t18 + t22,
+           inertia.I4yz - inertia.c4z * t5,
+           (inertia.I4zz - t21) - inertia.c4z * t7,
+           t23,
+           g.d4 * t24 - (inertia.I3xz - inertia.c3z * t15),
+           (inertia.I3zz - t16) - inertia.c3z * t24,
+           t25 + inertia.c2y * inertia.m2,
+           g.l2,
+           inertia.m2 + (inertia.m3 + t19),
+           t20 + t17,
+           t24,
+           inertia.I3yz - inertia.c3z * t25,
+           g.d4 * t25 - (inertia.I3xy - inertia.c3y * t15),
+           t12 - t13 };
 }
 
 namespace detail {
@@ -845,234 +857,235 @@ inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[2] * c6 - k[3] * s6;
-  const Scalar t1 = k[6] + t0;
-  const Scalar t2 = k[2] * s6 + k[3] * c6;
-  const Scalar t3 = k[4] + t2;
-  const Scalar t4 = s5 * t3;
-  const Scalar t5 = qd[5] * t0;
-  const Scalar t6 = t5 + k[5] * qd[4];
-  const Scalar t7 = qd[4] * t4 - c5 * t6;
-  const Scalar t8 = qd[3] * t1 - t7;
-  const Scalar t9 = c5 * t3;
-  const Scalar t10 = k[5] * s5 + t9;
-  const Scalar t11 = k[7] + t10;
-  const Scalar t12 = qd[5] * t2;
-  const Scalar t13 = qd[3] * t11 + t12;
-  const Scalar t14 = s4 * t8 + c4 * t13;
-  const Scalar t15 = k[0] + q[1];
-  const Scalar t16 = k[9] * c6 - k[10] * s6;
-  const Scalar t17 = k[11] + s6 * t16;
-  const Scalar t18 = qd[5] * t17;
-  const Scalar t19 = k[16] - c6 * t16;
-  const Scalar t20 = k[17] - t19;
-  const Scalar t21 = qd[4] * t20;
-  const Scalar t22 = k[13] * s6 + k[12] * c6;
-  const Scalar t23 = k[14] + t22;
-  const Scalar t24 = qd[4] * t23;
-  const Scalar t25 = s5 * t21 + c5 * (t18 + t24);
-  const Scalar t26 = k[12] * s6 - k[13] * c6;
-  const Scalar t27 = qd[5] * t26;
-  const Scalar t28 = k[15] * qd[4] - t27;
-  const Scalar t29 = c5 * t28 - s5 * t24;
-  const Scalar t30 = c5 * t25 + s5 * t29;
-  const Scalar t31 = t18 - t30;
-  const Scalar t32 = s5 * t22;
-  const Scalar t33 = qd[5] * t19;
-  const Scalar t34 = qd[5] * t32 + c5 * t33;
-  const Scalar t35 = c5 * t23;
-  const Scalar t36 = s5 * (k[15] + t20) + (t35 + t35);
-  const Scalar t37 = s5 * t36;
-  const Scalar t38 = k[23] + (t37 - t20);
-  const Scalar t39 = t34 + qd[3] * t38;
-  const Scalar t40 = k[18] + t17;
-  const Scalar t41 = c5 * t40;
-  const Scalar t42 = k[20] - t26;
-  const Scalar t43 = t41 + s5 * t42;
-  const Scalar t44 = k[22] + t43;
-  const Scalar t45 = t30 + qd[3] * t44;
-  const Scalar t46 = c4 * t39 + s4 * t45;
-  const Scalar t47 = k[19] + t19;
-  const Scalar t48 = k[21] - t47;
-  const Scalar t49 = qd[5] * t47;
-  const Scalar t50 = qd[4] * t42 - t49;
-  const Scalar t51 = s5 * t40;
-  const Scalar t52 = c5 * t50 - qd[4] * t51;
-  const Scalar t53 = qd[3] * t48 + t52;
-  const Scalar t54 = c4 * t53 - s4 * (t31 + t45);
-  const Scalar t55 = (s4 * t46 - t45) - s4 * t54;
-  const Scalar t56 = t31 - t55;
-  const Scalar t57 = c4 * t1 - s4 * t11;
-  const Scalar t58 = k[8] + t57;
-  const Scalar t59 = (t14 + k[1] * qd[1]) * t15 + (t56 - qd[1] * t58);
-  const Scalar t60 = k[5] * c5 - t4;
-  const Scalar t61 = k[25] * t60;
-  const Scalar t62 = k[29] - ((k[15] - t37) - (t61 + t61));
-  const Scalar t63 = s5 * t25;
-  const Scalar t64 = c5 * t29;
-  const Scalar t65 = (t63 - t21) - (t64 - t28);
-  const Scalar t66 = s5 * t50 + qd[4] * t41;
-  const Scalar t67 = c4 * t65 + s4 * t66;
-  const Scalar t68 = k[26] + (c5 * t36 - t23);
-  const Scalar t69 = qd[5] * t22;
-  const Scalar t70 = s5 * t33 - c5 * t69;
-  const Scalar t71 = t66 - t70;
-  const Scalar t72 = k[25] * t13 - (qd[3] * t68 + t71);
-  const Scalar t73 = t64 - t63;
-  const Scalar t74 = c5 * t42 - t51;
-  const Scalar t75 = k[27] + t74;
-  const Scalar t76 = ((t73 + qd[3] * t75) - k[25] * t8) - t65;
-  const Scalar t77 = s4 * t72 + c4 * t76;
-  const Scalar t78 = qd[4] * t9 + s5 * t6;
-  const Scalar t79 = k[25] * t78;
-  const Scalar t80 = t56 + t79;
-  const Scalar t81 = k[25] * t11 - t68;
-  const Scalar t82 = k[25] * t1 - t75;
-  const Scalar t83 = c4 * t81 + s4 * t82;
-  const Scalar t84 = k[28] + t83;
-  const Scalar t85 = t55 + qd[2] * t84;
-  const Scalar t86 = s3 * (qd[2] * t62 - (t67 + t77)) + c3 * (t80 + t85);
-  const Scalar t87 = s4 * (t38 - t48) - Scalar(2) * c4 * t44;
-  const Scalar t88 = k[24] - (s4 * t87 - t38);
-  const Scalar t89 = c3 * (t67 + qd[2] * t88) - s3 * t85;
-  const Scalar t90 = qd[0] * (k[1] * t15 - t58);
-  const Scalar t91 = k[32] + (s4 * t1 + c4 * t11);
-  const Scalar t92 = t78 + qd[2] * t91;
-  const Scalar t93 = c4 * t8 - s4 * t13;
-  const Scalar t94 = k[33] + t60;
-  const Scalar t95 = t93 + qd[2] * t94;
-  const Scalar t96 = qd[0] * s3;
-  const Scalar t97 = qd[0] * c3;
-  const Scalar t98 = qd[2] * (k[30] - (t44 + c4 * t87));
-  const Scalar t99 = (t96 * t84 - t88 * t97) + ((c4 * t66 - s4 * t65) + t98);
-  const Scalar t100 = c4 * t54;
-  const Scalar t101 = c4 * t46;
-  const Scalar t102 = qd[2] * (k[31] - (s4 * t81 - c4 * t82));
-  const Scalar t103 = (t100 + (t39 - t101)) - t102;
-  const Scalar t104 = c3 * (t103 + (t62 * t96 + t84 * t97));
-  const Scalar t105 = s3 * t99 - t104;
-  const Scalar t106 = (s3 * t92 - c3 * t95) * t15 + t105;
-  const Scalar t107 = qd[3] + t96;
-  const Scalar t108 = t11 * t107 + t12;
-  const Scalar t109 = t1 * t107 - t7;
-  const Scalar t110 = qd[2] * c4;
-  const Scalar t111 = t110 - s4 * t97;
-  const Scalar t112 = c4 * t97 + qd[2] * s4;
-  const Scalar t113 = s3 * (c4 * t108 + s4 * t109) - c3 * (t1 * t111 - t11 * t112);
-  const Scalar t114 = (t111 * t48 - t112 * t44) - (t75 * t107 + t73);
-  const Scalar t115 = t114 + k[25] * t109;
-  const Scalar t116 = (t70 - t107 * t68) - (t38 * t112 - t44 * t111);
-  const Scalar t117 = t116 + k[25] * t108;
-  const Scalar t118 = s3 * t31 - c3 * (c4 * t115 - s4 * t117);
-  const Scalar t119 = t113 * t15 + t118;
-  const Scalar t120 = c5 * t112 - s5 * t107;
-  const Scalar t121 = c5 * t107 + s5 * t112;
-  const Scalar t122 = t3 * t120 + k[5] * t121;
-  const Scalar t123 = qd[4] + t111;
-  const Scalar t124 = k[5] * t123 + t5;
-  const Scalar t125 = t9 * t123 + s5 * t124;
-  const Scalar t126 = s4 * t122 + c4 * t125;
-  const Scalar t127 = s3 * t126 + c3 * (t123 * t4 - c5 * t124);
-  const Scalar t128 = (t23 * t120 + k[15] * t121) + (t49 - t123 * t42);
-  const Scalar t129 = (t20 * t120 - t121 * t23) + t40 * t123;
-  const Scalar t130 = c5 * t128 + s5 * t129;
-  const Scalar t131 = s4 * t125 - c4 * t122;
-  const Scalar t132 = (s4 * t18 + c4 * t130) + k[25] * t131;
-  const Scalar t133 = c5 * t129 - s5 * t128;
-  const Scalar t134 = t127 * t15 + (c3 * t132 + s3 * t133);
-  const Scalar t135 = s6 * t123 + c6 * t120;
-  const Scalar t136 = c6 * t123 - s6 * t120;
-  const Scalar t137 = qd[5] + t121;
-  const Scalar t138 = (k[34] * t135 + k[11] * t136) - k[12] * t137;
-  const Scalar t139 = (k[11] * t135 - k[16] * t136) + k[13] * t137;
+  const Scalar t0 = k[12] * c6 - k[11] * s6;
+  const Scalar t1 = k[15] + s6 * t0;
+  const Scalar t2 = k[16] + t1;
+  const Scalar t3 = c5 * t2;
+  const Scalar t4 = k[7] * c6 - k[8] * s6;
+  const Scalar t5 = k[17] + t4;
+  const Scalar t6 = c6 * t0;
+  const Scalar t7 = k[19] - t6;
+  const Scalar t8 = qd[5] * t7;
+  const Scalar t9 = qd[4] * t5 - t8;
+  const Scalar t10 = qd[4] * t3 + s5 * t9;
+  const Scalar t11 = qd[5] * t1;
+  const Scalar t12 = k[8] * c6 + k[7] * s6;
+  const Scalar t13 = k[10] + t12;
+  const Scalar t14 = qd[4] * t13;
+  const Scalar t15 = k[13] - t6;
+  const Scalar t16 = k[14] - t15;
+  const Scalar t17 = qd[4] * t16;
+  const Scalar t18 = c5 * (t11 + t14) + s5 * t17;
+  const Scalar t19 = s5 * t18;
+  const Scalar t20 = qd[5] * t4;
+  const Scalar t21 = t20 + k[9] * qd[4];
+  const Scalar t22 = s5 * t14 - c5 * t21;
+  const Scalar t23 = c5 * t22;
+  const Scalar t24 = (t19 - t17) + (t21 + t23);
+  const Scalar t25 = s4 * t10 + c4 * t24;
+  const Scalar t26 = c5 * t12;
+  const Scalar t27 = qd[5] * t15;
+  const Scalar t28 = qd[5] * t26 - s5 * t27;
+  const Scalar t29 = t10 + t28;
+  const Scalar t30 = Scalar(2) * c5 * t13 + s5 * (k[9] + t16);
+  const Scalar t31 = k[20] - (t13 - c5 * t30);
+  const Scalar t32 = t29 + qd[3] * t31;
+  const Scalar t33 = t19 + t23;
+  const Scalar t34 = s5 * t2;
+  const Scalar t35 = t34 - c5 * t5;
+  const Scalar t36 = k[18] - t35;
+  const Scalar t37 = t24 + (t33 - qd[3] * t36);
+  const Scalar t38 = k[0] * s6 - k[1] * c6;
+  const Scalar t39 = qd[5] * t38;
+  const Scalar t40 = k[3] * qd[4] - t39;
+  const Scalar t41 = k[0] * c6 + k[1] * s6;
+  const Scalar t42 = k[2] + t41;
+  const Scalar t43 = s5 * t42;
+  const Scalar t44 = c5 * t40 - qd[4] * t43;
+  const Scalar t45 = k[4] - t38;
+  const Scalar t46 = t44 + qd[3] * t45;
+  const Scalar t47 = qd[5] * t41;
+  const Scalar t48 = c5 * t42;
+  const Scalar t49 = t48 + k[3] * s5;
+  const Scalar t50 = k[5] + t49;
+  const Scalar t51 = t47 + qd[3] * t50;
+  const Scalar t52 = c4 * t46 - s4 * t51;
+  const Scalar t53 = (s4 * t32 + c4 * t37) + k[6] * t52;
+  const Scalar t54 = t43 - k[3] * c5;
+  const Scalar t55 = s5 * t30;
+  const Scalar t56 = k[9] - t55;
+  const Scalar t57 = k[22] - (k[21] * t54 + t56);
+  const Scalar t58 = qd[4] * t48 + s5 * t40;
+  const Scalar t59 = k[6] * t58;
+  const Scalar t60 = s5 * t22 - c5 * t18;
+  const Scalar t61 = t60 + t11;
+  const Scalar t62 = t3 + s5 * t5;
+  const Scalar t63 = k[23] + t62;
+  const Scalar t64 = qd[3] * t63 - t60;
+  const Scalar t65 = k[25] - t7;
+  const Scalar t66 = c5 * t9 - qd[4] * t34;
+  const Scalar t67 = qd[3] * t65 + t66;
+  const Scalar t68 = s4 * (t61 + t64) - c4 * t67;
+  const Scalar t69 = t55 - t16;
+  const Scalar t70 = k[24] + t69;
+  const Scalar t71 = s5 * t12;
+  const Scalar t72 = c5 * t27 + qd[5] * t71;
+  const Scalar t73 = qd[3] * t70 + t72;
+  const Scalar t74 = c4 * t64 - s4 * t73;
+  const Scalar t75 = s4 * t68 - c4 * t74;
+  const Scalar t76 = t75 - t61;
+  const Scalar t77 = t59 - t76;
+  const Scalar t78 = t31 - k[6] * t50;
+  const Scalar t79 = t36 - k[6] * t45;
+  const Scalar t80 = c4 * t78 + s4 * t79;
+  const Scalar t81 = k[26] - t80;
+  const Scalar t82 = t75 + qd[2] * t81;
+  const Scalar t83 = s3 * ((t25 - t53) - qd[2] * t57) - c3 * (t77 + t82);
+  const Scalar t84 = s4 * (t65 - t70) + Scalar(2) * c4 * t63;
+  const Scalar t85 = k[27] + (t70 + s4 * t84);
+  const Scalar t86 = s3 * t82 - c3 * (t25 + qd[2] * t85);
+  const Scalar t87 = c4 * t45 - s4 * t50;
+  const Scalar t88 = k[28] + t87;
+  const Scalar t89 = s4 * t46 + c4 * t51;
+  const Scalar t90 = k[29] + q[1];
+  const Scalar t91 = (t76 + qd[1] * t88) - (k[30] * qd[1] + t89) * t90;
+  const Scalar t92 = qd[0] * (t88 - k[30] * t90);
+  const Scalar t93 = k[32] + (c4 * t50 + s4 * t45);
+  const Scalar t94 = t58 + qd[2] * t93;
+  const Scalar t95 = k[31] - t54;
+  const Scalar t96 = qd[2] * t95 + t52;
+  const Scalar t97 = qd[0] * s3;
+  const Scalar t98 = qd[0] * c3;
+  const Scalar t99 = s4 * t74;
+  const Scalar t100 = c4 * t68;
+  const Scalar t101 = qd[2] * (k[34] + (s4 * t78 - c4 * t79));
+  const Scalar t102 = (t99 + t100) + t101;
+  const Scalar t103 = c3 * ((t97 * t57 + t98 * t81) - t102);
+  const Scalar t104 = qd[2] * (k[33] + (c4 * t84 - t63));
+  const Scalar t105 = (t97 * t81 - t98 * t85) + (t104 - (s4 * t24 - c4 * t10));
+  const Scalar t106 = t103 - s3 * t105;
+  const Scalar t107 = (s3 * t94 - c3 * t96) * t90 - t106;
+  const Scalar t108 = qd[3] + t97;
+  const Scalar t109 = t47 + t108 * t50;
+  const Scalar t110 = t45 * t108 + t44;
+  const Scalar t111 = qd[2] * c4;
+  const Scalar t112 = t111 - s4 * t98;
+  const Scalar t113 = c4 * t98 + qd[2] * s4;
+  const Scalar t114 = s3 * (c4 * t109 + s4 * t110) - c3 * (t45 * t112 - t113 * t50);
+  const Scalar t115 = (t33 - t36 * t108) - (t63 * t113 - t65 * t112);
+  const Scalar t116 = k[6] * t110 + t115;
+  const Scalar t117 = (t31 * t108 + t28) + (t70 * t113 - t63 * t112);
+  const Scalar t118 = k[6] * t109 - t117;
+  const Scalar t119 = c3 * (c4 * t116 - s4 * t118) - s3 * t61;
+  const Scalar t120 = t114 * t90 - t119;
+  const Scalar t121 = qd[4] + t112;
+  const Scalar t122 = k[3] * t121 - t39;
+  const Scalar t123 = s5 * t122 + t48 * t121;
+  const Scalar t124 = t11 + k[6] * t123;
+  const Scalar t125 = c5 * t113 - s5 * t108;
+  const Scalar t126 = c5 * t108 + s5 * t113;
+  const Scalar t127 = t42 * t125 + k[3] * t126;
+  const Scalar t128 = (t16 * t125 - t13 * t126) + t121 * t2;
+  const Scalar t129 = (t8 - t5 * t121) + (t13 * t125 + k[9] * t126);
+  const Scalar t130 = k[6] * t127 - (s5 * t128 + c5 * t129);
+  const Scalar t131 = s5 * t129 - c5 * t128;
+  const Scalar t132 = c3 * (s4 * t124 - c4 * t130) - s3 * t131;
+  const Scalar t133 = s3 * (c4 * t123 + s4 * t127) - c3 * (c5 * t122 - t43 * t121);
+  const Scalar t134 = t132 + t133 * t90;
+  const Scalar t135 = s6 * t121 + c6 * t125;
+  const Scalar t136 = c6 * t121 - s6 * t125;
+  const Scalar t137 = qd[5] + t126;
+  const Scalar t138 = (k[15] * t135 - k[13] * t136) + k[7] * t137;
+  const Scalar t139 = k[8] * t137 - (k[19] * t135 + k[15] * t136);
   const Scalar t140 = c6 * t138 - s6 * t139;
-  const Scalar t141 = t137 * t2;
-  const Scalar t142 = k[2] * t136 - k[3] * t135;
-  const Scalar t143 = c5 * t141 + s5 * t142;
-  const Scalar t144 = t140 + k[25] * t143;
-  const Scalar t145 = t0 * t137;
-  const Scalar t146 = s6 * t138 + c6 * t139;
-  const Scalar t147 = k[25] * t145 - c5 * t146;
-  const Scalar t148 = s5 * t146;
-  const Scalar t149 = c3 * (s4 * t144 - c4 * t147) - s3 * t148;
-  const Scalar t150 = c3 * (s5 * t141 - c5 * t142) + s3 * (c4 * t143 + s4 * t145);
-  const Scalar t151 = t149 + t150 * t15;
-  const Scalar t152 = c3 * t91 + s3 * t94;
+  const Scalar t141 = s5 * t140;
+  const Scalar t142 = t38 * t137;
+  const Scalar t143 = k[6] * t142 + c5 * t140;
+  const Scalar t144 = t41 * t137;
+  const Scalar t145 = k[1] * t136 - k[0] * t135;
+  const Scalar t146 = c5 * t144 + s5 * t145;
+  const Scalar t147 = s6 * t138 + c6 * t139;
+  const Scalar t148 = k[6] * t146 - t147;
+  const Scalar t149 = s3 * t141 - c3 * (c4 * t143 + s4 * t148);
+  const Scalar t150 = c3 * (s5 * t144 - c5 * t145) + s3 * (c4 * t146 - s4 * t142);
+  const Scalar t151 = t149 - t150 * t90;
+  const Scalar t152 = s3 * t95 + c3 * t93;
   const Scalar t153 = qd[0] * t152;
-  const Scalar t154 = s3 * t57;
-  const Scalar t155 = qd[0] * t154;
-  const Scalar t156 = s4 * t76 - c4 * t72;
-  const Scalar t157 = s3 * (t98 + t156) - c3 * (t103 + ((t100 - t53) - t101));
-  const Scalar t158 = s4 * t115 + c4 * t117;
-  const Scalar t159 = (c4 * t18 - s4 * t130) + k[25] * t126;
-  const Scalar t160 = s4 * t147 + c4 * t144;
-  const Scalar t161 = s3 * (qd[2] * t83 + Scalar(2) * t31) - c3 * (qd[2] * (t38 + t48) - t77);
-  const Scalar t162 = (s3 * t14 - c3 * qd[2] * t57) * t15;
-  const Scalar t163 = qd[3] * t60;
-  const Scalar t164 = qd[2] * t10 + (s4 * t163 + c4 * t78);
-  const Scalar t165 = s3 * t164 - c3 * (t110 * t60 - t7);
-  const Scalar t166 = s3 * c4 * t60 + c3 * t10;
-  const Scalar t167 = (qd[3] * t43 + Scalar(2) * t18) + t79;
-  const Scalar t168 = k[15] - t20;
-  const Scalar t169 = k[25] * t163 - (qd[3] * t168 - (t52 - t34));
-  const Scalar t170 = (s4 * t167 - c4 * t169) - qd[2] * t74;
-  const Scalar t171 = qd[2] * (s4 * (t168 - t61) - c4 * t43);
-  const Scalar t172 = qd[1] * t166 - (c3 * t170 + s3 * (t71 - t171));
-  const Scalar t173 = s5 * t0;
-  const Scalar t174 = c5 * t0;
-  const Scalar t175 = c4 * t174 - s4 * t2;
-  const Scalar t176 = c3 * t173 + s3 * t175;
-  const Scalar t177 = k[19] * qd[4] - t27;
-  const Scalar t178 = (qd[4] * t32 - c5 * t177) + qd[3] * t26;
-  const Scalar t179 = t5 + qd[3] * t174;
-  const Scalar t180 = t178 + k[25] * t179;
-  const Scalar t181 = c5 * t22;
-  const Scalar t182 = t181 + k[19] * s5;
-  const Scalar t183 = (c5 * t12 + qd[4] * t173) + qd[3] * t2;
-  const Scalar t184 = (qd[3] * t182 + t69) - k[25] * t183;
-  const Scalar t185 = (c4 * t180 + s4 * t184) - qd[2] * (k[19] * c5 - t32);
-  const Scalar t186 = c4 * (t182 - k[25] * t2) - s4 * (t26 + k[25] * t174);
-  const Scalar t187 = qd[4] * t181 + s5 * t177;
-  const Scalar t188 = c3 * t185 + s3 * (qd[2] * t186 + t187);
-  const Scalar t189 = (qd[4] * t174 - s5 * t12) + qd[2] * t175;
-  const Scalar t190 = (s4 * t179 + c4 * t183) + qd[2] * t173;
-  const Scalar t191 = (qd[1] * t176 + t188) + (c3 * t189 - s3 * t190) * t15;
+  const Scalar t154 = t97 * t87;
+  const Scalar t155 = k[6] * t89 + (s4 * t37 - c4 * t32);
+  const Scalar t156 = c3 * (((t100 + t67) + (t99 + t73)) + t102);
+  const Scalar t157 = qd[1] * t152 - (s3 * (t104 - t155) + t156);
+  const Scalar t158 = c4 * t118 + s4 * t116;
+  const Scalar t159 = c4 * t124 + s4 * t130;
+  const Scalar t160 = c4 * t148 - s4 * t143;
+  const Scalar t161 = (s3 * t89 - c3 * qd[2] * t87) * t90;
+  const Scalar t162 = s3 * ((t61 + t61) - qd[2] * t80) - c3 * (qd[2] * (t65 + t70) + t53);
+  const Scalar t163 = (t161 - (qd[1] * s3 * t87 - t162)) - t120;
+  const Scalar t164 = (qd[3] * s4 * t54 - c4 * t58) - qd[2] * t49;
+  const Scalar t165 = c3 * (t54 * t111 - t44) - s3 * t164;
+  const Scalar t166 = s3 * c4 * t54 - c3 * t49;
+  const Scalar t167 = (qd[3] * t62 + (t11 + t11)) + t59;
+  const Scalar t168 = t69 + t56;
+  const Scalar t169 = k[6] * t54;
+  const Scalar t170 = (qd[3] * t168 - (t66 - t72)) + qd[3] * t169;
+  const Scalar t171 = (s4 * t167 + c4 * t170) + qd[2] * t35;
+  const Scalar t172 = qd[2] * (s4 * (t168 + t169) - c4 * t62);
+  const Scalar t173 = qd[1] * t166 + (c3 * t171 + s3 * (t29 - t172));
+  const Scalar t174 = c5 * t38;
+  const Scalar t175 = c4 * t174 + s4 * t41;
+  const Scalar t176 = (s5 * t47 + qd[4] * t174) + qd[2] * t175;
+  const Scalar t177 = s5 * t38;
+  const Scalar t178 = qd[3] * t174 + t39;
+  const Scalar t179 = (c5 * t47 - qd[4] * t177) + qd[3] * t41;
+  const Scalar t180 = qd[2] * t177 + (s4 * t178 - c4 * t179);
+  const Scalar t181 = t20 + k[35] * qd[4];
+  const Scalar t182 = qd[4] * t26 + s5 * t181;
+  const Scalar t183 = t26 + k[35] * s5;
+  const Scalar t184 = c4 * (k[6] * t41 - t183) - s4 * (k[6] * t174 + t4);
+  const Scalar t185 = (c5 * t181 - qd[4] * t71) + qd[3] * t4;
+  const Scalar t186 = k[6] * t178 + t185;
+  const Scalar t187 = qd[5] * t12;
+  const Scalar t188 = k[6] * t179 - (t187 + qd[3] * t183);
+  const Scalar t189 = qd[2] * (t71 - k[35] * c5) - (c4 * t186 + s4 * t188);
+  const Scalar t190 = s3 * (t182 - qd[2] * t184) + c3 * t189;
+  const Scalar t191 = s3 * t175 + c3 * t177;
+  const Scalar t192 = t90 * (c3 * t176 - s3 * t180) - (t190 - qd[1] * t191);
   Eigen::Matrix<Scalar, dof, dof> result;
-  result(0, 0) = t59 - (c3 * t86 + s3 * t89);
-  result(0, 1) = t90;
-  result(0, 2) = t106;
-  result(0, 3) = t119;
+  result(0, 0) = (c3 * t83 + s3 * t86) - t91;
+  result(0, 1) = -t92;
+  result(0, 2) = t107;
+  result(0, 3) = t120;
   result(0, 4) = t134;
-  result(0, 5) = t151;
-  result(1, 0) = (c3 * t92 + s3 * t95) - t90;
+  result(0, 5) = -t151;
+  result(1, 0) = (c3 * t94 + s3 * t96) + t92;
   result(1, 1) = Scalar(0);
   result(1, 2) = t153;
-  result(1, 3) = t155 + t93;
-  result(1, 4) = -t131;
-  result(1, 5) = c4 * t145 - s4 * t143;
-  result(2, 0) = -(qd[1] * t152 - t157) - t105;
+  result(1, 3) = t154 + t52;
+  result(1, 4) = c4 * t127 - s4 * t123;
+  result(1, 5) = -c4 * t142 - s4 * t146;
+  result(2, 0) = t106 - t157;
   result(2, 1) = -t153;
-  result(2, 2) = -t80;
+  result(2, 2) = -t77;
   result(2, 3) = -t158;
   result(2, 4) = -t159;
   result(2, 5) = -t160;
-  result(3, 0) = -t119 - ((qd[1] * t154 - t161) - t162);
-  result(3, 1) = -t155;
-  result(3, 2) = t158 + t156;
-  result(3, 3) = t31;
-  result(3, 4) = t133;
-  result(3, 5) = -t148;
-  result(4, 0) = (t165 * t15 - t172) - t134;
-  result(4, 1) = -qd[0] * t166;
-  result(4, 2) = t159 - (c4 * t167 + s4 * t169);
-  result(4, 3) = t71 - t133;
-  result(4, 4) = -t18;
-  result(4, 5) = -t140;
-  result(5, 0) = -t151 - t191;
-  result(5, 1) = -qd[0] * t176;
-  result(5, 2) = t160 - (s4 * t180 - c4 * t184);
-  result(5, 3) = t148 - t187;
-  result(5, 4) = t69 + t140;
+  result(3, 0) = t163;
+  result(3, 1) = -t154;
+  result(3, 2) = t158 - t155;
+  result(3, 3) = t61;
+  result(3, 4) = -t131;
+  result(3, 5) = -t141;
+  result(4, 0) = (t165 * t90 + t173) - t134;
+  result(4, 1) = qd[0] * t166;
+  result(4, 2) = (s4 * t170 - c4 * t167) + t159;
+  result(4, 3) = t29 + t131;
+  result(4, 4) = -t11;
+  result(4, 5) = t147;
+  result(5, 0) = t192 + t151;
+  result(5, 1) = qd[0] * t191;
+  result(5, 2) = (s4 * t186 - c4 * t188) + t160;
+  result(5, 3) = t141 - t182;
+  result(5, 4) = t187 - t147;
   result(5, 5) = Scalar(0);
   return result;
 }
@@ -1100,102 +1113,106 @@ ForwardDynamicsConstants<Scalar> forward_dynamics_constants(const BasicGeometry<
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6x * inertia.m6;
-  const Scalar t1 = inertia.c6z * inertia.m6;
-  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t3 = inertia.c6z * t1 - (inertia.I6zz - t2);
-  const Scalar t4 = inertia.c6y * inertia.m6;
-  const Scalar t5 = (inertia.I6yy - t2) - inertia.c6y * t4;
-  const Scalar t6 = t3 - t5;
-  const Scalar t7 = Scalar(1) / t6;
-  const Scalar t8 = inertia.c5x * inertia.m5;
-  const Scalar t9 = inertia.I6yz - inertia.c6z * t4;
-  const Scalar t10 = inertia.c5y * inertia.m5;
-  const Scalar t11 = inertia.c5z * inertia.m5;
-  const Scalar t12 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t13 = ((inertia.I6xx - t2) - inertia.c6x * t0) - (inertia.c5x * t8 - (inertia.I5xx - t12));
-  const Scalar t14 = Scalar(1) / g.d4;
-  const Scalar t15 = inertia.c4y * inertia.m4;
-  const Scalar t16 = inertia.c4z * inertia.m4;
-  const Scalar t17 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t18 = ((inertia.I4yy - t17) - inertia.c4y * t15) - (inertia.c5y * t10 - (inertia.I5yy - t12));
-  const Scalar t19 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t20 = inertia.c4x * inertia.m4;
-  const Scalar t21 = g.d4 * t19 + t20;
-  const Scalar t22 = inertia.c3x * inertia.m3;
-  const Scalar t23 = g.d4 * inertia.m3 + t22;
-  const Scalar t24 = (t21 + t23) / g.d4;
-  const Scalar t25 = g.d4 * g.d4 * t24;
-  const Scalar t26 = g.d4 * g.d4 * ((inertia.m2 + (inertia.m3 + t19)) - t24);
-  const Scalar t27 = t25 + t26;
-  const Scalar t28 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t29 = (inertia.c3x * t22 - (inertia.I3xx - t28)) + g.d4 * (t22 + t23);
-  const Scalar t30 = g.d4 * (t21 + t20) - ((inertia.I4xx - t17) - inertia.c4x * t20);
-  const Scalar t31 = (t29 + t30) - t25;
-  const Scalar t32 = inertia.c3z * inertia.m3;
-  const Scalar t33 = (inertia.I3zz - t28) - inertia.c3z * t32;
-  const Scalar t34 = inertia.c3y * inertia.m3;
-  const Scalar t35 = g.d4 * t32;
-  const Scalar t36 = inertia.c2x * inertia.m2;
-  const Scalar t37 = t35 - (inertia.I3xz - inertia.c3z * t22);
-  const Scalar t38 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t39 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t40 = (inertia.c2x * t36 - (inertia.I2xx - t38))
-      + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t39));
-  const Scalar t41 = inertia.c2y * inertia.m2;
-  const Scalar t42 = g.d4 * (t34 + t41);
-  const Scalar t43 = inertia.c1y * inertia.m1;
-  const Scalar t44 = g.l2 * ((t43 - g.l2 * inertia.m1) + t43) - (inertia.c1y * t43 - (inertia.I1yy - t39));
-  const Scalar t45 = ((inertia.I3yy - t28) - inertia.c3y * t34) + ((inertia.I2yy - t38) - inertia.c2y * t41);
-  return { inertia.I6xz - inertia.c6z * t0,
-           inertia.I6xy - inertia.c6y * t0,
-           t7,
-           t6,
-           inertia.I5xy - inertia.c5y * t8,
-           Scalar(2) * t9,
-           t3 + t5,
-           t9,
-           inertia.I5yz - inertia.c5z * t10,
-           t5,
-           inertia.c5z * t11 - (inertia.I5zz - t12),
-           t13,
-           g.d4 * (t0 + t8),
-           g.d4 * t1,
-           g.d4 * t4,
-           g.d4 * t11,
-           t14,
-           t7 * t14,
-           g.d4 * (t15 + t10),
-           g.d4 * t16,
-           t3,
-           t18,
-           inertia.I5xz - inertia.c5z * t8,
-           (inertia.I4zz - t17) - inertia.c4z * t16,
-           t27 * t14 * t14,
-           inertia.I4xy - inertia.c4y * t20,
-           inertia.I4xz - inertia.c4z * t20,
-           t25,
-           t31,
-           inertia.I4yz - inertia.c4z * t15,
-           t33,
-           g.l2 / g.d4,
-           inertia.I3yz - inertia.c3z * t34,
-           g.d4 * t34 - (inertia.I3xy - inertia.c3y * t22),
-           t35,
-           g.d4 * t36,
-           t37,
-           t40,
-           t42,
-           t27,
-           t44 + t45,
+  const Scalar t0 = Scalar(1) / g.d4;
+  const Scalar t1 = inertia.c5z * inertia.m5;
+  const Scalar t2 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t3 = inertia.c5x * inertia.m5;
+  const Scalar t4 = inertia.c5y * inertia.m5;
+  const Scalar t5 = inertia.c6z * inertia.m6;
+  const Scalar t6 = inertia.c6y * inertia.m6;
+  const Scalar t7 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t8 = inertia.c6z * t5 - (inertia.I6zz - t7);
+  const Scalar t9 = (inertia.I6yy - t7) - inertia.c6y * t6;
+  const Scalar t10 = inertia.I6yz - inertia.c6z * t6;
+  const Scalar t11 = t8 - t9;
+  const Scalar t12 = Scalar(1) / t11;
+  const Scalar t13 = inertia.c6x * inertia.m6;
+  const Scalar t14 = inertia.I6xy - inertia.c6y * t13;
+  const Scalar t15 = inertia.I6xz - inertia.c6z * t13;
+  const Scalar t16 = ((inertia.I6xx - t7) - inertia.c6x * t13) - (inertia.c5x * t3 - (inertia.I5xx - t2));
+  const Scalar t17 = inertia.c4y * inertia.m4;
+  const Scalar t18 = inertia.c4z * inertia.m4;
+  const Scalar t19 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t20 = ((inertia.I4yy - t19) - inertia.c4y * t17) - (inertia.c5y * t4 - (inertia.I5yy - t2));
+  const Scalar t21 = inertia.c4x * inertia.m4;
+  const Scalar t22 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t23 = g.d4 * t22 + t21;
+  const Scalar t24 = inertia.c3x * inertia.m3;
+  const Scalar t25 = g.d4 * inertia.m3 + t24;
+  const Scalar t26 = (t23 + t25) / g.d4;
+  const Scalar t27 = g.d4 * g.d4 * t26;
+  const Scalar t28 = inertia.c3z * inertia.m3;
+  const Scalar t29 = g.d4 * t28;
+  const Scalar t30 = g.d4 * g.d4 * ((inertia.m2 + (inertia.m3 + t22)) - t26);
+  const Scalar t31 = inertia.c2x * inertia.m2;
+  const Scalar t32 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t33 = (inertia.I3zz - t32) - inertia.c3z * t28;
+  const Scalar t34 = t29 - (inertia.I3xz - inertia.c3z * t24);
+  const Scalar t35 = inertia.c3y * inertia.m3;
+  const Scalar t36 = (inertia.c3x * t24 - (inertia.I3xx - t32)) + g.d4 * (t24 + t25);
+  const Scalar t37 = g.d4 * (t23 + t21) - ((inertia.I4xx - t19) - inertia.c4x * t21);
+  const Scalar t38 = (t36 + t37) - t27;
+  const Scalar t39 = inertia.c2y * inertia.m2;
+  const Scalar t40 = g.d4 * (t35 + t39);
+  const Scalar t41 = t27 + t30;
+  const Scalar t42 = inertia.c1y * inertia.m1;
+  const Scalar t43 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t44 = g.l2 * ((t42 - g.l2 * inertia.m1) + t42) - (inertia.c1y * t42 - (inertia.I1yy - t43));
+  const Scalar t45 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t46 = ((inertia.I3yy - t32) - inertia.c3y * t35) + ((inertia.I2yy - t45) - inertia.c2y * t39);
+  const Scalar t47 = (inertia.c2x * t31 - (inertia.I2xx - t45))
+      + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t43));
+  return { t0,
            gravity / g.d4,
-           t33 + t31,
+           g.l2 / g.d4,
+           g.d4 * t1,
+           inertia.c5z * t1 - (inertia.I5zz - t2),
+           inertia.I5xz - inertia.c5z * t3,
+           inertia.I5xy - inertia.c5y * t3,
+           inertia.I5yz - inertia.c5z * t4,
+           g.d4 * t5,
+           g.d4 * t6,
+           t8 + t9,
+           Scalar(2) * t10,
+           t9,
+           t8,
+           t10,
+           t12 * t14,
+           t12 * t15,
+           t11,
+           t15,
+           t14,
+           t16,
+           g.d4 * (t13 + t3),
+           g.d4 * (t17 + t4),
+           g.d4 * t18,
+           t20,
+           (inertia.I4zz - t19) - inertia.c4z * t18,
+           inertia.I4yz - inertia.c4z * t17,
+           inertia.I4xz - inertia.c4z * t21,
+           inertia.I4xy - inertia.c4y * t21,
+           t12,
+           Scalar(2) * t16,
+           t27,
+           t29,
+           Scalar(2) * t30,
+           g.d4 * t31,
            Scalar(2) * t33,
-           Scalar(2) * t37,
-           Scalar(2) * t42,
-           Scalar(2) * t26,
-           t26,
-           Scalar(2) * t35 };
+           t34,
+           inertia.I3yz - inertia.c3z * t35,
+           g.d4 * t35 - (inertia.I3xy - inertia.c3y * t24),
+           Scalar(2) * t34,
+           t38,
+           Scalar(2) * t40,
+           t33 + t38,
+           t33,
+           t41 * t0 * t0,
+           Scalar(2) * t29,
+           t30,
+           t40,
+           t41,
+           t44 + t46,
+           t47 };
 }
 
 namespace detail {
@@ -1212,233 +1229,233 @@ inline JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const 
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[0] * s6 - k[1] * c6;
-  const Scalar t1 = k[14] * c6 - k[13] * s6;
-  const Scalar t2 = c5 * t1;
-  const Scalar t3 = t0 + t2;
-  const Scalar t4 = k[14] * s6 + k[13] * c6;
-  const Scalar t5 = k[0] * c6 + k[1] * s6;
-  const Scalar t6 = t4 - (k[3] * s5 + c5 * t5);
-  const Scalar t7 = c4 * t3 - s4 * t6;
-  const Scalar t8 = k[2] * t7;
-  const Scalar t9 = k[15] + t4;
-  const Scalar t10 = s5 * t9 - k[12] * c5;
-  const Scalar t11 = k[6] * c6 - k[5] * s6;
-  const Scalar t12 = c6 * t11;
-  const Scalar t13 = k[9] - t12;
-  const Scalar t14 = k[10] - t13;
-  const Scalar t15 = k[11] - t14;
-  const Scalar t16 = t10 + t15;
-  const Scalar t17 = k[4] - t0;
-  const Scalar t18 = k[7] + s6 * t11;
-  const Scalar t19 = k[8] + t18;
-  const Scalar t20 = s5 * t17 + c5 * t19;
-  const Scalar t21 = t0 * t8 + (c4 * t16 + s4 * t20);
-  const Scalar t22 = c5 * t17 - s5 * t19;
-  const Scalar t23 = c3 * (c4 * t20 - s4 * t16) + s3 * t22;
-  const Scalar t24 = c5 * t9 + k[12] * s5;
-  const Scalar t25 = k[31] + k[16] * q[1];
-  const Scalar t26 = (c3 * t24 - s3 * c4 * t10) * t25;
-  const Scalar t27 = s5 * t5 - k[3] * c5;
-  const Scalar t28 = c3 * (c4 * t6 + s4 * t3) + s3 * t27;
-  const Scalar t29 = s3 * (s4 * t4 - c4 * t2) - c3 * s5 * t1;
-  const Scalar t30 = t28 - t29 * t25;
-  const Scalar t31 = k[2] * t30;
-  const Scalar t32 = (t23 + t26) - t0 * t31;
-  const Scalar t33 = k[2] * t0;
-  const Scalar t34 = Scalar(1) / (t15 + t0 * t33);
-  const Scalar t35 = t32 * t34;
-  const Scalar t36 = k[29] + t20;
-  const Scalar t37 = c4 * t36;
-  const Scalar t38 = k[22] + t5;
-  const Scalar t39 = s5 * (k[11] + t14) + Scalar(2) * c5 * t38;
-  const Scalar t40 = s5 * t39;
-  const Scalar t41 = k[23] - (t14 - t40);
-  const Scalar t42 = k[20] - t12;
-  const Scalar t43 = k[21] - t42;
-  const Scalar t44 = (t37 + t37) - s4 * (t41 - t43);
-  const Scalar t45 = k[19] + t24;
-  const Scalar t46 = k[18] + t1;
-  const Scalar t47 = s4 * t45 - c4 * t46;
-  const Scalar t48 = k[25] + t22;
-  const Scalar t49 = k[26] + (c5 * t39 - t38);
-  const Scalar t50 = t47 + (c4 * t48 - s4 * t49);
-  const Scalar t51 = c3 * (k[32] + (c4 * t44 - t36)) - s3 * (k[33] - t50);
-  const Scalar t52 = s4 * t46 + c4 * t45;
-  const Scalar t53 = k[34] + t52;
-  const Scalar t54 = k[27] - t10;
-  const Scalar t55 = t51 + t25 * (c3 * t53 + s3 * t54);
-  const Scalar t56 = t22 - t33 * t27;
-  const Scalar t57 = t21 * t34;
-  const Scalar t58 = k[2] * t27;
-  const Scalar t59 = t56 * t57 - (t50 - t7 * t58);
-  const Scalar t60 = t41 + t43;
-  const Scalar t61 = t56 * t34;
-  const Scalar t62 = Scalar(1) / ((t60 + t58 * t27) - t61 * t56);
-  const Scalar t63 = t59 * t62;
-  const Scalar t64 = t52 - (s4 * t48 + c4 * t49);
-  const Scalar t65 = (c3 * t64 + s3 * t60) - t25 * s3 * t47;
-  const Scalar t66 = (t65 + t58 * t30) - t61 * t32;
-  const Scalar t67 = (t21 * t35 + (t7 * t31 - t55)) - t63 * t66;
-  const Scalar t68 = s4 * t44;
-  const Scalar t69 = k[30] + (t41 + t68);
-  const Scalar t70 = k[28] - ((k[11] - t40) + (t10 - t54));
-  const Scalar t71 = t21 * t57 - (t7 * t8 + (t69 - t70));
-  const Scalar t72 = Scalar(1) / (t59 * t63 + t71);
-  const Scalar t73 = t67 * t72;
-  const Scalar t74 = k[17] * (c4 * t4 + s4 * t2);
-  const Scalar t75 = t0 * t74 + k[16] * s4 * t10;
-  const Scalar t76 = t75 * t34;
-  const Scalar t77 = (k[16] * t52 + t27 * t74) + t76 * t56;
-  const Scalar t78 = t63 * t77 - (t7 * t74 - t21 * t76);
-  const Scalar t79 = k[3] * t74;
-  const Scalar t80 = k[16] * (k[35] + (c3 * t54 - s3 * t53));
-  const Scalar t81 = t77 * t62;
-  const Scalar t82 = (t76 * t32 + (t31 * t79 - t80)) - t81 * t66;
-  const Scalar t83 = t73 * t78 - t82;
-  const Scalar t84 = t78 * t72;
-  const Scalar t85 = t81 * t77 + ((k[24] - t79 * t74) + t75 * t76);
-  const Scalar t86 = Scalar(1) / (t84 * t78 - t85);
-  const Scalar t87 = t83 * t86;
-  const Scalar t88 = c3 * (t69 + t70) - Scalar(2) * s3 * (k[36] + t64);
-  const Scalar t89 = k[38] - t47;
-  const Scalar t90 = (t43 - t68) + t25 * ((t89 - k[39] * t25) + t89);
-  const Scalar t91 = (k[37] + (c3 * t88 - t69)) - (k[40] + t90);
-  const Scalar t92 = t66 * t62;
-  const Scalar t93 = ((t31 * t30 - t91) - t32 * t35) - t92 * t66;
-  const Scalar t94 = Scalar(1) / (t87 * t83 - (t93 + t73 * t67));
-  const Scalar t95 = qd[0] * k[16] * qd[1];
-  const Scalar t96 = Scalar(2) * c3 * t95 + k[41] * s3;
-  const Scalar t97 = qd[0] * c3;
-  const Scalar t98 = t97 * t97;
-  const Scalar t99 = qd[2] * c4 - s4 * t97;
-  const Scalar t100 = t99 * t99;
-  const Scalar t101 = qd[0] * s3;
-  const Scalar t102 = qd[3] + t101;
-  const Scalar t103 = t102 * t102;
+  const Scalar t0 = k[8] * c6 + k[9] * s6;
+  const Scalar t1 = k[19] * s6 + k[18] * c6;
+  const Scalar t2 = t0 - (k[17] * s5 + c5 * t1);
+  const Scalar t3 = k[16] * s6 - k[15] * c6;
+  const Scalar t4 = k[17] * t3;
+  const Scalar t5 = k[9] * c6 - k[8] * s6;
+  const Scalar t6 = c5 * t5;
+  const Scalar t7 = t4 + t6;
+  const Scalar t8 = s4 * t2 - c4 * t7;
+  const Scalar t9 = k[0] * (c4 * t0 + s4 * t6);
+  const Scalar t10 = k[29] * t9;
+  const Scalar t11 = k[29] * t8;
+  const Scalar t12 = k[10] * c6 - k[11] * s6;
+  const Scalar t13 = k[14] + s6 * t12;
+  const Scalar t14 = k[7] + t13;
+  const Scalar t15 = k[6] - t4;
+  const Scalar t16 = c5 * t14 + s5 * t15;
+  const Scalar t17 = c6 * t12;
+  const Scalar t18 = k[12] - t17;
+  const Scalar t19 = k[20] - (k[4] - t18);
+  const Scalar t20 = k[3] + t0;
+  const Scalar t21 = s5 * t20 - k[21] * c5;
+  const Scalar t22 = t19 + t21;
+  const Scalar t23 = t4 * t11 - (s4 * t16 + c4 * t22);
+  const Scalar t24 = Scalar(1) / (t19 + t4 * t3);
+  const Scalar t25 = t23 * t24;
+  const Scalar t26 = k[0] * s4 * t21 + t9 * t3;
+  const Scalar t27 = k[5] + t1;
+  const Scalar t28 = Scalar(2) * c5 * t27 + s5 * (k[30] - t19);
+  const Scalar t29 = k[21] * s5 + c5 * t20;
+  const Scalar t30 = k[23] + t29;
+  const Scalar t31 = (k[27] + (c5 * t28 - t27)) - t30;
+  const Scalar t32 = k[22] + t5;
+  const Scalar t33 = s5 * t14 - c5 * t15;
+  const Scalar t34 = t32 - (k[28] - t33);
+  const Scalar t35 = s4 * t31 + c4 * t34;
+  const Scalar t36 = s5 * t1 - k[17] * c5;
+  const Scalar t37 = k[29] * t36;
+  const Scalar t38 = t4 * t37 + t33;
+  const Scalar t39 = t24 * t38;
+  const Scalar t40 = (t35 - t37 * t8) + t23 * t39;
+  const Scalar t41 = k[13] - t17;
+  const Scalar t42 = k[24] - t41;
+  const Scalar t43 = k[20] - s5 * t28;
+  const Scalar t44 = k[25] + (t19 - t43);
+  const Scalar t45 = k[26] + t16;
+  const Scalar t46 = s4 * (t42 - t44) + Scalar(2) * c4 * t45;
+  const Scalar t47 = s4 * t46;
+  const Scalar t48 = t47 - t42;
+  const Scalar t49 = t47 + t44;
+  const Scalar t50 = t48 - t49;
+  const Scalar t51 = Scalar(1) / (t39 * t38 - (t36 * t37 - t50));
+  const Scalar t52 = c4 * t30 + s4 * t32;
+  const Scalar t53 = (k[0] * t52 + t36 * t10) - t39 * t26;
+  const Scalar t54 = t51 * t53;
+  const Scalar t55 = (t8 * t10 - t25 * t26) - t40 * t54;
+  const Scalar t56 = t51 * t40;
+  const Scalar t57 = k[31] - t21;
+  const Scalar t58 = k[40] - (t43 - (t57 - t21));
+  const Scalar t59 = k[43] + t49;
+  const Scalar t60 = t25 * t23 - (t11 * t8 - (t58 - t59));
+  const Scalar t61 = Scalar(1) / (t40 * t56 - t60);
+  const Scalar t62 = t55 * t61;
+  const Scalar t63 = t24 * t26;
+  const Scalar t64 = t54 * t53 - ((k[44] - t9 * t10) + t26 * t63);
+  const Scalar t65 = Scalar(1) / (t55 * t62 - t64);
+  const Scalar t66 = qd[0] * c3;
+  const Scalar t67 = s4 * t66;
+  const Scalar t68 = qd[2] * c4 - t67;
+  const Scalar t69 = qd[4] + t68;
+  const Scalar t70 = c4 * t66 + qd[2] * s4;
+  const Scalar t71 = qd[0] * s3;
+  const Scalar t72 = qd[3] + t71;
+  const Scalar t73 = c5 * t70 - s5 * t72;
+  const Scalar t74 = t69 * t73;
+  const Scalar t75 = qd[2] * t66;
+  const Scalar t76 = t70 * t68;
+  const Scalar t77 = t75 - t76;
+  const Scalar t78 = Scalar(2) * qd[2] * t71;
+  const Scalar t79 = c4 * t78 - t71 * t67;
+  const Scalar t80 = t72 * t68;
+  const Scalar t81 = t79 - (t80 + t80);
+  const Scalar t82 = c5 * t77 - s5 * t81;
+  const Scalar t83 = t74 + (t74 + t82);
+  const Scalar t84 = c5 * t72 + s5 * t70;
+  const Scalar t85 = t84 * t69;
+  const Scalar t86 = s5 * t77 + c5 * t81;
+  const Scalar t87 = t85 + (t85 + t86);
+  const Scalar t88 = t68 * t68;
+  const Scalar t89 = t72 * t72;
+  const Scalar t90 = t88 + t89;
+  const Scalar t91 = t66 * t66;
+  const Scalar t92 = qd[2] * qd[2];
+  const Scalar t93 = t91 + t92;
+  const Scalar t94 = t93 - t90;
+  const Scalar t95 = t88 - t89;
+  const Scalar t96 = t94 - t95;
+  const Scalar t97 = t90 + t96;
+  const Scalar t98 = t69 * t69;
+  const Scalar t99 = t98 + t84 * t84;
+  const Scalar t100 = t97 - t99;
+  const Scalar t101 = qd[5] + t84;
+  const Scalar t102 = t101 * t101;
+  const Scalar t103 = t102 + t98;
   const Scalar t104 = t100 + t103;
-  const Scalar t105 = c4 * t97;
-  const Scalar t106 = t105 + qd[2] * s4;
-  const Scalar t107 = c5 * t106 - s5 * t102;
-  const Scalar t108 = t107 * t107;
-  const Scalar t109 = c5 * t102 + s5 * t106;
-  const Scalar t110 = t109 * t109;
-  const Scalar t111 = t108 + t110;
-  const Scalar t112 = t104 - t111;
-  const Scalar t113 = t100 - t103;
-  const Scalar t114 = t112 - t113;
-  const Scalar t115 = t114 - t104;
-  const Scalar t116 = (t98 + t115) + t98;
-  const Scalar t117 = qd[0] * qd[0];
-  const Scalar t118 = t117 + t115;
-  const Scalar t119 = t101 * t97;
-  const Scalar t120 = k[34] * t96 - (k[36] * (t116 - t118) + k[42] * t119);
-  const Scalar t121 = qd[5] + t109;
-  const Scalar t122 = t121 * t121;
-  const Scalar t123 = qd[4] + t99;
-  const Scalar t124 = t123 * t123;
+  const Scalar t105 = (k[3] * t83 + k[21] * t87) + (t5 * t104 + t0 * t83);
+  const Scalar t106 = qd[0] * qd[0];
+  const Scalar t107 = k[2] + k[0] * q[1];
+  const Scalar t108 = t106 * t107;
+  const Scalar t109 = k[0] * qd[1];
+  const Scalar t110 = Scalar(2) * t71 * t109 - k[1] * c3;
+  const Scalar t111 = t79 - (c4 * t108 - s4 * t110);
+  const Scalar t112 = t75 + t76;
+  const Scalar t113 = k[31] * t111 + (k[23] * t112 + k[22] * t97);
+  const Scalar t114 = t105 + t113;
+  const Scalar t115 = t71 * t66;
+  const Scalar t116 = c4 * t115 + s4 * t78;
+  const Scalar t117 = t116 - (c4 * t110 + s4 * t108);
+  const Scalar t118 = (k[22] * t77 - k[23] * t90) + k[31] * t117;
+  const Scalar t119 = t69 * t101;
+  const Scalar t120 = t119 + (t119 - t87);
+  const Scalar t121 = t101 * t73;
+  const Scalar t122 = t84 * t73;
+  const Scalar t123 = t72 * t70;
+  const Scalar t124 = t116 - t123;
   const Scalar t125 = t122 + t124;
-  const Scalar t126 = t102 * t99;
-  const Scalar t127 = qd[2] * t101;
-  const Scalar t128 = t127 + t127;
-  const Scalar t129 = s4 * t119 - c4 * t128;
-  const Scalar t130 = (t126 + t126) + t129;
-  const Scalar t131 = qd[2] * t97;
-  const Scalar t132 = t106 * t99;
-  const Scalar t133 = t131 - t132;
-  const Scalar t134 = s5 * t130 + c5 * t133;
-  const Scalar t135 = t109 * t107;
-  const Scalar t136 = t102 * t106;
-  const Scalar t137 = t105 * t101 + s4 * t128;
-  const Scalar t138 = t136 - t137;
-  const Scalar t139 = t135 - t138;
-  const Scalar t140 = t108 - t124;
-  const Scalar t141 = (t4 * t125 - t1 * t134) - (k[12] * t139 + k[15] * (t140 - t111));
-  const Scalar t142 = t123 * t121;
-  const Scalar t143 = s5 * t133 - c5 * t130;
-  const Scalar t144 = t143 + Scalar(2) * t109 * t123;
-  const Scalar t145 = (t142 + t142) - t144;
-  const Scalar t146 = t121 * t107;
-  const Scalar t147 = (t139 - t146) - t146;
-  const Scalar t148 = t122 - t108;
-  const Scalar t149 = t148 - t125;
-  const Scalar t150 = t135 + t138;
-  const Scalar t151 = (t145 * t1 + t4 * t147) - (k[12] * t149 + k[15] * t150);
-  const Scalar t152 = t117 * t25;
-  const Scalar t153 = k[41] * c3 - Scalar(2) * s3 * t95;
-  const Scalar t154 = t137 - (s4 * t152 - c4 * t153);
-  const Scalar t155 = k[27] * t154 + (k[18] * t133 - k[19] * t104);
-  const Scalar t156 = (c5 * t141 + s5 * t151) - t155;
-  const Scalar t157 = t115 + t96;
-  const Scalar t158 = t138 + t136;
-  const Scalar t159 = (k[25] * t133 - k[26] * t114) + (k[29] * t130 - k[23] * t158);
-  const Scalar t160 = c5 * t157 + s5 * t154;
-  const Scalar t161 = (t0 * t134 + t5 * t148) - (t13 * t147 + t145 * t18);
-  const Scalar t162 = s5 * t157 - c5 * t154;
-  const Scalar t163 = t124 - t110;
-  const Scalar t164 = k[22] * (t140 + t163) + (k[11] * t139 + k[10] * t150);
-  const Scalar t165 = (k[15] * t160 + k[12] * t162) - ((k[8] * t143 - k[4] * t134) - t164);
-  const Scalar t166 = (t4 * t160 - t161) + t165;
-  const Scalar t167 = t156 + ((k[19] * t157 + t159) + t166);
-  const Scalar t168 = t122 + t108;
-  const Scalar t169 = t123 * t107;
-  const Scalar t170 = (t169 + t169) + t134;
-  const Scalar t171 = (t168 * t1 + t4 * t170) + (k[15] * t170 + k[12] * t144);
-  const Scalar t172 = t129 + (s4 * t153 + c4 * t152);
-  const Scalar t173 = t131 + t132;
-  const Scalar t174 = k[27] * t172 - (k[18] * t111 + k[19] * t173);
-  const Scalar t175 = t171 - t174;
-  const Scalar t176 = k[4] * t163 - (k[22] * t170 + k[11] * t144);
-  const Scalar t177 = t0 * (t168 + t149) + (t18 * t147 - t145 * t42);
-  const Scalar t178 = (k[12] * t172 - (t176 - k[8] * t150)) + ((t5 * t170 - t177) - t1 * t160);
-  const Scalar t179 = (t13 * t170 - t42 * t134) + t140 * t18;
-  const Scalar t180 = (t1 * t162 + t4 * t172) - ((t139 * t0 - t5 * t144) - t179);
-  const Scalar t181 = (k[10] * t170 - k[22] * t144) - (k[8] * t140 + k[4] * t139);
-  const Scalar t182 = t180 + (k[15] * t172 - t181);
-  const Scalar t183 = (k[29] * t158 - k[21] * t130) - k[25] * t113;
-  const Scalar t184 = (c5 * t178 - s5 * t182) + ((k[26] * t173 + t183) - k[18] * t157);
-  const Scalar t185 = t175 - t184;
-  const Scalar t186 = torque[2] + (t120 + (c4 * t167 + s4 * t185));
-  const Scalar t187 = torque[5] + t180;
-  const Scalar t188 = k[2] * t187;
-  const Scalar t189 = (torque[4] + t166) - t33 * t187;
-  const Scalar t190 = t189 * t34;
-  const Scalar t191 = (k[23] * t173 + k[21] * t133) - k[29] * t112;
-  const Scalar t192 = ((k[25] * t137 - k[26] * t129) + t191) + (k[19] * t172 - k[18] * t154);
-  const Scalar t193 = (s5 * t178 + c5 * t182) + t192;
-  const Scalar t194 = t190 * t56 - ((torque[3] + t193) + t187 * t58);
-  const Scalar t195 = t62 * t194;
-  const Scalar t196 = ((t186 - t7 * t188) - t190 * t21) - t59 * t195;
-  const Scalar t197 = k[35] * t117;
-  const Scalar t198 = k[34] * (t117 - t116) + (c4 * t156 + s4 * t175);
-  const Scalar t199 = (k[19] * t158 - k[18] * t130) + k[27] * t157;
-  const Scalar t200 = k[34] * t119 + (t199 + (s5 * t141 - c5 * t151));
-  const Scalar t201 = (k[46] * t95 - t197) + (s3 * t198 + c3 * t200);
-  const Scalar t202 = (k[32] * t116 - k[33] * t119) + (k[43] * t131 - k[36] * t128);
-  const Scalar t203 = k[33] * t118 + (k[44] * t131 + k[28] * t128);
-  const Scalar t204 = (t203 - k[32] * t119) - (s4 * t167 - c4 * t185);
-  const Scalar t205 = s3 * (t193 + (k[34] * t152 + t202)) + c3 * t204;
-  const Scalar t206 = t25 * t201 - ((k[45] * t95 - t197 * t25) + t205);
-  const Scalar t207 = (t188 * t30 + (torque[0] - t206)) - t189 * t35;
-  const Scalar t208 = k[48] * t131 - (s4 * t156 - c4 * t175);
-  const Scalar t209 = k[16] * (t208 - (k[47] * t152 - k[38] * t117));
-  const Scalar t210 = t190 * t75 + (t187 * t74 - (torque[1] - t209));
-  const Scalar t211 = t196 * t84 + (t77 * t195 + t210);
-  const Scalar t212 = (t196 * t73 - (t195 * t66 + t207)) - t87 * t211;
-  const Scalar t213 = t94 * t212;
-  const Scalar t214 = t211 * t86 + t87 * t213;
-  const Scalar t215 = t214 * t84 - (t213 * t73 + t196 * t72);
-  const Scalar t216 = t63 * t215 - (t81 * t214 + (t195 + t213 * t92));
-  const Scalar t217 = (t76 * t214 - (t213 * t35 - t190)) - t57 * t215;
-  const Scalar t218 = t61 * t216 - t217;
-  const Scalar t219 = t8 * t215 + ((t188 - t213 * t31) - t214 * t74);
+  const Scalar t126 = (t121 - t125) + t121;
+  const Scalar t127 = t102 - t98;
+  const Scalar t128 = t127 - t104;
+  const Scalar t129 = t122 - t124;
+  const Scalar t130 = (t5 * t120 - t0 * t126) - (k[21] * t128 + k[3] * t129);
+  const Scalar t131 = (t0 * t103 - t5 * t82) + (k[3] * t99 - k[21] * t125);
+  const Scalar t132 = t118 - (s5 * t130 + c5 * t131);
+  const Scalar t133 = (c4 * t114 + s4 * t132) + k[45] * t75;
+  const Scalar t134 = k[0] * (t133 - (k[46] * t108 - k[47] * t106));
+  const Scalar t135 = (t18 * t83 - t82 * t41) + t100 * t13;
+  const Scalar t136 = t109 * t66;
+  const Scalar t137 = (t136 + t136) + k[1] * s3;
+  const Scalar t138 = t93 - t137;
+  const Scalar t139 = c5 * t117 + s5 * t138;
+  const Scalar t140 = ((t4 * t125 - t87 * t1) - t135) + (t139 * t5 + t0 * t111);
+  const Scalar t141 = torque[5] - t140;
+  const Scalar t142 = s5 * t117 - c5 * t138;
+  const Scalar t143 = (t4 * t82 + (t128 + t103) * t1) + (t18 * t126 - t120 * t13);
+  const Scalar t144 = k[5] * (t128 + t99) - (k[4] * t129 + k[20] * t125);
+  const Scalar t145 = (k[21] * t139 - k[3] * t142) - ((k[6] * t82 - k[7] * t86) - t144);
+  const Scalar t146 = (t142 * t0 - t143) - t145;
+  const Scalar t147 = t3 * t141 - (torque[4] + t146);
+  const Scalar t148 = t147 * t24;
+  const Scalar t149 = ((torque[1] - t134) - t141 * t10) + t148 * t26;
+  const Scalar t150 = k[29] * t141;
+  const Scalar t151 = (k[5] * t87 - k[4] * t83) + (k[6] * t125 + k[7] * t100);
+  const Scalar t152 = (t151 - k[3] * t111) - t140;
+  const Scalar t153 = (t126 * t13 + t120 * t41) - t4 * t127;
+  const Scalar t154 = (k[5] * t83 + k[20] * t87) + k[6] * (t128 + t97);
+  const Scalar t155 = ((t153 + t1 * t83) - t142 * t5) - (k[21] * t111 - (k[7] * t129 + t154));
+  const Scalar t156 = (k[24] * t77 + k[25] * t112) + k[26] * t96;
+  const Scalar t157 = (k[22] * t117 + k[23] * t111) - ((k[27] * t79 + k[28] * t116) + t156);
+  const Scalar t158 = (c5 * t152 + s5 * t155) - t157;
+  const Scalar t159 = t147 * t39 - (t150 * t36 + (torque[3] + t158));
+  const Scalar t160 = t106 - t93;
+  const Scalar t161 = t91 - t92;
+  const Scalar t162 = k[32] * t137 + (k[36] * (t160 - t161) - k[42] * t115);
+  const Scalar t163 = t123 - t124;
+  const Scalar t164 = (k[28] * t77 + k[27] * t94) - (k[26] * t81 + k[25] * t163);
+  const Scalar t165 = (t146 - (k[23] * t138 - t164)) - t132;
+  const Scalar t166 = (k[26] * t163 + k[24] * t81) - k[28] * t95;
+  const Scalar t167 = (k[22] * t138 + (t166 + k[27] * t112)) - (s5 * t152 - c5 * t155);
+  const Scalar t168 = t114 - t167;
+  const Scalar t169 = torque[2] + (t162 + (c4 * t165 + s4 * t168));
+  const Scalar t170 = t159 * t56 + ((t169 + t150 * t8) - t25 * t147);
+  const Scalar t171 = t65 * ((t149 + t159 * t54) + t62 * t170);
+  const Scalar t172 = c3 * (k[37] + (c4 * t46 - t45)) - s3 * (k[38] + t35);
+  const Scalar t173 = k[32] + t52;
+  const Scalar t174 = t172 + t107 * (s3 * t57 + c3 * t173);
+  const Scalar t175 = s3 * t36 + c3 * (s4 * t7 + c4 * t2);
+  const Scalar t176 = c3 * s5 * t5 - s3 * (s4 * t0 - c4 * t6);
+  const Scalar t177 = t175 + t107 * t176;
+  const Scalar t178 = t107 * (s3 * c4 * t21 - c3 * t29);
+  const Scalar t179 = c3 * (c4 * t16 - s4 * t22) - s3 * t33;
+  const Scalar t180 = (t178 - t179) + t177 * t3;
+  const Scalar t181 = t180 * t24;
+  const Scalar t182 = c4 * t31 - s4 * t34;
+  const Scalar t183 = c4 * t32 - s4 * t30;
+  const Scalar t184 = (s3 * t50 + c3 * t182) - t107 * s3 * t183;
+  const Scalar t185 = (t177 * t37 - t184) - t181 * t38;
+  const Scalar t186 = t185 * t51;
+  const Scalar t187 = ((t174 + t11 * t177) - t23 * t181) - t186 * t40;
+  const Scalar t188 = k[0] * (k[34] - (s3 * t173 - c3 * t57));
+  const Scalar t189 = ((t188 - t177 * t10) + t26 * t181) - t186 * t53;
+  const Scalar t190 = t187 * t62 + t189;
+  const Scalar t191 = (k[35] * t75 - k[36] * t78) - (k[38] * t115 - k[37] * t161);
+  const Scalar t192 = (k[40] * t78 + k[39] * t75) + k[38] * t160;
+  const Scalar t193 = (k[37] * t115 - t192) - (c4 * t168 - s4 * t165);
+  const Scalar t194 = s3 * (t158 + (t191 + k[32] * t108)) - c3 * t193;
+  const Scalar t195 = qd[0] * t109;
+  const Scalar t196 = (s4 * t114 - c4 * t132) + k[32] * (t106 - t161);
+  const Scalar t197 = (k[22] * t81 + k[23] * t163) - k[31] * t138;
+  const Scalar t198 = (t197 - (c5 * t130 - s5 * t131)) + k[32] * t115;
+  const Scalar t199 = (s3 * t196 + c3 * t198) + (k[33] * t195 - k[34] * t106);
+  const Scalar t200 = (t194 + (k[41] * t195 - k[34] * t108)) - t107 * t199;
+  const Scalar t201 = (t177 * t150 + (torque[0] + t200)) - t180 * t148;
+  const Scalar t202 = t187 * t61;
+  const Scalar t203 = t171 * t190 - ((t186 * t159 - t201) + t202 * t170);
+  const Scalar t204 = k[29] * t177;
+  const Scalar t205 = k[47] + t183;
+  const Scalar t206 = t48 - t107 * (t205 - (k[48] * t107 - t205));
+  const Scalar t207 = c3 * (t58 + t59) - Scalar(2) * s3 * (k[36] - t182);
+  const Scalar t208 = (k[49] - t206) - (k[50] + (c3 * t207 - t59));
+  const Scalar t209 = ((t204 * t177 + t208) - t180 * t181) + t185 * t186;
+  const Scalar t210 = t65 * t190;
+  const Scalar t211 = Scalar(1) / ((t187 * t202 - t209) - t210 * t190);
+  const Scalar t212 = t203 * t211;
+  const Scalar t213 = t171 + t210 * t212;
+  const Scalar t214 = (t202 * t212 + t61 * t170) - t213 * t62;
+  const Scalar t215 = t213 * t54 + (t51 * t159 - t186 * t212);
+  const Scalar t216 = t215 - t214 * t56;
+  const Scalar t217 = t25 * t214 - ((t148 + t212 * t181) - t213 * t63);
+  const Scalar t218 = t217 + t39 * t216;
+  const Scalar t219 = (t213 * t10 - (t204 * t212 + t150)) + t214 * t11;
   JointVector<Scalar> result;
-  result[0] = -t213;
-  result[1] = t214;
-  result[2] = -t215;
+  result[0] = t212;
+  result[1] = t213;
+  result[2] = -t214;
   result[3] = -t216;
-  result[4] = t218;
-  result[5] = -t218 * t33 - (t58 * t216 - t219);
+  result[4] = -t218;
+  result[5] = t218 * t3 - (t37 * t216 + t219);
   return result;
 }
 
@@ -1466,78 +1483,77 @@ KineticEnergyConstants<Scalar> kinetic_energy_constants(const BasicGeometry<Scal
   using std::cos;
   using std::sin;
   const Scalar t0 = inertia.c6x * inertia.m6;
-  const Scalar t1 = inertia.c6y * inertia.m6;
-  const Scalar t2 = inertia.c6z * inertia.m6;
+  const Scalar t1 = inertia.c6z * inertia.m6;
+  const Scalar t2 = inertia.c6y * inertia.m6;
   const Scalar t3 = inertia.c5z * inertia.m5;
   const Scalar t4 = inertia.c5x * inertia.m5;
-  const Scalar t5 = inertia.c4y * inertia.m4;
-  const Scalar t6 = inertia.c5y * inertia.m5;
-  const Scalar t7 = inertia.c4z * inertia.m4;
-  const Scalar t8 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t9 = inertia.c6z * t2 - (inertia.I6zz - t8);
-  const Scalar t10 = (inertia.I6yy - t8) - inertia.c6y * t1;
-  const Scalar t11 = inertia.c3z * inertia.m3;
-  const Scalar t12 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t13 = inertia.c4x * inertia.m4;
-  const Scalar t14 = g.d4 * t12 + t13;
-  const Scalar t15 = inertia.c3x * inertia.m3;
-  const Scalar t16 = g.d4 * inertia.m3 + t15;
-  const Scalar t17 = inertia.c2x * inertia.m2;
-  const Scalar t18 = inertia.I6yz - inertia.c6z * t1;
-  const Scalar t19 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t20 = ((inertia.I6xx - t8) - inertia.c6x * t0) - (inertia.c5x * t4 - (inertia.I5xx - t19));
-  const Scalar t21 = inertia.c3y * inertia.m3;
-  const Scalar t22 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t23 = ((inertia.I4yy - t22) - inertia.c4y * t5) - (inertia.c5y * t6 - (inertia.I5yy - t19));
+  const Scalar t5 = inertia.I6yz - inertia.c6z * t2;
+  const Scalar t6 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t7 = inertia.c6z * t1 - (inertia.I6zz - t6);
+  const Scalar t8 = (inertia.I6yy - t6) - inertia.c6y * t2;
+  const Scalar t9 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t10 = ((inertia.I6xx - t6) - inertia.c6x * t0) - (inertia.c5x * t4 - (inertia.I5xx - t9));
+  const Scalar t11 = inertia.c5y * inertia.m5;
+  const Scalar t12 = inertia.c4z * inertia.m4;
+  const Scalar t13 = inertia.c4y * inertia.m4;
+  const Scalar t14 = inertia.c3z * inertia.m3;
+  const Scalar t15 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t16 = inertia.c4x * inertia.m4;
+  const Scalar t17 = g.d4 * t15 + t16;
+  const Scalar t18 = inertia.c3x * inertia.m3;
+  const Scalar t19 = g.d4 * inertia.m3 + t18;
+  const Scalar t20 = inertia.c2x * inertia.m2;
+  const Scalar t21 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t22 = ((inertia.I4yy - t21) - inertia.c4y * t13) - (inertia.c5y * t11 - (inertia.I5yy - t9));
+  const Scalar t23 = inertia.c3y * inertia.m3;
   const Scalar t24 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t25 = (inertia.c3x * t15 - (inertia.I3xx - t24)) + g.d4 * (t15 + t16);
-  const Scalar t26 = g.d4 * (t14 + t13) - ((inertia.I4xx - t22) - inertia.c4x * t13);
-  const Scalar t27 = inertia.c2y * inertia.m2;
-  const Scalar t28 = inertia.c1y * inertia.m1;
-  const Scalar t29 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t30 = g.l2 * ((t28 - g.l2 * inertia.m1) + t28) - (inertia.c1y * t28 - (inertia.I1yy - t29));
-  const Scalar t31 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t32 = ((inertia.I3yy - t24) - inertia.c3y * t21) + ((inertia.I2yy - t31) - inertia.c2y * t27);
-  const Scalar t33 = (inertia.c2x * t17 - (inertia.I2xx - t31))
-      + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t29));
-  return { inertia.I6xz - inertia.c6z * t0,
-           inertia.I6xy - inertia.c6y * t0,
+  const Scalar t25 = (inertia.c3x * t18 - (inertia.I3xx - t24)) + g.d4 * (t18 + t19);
+  const Scalar t26 = g.d4 * (t17 + t16) - ((inertia.I4xx - t21) - inertia.c4x * t16);
+  const Scalar t27 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t28 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t29 = (inertia.c2x * t20 - (inertia.I2xx - t27))
+      + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t28));
+  const Scalar t30 = inertia.c2y * inertia.m2;
+  const Scalar t31 = inertia.c1y * inertia.m1;
+  const Scalar t32 = g.l2 * ((t31 - g.l2 * inertia.m1) + t31) - (inertia.c1y * t31 - (inertia.I1yy - t28));
+  const Scalar t33 = ((inertia.I3yy - t24) - inertia.c3y * t23) + ((inertia.I2yy - t27) - inertia.c2y * t30);
+  return { inertia.I6xy - inertia.c6y * t0,
+           inertia.I6xz - inertia.c6z * t0,
            t1,
            t2,
            t3,
            t0 + t4,
-           t5 + t6,
-           t7,
-           t9 - t10,
            g.d4,
-           g.l2,
-           t11,
-           t14 + t16,
-           t17,
-           t9 + t10,
-           Scalar(2) * t18,
-           t18,
-           inertia.I5yz - inertia.c5z * t6,
-           inertia.I5xy - inertia.c5y * t4,
-           inertia.I4xy - inertia.c4y * t13,
-           inertia.I5xz - inertia.c5z * t4,
+           Scalar(2) * t5,
+           t7 + t8,
+           t8,
+           inertia.c5z * t3 - (inertia.I5zz - t9),
            t10,
-           inertia.c5z * t3 - (inertia.I5zz - t19),
+           inertia.I5xy - inertia.c5y * t4,
+           t5,
+           inertia.I5yz - inertia.c5z * t11,
+           g.l2,
+           t12,
+           t13 + t11,
+           t14,
+           t17 + t19,
            t20,
-           inertia.I4xz - inertia.c4z * t13,
-           g.d4 * t21 - (inertia.I3xy - inertia.c3y * t15),
-           inertia.I4yz - inertia.c4z * t5,
-           (inertia.I4zz - t22) - inertia.c4z * t7,
-           t9,
-           t23,
-           inertia.I3yz - inertia.c3z * t21,
+           inertia.I4yz - inertia.c4z * t13,
+           t7 - t8,
+           t22,
+           inertia.I5xz - inertia.c5z * t4,
+           (inertia.I4zz - t21) - inertia.c4z * t12,
+           inertia.I3yz - inertia.c3z * t23,
+           inertia.I4xy - inertia.c4y * t16,
+           inertia.I4xz - inertia.c4z * t16,
+           g.d4 * t23 - (inertia.I3xy - inertia.c3y * t18),
+           (inertia.I3zz - t24) - inertia.c3z * t14,
+           g.d4 * t14 - (inertia.I3xz - inertia.c3z * t18),
            t25 + t26,
-           (inertia.I3zz - t24) - inertia.c3z * t11,
-           inertia.m2 + (inertia.m3 + t12),
-           t21 + t27,
-           t30 + t32,
-           g.d4 * t11 - (inertia.I3xz - inertia.c3z * t15),
-           t33 };
+           t29,
+           t23 + t30,
+           inertia.m2 + (inertia.m3 + t15),
+           t32 + t33 };
 }
 
 namespace detail {
@@ -1553,75 +1569,77 @@ inline Scalar kinetic_energy(const JointVector<Scalar>& q, const JointVector<Sca
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[0] * s6 - k[1] * c6;
-  const Scalar t1 = k[18] - t0;
-  const Scalar t2 = k[14] * c6 - k[15] * s6;
-  const Scalar t3 = k[17] + (k[16] + s6 * t2);
+  const Scalar t0 = k[0] * c6 - k[1] * s6;
+  const Scalar t1 = k[12] + t0;
+  const Scalar t2 = k[8] * c6 - k[7] * s6;
+  const Scalar t3 = k[14] + (k[13] + s6 * t2);
   const Scalar t4 = c5 * t1 - s5 * t3;
-  const Scalar t5 = k[0] * c6 + k[1] * s6;
-  const Scalar t6 = s5 * t5 - k[8] * c5;
-  const Scalar t7 = k[2] * s6 + k[3] * c6;
-  const Scalar t8 = (k[8] * s5 + c5 * t5) - k[9] * t7;
-  const Scalar t9 = k[2] * c6 - k[3] * s6;
+  const Scalar t5 = k[0] * s6 + k[1] * c6;
+  const Scalar t6 = s5 * t5 - k[22] * c5;
+  const Scalar t7 = k[2] * c6 + k[3] * s6;
+  const Scalar t8 = k[6] * t7 - (k[22] * s5 + c5 * t5);
+  const Scalar t9 = k[2] * s6 - k[3] * c6;
   const Scalar t10 = c5 * t9;
-  const Scalar t11 = k[9] * t10 + t0;
-  const Scalar t12 = c3 * (c4 * t8 - s4 * t11) - s3 * t6;
-  const Scalar t13 = k[10] + q[1];
-  const Scalar t14 = c3 * s5 * t9 + s3 * (c4 * t10 - s4 * t7);
-  const Scalar t15 = k[20] + t5;
-  const Scalar t16 = c6 * t2;
-  const Scalar t17 = k[22] - (k[21] - t16);
-  const Scalar t18 = Scalar(2) * c5 * t15 + s5 * (k[23] + t17);
-  const Scalar t19 = k[4] + t7;
-  const Scalar t20 = k[5] * s5 + c5 * t19;
-  const Scalar t21 = k[7] + t20;
-  const Scalar t22 = (k[24] + (c5 * t18 - t15)) - k[9] * t21;
-  const Scalar t23 = k[6] + t9;
-  const Scalar t24 = k[9] * t23 - (k[19] + t4);
-  const Scalar t25 = c4 * t22 - s4 * t24;
-  const Scalar t26 = s5 * t18;
-  const Scalar t27 = t17 - t26;
-  const Scalar t28 = k[27] - t27;
-  const Scalar t29 = k[29] - (k[28] - t16);
-  const Scalar t30 = t28 + t29;
-  const Scalar t31 = c4 * t23 - s4 * t21;
-  const Scalar t32 = (c3 * t25 - s3 * t30) - t13 * s3 * t31;
-  const Scalar t33 = s4 * t23 + c4 * t21;
-  const Scalar t34 = k[11] + t33;
-  const Scalar t35 = k[5] * c5 - s5 * t19;
-  const Scalar t36 = k[12] + t35;
-  const Scalar t37 = s5 * t1 + c5 * t3;
-  const Scalar t38 = k[26] + t37;
-  const Scalar t39 = s4 * (t28 - t29) - Scalar(2) * c4 * t38;
-  const Scalar t40 = s4 * t22 + c4 * t24;
-  const Scalar t41 = c3 * (k[30] - (c4 * t39 + t38)) - s3 * (k[25] + t40);
-  const Scalar t42 = t13 * (c3 * t34 + s3 * t36) + t41;
-  const Scalar t43 = qd[1] * (k[13] + (c3 * t36 - s3 * t34));
-  const Scalar t44 = k[23] - t26;
-  const Scalar t45 = t27 - t44;
-  const Scalar t46 = k[9] * t35;
-  const Scalar t47 = t45 + t46;
-  const Scalar t48 = s3 * t4 + c3 * (s4 * t47 + c4 * t37);
-  const Scalar t49 = t13 * (s3 * c4 * t35 + c3 * t20);
-  const Scalar t50 = (qd[3] * t32 - (qd[2] * t42 + t43)) - qd[4] * (t48 + t49);
-  const Scalar t51 = qd[0] * (qd[5] * (t12 - t13 * t14) + t50);
-  const Scalar t52 = qd[5] * (s4 * t10 + c4 * t7) + (qd[3] * t33 + qd[4] * s4 * t35);
-  const Scalar t53 = qd[3] * t40 - qd[4] * (s4 * t37 - c4 * t47);
-  const Scalar t54 = qd[5] * (c4 * t11 + s4 * t8) + t53;
-  const Scalar t55 = qd[3] * (qd[4] * t4 + qd[5] * t6) - ((t51 + qd[1] * t52) + qd[2] * t54);
-  const Scalar t56 = s4 * t39;
-  const Scalar t57 = k[32] + (t28 - t56);
-  const Scalar t58 = k[31] - (t44 - Scalar(2) * t46);
-  const Scalar t59 = k[34] + t31;
-  const Scalar t60 = (t29 + t56) + t13 * (t59 + (t59 - k[33] * t13));
-  const Scalar t61 = c3 * (t57 + t58) - Scalar(2) * s3 * (k[36] - t25);
-  const Scalar t62 = (k[35] + t60) - (k[37] + (c3 * t61 - t57));
-  const Scalar t63 = qd[1] * k[33] * qd[1] - qd[0] * qd[0] * t62;
-  const Scalar t64 = qd[3] * qd[3] * t30 + (qd[2] * qd[2] * (t57 - t58) - t63);
-  const Scalar t65 = qd[5] * k[8] * qd[5] - (t64 - qd[4] * qd[4] * t45);
-  const Scalar t66 = (qd[4] * qd[5] * t0 - t55) + Scalar(0.5) * t65;
+  const Scalar t11 = t0 + k[6] * t10;
+  const Scalar t12 = c5 * t3 + s5 * t1;
+  const Scalar t13 = k[4] + t7;
+  const Scalar t14 = k[5] * c5 - s5 * t13;
+  const Scalar t15 = k[6] * t14;
+  const Scalar t16 = k[9] - c6 * t2;
+  const Scalar t17 = k[10] - t16;
+  const Scalar t18 = k[11] - t17;
+  const Scalar t19 = t15 - t18;
+  const Scalar t20 = c5 * t13 + k[5] * s5;
+  const Scalar t21 = k[16] + t20;
+  const Scalar t22 = k[24] + t5;
+  const Scalar t23 = c5 * t22;
+  const Scalar t24 = s5 * (k[11] + t17) + (t23 + t23);
+  const Scalar t25 = k[6] * t21 - (k[28] - (t22 - c5 * t24));
+  const Scalar t26 = k[17] - t9;
+  const Scalar t27 = k[6] * t26 - (k[27] + t4);
+  const Scalar t28 = s4 * t25 - c4 * t27;
+  const Scalar t29 = qd[4] * (s4 * t12 - c4 * t19) + qd[3] * t28;
+  const Scalar t30 = qd[5] * (s4 * t8 + c4 * t11) + t29;
+  const Scalar t31 = k[15] + q[1];
+  const Scalar t32 = c4 * t26 - s4 * t21;
+  const Scalar t33 = k[21] + t12;
+  const Scalar t34 = c4 * t33;
+  const Scalar t35 = s5 * t24 - t17;
+  const Scalar t36 = k[25] + t35;
+  const Scalar t37 = k[23] - (k[22] + t16);
+  const Scalar t38 = (t34 + t34) - s4 * (t36 - t37);
+  const Scalar t39 = s4 * t38;
+  const Scalar t40 = t39 - t37;
+  const Scalar t41 = t36 + t39;
+  const Scalar t42 = t40 - t41;
+  const Scalar t43 = s4 * t27 + c4 * t25;
+  const Scalar t44 = t31 * s3 * t32 - (s3 * t42 - c3 * t43);
+  const Scalar t45 = k[19] + t14;
+  const Scalar t46 = c4 * t21 + s4 * t26;
+  const Scalar t47 = k[18] + t46;
+  const Scalar t48 = c3 * (k[26] - (t33 - c4 * t38)) - s3 * (k[29] - t28);
+  const Scalar t49 = t31 * (s3 * t45 + c3 * t47) + t48;
+  const Scalar t50 = qd[1] * (k[20] + (c3 * t45 - s3 * t47));
+  const Scalar t51 = t31 * (c3 * t20 + s3 * c4 * t14);
+  const Scalar t52 = c3 * (c4 * t12 + s4 * t19) + s3 * t4;
+  const Scalar t53 = (qd[3] * t44 + (qd[2] * t49 + t50)) + qd[4] * (t51 + t52);
+  const Scalar t54 = s3 * t6 + c3 * (c4 * t8 - s4 * t11);
+  const Scalar t55 = s3 * (s4 * t7 + c4 * t10) + c3 * s5 * t9;
+  const Scalar t56 = qd[0] * (t53 + qd[5] * (t54 - t31 * t55));
+  const Scalar t57 = qd[5] * (c4 * t7 - s4 * t10) + (qd[3] * t46 + qd[4] * s4 * t14);
+  const Scalar t58 = qd[3] * (qd[4] * t4 + qd[5] * t6) + (qd[2] * t30 + (t56 - qd[1] * t57));
+  const Scalar t59 = k[30] + t41;
+  const Scalar t60 = k[32] + ((t35 - t18) + (t15 + t15));
+  const Scalar t61 = c3 * (t59 + t60) - Scalar(2) * s3 * (k[31] + t43);
+  const Scalar t62 = k[34] + t32;
+  const Scalar t63 = t40 - t31 * (t62 + (t62 - k[35] * t31));
+  const Scalar t64 = (k[33] - (t59 - c3 * t61)) - (k[36] - t63);
+  const Scalar t65 = qd[1] * k[35] * qd[1] + qd[0] * qd[0] * t64;
+  const Scalar t66 = qd[3] * qd[3] * t42 + (t65 - qd[2] * qd[2] * (t59 - t60));
+  const Scalar t67 = qd[5] * k[22] * qd[5] + (t66 - qd[4] * qd[4] * t18);
+  const Scalar t68 = (qd[4] * qd[5] * t0 + t58) - Scalar(0.5) * t67;
   Scalar result;
-  result = t66;
+  result = -t68;
   return result;
 }
 

@@ -40,31 +40,31 @@ InverseDynamicsWithGravityVectorConstants<Scalar> inverse_dynamics_with_gravity_
   const Scalar t9 = inertia.c2x * inertia.m2;
   const Scalar t10 = inertia.c1x * inertia.m1;
   const Scalar t11 = (inertia.c2x * t9 - (inertia.I2xx - t6)) + (inertia.c1x * t10 - (inertia.I1xx - t2));
-  const Scalar t12 = inertia.c6x * inertia.m6;
-  const Scalar t13 = inertia.c5x * inertia.m5;
-  const Scalar t14 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t15 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t16 = ((inertia.I6xx - t14) - inertia.c6x * t12) - (inertia.c5x * t13 - (inertia.I5xx - t15));
-  const Scalar t17 = inertia.c5y * inertia.m5;
+  const Scalar t12 = inertia.c3z * inertia.m3;
+  const Scalar t13 = g.d4 * t12;
+  const Scalar t14 = inertia.c3x * inertia.m3;
+  const Scalar t15 = inertia.c6x * inertia.m6;
+  const Scalar t16 = inertia.c6y * inertia.m6;
+  const Scalar t17 = inertia.I6yz - inertia.c6z * t16;
   const Scalar t18 = inertia.c6z * inertia.m6;
-  const Scalar t19 = inertia.c6z * t18 - (inertia.I6zz - t14);
-  const Scalar t20 = inertia.c6y * inertia.m6;
-  const Scalar t21 = (inertia.I6yy - t14) - inertia.c6y * t20;
-  const Scalar t22 = inertia.I6yz - inertia.c6z * t20;
-  const Scalar t23 = inertia.c5z * inertia.m5;
-  const Scalar t24 = inertia.c4z * inertia.m4;
-  const Scalar t25 = inertia.c4y * inertia.m4;
-  const Scalar t26 = inertia.c4x * inertia.m4;
-  const Scalar t27 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t28 = ((inertia.I4yy - t27) - inertia.c4y * t25) - (inertia.c5y * t17 - (inertia.I5yy - t15));
-  const Scalar t29 = inertia.c3z * inertia.m3;
-  const Scalar t30 = g.d4 * t29;
-  const Scalar t31 = inertia.c3x * inertia.m3;
-  const Scalar t32 = g.d4 * inertia.m3 + t31;
-  const Scalar t33 = (inertia.c3x * t31 - (inertia.I3xx - t4)) + g.d4 * (t31 + t32);
+  const Scalar t19 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t20 = inertia.c6z * t18 - (inertia.I6zz - t19);
+  const Scalar t21 = (inertia.I6yy - t19) - inertia.c6y * t16;
+  const Scalar t22 = inertia.c5x * inertia.m5;
+  const Scalar t23 = inertia.c5y * inertia.m5;
+  const Scalar t24 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t25 = ((inertia.I6xx - t19) - inertia.c6x * t15) - (inertia.c5x * t22 - (inertia.I5xx - t24));
+  const Scalar t26 = inertia.c5z * inertia.m5;
+  const Scalar t27 = inertia.c4z * inertia.m4;
+  const Scalar t28 = inertia.c4y * inertia.m4;
+  const Scalar t29 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t30 = ((inertia.I4yy - t29) - inertia.c4y * t28) - (inertia.c5y * t23 - (inertia.I5yy - t24));
+  const Scalar t31 = inertia.c4x * inertia.m4;
+  const Scalar t32 = g.d4 * inertia.m3 + t14;
+  const Scalar t33 = (inertia.c3x * t14 - (inertia.I3xx - t4)) + g.d4 * (t14 + t32);
   const Scalar t34 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t35 = g.d4 * t34 + t26;
-  const Scalar t36 = g.d4 * (t35 + t26) - ((inertia.I4xx - t27) - inertia.c4x * t26);
+  const Scalar t35 = g.d4 * t34 + t31;
+  const Scalar t36 = g.d4 * (t35 + t31) - ((inertia.I4xx - t29) - inertia.c4x * t31);
   const Scalar t37 = (t35 + t32) / g.d4;
   const Scalar t38 = g.d4 * g.d4 * t37;
   const Scalar t39 = g.d4 * g.d4 * ((inertia.m2 + (inertia.m3 + t34)) - t37);
@@ -73,41 +73,41 @@ InverseDynamicsWithGravityVectorConstants<Scalar> inverse_dynamics_with_gravity_
            gravity[0] / g.d4,
            g.d4 * t1,
            g.d4 * t10,
+           t13 - (inertia.I3xz - inertia.c3z * t14),
+           (inertia.I3zz - t4) - inertia.c3z * t12,
+           g.d4 * t5 - (inertia.I3xy - inertia.c3y * t14),
+           inertia.I3yz - inertia.c3z * t5,
            Scalar(1) / g.d4,
            g.l2 / g.d4,
-           gravity[2] / g.d4,
-           g.d4 * (t12 + t13),
-           inertia.I5xz - inertia.c5z * t13,
-           t16,
-           inertia.I5xy - inertia.c5y * t13,
-           inertia.I5yz - inertia.c5z * t17,
-           inertia.I6xy - inertia.c6y * t12,
-           inertia.I6xz - inertia.c6z * t12,
-           t19 + t21,
-           Scalar(2) * t22,
-           t19,
-           t22,
+           t13,
+           inertia.I6xz - inertia.c6z * t15,
+           inertia.I6xy - inertia.c6y * t15,
+           Scalar(2) * t17,
+           t20 + t21,
+           t17,
+           t20,
+           g.d4 * t16,
            g.d4 * t18,
-           g.d4 * t20,
-           g.d4 * t23,
-           inertia.c5z * t23 - (inertia.I5zz - t15),
+           gravity[2] / g.d4,
+           g.d4 * (t15 + t22),
+           inertia.I5yz - inertia.c5z * t23,
+           inertia.I5xz - inertia.c5z * t22,
+           t25,
+           inertia.I5xy - inertia.c5y * t22,
            t21,
-           g.d4 * t24,
-           g.d4 * (t25 + t17),
-           inertia.I4xz - inertia.c4z * t26,
-           inertia.I4xy - inertia.c4y * t26,
-           t28,
-           (inertia.I4zz - t27) - inertia.c4z * t24,
-           inertia.I4yz - inertia.c4z * t25,
-           (inertia.I3zz - t4) - inertia.c3z * t29,
-           t30 - (inertia.I3xz - inertia.c3z * t31),
-           inertia.I3yz - inertia.c3z * t5,
-           g.d4 * t5 - (inertia.I3xy - inertia.c3y * t31),
+           inertia.c5z * t26 - (inertia.I5zz - t24),
+           g.d4 * t26,
+           g.d4 * t27,
+           g.d4 * (t28 + t23),
+           inertia.I4yz - inertia.c4z * t28,
            t30,
+           (inertia.I4zz - t29) - inertia.c4z * t27,
+           inertia.I4xz - inertia.c4z * t31,
+           inertia.I4xy - inertia.c4y * t31,
            (t33 + t36) - t38,
            t38,
-           g.d4 * t9,
            g.d4 * (t5 + t7),
+           g.d4 * t9,
            t39 };
 }
 
@@ -127,139 +127,142 @@ inline JointVector<Scalar> inverse_dynamics_with_gravity_vector(const JointVecto
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[6] + k[5] * q[1];
-  const Scalar t1 = qd[0] * s3;
-  const Scalar t2 = qd[0] * c3;
-  const Scalar t3 = t1 * t2;
-  const Scalar t4 = qdd[2] - t3;
-  const Scalar t5 = c4 * t2 + qd[2] * s4;
-  const Scalar t6 = qd[3] + t1;
-  const Scalar t7 = c5 * t5 - s5 * t6;
-  const Scalar t8 = t7 * t7;
-  const Scalar t9 = qd[2] * c4 - s4 * t2;
-  const Scalar t10 = qd[4] + t9;
-  const Scalar t11 = t10 * t10;
-  const Scalar t12 = t8 + t11;
-  const Scalar t13 = t8 - t11;
-  const Scalar t14 = t6 * t6;
-  const Scalar t15 = t5 * t5;
-  const Scalar t16 = t14 + t15;
-  const Scalar t17 = t16 - t12;
-  const Scalar t18 = t13 - t17;
-  const Scalar t19 = c5 * t6 + s5 * t5;
-  const Scalar t20 = t19 * t7;
-  const Scalar t21 = qd[2] * t1;
-  const Scalar t22 = qdd[0] * c3;
-  const Scalar t23 = t21 + (t21 - t22);
-  const Scalar t24 = qdd[2] + t3;
-  const Scalar t25 = s4 * t23 + c4 * t24;
-  const Scalar t26 = t6 * t5;
-  const Scalar t27 = t25 - t26;
-  const Scalar t28 = qdd[4] + t27;
-  const Scalar t29 = t20 + t28;
-  const Scalar t30 = t6 * t9;
-  const Scalar t31 = c4 * t23 - s4 * t24;
-  const Scalar t32 = (t30 + t30) - t31;
-  const Scalar t33 = qd[2] * t2;
-  const Scalar t34 = qdd[0] * s3;
-  const Scalar t35 = t33 + t34;
-  const Scalar t36 = qdd[3] + t35;
-  const Scalar t37 = t5 * t9;
-  const Scalar t38 = t36 - t37;
-  const Scalar t39 = s5 * t32 + c5 * t38;
-  const Scalar t40 = qdd[5] + t39;
-  const Scalar t41 = k[19] * s6 - k[20] * c6;
-  const Scalar t42 = qd[5] + t19;
-  const Scalar t43 = t42 * t42 + t8;
-  const Scalar t44 = t13 - t43;
-  const Scalar t45 = k[19] * c6 + k[20] * s6;
-  const Scalar t46 = (k[21] * (t12 - t18) - k[8] * t29) + (t40 * t41 - t44 * t45);
-  const Scalar t47 = Scalar(2) * t42 * t7 - t29;
-  const Scalar t48 = c5 * t32 - s5 * t38;
-  const Scalar t49 = t19 * t10;
-  const Scalar t50 = t48 - (t49 + t49);
-  const Scalar t51 = t50 + Scalar(2) * t10 * t42;
-  const Scalar t52 = t20 - t28;
-  const Scalar t53 = (t47 * t45 + t51 * t41) + (k[21] * t52 - k[8] * t12);
-  const Scalar t54 = t2 * t2;
-  const Scalar t55 = qd[2] * qd[2];
-  const Scalar t56 = t54 + t55;
-  const Scalar t57 = k[1] * s1 + k[2] * c1;
-  const Scalar t58 = qd[0] * k[5] * qd[1];
-  const Scalar t59 = (qdd[0] * t0 - t57) + (t58 + t58);
-  const Scalar t60 = c3 * t59 - k[7] * s3;
-  const Scalar t61 = t56 - t60;
-  const Scalar t62 = t26 - t27;
-  const Scalar t63 = k[37] * t61 + (k[25] * t32 - k[24] * t62);
-  const Scalar t64 = k[35] * t4 - ((s5 * t46 + c5 * t53) - t63);
-  const Scalar t65 = qd[0] * qd[0];
-  const Scalar t66 = k[2] * s1 - k[1] * c1;
-  const Scalar t67 = k[5] * qdd[1] - (t65 * t0 + t66);
-  const Scalar t68 = t67 + t23;
-  const Scalar t69 = t24 - (s3 * t59 + k[7] * c3);
-  const Scalar t70 = c4 * t68 - s4 * t69;
-  const Scalar t71 = t36 + t37;
-  const Scalar t72 = k[37] * t70 + (k[25] * t16 + k[24] * t71);
-  const Scalar t73 = Scalar(2) * t10 * t7 + t40;
-  const Scalar t74 = qdd[5] - t73;
-  const Scalar t75 = (k[21] * t74 + k[8] * t50) - (t45 * t73 - t43 * t41);
-  const Scalar t76 = t72 - t75;
-  const Scalar t77 = s4 * t68 + c4 * t69;
-  const Scalar t78 = t14 - t15;
-  const Scalar t79 = t56 + t78;
-  const Scalar t80 = k[37] * t77 - (k[24] * t79 - k[25] * t38);
-  const Scalar t81 = (s5 * t53 - c5 * t46) + t80;
-  const Scalar t82 = t54 - t55;
-  const Scalar t83 = t65 - t82;
-  const Scalar t84 = (s4 * t76 - c4 * t81) + k[35] * t83;
-  const Scalar t85 = (k[38] * t65 + k[39] * qdd[0]) - k[40] * t59;
-  const Scalar t86 = t0 * ((c3 * t64 - s3 * t84) + t85);
-  const Scalar t87 = k[16] * s6 - k[15] * c6;
-  const Scalar t88 = k[18] - s6 * t87;
-  const Scalar t89 = c6 * t87;
-  const Scalar t90 = k[23] + t89;
-  const Scalar t91 = k[14] * c6 + k[13] * s6;
-  const Scalar t92 = k[14] * s6 - k[13] * c6;
-  const Scalar t93 = (t88 * t51 - t47 * t90) + ((t44 + t12) * t91 - t92 * t40);
-  const Scalar t94 = s5 * t77 - c5 * t61;
-  const Scalar t95 = k[9] * t18 + (k[22] * t52 + k[10] * t29);
-  const Scalar t96 = s5 * t61 + c5 * t77;
-  const Scalar t97 = (t95 + (k[11] * t39 + k[12] * t48)) + (k[21] * t94 - k[8] * t96);
-  const Scalar t98 = (t93 + t45 * t94) + t97;
-  const Scalar t99 = (k[27] * t38 - k[26] * t78) - (k[29] * t62 - k[30] * t32);
-  const Scalar t100 = (t98 - (k[24] * t61 - t99)) - t81;
-  const Scalar t101 = k[11] * t17 - (k[10] * t50 + k[9] * t74);
-  const Scalar t102 = k[17] + t89;
-  const Scalar t103 = t92 * (t12 - t43) + (t102 * t51 + t88 * t47);
-  const Scalar t104 = (k[8] * t70 - (k[12] * t52 + t101)) - (t41 * t94 + (t103 + t91 * t73));
-  const Scalar t105 = (k[11] * t29 + k[12] * t13) - (k[9] * t50 - k[22] * t74);
-  const Scalar t106 = (t90 * t73 - t102 * t40) + t13 * t88;
-  const Scalar t107 = ((t50 * t91 + t92 * t29) - t106) + (t70 * t45 - t96 * t41);
-  const Scalar t108 = (t105 - k[21] * t70) - t107;
-  const Scalar t109 = (k[28] * t32 - k[30] * t62) - k[27] * (t16 - t56);
-  const Scalar t110 = (c5 * t104 + s5 * t108) + ((t109 - k[26] * t71) - k[25] * t61);
-  const Scalar t111 = t76 + t110;
-  const Scalar t112 = t33 + t35;
-  const Scalar t113 = k[34] * (t65 - t56) + (k[36] * t23 + k[32] * t112);
-  const Scalar t114 = (s4 * t100 - c4 * t111) - (t113 + k[33] * t4);
-  const Scalar t115 = (k[32] * t23 - k[31] * t112) - (k[33] * t82 - k[34] * t24);
-  const Scalar t116 = k[30] * (t79 - t16) - (k[28] * t38 + k[29] * t71);
-  const Scalar t117 = (t116 - (k[27] * t25 + k[26] * t31)) + (k[25] * t77 + k[24] * t70);
-  const Scalar t118 = t117 + (s5 * t104 - c5 * t108);
-  const Scalar t119 = c3 * t114 + s3 * ((t115 + k[35] * t67) + t118);
-  const Scalar t120 = t86 - (t119 - (k[39] * t59 + k[38] * t67));
-  const Scalar t121 = k[0] * qdd[0] - (k[4] * t66 + k[3] * t57);
-  const Scalar t122 = k[40] * t67 + (k[39] * t65 - k[38] * qdd[0]);
-  const Scalar t123 = (s4 * t81 + c4 * t76) + k[35] * t112;
-  const Scalar t124 = k[32] * (t56 - t83) - (k[31] * t4 - k[36] * t24);
-  const Scalar t125 = ((k[33] * t22 - k[34] * t34) - t124) + k[35] * t60;
+  const Scalar t0 = qd[0] * s3;
+  const Scalar t1 = qd[0] * c3;
+  const Scalar t2 = t0 * t1;
+  const Scalar t3 = qdd[2] + t2;
+  const Scalar t4 = k[10] + k[9] * q[1];
+  const Scalar t5 = k[1] * s1 + k[2] * c1;
+  const Scalar t6 = qd[0] * k[9] * qd[1];
+  const Scalar t7 = (qdd[0] * t4 - t5) + (t6 + t6);
+  const Scalar t8 = t3 - (k[20] * c3 + s3 * t7);
+  const Scalar t9 = qdd[0] * c3;
+  const Scalar t10 = Scalar(2) * qd[2] * t0 - t9;
+  const Scalar t11 = qd[0] * qd[0];
+  const Scalar t12 = k[2] * s1 - k[1] * c1;
+  const Scalar t13 = k[9] * qdd[1] - (t11 * t4 + t12);
+  const Scalar t14 = t10 + t13;
+  const Scalar t15 = c4 * t8 + s4 * t14;
+  const Scalar t16 = qd[2] * t1;
+  const Scalar t17 = qdd[0] * s3;
+  const Scalar t18 = t16 + t17;
+  const Scalar t19 = qdd[3] + t18;
+  const Scalar t20 = c4 * t1 + qd[2] * s4;
+  const Scalar t21 = qd[2] * c4 - s4 * t1;
+  const Scalar t22 = t20 * t21;
+  const Scalar t23 = t19 - t22;
+  const Scalar t24 = t1 * t1;
+  const Scalar t25 = qd[2] * qd[2];
+  const Scalar t26 = t24 + t25;
+  const Scalar t27 = qd[3] + t0;
+  const Scalar t28 = t27 * t27;
+  const Scalar t29 = t20 * t20;
+  const Scalar t30 = t28 - t29;
+  const Scalar t31 = k[37] * t15 + (k[30] * t23 - k[29] * (t26 + t30));
+  const Scalar t32 = c5 * t27 + s5 * t20;
+  const Scalar t33 = c5 * t20 - s5 * t27;
+  const Scalar t34 = t32 * t33;
+  const Scalar t35 = t27 * t20;
+  const Scalar t36 = s4 * t10 + c4 * t3;
+  const Scalar t37 = t35 - t36;
+  const Scalar t38 = qdd[4] - t37;
+  const Scalar t39 = t34 + t38;
+  const Scalar t40 = qd[4] + t21;
+  const Scalar t41 = t40 * t40;
+  const Scalar t42 = t32 * t32;
+  const Scalar t43 = t41 + t42;
+  const Scalar t44 = k[19] * s6 - k[18] * c6;
+  const Scalar t45 = t27 * t21;
+  const Scalar t46 = c4 * t10 - s4 * t3;
+  const Scalar t47 = (t45 + t45) - t46;
+  const Scalar t48 = s5 * t47 + c5 * t23;
+  const Scalar t49 = qdd[5] + t48;
+  const Scalar t50 = k[18] * s6 + k[19] * c6;
+  const Scalar t51 = qd[5] + t32;
+  const Scalar t52 = t51 * t51 + t41;
+  const Scalar t53 = (k[21] * t39 - k[28] * t43) - (t44 * t49 + t50 * t52);
+  const Scalar t54 = t40 * t51;
+  const Scalar t55 = t32 * t40;
+  const Scalar t56 = s5 * t23 - c5 * t47;
+  const Scalar t57 = (t55 + t55) + t56;
+  const Scalar t58 = t54 + (t54 - t57);
+  const Scalar t59 = t51 * t33;
+  const Scalar t60 = (t39 - t59) - t59;
+  const Scalar t61 = t28 + t29;
+  const Scalar t62 = t41 - t42;
+  const Scalar t63 = t61 + t62;
+  const Scalar t64 = t34 - t38;
+  const Scalar t65 = (t44 * t58 - t60 * t50) - (k[21] * t63 - k[28] * t64);
+  const Scalar t66 = t31 + (c5 * t53 + s5 * t65);
+  const Scalar t67 = k[20] * s3 - c3 * t7;
+  const Scalar t68 = t26 + t67;
+  const Scalar t69 = t37 + t35;
+  const Scalar t70 = (k[31] * t47 - k[33] * t69) + (k[35] * t23 - k[34] * t30);
+  const Scalar t71 = (k[24] * t39 + k[27] * t64) + k[23] * (t63 - t43);
+  const Scalar t72 = s5 * t15 - c5 * t68;
+  const Scalar t73 = c5 * t15 + s5 * t68;
+  const Scalar t74 = ((k[25] * t48 - k[22] * t56) + t71) + (k[28] * t72 - k[21] * t73);
+  const Scalar t75 = k[14] * s6 - k[15] * c6;
+  const Scalar t76 = c6 * t75;
+  const Scalar t77 = k[26] + t76;
+  const Scalar t78 = k[16] - s6 * t75;
+  const Scalar t79 = k[13] * s6 + k[12] * c6;
+  const Scalar t80 = t61 - t43;
+  const Scalar t81 = t80 + t52;
+  const Scalar t82 = t81 - t63;
+  const Scalar t83 = k[12] * s6 - k[13] * c6;
+  const Scalar t84 = (t60 * t77 + t58 * t78) + (t79 * (t80 - t82) - t49 * t83);
+  const Scalar t85 = t74 + (t84 + t72 * t50);
+  const Scalar t86 = t66 + ((k[29] * t68 - t70) - t85);
+  const Scalar t87 = t40 * t33;
+  const Scalar t88 = (t87 + t87) + t49;
+  const Scalar t89 = qdd[5] - t88;
+  const Scalar t90 = (k[28] * t89 - k[21] * t57) - (t88 * t50 - t44 * t81);
+  const Scalar t91 = t19 + t22;
+  const Scalar t92 = c4 * t14 - s4 * t8;
+  const Scalar t93 = (k[30] * t61 + k[29] * t91) + k[37] * t92;
+  const Scalar t94 = t90 - t93;
+  const Scalar t95 = k[17] + t76;
+  const Scalar t96 = (t95 * t49 - t88 * t77) - t80 * t78;
+  const Scalar t97 = (t96 - (t57 * t79 - t83 * t39)) - (t73 * t44 - t92 * t50);
+  const Scalar t98 = (k[23] * t57 + k[27] * t89) + (k[25] * t39 + k[22] * t80);
+  const Scalar t99 = t97 + (k[28] * t92 - t98);
+  const Scalar t100 = (k[23] * t89 - k[24] * t57) + k[25] * t62;
+  const Scalar t101 = t82 * t83 + (t60 * t78 - t95 * t58);
+  const Scalar t102 = ((k[22] * t64 - t100) - k[21] * t92) + (t44 * t72 + (t79 * t88 - t101));
+  const Scalar t103 = t61 - t26;
+  const Scalar t104 = (k[31] * t69 - k[32] * t47) + k[35] * t103;
+  const Scalar t105 = (s5 * t99 + c5 * t102) + (k[30] * t68 + (t104 + k[34] * t91));
+  const Scalar t106 = t94 + t105;
+  const Scalar t107 = qdd[2] - t2;
+  const Scalar t108 = t16 + t18;
+  const Scalar t109 = (k[36] * t10 + k[5] * t108) + k[7] * (t11 - t26);
+  const Scalar t110 = (s4 * t86 - c4 * t106) + (k[8] * t107 + t109);
+  const Scalar t111 = k[31] * (t30 - t103) - (k[32] * t23 + k[33] * t91);
+  const Scalar t112 = (t111 - (k[35] * t36 + k[34] * t46)) + (k[30] * t15 + k[29] * t92);
+  const Scalar t113 = t112 - (s5 * t102 - c5 * t99);
+  const Scalar t114 = t24 - t25;
+  const Scalar t115 = (k[7] * t3 - k[8] * t114) + (k[5] * t10 - k[6] * t108);
+  const Scalar t116 = c3 * t110 - s3 * (t113 + (t115 + k[11] * t13));
+  const Scalar t117 = k[40] * t7 - (k[39] * t11 + k[38] * qdd[0]);
+  const Scalar t118 = k[37] * t68 + (k[30] * t47 - k[29] * t69);
+  const Scalar t119 = k[11] * t107 - ((c5 * t65 - s5 * t53) - t118);
+  const Scalar t120 = t11 - t114;
+  const Scalar t121 = k[11] * t120 - (c4 * t66 + s4 * t94);
+  const Scalar t122 = (t117 - (c3 * t119 - s3 * t121)) * t4;
+  const Scalar t123 = (t116 + (k[39] * t13 + k[38] * t7)) - t122;
+  const Scalar t124 = k[0] * qdd[0] - (k[4] * t12 + k[3] * t5);
+  const Scalar t125 = (c4 * t94 - s4 * t66) - k[11] * t108;
+  const Scalar t126 = k[40] * t13 + (k[38] * t11 - k[39] * qdd[0]);
+  const Scalar t127 = (k[6] * t107 - k[36] * t3) - k[5] * (t26 - t120);
+  const Scalar t128 = (t127 - (k[7] * t17 - k[8] * t9)) - k[11] * t67;
   JointVector<Scalar> result;
-  result[0] = -t120 - t121;
-  result[1] = k[5] * (t122 + t123);
-  result[2] = -(s4 * t111 + c4 * t100) - t125;
-  result[3] = t118;
-  result[4] = -t98;
-  result[5] = t107;
+  result[0] = -t123 - t124;
+  result[1] = -k[9] * (t125 - t126);
+  result[2] = (c4 * t86 + s4 * t106) - t128;
+  result[3] = t113;
+  result[4] = -t85;
+  result[5] = t97;
   return result;
 }
 
@@ -290,83 +293,83 @@ InverseDynamicsWithWrenchConstants<Scalar> inverse_dynamics_with_wrench_constant
   using std::sin;
   const Scalar t0 = inertia.c3z * inertia.m3;
   const Scalar t1 = g.d4 * t0;
-  const Scalar t2 = inertia.c4y * inertia.m4;
-  const Scalar t3 = inertia.c5y * inertia.m5;
-  const Scalar t4 = inertia.c4z * inertia.m4;
-  const Scalar t5 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t6 = inertia.c4x * inertia.m4;
-  const Scalar t7 = g.d4 * t5 + t6;
-  const Scalar t8 = inertia.c3x * inertia.m3;
-  const Scalar t9 = g.d4 * inertia.m3 + t8;
-  const Scalar t10 = (t7 + t9) / g.d4;
-  const Scalar t11 = g.d4 * g.d4 * t10;
-  const Scalar t12 = inertia.c6x * inertia.m6;
-  const Scalar t13 = inertia.c5x * inertia.m5;
-  const Scalar t14 = inertia.c5z * inertia.m5;
-  const Scalar t15 = inertia.c6z * inertia.m6;
-  const Scalar t16 = inertia.c6y * inertia.m6;
-  const Scalar t17 = g.d4 * g.d4 * ((inertia.m2 + (inertia.m3 + t5)) - t10);
-  const Scalar t18 = inertia.c2x * inertia.m2;
-  const Scalar t19 = inertia.c3y * inertia.m3;
-  const Scalar t20 = inertia.c2y * inertia.m2;
-  const Scalar t21 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t22 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t23 = ((inertia.I6xx - t22) - inertia.c6x * t12) - (inertia.c5x * t13 - (inertia.I5xx - t21));
-  const Scalar t24 = inertia.c6z * t15 - (inertia.I6zz - t22);
-  const Scalar t25 = (inertia.I6yy - t22) - inertia.c6y * t16;
-  const Scalar t26 = inertia.I6yz - inertia.c6z * t16;
-  const Scalar t27 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t28 = ((inertia.I4yy - t27) - inertia.c4y * t2) - (inertia.c5y * t3 - (inertia.I5yy - t21));
-  const Scalar t29 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t30 = (inertia.c3x * t8 - (inertia.I3xx - t29)) + g.d4 * (t8 + t9);
-  const Scalar t31 = g.d4 * (t7 + t6) - ((inertia.I4xx - t27) - inertia.c4x * t6);
+  const Scalar t2 = inertia.c3x * inertia.m3;
+  const Scalar t3 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t4 = inertia.c3y * inertia.m3;
+  const Scalar t5 = inertia.c4z * inertia.m4;
+  const Scalar t6 = inertia.c4y * inertia.m4;
+  const Scalar t7 = inertia.c5y * inertia.m5;
+  const Scalar t8 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t9 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t10 = ((inertia.I4yy - t8) - inertia.c4y * t6) - (inertia.c5y * t7 - (inertia.I5yy - t9));
+  const Scalar t11 = inertia.c4x * inertia.m4;
+  const Scalar t12 = inertia.c6y * inertia.m6;
+  const Scalar t13 = inertia.c6z * inertia.m6;
+  const Scalar t14 = inertia.I6yz - inertia.c6z * t12;
+  const Scalar t15 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t16 = inertia.c6z * t13 - (inertia.I6zz - t15);
+  const Scalar t17 = (inertia.I6yy - t15) - inertia.c6y * t12;
+  const Scalar t18 = inertia.c6x * inertia.m6;
+  const Scalar t19 = inertia.c5x * inertia.m5;
+  const Scalar t20 = ((inertia.I6xx - t15) - inertia.c6x * t18) - (inertia.c5x * t19 - (inertia.I5xx - t9));
+  const Scalar t21 = inertia.c5z * inertia.m5;
+  const Scalar t22 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t23 = g.d4 * t22 + t11;
+  const Scalar t24 = g.d4 * inertia.m3 + t2;
+  const Scalar t25 = (t23 + t24) / g.d4;
+  const Scalar t26 = g.d4 * g.d4 * t25;
+  const Scalar t27 = (inertia.c3x * t2 - (inertia.I3xx - t3)) + g.d4 * (t2 + t24);
+  const Scalar t28 = g.d4 * (t23 + t11) - ((inertia.I4xx - t8) - inertia.c4x * t11);
+  const Scalar t29 = inertia.c2y * inertia.m2;
+  const Scalar t30 = inertia.c2x * inertia.m2;
+  const Scalar t31 = g.d4 * g.d4 * ((inertia.m2 + (inertia.m3 + t22)) - t25);
   const Scalar t32 = inertia.c1y * inertia.m1;
   const Scalar t33 = t32 - g.l2 * inertia.m1;
   const Scalar t34 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
   const Scalar t35 = g.l2 * (t33 + t32) - (inertia.c1y * t32 - (inertia.I1yy - t34));
   const Scalar t36 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t37 = ((inertia.I3yy - t29) - inertia.c3y * t19) + ((inertia.I2yy - t36) - inertia.c2y * t20);
+  const Scalar t37 = ((inertia.I3yy - t3) - inertia.c3y * t4) + ((inertia.I2yy - t36) - inertia.c2y * t29);
   const Scalar t38 = inertia.c1x * inertia.m1;
-  const Scalar t39 = (inertia.c2x * t18 - (inertia.I2xx - t36)) + (inertia.c1x * t38 - (inertia.I1xx - t34));
-  return { t1,
-           g.d4 * (t2 + t3),
-           g.d4 * t4,
-           gravity[2] / g.d4,
+  const Scalar t39 = (inertia.c2x * t30 - (inertia.I2xx - t36)) + (inertia.c1x * t38 - (inertia.I1xx - t34));
+  return { t1 - (inertia.I3xz - inertia.c3z * t2),
+           (inertia.I3zz - t3) - inertia.c3z * t0,
+           g.d4 * t4 - (inertia.I3xy - inertia.c3y * t2),
+           inertia.I3yz - inertia.c3z * t4,
            Scalar(1) / g.d4,
            g.l2 / g.d4,
-           gravity[1] / g.d4,
            gravity[0] / g.d4,
-           t11,
-           g.d4 * (t12 + t13),
-           g.d4 * t14,
-           g.d4 * t15,
-           g.d4 * t16,
-           g.d4,
+           gravity[1] / g.d4,
+           t1,
+           gravity[2] / g.d4,
+           g.d4 * t5,
+           g.d4 * (t6 + t7),
+           inertia.I4yz - inertia.c4z * t6,
+           t10,
+           (inertia.I4zz - t8) - inertia.c4z * t5,
+           inertia.I4xz - inertia.c4z * t11,
+           inertia.I4xy - inertia.c4y * t11,
+           g.d4 * t12,
+           g.d4 * t13,
+           Scalar(2) * t14,
+           t16 + t17,
+           t16,
+           t14,
+           inertia.I6xz - inertia.c6z * t18,
+           inertia.I6xy - inertia.c6y * t18,
+           inertia.I5yz - inertia.c5z * t7,
+           inertia.I5xy - inertia.c5y * t19,
+           inertia.I5xz - inertia.c5z * t19,
+           t20,
+           g.d4 * (t18 + t19),
            t17,
-           g.d4 * t18,
-           g.d4 * (t19 + t20),
-           inertia.c5z * t14 - (inertia.I5zz - t21),
-           t23,
-           inertia.I5xz - inertia.c5z * t13,
-           inertia.I5xy - inertia.c5y * t13,
-           inertia.I5yz - inertia.c5z * t3,
-           t24 + t25,
-           Scalar(2) * t26,
-           t25,
+           g.d4 * t21,
+           inertia.c5z * t21 - (inertia.I5zz - t9),
+           g.d4,
            t26,
-           inertia.I6xy - inertia.c6y * t12,
-           inertia.I6xz - inertia.c6z * t12,
-           (inertia.I4zz - t27) - inertia.c4z * t4,
-           inertia.I4yz - inertia.c4z * t2,
-           inertia.I4xy - inertia.c4y * t6,
-           inertia.I4xz - inertia.c4z * t6,
-           t28,
-           t24,
-           inertia.I3yz - inertia.c3z * t19,
-           t1 - (inertia.I3xz - inertia.c3z * t8),
-           (t30 + t31) - t11,
-           g.d4 * t19 - (inertia.I3xy - inertia.c3y * t8),
-           (inertia.I3zz - t29) - inertia.c3z * t0,
+           (t27 + t28) - t26,
+           g.d4 * (t4 + t29),
+           g.d4 * t30,
+           t31,
            (t35 + t37) - t39,
            g.d4 * t33,
            g.d4 * t38 };
@@ -388,156 +391,154 @@ inline JointVector<Scalar> inverse_dynamics_with_wrench(const JointVector<Scalar
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[7] * s1 - k[6] * c1;
-  const Scalar t1 = k[6] * s1 + k[7] * c1;
+  const Scalar t0 = k[6] * s1 - k[7] * c1;
+  const Scalar t1 = k[7] * s1 + k[6] * c1;
   const Scalar t2 = (k[41] * t0 + k[40] * t1) - k[39] * qdd[0];
-  const Scalar t3 = qd[0] * qd[0];
-  const Scalar t4 = k[5] + k[4] * q[1];
-  const Scalar t5 = (t3 * t4 + t0) - k[4] * qdd[1];
-  const Scalar t6 = qd[0] * k[4] * qd[1];
-  const Scalar t7 = (t6 + t6) + (qdd[0] * t4 - t1);
-  const Scalar t8 = qd[0] * c3;
-  const Scalar t9 = qd[2] * t8;
-  const Scalar t10 = qdd[0] * s3;
-  const Scalar t11 = t9 + t10;
-  const Scalar t12 = t9 + t11;
-  const Scalar t13 = qdd[0] * c3;
-  const Scalar t14 = qd[0] * s3;
-  const Scalar t15 = qd[2] * t14;
-  const Scalar t16 = t13 - (t15 + t15);
-  const Scalar t17 = t8 * t8;
-  const Scalar t18 = qd[2] * qd[2];
-  const Scalar t19 = t17 + t18;
-  const Scalar t20 = t3 - t19;
-  const Scalar t21 = (k[35] * t12 - k[36] * t16) + k[37] * t20;
-  const Scalar t22 = t14 * t8;
-  const Scalar t23 = qdd[2] - t22;
-  const Scalar t24 = c3 * t7 - k[3] * s3;
-  const Scalar t25 = t19 - t24;
-  const Scalar t26 = qd[3] + t14;
-  const Scalar t27 = t26 * t26;
-  const Scalar t28 = c4 * t8 + qd[2] * s4;
-  const Scalar t29 = t28 * t28;
-  const Scalar t30 = t27 - t29;
-  const Scalar t31 = qdd[3] + t11;
-  const Scalar t32 = qd[2] * c4 - s4 * t8;
-  const Scalar t33 = t28 * t32;
-  const Scalar t34 = t31 - t33;
-  const Scalar t35 = t26 * t32;
-  const Scalar t36 = qdd[2] + t22;
-  const Scalar t37 = c4 * t16 + s4 * t36;
-  const Scalar t38 = t35 + (t35 + t37);
-  const Scalar t39 = s4 * t16 - c4 * t36;
-  const Scalar t40 = t26 * t28;
-  const Scalar t41 = t39 + t40;
-  const Scalar t42 = t41 + t40;
-  const Scalar t43 = (k[31] * t30 - k[30] * t34) - (k[29] * t38 - k[28] * t42);
-  const Scalar t44 = s5 * t38 + c5 * t34;
-  const Scalar t45 = s5 * t34 - c5 * t38;
-  const Scalar t46 = qdd[4] - t41;
-  const Scalar t47 = c5 * t26 + s5 * t28;
-  const Scalar t48 = c5 * t28 - s5 * t26;
-  const Scalar t49 = t47 * t48;
-  const Scalar t50 = t46 + t49;
-  const Scalar t51 = t46 - t49;
-  const Scalar t52 = t48 * t48;
-  const Scalar t53 = qd[4] + t32;
-  const Scalar t54 = t53 * t53;
-  const Scalar t55 = t52 - t54;
-  const Scalar t56 = t27 + t29;
-  const Scalar t57 = t52 + t54;
-  const Scalar t58 = t56 - t57;
-  const Scalar t59 = (k[18] * t50 - k[17] * t51) + k[19] * (t55 - t58);
-  const Scalar t60 = t16 + t5;
-  const Scalar t61 = (s3 * t7 + k[3] * c3) - t36;
-  const Scalar t62 = s4 * t60 + c4 * t61;
-  const Scalar t63 = s5 * t25 - c5 * t62;
-  const Scalar t64 = s5 * t62 + c5 * t25;
-  const Scalar t65 = ((k[20] * t44 - k[21] * t45) + t59) - (k[9] * t63 + k[10] * t64);
-  const Scalar t66 = k[12] * s6 + k[11] * c6;
-  const Scalar t67 = qd[5] + t47;
-  const Scalar t68 = t50 - Scalar(2) * t67 * t48;
-  const Scalar t69 = k[22] * c6 - k[23] * s6;
-  const Scalar t70 = c6 * t69;
-  const Scalar t71 = k[24] - t70;
-  const Scalar t72 = t47 * t53;
-  const Scalar t73 = t45 + (t72 + t72);
-  const Scalar t74 = t73 - Scalar(2) * t53 * t67;
-  const Scalar t75 = k[25] + s6 * t69;
-  const Scalar t76 = k[26] * c6 - k[27] * s6;
-  const Scalar t77 = t53 * t48;
-  const Scalar t78 = t77 + t77;
-  const Scalar t79 = t78 + t44;
-  const Scalar t80 = qdd[5] + t79;
-  const Scalar t81 = t78 - t80;
-  const Scalar t82 = t67 * t67;
-  const Scalar t83 = k[27] * c6 + k[26] * s6;
-  const Scalar t84 = (t68 * t71 - t74 * t75) - (t76 * t81 + (t82 - t52) * t83);
-  const Scalar t85 = wrench[3] * c1 + wrench[4] * s1;
-  const Scalar t86 = s3 * t85 - wrench[5] * c3;
-  const Scalar t87 = wrench[3] * s1 - wrench[4] * c1;
-  const Scalar t88 = (t64 * t66 - t84) - (s4 * t86 + c4 * t87);
-  const Scalar t89 = t65 - t88;
-  const Scalar t90 = t19 + t30;
-  const Scalar t91 = k[8] * t62 + (k[2] * t90 - k[1] * t34);
-  const Scalar t92 = wrench[0] * c1 + wrench[1] * s1;
-  const Scalar t93 = wrench[2] * c3 - s3 * t92;
-  const Scalar t94 = wrench[0] * s1 - wrench[1] * c1;
-  const Scalar t95 = c4 * t93 + s4 * t94;
-  const Scalar t96 = c3 * t92 + wrench[2] * s3;
-  const Scalar t97 = t82 + t54;
-  const Scalar t98 = k[12] * c6 - k[11] * s6;
-  const Scalar t99 = k[13] * (c5 * t95 - s5 * t96) + (t66 * t97 + t98 * t81);
-  const Scalar t100 = t99 - (k[9] * t50 + k[10] * (t55 - t56));
-  const Scalar t101 = (t68 * t66 - t98 * t74) + k[13] * (s5 * t95 + c5 * t96);
-  const Scalar t102 = (k[9] * t57 + k[10] * t51) + t101;
-  const Scalar t103 = t91 + (c5 * t100 + s5 * t102);
-  const Scalar t104 = ((k[2] * t25 + t43) - t89) - t103;
-  const Scalar t105 = t90 - t56;
-  const Scalar t106 = (k[29] * t42 - k[32] * t38) + k[30] * (t30 - t105);
-  const Scalar t107 = t31 + t33;
-  const Scalar t108 = s4 * t87 - c4 * t86;
-  const Scalar t109 = wrench[5] * s3 + c3 * t85;
-  const Scalar t110 = k[33] - t70;
-  const Scalar t111 = (t82 - t54) * t76 - (t110 * t74 + t68 * t75);
-  const Scalar t112 = (c5 * t108 - s5 * t109) - ((t80 * t83 + t111) + t98 * t64);
-  const Scalar t113 = (k[19] * t79 + k[18] * t73) + k[20] * t58;
-  const Scalar t114 = s4 * t61 - c4 * t60;
-  const Scalar t115 = t112 - ((t113 - k[21] * t51) - k[9] * t114);
-  const Scalar t116 = (t80 * t71 + t110 * t81) + t55 * t75;
-  const Scalar t117 = ((t50 * t76 + t73 * t83) + t116) - (t114 * t66 + t98 * t63);
-  const Scalar t118 = (c5 * t109 + s5 * t108) + t117;
-  const Scalar t119 = (k[19] * t73 - k[17] * t79) + (k[21] * t55 + k[20] * t50);
-  const Scalar t120 = t118 - (k[10] * t114 - t119);
-  const Scalar t121 = ((t106 + k[31] * t107) + k[1] * t25) - (c5 * t115 + s5 * t120);
-  const Scalar t122 = k[13] * (s4 * t93 - c4 * t94) + (t80 * t66 + t98 * (t55 + t97));
-  const Scalar t123 = k[8] * t114 + (k[1] * t56 + k[2] * t107);
-  const Scalar t124 = (t122 + (k[10] * t79 + k[9] * t73)) + t123;
-  const Scalar t125 = t121 - t124;
-  const Scalar t126 = (t21 + k[34] * t23) + (s4 * t104 - c4 * t125);
-  const Scalar t127 = t17 - t18;
-  const Scalar t128 = (k[37] * t36 - k[34] * t127) - (k[38] * t12 + k[35] * t16);
-  const Scalar t129 = k[29] * t105 - (k[32] * t34 + k[28] * t107);
-  const Scalar t130 = ((k[30] * t39 + k[31] * t37) + t129) - (k[1] * t62 - k[2] * t114);
-  const Scalar t131 = t130 + (s5 * t115 - c5 * t120);
-  const Scalar t132 = c3 * t126 - s3 * ((t128 - k[0] * t5) + t131);
-  const Scalar t133 = (k[15] * t3 + k[16] * qdd[0]) - k[14] * t7;
-  const Scalar t134 = k[0] * (t3 - t127) + (s4 * t124 + c4 * t103);
-  const Scalar t135 = (k[1] * t38 - k[2] * t42) + k[8] * t25;
-  const Scalar t136 = k[0] * t23 + (t135 - (s5 * t100 - c5 * t102));
-  const Scalar t137 = (t133 - (s3 * t134 - c3 * t136)) * t4;
-  const Scalar t138 = ((k[15] * t5 - k[16] * t7) - t132) - t137;
-  const Scalar t139 = (k[15] * qdd[0] - k[16] * t3) + k[14] * t5;
-  const Scalar t140 = (c4 * t124 - s4 * t103) + k[0] * t12;
-  const Scalar t141 = k[35] * (t20 - t127) + (k[38] * t23 - k[36] * t36);
-  const Scalar t142 = k[0] * t24 + (t141 + (k[34] * t13 - k[37] * t10));
+  const Scalar t3 = wrench[0] * c1 + wrench[1] * s1;
+  const Scalar t4 = wrench[2] * c3 - s3 * t3;
+  const Scalar t5 = wrench[0] * s1 - wrench[1] * c1;
+  const Scalar t6 = c4 * t4 + s4 * t5;
+  const Scalar t7 = c3 * t3 + wrench[2] * s3;
+  const Scalar t8 = k[17] * c6 - k[18] * s6;
+  const Scalar t9 = qd[0] * s3;
+  const Scalar t10 = qd[3] + t9;
+  const Scalar t11 = qd[0] * c3;
+  const Scalar t12 = qd[2] * c4 - s4 * t11;
+  const Scalar t13 = t10 * t12;
+  const Scalar t14 = qdd[0] * c3;
+  const Scalar t15 = Scalar(2) * qd[2] * t9 - t14;
+  const Scalar t16 = t9 * t11;
+  const Scalar t17 = qdd[2] + t16;
+  const Scalar t18 = c4 * t15 - s4 * t17;
+  const Scalar t19 = (t13 + t13) - t18;
+  const Scalar t20 = qd[2] * t11;
+  const Scalar t21 = qdd[0] * s3;
+  const Scalar t22 = t20 + t21;
+  const Scalar t23 = qdd[3] + t22;
+  const Scalar t24 = c4 * t11 + qd[2] * s4;
+  const Scalar t25 = t24 * t12;
+  const Scalar t26 = t23 - t25;
+  const Scalar t27 = s5 * t19 + c5 * t26;
+  const Scalar t28 = qdd[5] + t27;
+  const Scalar t29 = c5 * t24 - s5 * t10;
+  const Scalar t30 = t29 * t29;
+  const Scalar t31 = qd[4] + t12;
+  const Scalar t32 = t31 * t31;
+  const Scalar t33 = t30 - t32;
+  const Scalar t34 = c5 * t10 + s5 * t24;
+  const Scalar t35 = qd[5] + t34;
+  const Scalar t36 = t35 * t35 - t32;
+  const Scalar t37 = t30 + t32;
+  const Scalar t38 = t36 + t37;
+  const Scalar t39 = t33 - t38;
+  const Scalar t40 = k[17] * s6 + k[18] * c6;
+  const Scalar t41 = k[33] * (c5 * t6 - s5 * t7) - (t8 * t28 + t39 * t40);
+  const Scalar t42 = t34 * t29;
+  const Scalar t43 = t10 * t24;
+  const Scalar t44 = s4 * t15 + c4 * t17;
+  const Scalar t45 = t43 - t44;
+  const Scalar t46 = qdd[4] - t45;
+  const Scalar t47 = t42 + t46;
+  const Scalar t48 = t12 * t12;
+  const Scalar t49 = t10 * t10;
+  const Scalar t50 = t48 + t49;
+  const Scalar t51 = t11 * t11;
+  const Scalar t52 = qd[2] * qd[2];
+  const Scalar t53 = t51 + t52;
+  const Scalar t54 = t53 - t50;
+  const Scalar t55 = t48 - t49;
+  const Scalar t56 = t54 - t55;
+  const Scalar t57 = t50 + t56;
+  const Scalar t58 = t41 - (k[29] * t47 + k[31] * (t33 - t57));
+  const Scalar t59 = t42 - t46;
+  const Scalar t60 = t35 * t29;
+  const Scalar t61 = t47 - (t60 + t60);
+  const Scalar t62 = t34 * t31;
+  const Scalar t63 = s5 * t26 - c5 * t19;
+  const Scalar t64 = t62 + (t62 + t63);
+  const Scalar t65 = Scalar(2) * t31 * t35 - t64;
+  const Scalar t66 = k[33] * (s5 * t6 + c5 * t7) + (t61 * t40 + t65 * t8);
+  const Scalar t67 = (k[29] * t37 - k[31] * t59) + t66;
+  const Scalar t68 = k[5] + k[4] * q[1];
+  const Scalar t69 = (t1 - qdd[0] * t68) - Scalar(2) * qd[0] * k[4] * qd[1];
+  const Scalar t70 = k[9] * s3 + c3 * t69;
+  const Scalar t71 = t53 + t70;
+  const Scalar t72 = t45 + t43;
+  const Scalar t73 = k[34] * t71 - (k[10] * t72 - k[11] * t19);
+  const Scalar t74 = qdd[2] - t16;
+  const Scalar t75 = ((s5 * t58 - c5 * t67) - t73) - k[8] * t74;
+  const Scalar t76 = qd[0] * qd[0];
+  const Scalar t77 = t51 - t52;
+  const Scalar t78 = (t0 + t76 * t68) - k[4] * qdd[1];
+  const Scalar t79 = s3 * t69 - k[9] * c3;
+  const Scalar t80 = (s4 * t78 - c4 * t79) - t44;
+  const Scalar t81 = (k[10] * t50 - k[11] * t26) + k[34] * t80;
+  const Scalar t82 = t81 + (s5 * t67 + c5 * t58);
+  const Scalar t83 = t18 - (s4 * t79 + c4 * t78);
+  const Scalar t84 = t23 + t25;
+  const Scalar t85 = k[34] * t83 + (k[11] * t57 + k[10] * t84);
+  const Scalar t86 = Scalar(2) * t31 * t29 + t28;
+  const Scalar t87 = (t40 * t86 + t8 * t38) + k[33] * (s4 * t4 - c4 * t5);
+  const Scalar t88 = qdd[5] - t86;
+  const Scalar t89 = t85 + (t87 - (k[31] * t88 - k[29] * t64));
+  const Scalar t90 = k[8] * (t76 - t77) + (c4 * t82 + s4 * t89);
+  const Scalar t91 = (k[36] * qdd[0] + k[37] * t76) + k[38] * t69;
+  const Scalar t92 = ((c3 * t75 + s3 * t90) - t91) * t68;
+  const Scalar t93 = k[12] * t56 + (k[13] * t26 + k[14] * t84);
+  const Scalar t94 = (t93 + (k[15] * t18 + k[16] * t44)) - (k[10] * t83 - k[11] * t80);
+  const Scalar t95 = t37 - t57;
+  const Scalar t96 = (k[27] * t88 - k[28] * t64) + k[26] * t95;
+  const Scalar t97 = k[23] * c6 + k[24] * s6;
+  const Scalar t98 = k[24] * c6 - k[23] * s6;
+  const Scalar t99 = k[19] * s6 - k[20] * c6;
+  const Scalar t100 = k[22] - s6 * t99;
+  const Scalar t101 = c6 * t99;
+  const Scalar t102 = k[21] + t101;
+  const Scalar t103 = t36 * t98 - (t61 * t100 - t65 * t102);
+  const Scalar t104 = c5 * t71 + s5 * t80;
+  const Scalar t105 = wrench[3] * s1 - wrench[4] * c1;
+  const Scalar t106 = wrench[3] * c1 + wrench[4] * s1;
+  const Scalar t107 = s3 * t106 - wrench[5] * c3;
+  const Scalar t108 = s4 * t105 - c4 * t107;
+  const Scalar t109 = wrench[5] * s3 + c3 * t106;
+  const Scalar t110 = ((t97 * t86 + t103) + t104 * t8) - (c5 * t108 - s5 * t109);
+  const Scalar t111 = (k[29] * t83 - (k[25] * t59 - t96)) - t110;
+  const Scalar t112 = (k[26] * t47 + k[25] * t33) + (k[32] * t88 + k[27] * t64);
+  const Scalar t113 = k[30] + t101;
+  const Scalar t114 = (t28 * t102 - t113 * t86) - t33 * t100;
+  const Scalar t115 = c5 * t80 - s5 * t71;
+  const Scalar t116 = (t114 - (t97 * t64 + t98 * t47)) - (t8 * t115 - t83 * t40);
+  const Scalar t117 = (c5 * t109 + s5 * t108) - t116;
+  const Scalar t118 = (k[31] * t83 - t112) - t117;
+  const Scalar t119 = t94 - (s5 * t111 + c5 * t118);
+  const Scalar t120 = t20 + t22;
+  const Scalar t121 = (k[1] * t120 - k[0] * t15) + (k[3] * t77 - k[2] * t17);
+  const Scalar t122 = (k[12] * t19 - k[14] * t72) + (k[16] * t26 + k[15] * t54);
+  const Scalar t123 = (t98 * t28 + t97 * (t39 + t37)) + (t61 * t113 + t65 * t100);
+  const Scalar t124 = (t104 * t40 - t123) - (s4 * t107 + c4 * t105);
+  const Scalar t125 = (k[28] * t47 + k[32] * t59) + k[27] * (t33 + t95);
+  const Scalar t126 = ((k[25] * t63 - k[26] * t27) - t125) + (k[31] * t104 - k[29] * t115);
+  const Scalar t127 = t124 + t126;
+  const Scalar t128 = ((t122 - k[10] * t71) - t127) + t82;
+  const Scalar t129 = (k[13] * t19 - k[12] * t72) + k[16] * t55;
+  const Scalar t130 = (c5 * t111 - s5 * t118) + ((t129 - k[15] * t84) - k[11] * t71);
+  const Scalar t131 = t130 + t89;
+  const Scalar t132 = t76 - t53;
+  const Scalar t133 = k[2] * t132 + (k[0] * t120 + k[35] * t15);
+  const Scalar t134 = (s4 * t128 - c4 * t131) - (k[3] * t74 + t133);
+  const Scalar t135 = s3 * (t119 + (k[8] * t78 + t121)) - c3 * t134;
+  const Scalar t136 = t92 + ((k[37] * t78 + k[36] * t69) - t135);
+  const Scalar t137 = (k[36] * t76 - k[37] * qdd[0]) - k[38] * t78;
+  const Scalar t138 = (c4 * t89 - s4 * t82) + k[8] * t120;
+  const Scalar t139 = k[0] * (t132 - t77) + (k[1] * t74 - k[35] * t17);
+  const Scalar t140 = k[8] * t70 - ((k[3] * t14 - k[2] * t21) + t139);
   JointVector<Scalar> result;
-  result[0] = t2 + t138;
-  result[1] = -k[4] * (t139 - t140);
-  result[2] = (c4 * t104 + s4 * t125) - t142;
-  result[3] = t131;
-  result[4] = -t89;
-  result[5] = -t118;
+  result[0] = t2 + t136;
+  result[1] = k[4] * (t137 + t138);
+  result[2] = t140 - (c4 * t128 + s4 * t131);
+  result[3] = -t119;
+  result[4] = t127;
+  result[5] = -t117;
   return result;
 }
 
@@ -577,14 +578,14 @@ GravityTorqueWithGravityVectorConstants<Scalar> gravity_torque_with_gravity_vect
            g.l2,
            inertia.c2x * inertia.m2,
            inertia.c3y * inertia.m3 + inertia.c2y * inertia.m2,
-           inertia.c3z * inertia.m3,
            gravity[2],
-           inertia.c4z * inertia.m4,
-           inertia.c4y * inertia.m4 + inertia.c5y * inertia.m5,
-           inertia.c6x * inertia.m6 + inertia.c5x * inertia.m5,
-           inertia.c6y * inertia.m6,
-           inertia.c6z * inertia.m6,
            inertia.c5z * inertia.m5,
+           inertia.c6z * inertia.m6,
+           inertia.c6y * inertia.m6,
+           inertia.c6x * inertia.m6 + inertia.c5x * inertia.m5,
+           inertia.c4y * inertia.m4 + inertia.c5y * inertia.m5,
+           inertia.c4z * inertia.m4,
+           inertia.c3z * inertia.m3,
            t1 };
 }
 
@@ -605,32 +606,32 @@ inline JointVector<Scalar> gravity_torque_with_gravity_vector(const JointVector<
   const Scalar& c6 = angles.cosine[4];
   const Scalar t0 = k[0] * s1 + k[1] * c1;
   const Scalar t1 = k[1] * s1 - k[0] * c1;
-  const Scalar t2 = s3 * t0 - k[9] * c3;
-  const Scalar t3 = c4 * t1 + s4 * t2;
-  const Scalar t4 = c4 * t2 - s4 * t1;
-  const Scalar t5 = k[14] * s6 - k[13] * c6;
-  const Scalar t6 = k[9] * s3 + c3 * t0;
-  const Scalar t7 = c5 * t6 - s5 * t4;
-  const Scalar t8 = t5 * t7 - k[12] * t3;
-  const Scalar t9 = s5 * t6 + c5 * t4;
-  const Scalar t10 = k[14] * c6 + k[13] * s6;
-  const Scalar t11 = t5 * t9 + t3 * t10;
-  const Scalar t12 = k[15] * t3 + t11;
-  const Scalar t13 = (k[10] * t3 - k[11] * t4) - (s5 * t8 - c5 * t12);
-  const Scalar t14 = k[11] * t6 - (s5 * t12 + c5 * t8);
-  const Scalar t15 = (k[12] * t9 + k[15] * t7) + t10 * t7;
-  const Scalar t16 = t15 + k[10] * t6;
-  const Scalar t17 = k[16] * t1 + (c4 * t14 - s4 * t16);
-  const Scalar t18 = s3 * (k[8] * t1 + t13) - c3 * t17;
-  const Scalar t19 = (k[5] + q[1]) * k[4] * t0 - ((k[6] * t1 + k[7] * t0) - t18);
-  const Scalar t20 = (k[16] * t2 + k[8] * t6) + (s4 * t14 + c4 * t16);
+  const Scalar t2 = s3 * t0 - k[8] * c3;
+  const Scalar t3 = c4 * t2 - s4 * t1;
+  const Scalar t4 = c4 * t1 + s4 * t2;
+  const Scalar t5 = k[8] * s3 + c3 * t0;
+  const Scalar t6 = c5 * t3 + s5 * t5;
+  const Scalar t7 = k[10] * s6 - k[11] * c6;
+  const Scalar t8 = k[10] * c6 + k[11] * s6;
+  const Scalar t9 = t6 * t7 + t8 * t4;
+  const Scalar t10 = t9 + k[9] * t4;
+  const Scalar t11 = s5 * t3 - c5 * t5;
+  const Scalar t12 = k[12] * t4 + t7 * t11;
+  const Scalar t13 = (k[13] * t3 - k[14] * t4) - (c5 * t10 + s5 * t12);
+  const Scalar t14 = t8 * t11 + (k[9] * t11 - k[12] * t6);
+  const Scalar t15 = t14 - k[14] * t5;
+  const Scalar t16 = k[13] * t5 - (s5 * t10 - c5 * t12);
+  const Scalar t17 = k[16] * t1 + (s4 * t15 + c4 * t16);
+  const Scalar t18 = s3 * (t13 - k[15] * t1) + c3 * t17;
+  const Scalar t19 = (k[5] + q[1]) * k[4] * t0 - ((k[6] * t1 + k[7] * t0) + t18);
+  const Scalar t20 = (c4 * t15 - s4 * t16) - (k[15] * t5 + k[16] * t2);
   JointVector<Scalar> result;
   result[0] = (k[2] * t0 + k[3] * t1) - t19;
   result[1] = -k[4] * t1;
-  result[2] = t20;
-  result[3] = -t13;
-  result[4] = t15;
-  result[5] = -t11;
+  result[2] = -t20;
+  result[3] = t13;
+  result[4] = -t14;
+  result[5] = -t9;
   return result;
 }
 
@@ -664,97 +665,94 @@ ForwardDynamicsWithGravityVectorConstants<Scalar> forward_dynamics_with_gravity_
   const Scalar t4 = inertia.c6y * inertia.m6;
   const Scalar t5 = (inertia.I6yy - t2) - inertia.c6y * t4;
   const Scalar t6 = t3 - t5;
-  const Scalar t7 = Scalar(1) / t6;
-  const Scalar t8 = inertia.I6yz - inertia.c6z * t4;
-  const Scalar t9 = inertia.c5y * inertia.m5;
-  const Scalar t10 = inertia.c5x * inertia.m5;
-  const Scalar t11 = inertia.c5z * inertia.m5;
-  const Scalar t12 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t13 = ((inertia.I6xx - t2) - inertia.c6x * t0) - (inertia.c5x * t10 - (inertia.I5xx - t12));
-  const Scalar t14 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t15 = inertia.c4y * inertia.m4;
-  const Scalar t16 = ((inertia.I4yy - t14) - inertia.c4y * t15) - (inertia.c5y * t9 - (inertia.I5yy - t12));
-  const Scalar t17 = inertia.c4z * inertia.m4;
-  const Scalar t18 = Scalar(1) / g.d4;
-  const Scalar t19 = inertia.c4x * inertia.m4;
-  const Scalar t20 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t21 = g.d4 * t20 + t19;
-  const Scalar t22 = inertia.c3x * inertia.m3;
-  const Scalar t23 = g.d4 * inertia.m3 + t22;
-  const Scalar t24 = (t21 + t23) / g.d4;
-  const Scalar t25 = g.d4 * g.d4 * t24;
-  const Scalar t26 = inertia.c3z * inertia.m3;
-  const Scalar t27 = g.d4 * t26;
-  const Scalar t28 = inertia.c3y * inertia.m3;
-  const Scalar t29 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t30 = (inertia.I3zz - t29) - inertia.c3z * t26;
-  const Scalar t31 = (inertia.c3x * t22 - (inertia.I3xx - t29)) + g.d4 * (t22 + t23);
-  const Scalar t32 = g.d4 * (t21 + t19) - ((inertia.I4xx - t14) - inertia.c4x * t19);
-  const Scalar t33 = (t31 + t32) - t25;
-  const Scalar t34 = inertia.c2x * inertia.m2;
-  const Scalar t35 = g.d4 * g.d4 * ((inertia.m2 + (inertia.m3 + t20)) - t24);
-  const Scalar t36 = t25 + t35;
-  const Scalar t37 = t27 - (inertia.I3xz - inertia.c3z * t22);
-  const Scalar t38 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t39 = inertia.c1x * inertia.m1;
-  const Scalar t40 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t41 = (inertia.c2x * t34 - (inertia.I2xx - t38)) + (inertia.c1x * t39 - (inertia.I1xx - t40));
-  const Scalar t42 = inertia.c2y * inertia.m2;
-  const Scalar t43 = inertia.c1y * inertia.m1;
-  const Scalar t44 = t43 - g.l2 * inertia.m1;
-  const Scalar t45 = g.l2 * (t44 + t43) - (inertia.c1y * t43 - (inertia.I1yy - t40));
-  const Scalar t46 = ((inertia.I3yy - t29) - inertia.c3y * t28) + ((inertia.I2yy - t38) - inertia.c2y * t42);
-  return { inertia.I6xy - inertia.c6y * t0,
-           inertia.I6xz - inertia.c6z * t0,
-           t7,
+  const Scalar t7 = Scalar(1) / g.d4;
+  const Scalar t8 = inertia.c5x * inertia.m5;
+  const Scalar t9 = inertia.I6yz - inertia.c6z * t4;
+  const Scalar t10 = inertia.c5z * inertia.m5;
+  const Scalar t11 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t12 = ((inertia.I6xx - t2) - inertia.c6x * t0) - (inertia.c5x * t8 - (inertia.I5xx - t11));
+  const Scalar t13 = inertia.c4x * inertia.m4;
+  const Scalar t14 = inertia.c4z * inertia.m4;
+  const Scalar t15 = inertia.c5y * inertia.m5;
+  const Scalar t16 = inertia.c4y * inertia.m4;
+  const Scalar t17 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t18 = ((inertia.I4yy - t17) - inertia.c4y * t16) - (inertia.c5y * t15 - (inertia.I5yy - t11));
+  const Scalar t19 = inertia.c1y * inertia.m1;
+  const Scalar t20 = t19 - g.l2 * inertia.m1;
+  const Scalar t21 = inertia.c1x * inertia.m1;
+  const Scalar t22 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t23 = g.d4 * t22 + t13;
+  const Scalar t24 = inertia.c3x * inertia.m3;
+  const Scalar t25 = g.d4 * inertia.m3 + t24;
+  const Scalar t26 = (t23 + t25) / g.d4;
+  const Scalar t27 = g.d4 * g.d4 * ((inertia.m2 + (inertia.m3 + t22)) - t26);
+  const Scalar t28 = inertia.c2x * inertia.m2;
+  const Scalar t29 = inertia.c3z * inertia.m3;
+  const Scalar t30 = g.d4 * t29;
+  const Scalar t31 = g.d4 * g.d4 * t26;
+  const Scalar t32 = inertia.c3y * inertia.m3;
+  const Scalar t33 = inertia.c2y * inertia.m2;
+  const Scalar t34 = t30 - (inertia.I3xz - inertia.c3z * t24);
+  const Scalar t35 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t36 = (inertia.c3x * t24 - (inertia.I3xx - t35)) + g.d4 * (t24 + t25);
+  const Scalar t37 = g.d4 * (t23 + t13) - ((inertia.I4xx - t17) - inertia.c4x * t13);
+  const Scalar t38 = (t36 + t37) - t31;
+  const Scalar t39 = (inertia.I3zz - t35) - inertia.c3z * t29;
+  const Scalar t40 = t31 + t27;
+  const Scalar t41 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t42 = g.l2 * (t20 + t19) - (inertia.c1y * t19 - (inertia.I1yy - t41));
+  const Scalar t43 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t44 = ((inertia.I3yy - t35) - inertia.c3y * t32) + ((inertia.I2yy - t43) - inertia.c2y * t33);
+  const Scalar t45 = (inertia.c2x * t28 - (inertia.I2xx - t43)) + (inertia.c1x * t21 - (inertia.I1xx - t41));
+  return { inertia.I6xz - inertia.c6z * t0,
+           inertia.I6xy - inertia.c6y * t0,
+           Scalar(1) / t6,
            t6,
-           t3 + t5,
-           Scalar(2) * t8,
-           t8,
-           inertia.I5yz - inertia.c5z * t9,
-           inertia.I5xy - inertia.c5y * t10,
-           t5,
-           inertia.c5z * t11 - (inertia.I5zz - t12),
-           t13,
-           t3,
-           t16,
-           inertia.I5xz - inertia.c5z * t10,
-           (inertia.I4zz - t14) - inertia.c4z * t17,
-           g.d4 * t1,
            g.d4 * t4,
-           t18,
+           g.d4 * t1,
+           t7,
            g.l2 / g.d4,
-           g.d4 * (t0 + t10),
-           g.d4 * t11,
-           g.d4 * t17,
-           g.d4 * (t15 + t9),
-           inertia.I4xy - inertia.c4y * t19,
-           inertia.I4xz - inertia.c4z * t19,
-           t25,
-           t27,
-           g.d4 * t28 - (inertia.I3xy - inertia.c3y * t22),
-           inertia.I4yz - inertia.c4z * t15,
-           inertia.I3yz - inertia.c3z * t28,
-           t30,
-           t33,
-           t7 * t18,
-           g.d4 * t34,
-           t36 * t18 * t18,
-           t37,
-           t41,
-           g.d4 * (t28 + t42),
-           t36,
-           t45 + t46,
+           inertia.I5xz - inertia.c5z * t8,
+           Scalar(2) * t9,
+           t3 + t5,
+           t3,
+           inertia.c5z * t10 - (inertia.I5zz - t11),
+           t12,
+           inertia.I4xz - inertia.c4z * t13,
+           g.d4 * (t0 + t8),
+           g.d4 * t10,
+           g.d4 * t14,
+           t9,
+           inertia.I5yz - inertia.c5z * t15,
+           inertia.I5xy - inertia.c5y * t8,
+           inertia.I4xy - inertia.c4y * t13,
+           g.d4 * (t16 + t15),
+           (inertia.I4zz - t17) - inertia.c4z * t14,
+           t18,
+           gravity[2] / g.d4,
            gravity[1] / g.d4,
            gravity[0] / g.d4,
-           gravity[2] / g.d4,
-           t30 + t33,
-           g.d4 * t44,
-           g.d4 * t39,
-           t35,
-           Scalar(2) * t37,
+           inertia.I4yz - inertia.c4z * t16,
+           g.d4 * t20,
+           g.d4 * t21,
+           t27,
+           g.d4 * t28,
+           t30,
+           t31,
+           g.d4 * (t32 + t33),
+           Scalar(2) * t34,
+           t38,
+           g.d4 * t32 - (inertia.I3xy - inertia.c3y * t24),
+           inertia.I3yz - inertia.c3z * t32,
+           Scalar(2) * t39,
+           t34,
+           t39 + t38,
+           t39,
+           t40 * t7 * t7,
            Scalar(2) * t30,
-           Scalar(2) * t27 };
+           t40,
+           t42 + t44,
+           t45 };
 }
 
 namespace detail {
@@ -773,234 +771,234 @@ inline JointVector<Scalar> forward_dynamics_with_gravity_vector(const JointVecto
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[17] * s6 + k[16] * c6;
-  const Scalar t1 = qd[0] * qd[0];
-  const Scalar t2 = qd[0] * s3;
-  const Scalar t3 = t2 * t2;
-  const Scalar t4 = qd[2] * qd[2];
-  const Scalar t5 = t3 - t4;
-  const Scalar t6 = t1 - t5;
-  const Scalar t7 = k[41] * s1 + k[42] * c1;
-  const Scalar t8 = t7 - Scalar(2) * qd[0] * k[18] * qd[1];
-  const Scalar t9 = c3 * t8 + k[43] * s3;
-  const Scalar t10 = t6 + t9;
-  const Scalar t11 = qd[0] * c3;
-  const Scalar t12 = t2 * t11;
-  const Scalar t13 = t12 - (k[43] * c3 - s3 * t8);
-  const Scalar t14 = Scalar(2) * qd[2] * t2;
-  const Scalar t15 = k[19] + k[18] * q[1];
-  const Scalar t16 = k[42] * s1 - k[41] * c1;
-  const Scalar t17 = t1 * t15 + t16;
-  const Scalar t18 = t14 - t17;
-  const Scalar t19 = c4 * t13 + s4 * t18;
-  const Scalar t20 = c5 * t10 - s5 * t19;
-  const Scalar t21 = qd[3] + t2;
-  const Scalar t22 = c4 * t11 + qd[2] * s4;
-  const Scalar t23 = c5 * t21 + s5 * t22;
-  const Scalar t24 = c5 * t22 - s5 * t21;
-  const Scalar t25 = t23 * t24;
-  const Scalar t26 = c4 * t12 + s4 * t14;
-  const Scalar t27 = t21 * t22;
-  const Scalar t28 = t26 - t27;
-  const Scalar t29 = t25 + t28;
-  const Scalar t30 = qd[5] + t23;
-  const Scalar t31 = t30 * t24;
-  const Scalar t32 = t29 - (t31 + t31);
-  const Scalar t33 = k[4] * c6 - k[5] * s6;
-  const Scalar t34 = c6 * t33;
-  const Scalar t35 = k[9] - t34;
-  const Scalar t36 = qd[2] * c4 - s4 * t11;
-  const Scalar t37 = qd[4] + t36;
-  const Scalar t38 = t37 * t30;
-  const Scalar t39 = qd[2] * t11;
-  const Scalar t40 = t22 * t36;
-  const Scalar t41 = t39 - t40;
-  const Scalar t42 = t21 * t36;
-  const Scalar t43 = c4 * t14 - s4 * t12;
-  const Scalar t44 = t42 + (t42 - t43);
-  const Scalar t45 = s5 * t41 - c5 * t44;
-  const Scalar t46 = Scalar(2) * t23 * t37 + t45;
-  const Scalar t47 = t38 - (t46 - t38);
-  const Scalar t48 = k[6] + s6 * t33;
-  const Scalar t49 = c5 * t41 + s5 * t44;
-  const Scalar t50 = k[0] * c6 - k[1] * s6;
-  const Scalar t51 = k[0] * s6 + k[1] * c6;
-  const Scalar t52 = t30 * t30;
-  const Scalar t53 = t24 * t24;
-  const Scalar t54 = t52 - t53;
-  const Scalar t55 = (t32 * t35 + t47 * t48) + (t49 * t50 - t51 * t54);
-  const Scalar t56 = c5 * t19 + s5 * t10;
-  const Scalar t57 = t37 * t37;
-  const Scalar t58 = t52 - t57;
-  const Scalar t59 = t58 - t54;
-  const Scalar t60 = t53 + t57;
-  const Scalar t61 = t36 * t36;
-  const Scalar t62 = t21 * t21;
-  const Scalar t63 = t61 - t62;
-  const Scalar t64 = t6 - t63;
-  const Scalar t65 = t60 - t64;
-  const Scalar t66 = t25 - t28;
-  const Scalar t67 = k[14] * (t59 + t65) + (k[11] * t29 + k[10] * t66);
-  const Scalar t68 = (k[21] * t20 + k[20] * t56) + ((k[7] * t45 - k[8] * t49) - t67);
-  const Scalar t69 = (t0 * t20 - t55) + t68;
-  const Scalar t70 = k[12] - t34;
-  const Scalar t71 = Scalar(2) * t37 * t24 + t49;
-  const Scalar t72 = t59 * t48 - (t70 * t49 - t35 * t71);
-  const Scalar t73 = c4 * t18 - s4 * t13;
-  const Scalar t74 = k[17] * c6 - k[16] * s6;
-  const Scalar t75 = (t72 + (t29 * t50 + t46 * t51)) - (t0 * t73 + t56 * t74);
-  const Scalar t76 = torque[5] + t75;
-  const Scalar t77 = k[2] * t76;
-  const Scalar t78 = (torque[4] - t69) + t77 * t50;
-  const Scalar t79 = k[2] * t50;
-  const Scalar t80 = k[3] * s5 + c5 * t51;
-  const Scalar t81 = c5 * t74;
-  const Scalar t82 = c4 * t0 + s4 * t81;
-  const Scalar t83 = c3 * ((s4 * t50 + c4 * t80) - t82);
-  const Scalar t84 = c5 - k[2] * s5 * t51;
-  const Scalar t85 = k[3] * t84;
-  const Scalar t86 = c4 * t81 - s4 * t0;
-  const Scalar t87 = (c3 * s5 * t74 + s3 * t86) * t15;
-  const Scalar t88 = (t83 + s3 * t85) - t87;
-  const Scalar t89 = k[21] + t0;
-  const Scalar t90 = c5 * t89 + k[20] * s5;
-  const Scalar t91 = k[20] * c5 - s5 * t89;
-  const Scalar t92 = (c3 * t90 + s3 * c4 * t91) * t15;
-  const Scalar t93 = k[10] - t35;
-  const Scalar t94 = k[11] - t93;
-  const Scalar t95 = t91 - t94;
-  const Scalar t96 = k[7] + t48;
-  const Scalar t97 = k[8] + t50;
-  const Scalar t98 = c5 * t96 + s5 * t97;
-  const Scalar t99 = s5 * t96 - c5 * t97;
-  const Scalar t100 = c3 * (s4 * t95 + c4 * t98) - s3 * t99;
-  const Scalar t101 = t79 * t88 - (t92 + t100);
-  const Scalar t102 = Scalar(1) / (t94 + t79 * t50);
-  const Scalar t103 = t101 * t102;
-  const Scalar t104 = k[28] * t5 + (k[32] * t14 + k[48] * t39);
-  const Scalar t105 = t27 - t28;
-  const Scalar t106 = t61 + t62;
-  const Scalar t107 = t106 - t64;
-  const Scalar t108 = (k[29] * t44 - k[15] * t105) - (k[25] * (t107 - t63) - k[24] * t41);
-  const Scalar t109 = k[26] * t19 - (k[22] * t106 - k[23] * t41);
-  const Scalar t110 = (t74 * t47 + t0 * t32) + (k[20] * t60 - k[21] * t66);
-  const Scalar t111 = t58 + t60;
-  const Scalar t112 = (k[20] * t29 + k[21] * (t59 - t64)) + (t49 * t74 - t0 * (t111 - t59));
-  const Scalar t113 = t109 - (s5 * t110 - c5 * t112);
-  const Scalar t114 = (t69 - (t108 - k[22] * t10)) + t113;
-  const Scalar t115 = (t0 * t71 + t111 * t74) + (k[21] * t71 + k[20] * t46);
-  const Scalar t116 = t39 + t40;
-  const Scalar t117 = k[26] * t73 + (k[22] * t116 + k[23] * t64);
-  const Scalar t118 = t115 + t117;
-  const Scalar t119 = k[24] * t63 - (k[29] * t105 - k[13] * t44);
-  const Scalar t120 = (k[7] * t59 + k[8] * t29) + (k[14] * t46 - k[10] * t71);
-  const Scalar t121 = (k[21] * t73 - t120) - t75;
-  const Scalar t122 = t58 * t50 + (t70 * t47 - t32 * t48);
-  const Scalar t123 = (k[11] * t46 + k[14] * t71) - k[8] * t65;
-  const Scalar t124 = ((t51 * t71 + t122) + t20 * t74) - (k[20] * t73 - (k[7] * t66 + t123));
-  const Scalar t125 = (k[23] * t10 - (t119 - k[25] * t116)) + (s5 * t121 + c5 * t124);
-  const Scalar t126 = t118 - t125;
-  const Scalar t127 = (k[30] * t12 - t104) - (s4 * t114 + c4 * t126);
-  const Scalar t128 = (k[13] * t41 + k[15] * t116) - k[29] * t107;
-  const Scalar t129 = (t128 + (k[24] * t26 + k[25] * t43)) - (k[23] * t19 + k[22] * t73);
-  const Scalar t130 = t129 + (s5 * t124 - c5 * t121);
-  const Scalar t131 = t3 + t4;
-  const Scalar t132 = t6 - t131;
-  const Scalar t133 = (k[36] * t14 - k[49] * t39) + (k[28] * t12 - k[30] * (t132 + t5));
-  const Scalar t134 = c3 * t127 - s3 * (t130 - (t133 - k[27] * t17));
-  const Scalar t135 = k[26] * t10 - (k[22] * t105 - k[23] * t44);
-  const Scalar t136 = ((c5 * t110 + s5 * t112) + t135) - k[27] * t12;
-  const Scalar t137 = k[27] * t131 + (s4 * t118 - c4 * t113);
-  const Scalar t138 = (c3 * t136 - s3 * t137) + (k[47] * t8 + k[34] * t1);
-  const Scalar t139 = (t134 + (k[38] * t8 + k[34] * t17)) - t138 * t15;
-  const Scalar t140 = torque[0] - ((k[46] * t16 + k[45] * t7) + t139);
-  const Scalar t141 = k[2] * t88;
-  const Scalar t142 = t79 * t85 + t99;
-  const Scalar t143 = t102 * t142;
-  const Scalar t144 = k[23] + t74;
-  const Scalar t145 = t144 - (k[24] - t99);
-  const Scalar t146 = k[22] + t90;
-  const Scalar t147 = k[14] + t51;
-  const Scalar t148 = c5 * t147;
-  const Scalar t149 = s5 * (k[11] + t93) + (t148 + t148);
-  const Scalar t150 = t146 - (k[25] + (c5 * t149 - t147));
-  const Scalar t151 = s4 * t145 + c4 * t150;
-  const Scalar t152 = k[13] - t70;
-  const Scalar t153 = k[11] - s5 * t149;
-  const Scalar t154 = k[15] + (t94 - t153);
-  const Scalar t155 = t152 + t154;
-  const Scalar t156 = c4 * t144 - s4 * t146;
-  const Scalar t157 = (c3 * t151 + s3 * t155) + s3 * t156 * t15;
-  const Scalar t158 = t101 * t143 - (t157 + t84 * t88);
-  const Scalar t159 = Scalar(1) / ((t155 + t84 * t85) - t143 * t142);
-  const Scalar t160 = t78 * t143 + ((torque[3] + t130) - t76 * t84);
-  const Scalar t161 = t159 * t160;
-  const Scalar t162 = (t78 * t103 + (t140 - t76 * t141)) + t158 * t161;
-  const Scalar t163 = (s4 * t80 - c4 * t50) + t86;
-  const Scalar t164 = k[2] * t163;
-  const Scalar t165 = t50 * t164 - (s4 * t98 - c4 * t95);
-  const Scalar t166 = s4 * t150 - c4 * t145;
-  const Scalar t167 = t165 * t143 - (t85 * t164 + t166);
-  const Scalar t168 = t167 * t159;
-  const Scalar t169 = k[26] + t91;
-  const Scalar t170 = k[32] + ((t91 + t169) - t153);
-  const Scalar t171 = k[29] + t98;
-  const Scalar t172 = s4 * (t152 - t154) + Scalar(2) * c4 * t171;
-  const Scalar t173 = s4 * t172 - t152;
-  const Scalar t174 = k[31] + (t155 + t173);
-  const Scalar t175 = t102 * t165;
-  const Scalar t176 = ((t170 - t174) - t163 * t164) + t165 * t175;
-  const Scalar t177 = Scalar(1) / (t167 * t168 + t176);
-  const Scalar t178 = s3 * (k[28] - t166) - c3 * (k[30] + (c4 * t172 - t171));
-  const Scalar t179 = c4 * t146 + s4 * t144;
-  const Scalar t180 = k[27] + t179;
-  const Scalar t181 = t178 - (s3 * t169 + c3 * t180) * t15;
-  const Scalar t182 = t158 * t159;
-  const Scalar t183 = ((t181 - t163 * t141) + t101 * t175) + t167 * t182;
-  const Scalar t184 = t177 * t183;
-  const Scalar t185 = k[27] * t9 + (k[44] * t12 + k[36] * t132);
-  const Scalar t186 = torque[2] - (t185 - (s4 * t126 - c4 * t114));
-  const Scalar t187 = t102 * t78;
-  const Scalar t188 = ((t76 * t164 - t186) - t165 * t187) - t160 * t168;
-  const Scalar t189 = k[33] * t82;
-  const Scalar t190 = t189 * t50 + k[18] * s4 * t91;
-  const Scalar t191 = t102 * t190;
-  const Scalar t192 = k[18] * t82;
-  const Scalar t193 = t191 * t142 - (t192 * t84 - k[18] * t179);
-  const Scalar t194 = t159 * t193;
-  const Scalar t195 = (t165 * t191 - t189 * t163) + t194 * t167;
-  const Scalar t196 = k[18] * (k[34] - (s3 * t180 - c3 * t169));
-  const Scalar t197 = (t190 * t103 - (t189 * t88 + t196)) + t194 * t158;
-  const Scalar t198 = t184 * t195 - t197;
-  const Scalar t199 = t177 * t195;
-  const Scalar t200 = (t190 * t191 + (k[35] - t192 * t189)) + t194 * t193;
-  const Scalar t201 = Scalar(1) / (t199 * t195 - t200);
-  const Scalar t202 = t198 * t201;
-  const Scalar t203 = k[50] * t39 + (s4 * t113 + c4 * t118);
-  const Scalar t204 = k[18] * ((k[47] * t17 - k[38] * t1) - t203);
-  const Scalar t205 = (t192 * t77 - (torque[1] + t204)) - t190 * t187;
-  const Scalar t206 = t177 * t188;
-  const Scalar t207 = (t161 * t193 - t205) + t195 * t206;
-  const Scalar t208 = c3 * (t170 + t174) - Scalar(2) * s3 * (k[36] + t151);
-  const Scalar t209 = k[38] + t156;
-  const Scalar t210 = (t209 - (k[39] * t15 - t209)) * t15 - t173;
-  const Scalar t211 = (k[37] + (c3 * t208 - t174)) - (k[40] + t210);
-  const Scalar t212 = t158 * t182 + ((t211 - t88 * t141) + t101 * t103);
-  const Scalar t213 = Scalar(1) / (t202 * t198 + (t212 - t184 * t183));
-  const Scalar t214 = ((t162 + t184 * t188) - t202 * t207) * t213;
-  const Scalar t215 = t201 * t207 + t202 * t214;
-  const Scalar t216 = t199 * t215 - (t184 * t214 + t206);
-  const Scalar t217 = t216 * t168 + ((t214 * t182 - t161) - t194 * t215);
-  const Scalar t218 = ((t214 * t103 - t187) - t191 * t215) + t175 * t216;
-  const Scalar t219 = t218 + t217 * t143;
-  const Scalar t220 = (t189 * t215 - (t214 * t141 - t77)) - t164 * t216;
+  const Scalar t0 = k[4] * s6 + k[5] * c6;
+  const Scalar t1 = k[4] * c6 - k[5] * s6;
+  const Scalar t2 = c5 * t1;
+  const Scalar t3 = k[6] * (c4 * t0 + s4 * t2);
+  const Scalar t4 = k[0] * c6 + k[1] * s6;
+  const Scalar t5 = t0 - (k[3] * s5 + c5 * t4);
+  const Scalar t6 = k[0] * s6 - k[1] * c6;
+  const Scalar t7 = t6 + t2;
+  const Scalar t8 = s4 * t5 - c4 * t7;
+  const Scalar t9 = k[2] * t8;
+  const Scalar t10 = k[16] + t0;
+  const Scalar t11 = k[15] * c5 - s5 * t10;
+  const Scalar t12 = k[2] * t3;
+  const Scalar t13 = k[6] * s4 * t11 - t6 * t12;
+  const Scalar t14 = k[10] * c6 - k[9] * s6;
+  const Scalar t15 = k[11] - c6 * t14;
+  const Scalar t16 = k[3] - t15;
+  const Scalar t17 = k[12] + t16;
+  const Scalar t18 = k[13] - t17;
+  const Scalar t19 = k[2] * t6;
+  const Scalar t20 = Scalar(1) / (t18 + t6 * t19);
+  const Scalar t21 = t13 * t20;
+  const Scalar t22 = t18 - t11;
+  const Scalar t23 = k[18] + s6 * t14;
+  const Scalar t24 = k[19] + t23;
+  const Scalar t25 = k[20] - t6;
+  const Scalar t26 = c5 * t24 + s5 * t25;
+  const Scalar t27 = (c4 * t22 + s4 * t26) - t6 * t9;
+  const Scalar t28 = c5 * t25 - s5 * t24;
+  const Scalar t29 = c5 - k[2] * s5 * t4;
+  const Scalar t30 = k[3] * t29;
+  const Scalar t31 = t28 + t19 * t30;
+  const Scalar t32 = t20 * t31;
+  const Scalar t33 = k[8] + t4;
+  const Scalar t34 = s5 * (k[13] + t17) + Scalar(2) * c5 * t33;
+  const Scalar t35 = s5 * t34 - t17;
+  const Scalar t36 = k[23] + t35;
+  const Scalar t37 = k[24] - t15;
+  const Scalar t38 = t36 + t37;
+  const Scalar t39 = Scalar(1) / (t32 * t31 - (t38 + t30 * t29));
+  const Scalar t40 = t27 * t20;
+  const Scalar t41 = c5 * t10 + k[15] * s5;
+  const Scalar t42 = k[17] + t41;
+  const Scalar t43 = (k[14] - (t33 - c5 * t34)) - t42;
+  const Scalar t44 = k[22] + t1;
+  const Scalar t45 = t44 - (k[21] + t28);
+  const Scalar t46 = s4 * t43 + c4 * t45;
+  const Scalar t47 = t40 * t31 + (t30 * t9 + t46);
+  const Scalar t48 = t39 * t47;
+  const Scalar t49 = c4 * t42 + s4 * t44;
+  const Scalar t50 = t21 * t31 - (k[6] * t49 - t3 * t29);
+  const Scalar t51 = (t3 * t9 - t21 * t27) + t48 * t50;
+  const Scalar t52 = k[28] + t26;
+  const Scalar t53 = Scalar(2) * c4 * t52 - s4 * (t36 - t37);
+  const Scalar t54 = s4 * t53 - t37;
+  const Scalar t55 = k[43] + (t38 + t54);
+  const Scalar t56 = k[34] + t11;
+  const Scalar t57 = k[37] + ((t56 + t11) - (t18 - t35));
+  const Scalar t58 = ((t55 - t57) + t8 * t9) - t27 * t40;
+  const Scalar t59 = Scalar(1) / (t47 * t48 + t58);
+  const Scalar t60 = c3 * (k[39] + (c4 * t53 - t52)) - s3 * (k[38] + t46);
+  const Scalar t61 = k[33] + t49;
+  const Scalar t62 = k[7] + k[6] * q[1];
+  const Scalar t63 = t60 + (c3 * t61 + s3 * t56) * t62;
+  const Scalar t64 = s3 * t30 - c3 * (c4 * t5 + s4 * t7);
+  const Scalar t65 = s3 * (c4 * t2 - s4 * t0) + c3 * s5 * t1;
+  const Scalar t66 = t64 - t62 * t65;
+  const Scalar t67 = k[2] * t66;
+  const Scalar t68 = (s3 * c4 * t11 + c3 * t41) * t62;
+  const Scalar t69 = c3 * (s4 * t22 - c4 * t26) - s3 * t28;
+  const Scalar t70 = (t68 - t69) + t19 * t66;
+  const Scalar t71 = s4 * t45 - c4 * t43;
+  const Scalar t72 = c4 * t44 - s4 * t42;
+  const Scalar t73 = (c3 * t71 + s3 * t38) + t62 * s3 * t72;
+  const Scalar t74 = t20 * t70;
+  const Scalar t75 = (t73 + t66 * t29) - t74 * t31;
+  const Scalar t76 = t39 * t75;
+  const Scalar t77 = ((t63 - t8 * t67) - t40 * t70) - t76 * t47;
+  const Scalar t78 = t59 * t77;
+  const Scalar t79 = k[6] * (k[32] - (s3 * t61 - c3 * t56));
+  const Scalar t80 = t76 * t50 + ((t79 + t66 * t12) + t13 * t74);
+  const Scalar t81 = t51 * t78 + t80;
+  const Scalar t82 = t51 * t59;
+  const Scalar t83 = t39 * t50;
+  const Scalar t84 = (t13 * t21 + (k[44] - t3 * t12)) - t83 * t50;
+  const Scalar t85 = Scalar(1) / (t51 * t82 + t84);
+  const Scalar t86 = qd[0] * s3;
+  const Scalar t87 = qd[0] * c3;
+  const Scalar t88 = t86 * t87;
+  const Scalar t89 = qd[0] * k[6] * qd[1];
+  const Scalar t90 = k[26] * s1 + k[27] * c1;
+  const Scalar t91 = (t89 + t89) - t90;
+  const Scalar t92 = t88 - (k[25] * c3 + s3 * t91);
+  const Scalar t93 = k[27] * s1 - k[26] * c1;
+  const Scalar t94 = qd[0] * qd[0];
+  const Scalar t95 = t93 + t94 * t62;
+  const Scalar t96 = qd[2] * t86;
+  const Scalar t97 = Scalar(2) * t96;
+  const Scalar t98 = t95 - t97;
+  const Scalar t99 = s4 * t92 + c4 * t98;
+  const Scalar t100 = t86 * t86;
+  const Scalar t101 = qd[2] * qd[2];
+  const Scalar t102 = t100 + t101;
+  const Scalar t103 = t94 - t102;
+  const Scalar t104 = t100 - t101;
+  const Scalar t105 = t103 - t104;
+  const Scalar t106 = t105 + t102;
+  const Scalar t107 = k[25] * s3 - c3 * t91;
+  const Scalar t108 = t106 + t107;
+  const Scalar t109 = s4 * t98 - c4 * t92;
+  const Scalar t110 = s5 * t108 - c5 * t109;
+  const Scalar t111 = qd[3] + t86;
+  const Scalar t112 = c4 * t87 + qd[2] * s4;
+  const Scalar t113 = c5 * t111 + s5 * t112;
+  const Scalar t114 = c5 * t112 - s5 * t111;
+  const Scalar t115 = t113 * t114;
+  const Scalar t116 = c4 * t88 + s4 * t97;
+  const Scalar t117 = t111 * t112;
+  const Scalar t118 = t116 - t117;
+  const Scalar t119 = t115 + t118;
+  const Scalar t120 = qd[2] * c4 - s4 * t87;
+  const Scalar t121 = qd[4] + t120;
+  const Scalar t122 = t113 * t121;
+  const Scalar t123 = c4 * t97 - s4 * t88;
+  const Scalar t124 = Scalar(2) * t111 * t120 - t123;
+  const Scalar t125 = qd[2] * t87;
+  const Scalar t126 = t112 * t120;
+  const Scalar t127 = t125 - t126;
+  const Scalar t128 = c5 * t124 - s5 * t127;
+  const Scalar t129 = (t122 + t122) - t128;
+  const Scalar t130 = t114 * t114;
+  const Scalar t131 = t121 * t121;
+  const Scalar t132 = t130 - t131;
+  const Scalar t133 = c5 * t127 + s5 * t124;
+  const Scalar t134 = t121 * t114;
+  const Scalar t135 = (t134 + t134) + t133;
+  const Scalar t136 = t132 * t23 - (t15 * t133 + t16 * t135);
+  const Scalar t137 = (t99 * t0 - t110 * t1) - ((t6 * t119 - t4 * t129) - t136);
+  const Scalar t138 = torque[5] + t137;
+  const Scalar t139 = c5 * t108 + s5 * t109;
+  const Scalar t140 = qd[5] + t113;
+  const Scalar t141 = t140 * t140;
+  const Scalar t142 = t141 + t130;
+  const Scalar t143 = t132 - t142;
+  const Scalar t144 = t141 - t131;
+  const Scalar t145 = t144 - t142;
+  const Scalar t146 = t140 * t114;
+  const Scalar t147 = (t146 - t119) + t146;
+  const Scalar t148 = Scalar(2) * t121 * t140 - t129;
+  const Scalar t149 = (t6 * t133 - (t143 - t145) * t4) - (t16 * t147 + t23 * t148);
+  const Scalar t150 = t115 - t118;
+  const Scalar t151 = t111 * t111;
+  const Scalar t152 = t112 * t112;
+  const Scalar t153 = t151 + t152;
+  const Scalar t154 = t153 + t145;
+  const Scalar t155 = t132 - t154;
+  const Scalar t156 = (k[12] * t150 + k[13] * t119) + k[8] * t155;
+  const Scalar t157 = (k[15] * t110 + k[16] * t139) - (t156 + (k[20] * t133 + k[19] * t128));
+  const Scalar t158 = (t0 * t139 + t149) + t157;
+  const Scalar t159 = t138 * t19 - (torque[4] - t158);
+  const Scalar t160 = (t23 * t147 + t15 * t148) - t6 * t144;
+  const Scalar t161 = k[20] * t154 + (k[8] * t135 + k[13] * t129);
+  const Scalar t162 = ((t160 + t4 * t135) + t1 * t139) + (k[15] * t99 + (t161 + k[19] * t150));
+  const Scalar t163 = (k[12] * t135 - k[8] * t129) - (k[20] * t119 + k[19] * t132);
+  const Scalar t164 = t137 - (t163 - k[16] * t99);
+  const Scalar t165 = t125 + t126;
+  const Scalar t166 = t151 - t152;
+  const Scalar t167 = t106 + t166;
+  const Scalar t168 = (k[23] * t165 + k[24] * t127) + k[28] * (t153 - t167);
+  const Scalar t169 = (k[17] * t99 + k[22] * t109) + ((k[14] * t123 + k[21] * t116) + t168);
+  const Scalar t170 = (s5 * t162 + c5 * t164) + t169;
+  const Scalar t171 = t32 * t159 + ((torque[3] + t170) - t138 * t29);
+  const Scalar t172 = k[2] * t138;
+  const Scalar t173 = k[34] * t109 + (k[17] * t167 - k[22] * t127);
+  const Scalar t174 = (t1 * t133 + t143 * t0) + (k[16] * (t155 + t145) + k[15] * t119);
+  const Scalar t175 = (t0 * t147 - t1 * t148) + (k[16] * t150 + k[15] * t145);
+  const Scalar t176 = t173 - (c5 * t174 + s5 * t175);
+  const Scalar t177 = (t142 * t1 + t135 * t0) + (k[15] * t129 + k[16] * t135);
+  const Scalar t178 = k[34] * t99 - (k[22] * t153 + k[17] * t165);
+  const Scalar t179 = t177 - t178;
+  const Scalar t180 = k[45] * t125 - (s4 * t176 - c4 * t179);
+  const Scalar t181 = k[6] * ((k[35] * t94 - k[31] * t95) + t180);
+  const Scalar t182 = t21 * t159 + (t172 * t3 - (torque[1] - t181));
+  const Scalar t183 = t159 * t20;
+  const Scalar t184 = t117 - t118;
+  const Scalar t185 = k[21] * (t153 - t106) - (k[24] * t124 - k[28] * t184);
+  const Scalar t186 = (c5 * t162 - s5 * t164) + (k[22] * t108 + (k[14] * t165 + t185));
+  const Scalar t187 = t179 - t186;
+  const Scalar t188 = (k[21] * t127 - k[14] * t166) - (k[23] * t184 - k[28] * t124);
+  const Scalar t189 = t176 - ((k[17] * t108 - t188) + t158);
+  const Scalar t190 = k[33] * t107 + (k[41] * t105 + k[42] * t88);
+  const Scalar t191 = torque[2] + ((s4 * t187 + c4 * t189) - t190);
+  const Scalar t192 = t39 * t171;
+  const Scalar t193 = (t27 * t183 + (t191 + t138 * t9)) - t192 * t47;
+  const Scalar t194 = t193 * t59;
+  const Scalar t195 = t85 * ((t171 * t83 - t182) + t51 * t194);
+  const Scalar t196 = (k[38] * t88 - k[39] * t103) + (k[36] * t96 - k[40] * t125);
+  const Scalar t197 = k[38] * t104 + (k[37] * t97 + k[36] * t125);
+  const Scalar t198 = (s4 * t189 - c4 * t187) + (k[39] * t88 - t197);
+  const Scalar t199 = s3 * ((k[33] * t95 - t196) + t170) - c3 * t198;
+  const Scalar t200 = (s4 * t179 + c4 * t176) + k[33] * t102;
+  const Scalar t201 = (k[22] * t124 - k[17] * t184) + k[34] * t108;
+  const Scalar t202 = (t201 - (c5 * t175 - s5 * t174)) - k[33] * t88;
+  const Scalar t203 = (s3 * t200 - c3 * t202) + (k[31] * t91 - k[32] * t94);
+  const Scalar t204 = (t199 + (k[35] * t91 - k[32] * t95)) - t62 * t203;
+  const Scalar t205 = torque[0] + (t204 - (k[29] * t90 + k[30] * t93));
+  const Scalar t206 = (t70 * t183 + (t205 - t172 * t66)) + t76 * t171;
+  const Scalar t207 = t81 * t85;
+  const Scalar t208 = k[35] + t72;
+  const Scalar t209 = t54 - t62 * (t208 - (k[46] * t62 - t208));
+  const Scalar t210 = Scalar(2) * s3 * (k[41] + t71) - c3 * (t55 + t57);
+  const Scalar t211 = (k[47] - t209) - (k[48] - (c3 * t210 + t55));
+  const Scalar t212 = (t74 * t70 - (t211 + t66 * t67)) - t76 * t75;
+  const Scalar t213 = Scalar(1) / (t207 * t81 - (t78 * t77 + t212));
+  const Scalar t214 = (t81 * t195 - (t194 * t77 - t206)) * t213;
+  const Scalar t215 = t207 * t214 - t195;
+  const Scalar t216 = t215 * t82 - (t78 * t214 - t194);
+  const Scalar t217 = t216 * t48 + ((t192 - t76 * t214) - t215 * t83);
+  const Scalar t218 = t40 * t216 + ((t214 * t74 + t183) - t215 * t21);
+  const Scalar t219 = t217 * t32 - t218;
+  const Scalar t220 = t216 * t9 - (t215 * t12 + (t214 * t67 + t172));
   JointVector<Scalar> result;
-  result[0] = t214;
+  result[0] = -t214;
   result[1] = -t215;
-  result[2] = t216;
+  result[2] = -t216;
   result[3] = t217;
-  result[4] = t219;
-  result[5] = t79 * t219 - (t217 * t84 - t220);
+  result[4] = -t219;
+  result[5] = t219 * t19 - (t220 + t217 * t29);
   return result;
 }
 
@@ -1029,109 +1027,106 @@ ForwardDynamicsWithWrenchConstants<Scalar> forward_dynamics_with_wrench_constant
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6z * inertia.m6;
-  const Scalar t1 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t2 = inertia.c6z * t0 - (inertia.I6zz - t1);
-  const Scalar t3 = inertia.c6y * inertia.m6;
-  const Scalar t4 = (inertia.I6yy - t1) - inertia.c6y * t3;
-  const Scalar t5 = inertia.I6yz - inertia.c6z * t3;
-  const Scalar t6 = inertia.c5y * inertia.m5;
-  const Scalar t7 = t2 - t4;
-  const Scalar t8 = Scalar(1) / t7;
-  const Scalar t9 = inertia.c6x * inertia.m6;
-  const Scalar t10 = inertia.I6xz - inertia.c6z * t9;
-  const Scalar t11 = inertia.I6xy - inertia.c6y * t9;
-  const Scalar t12 = inertia.c5x * inertia.m5;
-  const Scalar t13 = inertia.c4x * inertia.m4;
-  const Scalar t14 = inertia.c4y * inertia.m4;
-  const Scalar t15 = inertia.c5z * inertia.m5;
-  const Scalar t16 = inertia.c4z * inertia.m4;
-  const Scalar t17 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t18 = ((inertia.I6xx - t1) - inertia.c6x * t9) - (inertia.c5x * t12 - (inertia.I5xx - t17));
-  const Scalar t19 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t20 = ((inertia.I4yy - t19) - inertia.c4y * t14) - (inertia.c5y * t6 - (inertia.I5yy - t17));
-  const Scalar t21 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t22 = inertia.c3z * inertia.m3;
-  const Scalar t23 = (inertia.I3zz - t21) - inertia.c3z * t22;
-  const Scalar t24 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t25 = g.d4 * t24 + t13;
-  const Scalar t26 = inertia.c3x * inertia.m3;
-  const Scalar t27 = g.d4 * inertia.m3 + t26;
-  const Scalar t28 = (t25 + t27) / g.d4;
-  const Scalar t29 = g.d4 * g.d4 * t28;
-  const Scalar t30 = (inertia.c3x * t26 - (inertia.I3xx - t21)) + g.d4 * (t26 + t27);
-  const Scalar t31 = g.d4 * (t25 + t13) - ((inertia.I4xx - t19) - inertia.c4x * t13);
-  const Scalar t32 = (t30 + t31) - t29;
-  const Scalar t33 = Scalar(1) / g.d4;
-  const Scalar t34 = g.d4 * t22;
-  const Scalar t35 = t34 - (inertia.I3xz - inertia.c3z * t26);
-  const Scalar t36 = inertia.c3y * inertia.m3;
-  const Scalar t37 = inertia.c2x * inertia.m2;
-  const Scalar t38 = g.d4 * g.d4 * ((inertia.m2 + (inertia.m3 + t24)) - t28);
-  const Scalar t39 = inertia.c2y * inertia.m2;
-  const Scalar t40 = inertia.c1y * inertia.m1;
-  const Scalar t41 = t40 - g.l2 * inertia.m1;
-  const Scalar t42 = inertia.c1x * inertia.m1;
-  const Scalar t43 = t29 + t38;
-  const Scalar t44 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t45 = g.l2 * (t41 + t40) - (inertia.c1y * t40 - (inertia.I1yy - t44));
-  const Scalar t46 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t47 = ((inertia.I3yy - t21) - inertia.c3y * t36) + ((inertia.I2yy - t46) - inertia.c2y * t39);
-  const Scalar t48 = (inertia.c2x * t37 - (inertia.I2xx - t46)) + (inertia.c1x * t42 - (inertia.I1xx - t44));
-  return { t2 + t4,
-           Scalar(2) * t5,
-           t5,
-           inertia.I5yz - inertia.c5z * t6,
-           t8 * t10,
-           t8 * t11,
-           t7,
-           inertia.I5xy - inertia.c5y * t12,
-           inertia.I4xy - inertia.c4y * t13,
-           g.d4 * t0,
-           g.d4 * t3,
-           g.d4 * (t14 + t6),
-           g.d4 * t15,
-           g.d4 * (t9 + t12),
-           g.d4 * t16,
-           t11,
-           t10,
-           inertia.I5xz - inertia.c5z * t12,
-           t2,
-           inertia.c5z * t15 - (inertia.I5zz - t17),
-           t18,
-           inertia.I4xz - inertia.c4z * t13,
-           t8,
-           t20,
-           (inertia.I4zz - t19) - inertia.c4z * t16,
-           inertia.I4yz - inertia.c4z * t14,
-           t23,
-           t29,
-           t32,
-           g.d4,
+  const Scalar t0 = inertia.c6y * inertia.m6;
+  const Scalar t1 = inertia.c6z * inertia.m6;
+  const Scalar t2 = Scalar(1) / g.d4;
+  const Scalar t3 = inertia.c6x * inertia.m6;
+  const Scalar t4 = inertia.I6yz - inertia.c6z * t0;
+  const Scalar t5 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t6 = inertia.c6z * t1 - (inertia.I6zz - t5);
+  const Scalar t7 = (inertia.I6yy - t5) - inertia.c6y * t0;
+  const Scalar t8 = t6 - t7;
+  const Scalar t9 = Scalar(1) / t8;
+  const Scalar t10 = inertia.c5z * inertia.m5;
+  const Scalar t11 = inertia.c5x * inertia.m5;
+  const Scalar t12 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t13 = ((inertia.I6xx - t5) - inertia.c6x * t3) - (inertia.c5x * t11 - (inertia.I5xx - t12));
+  const Scalar t14 = inertia.c5y * inertia.m5;
+  const Scalar t15 = inertia.c3z * inertia.m3;
+  const Scalar t16 = g.d4 * t15;
+  const Scalar t17 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t18 = (inertia.I3zz - t17) - inertia.c3z * t15;
+  const Scalar t19 = inertia.c3x * inertia.m3;
+  const Scalar t20 = g.d4 * inertia.m3 + t19;
+  const Scalar t21 = (inertia.c3x * t19 - (inertia.I3xx - t17)) + g.d4 * (t19 + t20);
+  const Scalar t22 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t23 = inertia.c4x * inertia.m4;
+  const Scalar t24 = g.d4 * t22 + t23;
+  const Scalar t25 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t26 = g.d4 * (t24 + t23) - ((inertia.I4xx - t25) - inertia.c4x * t23);
+  const Scalar t27 = (t24 + t20) / g.d4;
+  const Scalar t28 = g.d4 * g.d4 * t27;
+  const Scalar t29 = (t21 + t26) - t28;
+  const Scalar t30 = t16 - (inertia.I3xz - inertia.c3z * t19);
+  const Scalar t31 = inertia.c4y * inertia.m4;
+  const Scalar t32 = ((inertia.I4yy - t25) - inertia.c4y * t31) - (inertia.c5y * t14 - (inertia.I5yy - t12));
+  const Scalar t33 = inertia.c4z * inertia.m4;
+  const Scalar t34 = inertia.c3y * inertia.m3;
+  const Scalar t35 = inertia.c2x * inertia.m2;
+  const Scalar t36 = inertia.c2y * inertia.m2;
+  const Scalar t37 = g.d4 * g.d4 * ((inertia.m2 + (inertia.m3 + t22)) - t27);
+  const Scalar t38 = inertia.c1y * inertia.m1;
+  const Scalar t39 = t38 - g.l2 * inertia.m1;
+  const Scalar t40 = inertia.c1x * inertia.m1;
+  const Scalar t41 = t28 + t37;
+  const Scalar t42 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t43 = g.l2 * (t39 + t38) - (inertia.c1y * t38 - (inertia.I1yy - t42));
+  const Scalar t44 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t45 = ((inertia.I3yy - t17) - inertia.c3y * t34) + ((inertia.I2yy - t44) - inertia.c2y * t36);
+  const Scalar t46 = (inertia.c2x * t35 - (inertia.I2xx - t44)) + (inertia.c1x * t40 - (inertia.I1xx - t42));
+  return { g.d4 * t0,
+           g.d4 * t1,
            gravity[2] / g.d4,
            gravity[1] / g.d4,
            gravity[0] / g.d4,
-           t33,
+           t2,
            g.l2 / g.d4,
-           t34,
-           t23 + t32,
-           t35,
-           inertia.I3yz - inertia.c3z * t36,
-           g.d4 * t36 - (inertia.I3xy - inertia.c3y * t26),
-           g.d4 * t37,
-           t38,
-           g.d4 * (t36 + t39),
-           Scalar(2) * t23,
-           Scalar(2) * t32,
-           Scalar(2) * t35,
-           g.d4 * t41,
-           g.d4 * t42,
-           t8 * t33,
-           t43 * t33 * t33,
-           Scalar(2) * t34,
-           t43,
-           t45 + t47,
-           t48 };
+           inertia.I6xz - inertia.c6z * t3,
+           inertia.I6xy - inertia.c6y * t3,
+           Scalar(2) * t4,
+           t6 + t7,
+           t4,
+           t6,
+           t7,
+           t9,
+           g.d4 * t10,
+           g.d4 * (t3 + t11),
+           inertia.I5xz - inertia.c5z * t11,
+           inertia.c5z * t10 - (inertia.I5zz - t12),
+           t13,
+           inertia.I5yz - inertia.c5z * t14,
+           inertia.I5xy - inertia.c5y * t11,
+           t8,
+           t16,
+           t18 + t29,
+           t30,
+           inertia.I4xy - inertia.c4y * t23,
+           t32,
+           inertia.I4yz - inertia.c4z * t31,
+           inertia.I4xz - inertia.c4z * t23,
+           g.d4 * (t31 + t14),
+           g.d4,
+           t28,
+           g.d4 * t33,
+           (inertia.I4zz - t25) - inertia.c4z * t33,
+           inertia.I3yz - inertia.c3z * t34,
+           g.d4 * t34 - (inertia.I3xy - inertia.c3y * t19),
+           t29,
+           t18,
+           g.d4 * t35,
+           g.d4 * (t34 + t36),
+           Scalar(2) * t30,
+           Scalar(2) * t29,
+           Scalar(2) * t18,
+           t37,
+           g.d4 * t39,
+           g.d4 * t40,
+           t9 * t2,
+           Scalar(2) * t16,
+           t41 * t2 * t2,
+           t41,
+           t43 + t45,
+           t46 };
 }
 
 namespace detail {
@@ -1150,250 +1145,253 @@ inline JointVector<Scalar> forward_dynamics_with_wrench(const JointVector<Scalar
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[10] * c6 - k[9] * s6;
-  const Scalar t1 = c5 * t0;
-  const Scalar t2 = k[9] * c6 + k[10] * s6;
-  const Scalar t3 = k[48] * (s4 * t1 + c4 * t2);
-  const Scalar t4 = k[16] * c6 + k[15] * s6;
-  const Scalar t5 = c5 - k[22] * s5 * t4;
-  const Scalar t6 = k[6] * t5;
-  const Scalar t7 = k[12] + t2;
-  const Scalar t8 = k[13] * s5 + c5 * t7;
-  const Scalar t9 = k[14] + t8;
-  const Scalar t10 = k[11] + t0;
-  const Scalar t11 = c4 * t9 + s4 * t10;
-  const Scalar t12 = k[4] * s6 - k[5] * c6;
-  const Scalar t13 = k[6] * t12;
-  const Scalar t14 = k[0] * c6 - k[1] * s6;
-  const Scalar t15 = k[18] - c6 * t14;
-  const Scalar t16 = k[6] - t15;
-  const Scalar t17 = k[19] + t16;
-  const Scalar t18 = k[20] - t17;
-  const Scalar t19 = Scalar(1) / (t12 * t13 + t18);
-  const Scalar t20 = k[6] * t3;
-  const Scalar t21 = s5 * t7 - k[13] * c5;
-  const Scalar t22 = t12 * t20 + k[33] * s4 * t21;
-  const Scalar t23 = t19 * t22;
-  const Scalar t24 = k[7] - t13;
-  const Scalar t25 = k[2] + s6 * t14;
-  const Scalar t26 = k[3] + t25;
-  const Scalar t27 = c5 * t24 - s5 * t26;
-  const Scalar t28 = t27 + t5 * t13;
-  const Scalar t29 = (t3 * t6 - k[33] * t11) - t23 * t28;
-  const Scalar t30 = t2 - (c5 * t4 + k[6] * s5);
-  const Scalar t31 = t1 + t13;
-  const Scalar t32 = s4 * t30 - c4 * t31;
-  const Scalar t33 = c5 * t26 + s5 * t24;
-  const Scalar t34 = t18 + t21;
-  const Scalar t35 = t12 * t32 - (s4 * t33 + c4 * t34);
-  const Scalar t36 = t35 * t19;
-  const Scalar t37 = k[17] + t4;
-  const Scalar t38 = c5 * t37;
-  const Scalar t39 = s5 * (k[20] + t17) + (t38 + t38);
-  const Scalar t40 = (k[21] + (c5 * t39 - t37)) - t9;
-  const Scalar t41 = (k[8] + t27) - t10;
-  const Scalar t42 = s4 * t40 - c4 * t41;
-  const Scalar t43 = t36 * t28 - (t5 * t32 + t42);
-  const Scalar t44 = t28 * t19;
-  const Scalar t45 = s5 * t39;
-  const Scalar t46 = k[24] - (t17 - t45);
-  const Scalar t47 = k[23] - t15;
-  const Scalar t48 = t46 + t47;
-  const Scalar t49 = Scalar(1) / (t44 * t28 - (t48 + t5 * t6));
-  const Scalar t50 = t43 * t49;
-  const Scalar t51 = k[22] * t32;
-  const Scalar t52 = t29 * t50 - (t20 * t51 - t35 * t23);
-  const Scalar t53 = k[25] + t33;
-  const Scalar t54 = Scalar(2) * c4 * t53 - s4 * (t46 - t47);
-  const Scalar t55 = t47 - s4 * t54;
-  const Scalar t56 = k[26] + (t48 - t55);
-  const Scalar t57 = k[27] - t21;
-  const Scalar t58 = k[28] - ((t21 - t57) + (k[20] - t45));
-  const Scalar t59 = t36 * t35 - ((t56 - t58) + t51 * t32);
-  const Scalar t60 = Scalar(1) / (t59 - t43 * t50);
-  const Scalar t61 = t52 * t60;
-  const Scalar t62 = t29 * t49;
-  const Scalar t63 = t29 * t62 - (t23 * t22 + (k[49] - t3 * t20));
-  const Scalar t64 = Scalar(1) / (t52 * t61 + t63);
-  const Scalar t65 = k[35] + t11;
-  const Scalar t66 = k[33] * (k[40] - (s3 * t65 - c3 * t57));
-  const Scalar t67 = k[34] + k[33] * q[1];
-  const Scalar t68 = c3 * s5 * t0 - s3 * (s4 * t2 - c4 * t1);
-  const Scalar t69 = c3 * (s4 * t31 + c4 * t30) - s3 * t6;
-  const Scalar t70 = t67 * t68 + t69;
-  const Scalar t71 = k[22] * t70;
-  const Scalar t72 = (s3 * c4 * t21 - c3 * t8) * t67;
-  const Scalar t73 = s3 * t27 + c3 * (c4 * t33 - s4 * t34);
-  const Scalar t74 = (t72 - t73) + t70 * t12;
-  const Scalar t75 = t74 * t19;
-  const Scalar t76 = s4 * t41 + c4 * t40;
-  const Scalar t77 = c4 * t10 - s4 * t9;
-  const Scalar t78 = (c3 * t76 - s3 * t48) - s3 * t77 * t67;
-  const Scalar t79 = t44 * t74 - (t71 * t6 + t78);
-  const Scalar t80 = ((t66 - t71 * t20) + t75 * t22) + t62 * t79;
-  const Scalar t81 = c3 * (k[38] - (t53 - c4 * t54)) - s3 * (k[39] + t42);
-  const Scalar t82 = t67 * (s3 * t57 + c3 * t65) + t81;
-  const Scalar t83 = t79 * t49;
-  const Scalar t84 = (t36 * t74 - (t82 + t71 * t32)) - t83 * t43;
-  const Scalar t85 = t80 - t84 * t61;
-  const Scalar t86 = t64 * t85;
-  const Scalar t87 = s3 * (k[37] - t76);
-  const Scalar t88 = c3 * ((t87 + t87) - c3 * (t56 + t58));
-  const Scalar t89 = k[42] + t77;
-  const Scalar t90 = t67 * (t89 - (k[51] * t67 - t89)) + t55;
-  const Scalar t91 = t70 * t71 - ((k[53] - (t88 + t56)) - (k[52] + t90));
-  const Scalar t92 = t84 * t60;
-  const Scalar t93 = ((t75 * t74 - t91) - t83 * t79) - t84 * t92;
-  const Scalar t94 = qd[0] * s3;
-  const Scalar t95 = qd[0] * c3;
-  const Scalar t96 = t94 * t95;
-  const Scalar t97 = k[32] * c1 + k[31] * s1;
-  const Scalar t98 = qd[0] * k[33] * qd[1];
-  const Scalar t99 = t97 - (t98 + t98);
-  const Scalar t100 = t96 - (k[30] * c3 - s3 * t99);
-  const Scalar t101 = k[31] * c1 - k[32] * s1;
-  const Scalar t102 = qd[0] * qd[0];
-  const Scalar t103 = t101 - t102 * t67;
-  const Scalar t104 = qd[2] * t94;
-  const Scalar t105 = t104 + t104;
-  const Scalar t106 = t103 + t105;
-  const Scalar t107 = c4 * t100 + s4 * t106;
-  const Scalar t108 = c3 * t99 + k[30] * s3;
-  const Scalar t109 = s4 * t95;
-  const Scalar t110 = qd[2] * c4 - t109;
+  const Scalar t0 = k[0] * s6 + k[1] * c6;
+  const Scalar t1 = k[7] * c6 + k[8] * s6;
+  const Scalar t2 = t0 - (k[22] * s5 + c5 * t1);
+  const Scalar t3 = k[0] * c6 - k[1] * s6;
+  const Scalar t4 = c5 * t3;
+  const Scalar t5 = k[8] * c6 - k[7] * s6;
+  const Scalar t6 = t4 - t5;
+  const Scalar t7 = s4 * t2 - c4 * t6;
+  const Scalar t8 = k[14] * t7;
+  const Scalar t9 = k[17] + t1;
+  const Scalar t10 = c5 * t9;
+  const Scalar t11 = k[10] * c6 - k[9] * s6;
+  const Scalar t12 = c6 * t11;
+  const Scalar t13 = k[13] - t12;
+  const Scalar t14 = k[18] - t13;
+  const Scalar t15 = (t10 + t10) + s5 * (k[19] + t14);
+  const Scalar t16 = k[19] - s5 * t15;
+  const Scalar t17 = k[15] + t0;
+  const Scalar t18 = s5 * t17 - k[16] * c5;
+  const Scalar t19 = k[32] - t18;
+  const Scalar t20 = k[37] - (t16 - (t19 - t18));
+  const Scalar t21 = k[11] + s6 * t11;
+  const Scalar t22 = k[20] + t21;
+  const Scalar t23 = k[21] + t5;
+  const Scalar t24 = c5 * t22 + s5 * t23;
+  const Scalar t25 = k[28] + t24;
+  const Scalar t26 = c4 * t25;
+  const Scalar t27 = k[19] - t14;
+  const Scalar t28 = k[34] + (t27 - t16);
+  const Scalar t29 = k[12] - t12;
+  const Scalar t30 = k[27] - t29;
+  const Scalar t31 = (t26 + t26) - s4 * (t28 - t30);
+  const Scalar t32 = s4 * t31 - t30;
+  const Scalar t33 = t28 + t30;
+  const Scalar t34 = k[38] + (t32 + t33);
+  const Scalar t35 = k[14] * t5;
+  const Scalar t36 = t18 + t27;
+  const Scalar t37 = t35 * t7 + (s4 * t24 + c4 * t36);
+  const Scalar t38 = Scalar(1) / (t27 + t35 * t5);
+  const Scalar t39 = t38 * t37;
+  const Scalar t40 = (t8 * t7 - (t20 - t34)) - t37 * t39;
+  const Scalar t41 = c5 - k[14] * s5 * t1;
+  const Scalar t42 = k[22] * t41;
+  const Scalar t43 = c5 * t23 - s5 * t22;
+  const Scalar t44 = t41 * t5 - t43;
+  const Scalar t45 = t38 * t44;
+  const Scalar t46 = Scalar(1) / ((t33 + t41 * t42) - t44 * t45);
+  const Scalar t47 = c5 * t17 + k[16] * s5;
+  const Scalar t48 = k[33] + t47;
+  const Scalar t49 = t48 - (k[29] + (c5 * t15 - t9));
+  const Scalar t50 = k[30] + t3;
+  const Scalar t51 = (k[26] + t43) - t50;
+  const Scalar t52 = s4 * t49 + c4 * t51;
+  const Scalar t53 = (t52 - t42 * t8) + t37 * t45;
+  const Scalar t54 = t46 * t53;
+  const Scalar t55 = Scalar(1) / (t40 - t54 * t53);
+  const Scalar t56 = k[47] * (c4 * t0 + s4 * t4);
+  const Scalar t57 = k[22] * t56;
+  const Scalar t58 = k[5] * s4 * t18 - t57 * t35;
+  const Scalar t59 = t38 * t58;
+  const Scalar t60 = s4 * t50 + c4 * t48;
+  const Scalar t61 = t58 * t45 - (k[5] * t60 - t56 * t42);
+  const Scalar t62 = (t56 * t7 + t59 * t37) + t61 * t54;
+  const Scalar t63 = t55 * t62;
+  const Scalar t64 = t46 * t61;
+  const Scalar t65 = t61 * t64 + ((k[49] - t56 * t57) + t59 * t58);
+  const Scalar t66 = Scalar(1) / (t63 * t62 + t65);
+  const Scalar t67 = k[6] + k[5] * q[1];
+  const Scalar t68 = t67 * (c3 * t47 - s3 * c4 * t18);
+  const Scalar t69 = s3 * t43 + c3 * (c4 * t24 - s4 * t36);
+  const Scalar t70 = c3 * s5 * t3 + s3 * (c4 * t4 - s4 * t0);
+  const Scalar t71 = s3 * t42 - c3 * (c4 * t2 + s4 * t6);
+  const Scalar t72 = t67 * t70 - t71;
+  const Scalar t73 = k[14] * t72;
+  const Scalar t74 = (t68 + t69) + t73 * t5;
+  const Scalar t75 = t38 * t74;
+  const Scalar t76 = s4 * t48 - c4 * t50;
+  const Scalar t77 = c4 * t49 - s4 * t51;
+  const Scalar t78 = t67 * s3 * t76 - (c3 * t77 + s3 * t33);
+  const Scalar t79 = t75 * t44 - (t42 * t73 + t78);
+  const Scalar t80 = t46 * t79;
+  const Scalar t81 = k[23] + t60;
+  const Scalar t82 = k[5] * (k[39] - (s3 * t81 - c3 * t19));
+  const Scalar t83 = t61 * t80 + (t75 * t58 + (t56 * t72 - t82));
+  const Scalar t84 = c3 * (k[35] - (t25 - c4 * t31)) - s3 * (k[36] - t52);
+  const Scalar t85 = t84 + t67 * (s3 * t19 + c3 * t81);
+  const Scalar t86 = (t75 * t37 - (t73 * t7 + t85)) + t79 * t54;
+  const Scalar t87 = t83 + t63 * t86;
+  const Scalar t88 = t66 * t87;
+  const Scalar t89 = t55 * t86;
+  const Scalar t90 = k[40] - t76;
+  const Scalar t91 = t67 * (t90 + (t90 - k[50] * t67)) - t32;
+  const Scalar t92 = s3 * (k[25] + t77);
+  const Scalar t93 = c3 * (c3 * (t20 + t34) - (t92 + t92));
+  const Scalar t94 = ((k[51] + t91) - (k[52] + (t93 - t34))) + t73 * t72;
+  const Scalar t95 = t89 * t86 + (t79 * t80 - (t94 - t75 * t74));
+  const Scalar t96 = wrench[3] * c1 + wrench[4] * s1;
+  const Scalar t97 = wrench[5] * s3 + c3 * t96;
+  const Scalar t98 = wrench[3] * s1 - wrench[4] * c1;
+  const Scalar t99 = s3 * t96 - wrench[5] * c3;
+  const Scalar t100 = s4 * t98 - c4 * t99;
+  const Scalar t101 = qd[0] * s3;
+  const Scalar t102 = qd[3] + t101;
+  const Scalar t103 = qd[0] * c3;
+  const Scalar t104 = c4 * t103 + qd[2] * s4;
+  const Scalar t105 = c5 * t102 + s5 * t104;
+  const Scalar t106 = qd[5] + t105;
+  const Scalar t107 = t106 * t106;
+  const Scalar t108 = s4 * t103;
+  const Scalar t109 = qd[2] * c4 - t108;
+  const Scalar t110 = qd[4] + t109;
   const Scalar t111 = t110 * t110;
-  const Scalar t112 = c4 * t95;
-  const Scalar t113 = t112 + qd[2] * s4;
+  const Scalar t112 = t107 - t111;
+  const Scalar t113 = c5 * t104 - s5 * t102;
   const Scalar t114 = t113 * t113;
-  const Scalar t115 = t111 + t114;
-  const Scalar t116 = t108 + t115;
-  const Scalar t117 = s5 * t107 - c5 * t116;
-  const Scalar t118 = s5 * t116 + c5 * t107;
-  const Scalar t119 = qd[2] * t95;
-  const Scalar t120 = t113 * t110;
-  const Scalar t121 = t119 - t120;
-  const Scalar t122 = qd[3] + t94;
-  const Scalar t123 = t122 * t110;
-  const Scalar t124 = c4 * t105 - t94 * t109;
-  const Scalar t125 = t123 + (t123 - t124);
-  const Scalar t126 = c5 * t121 + s5 * t125;
-  const Scalar t127 = s5 * t121 - c5 * t125;
-  const Scalar t128 = c5 * t113 - s5 * t122;
-  const Scalar t129 = t128 * t128;
-  const Scalar t130 = qd[4] + t110;
-  const Scalar t131 = t130 * t130;
-  const Scalar t132 = t129 + t131;
-  const Scalar t133 = c5 * t122 + s5 * t113;
-  const Scalar t134 = t133 * t133;
-  const Scalar t135 = t131 + t134;
-  const Scalar t136 = t133 * t128;
-  const Scalar t137 = t122 * t113;
-  const Scalar t138 = t112 * t94 + s4 * t105;
-  const Scalar t139 = t137 - t138;
-  const Scalar t140 = t136 + t139;
-  const Scalar t141 = t136 - t139;
-  const Scalar t142 = k[17] * (t132 - t135) + (k[19] * t140 + k[20] * t141);
-  const Scalar t143 = (k[12] * t117 - k[13] * t118) + ((k[7] * t126 - k[3] * t127) + t142);
-  const Scalar t144 = wrench[3] * c1 + wrench[4] * s1;
-  const Scalar t145 = s3 * t144 - wrench[5] * c3;
-  const Scalar t146 = wrench[3] * s1 - wrench[4] * c1;
-  const Scalar t147 = t133 * t130;
-  const Scalar t148 = (t147 + t147) + t127;
-  const Scalar t149 = qd[5] + t133;
-  const Scalar t150 = t130 * t149;
-  const Scalar t151 = t148 - (t150 + t150);
-  const Scalar t152 = t141 - Scalar(2) * t149 * t128;
-  const Scalar t153 = t129 - t131;
-  const Scalar t154 = t149 * t149;
-  const Scalar t155 = t154 - t131;
-  const Scalar t156 = t153 - t155;
-  const Scalar t157 = (t25 * t151 + t16 * t152) - (t4 * t156 - t126 * t13);
-  const Scalar t158 = (s4 * t145 + c4 * t146) + (t2 * t117 - t157);
-  const Scalar t159 = t143 + t158;
-  const Scalar t160 = wrench[5] * s3 + c3 * t144;
-  const Scalar t161 = s4 * t146 - c4 * t145;
-  const Scalar t162 = t130 * t128;
-  const Scalar t163 = t162 + (t126 + t162);
-  const Scalar t164 = t153 * t25 - (t16 * t163 + t126 * t15);
-  const Scalar t165 = c4 * t106 - s4 * t100;
-  const Scalar t166 = (t164 - (t141 * t13 - t148 * t4)) - (t165 * t2 + t0 * t118);
-  const Scalar t167 = (c5 * t160 + s5 * t161) + t166;
-  const Scalar t168 = k[22] * (torque[5] + t167);
-  const Scalar t169 = (torque[4] + t159) - t13 * t168;
-  const Scalar t170 = t94 * t94 + qd[2] * qd[2];
-  const Scalar t171 = t170 - t115;
-  const Scalar t172 = (k[36] * t96 - k[37] * t171) + k[35] * t108;
-  const Scalar t173 = t131 - t134;
-  const Scalar t174 = t132 - t173;
-  const Scalar t175 = t174 - t115;
-  const Scalar t176 = t139 + t137;
-  const Scalar t177 = k[8] * t175 + (k[25] * t176 - k[23] * t125);
-  const Scalar t178 = t119 + t120;
-  const Scalar t179 = (k[7] * t141 + k[3] * t153) + (k[17] * t148 - k[19] * t163);
-  const Scalar t180 = (k[12] * t165 - t179) - t167;
-  const Scalar t181 = k[7] * t173 - (k[17] * t163 + k[20] * t148);
-  const Scalar t182 = (t25 * t152 + t151 * t15) + t155 * t13;
-  const Scalar t183 = (c5 * t161 - s5 * t160) - ((t163 * t4 - t182) - t0 * t117);
-  const Scalar t184 = ((t181 - k[3] * t140) + k[13] * t165) + t183;
-  const Scalar t185 = ((t177 + k[21] * t178) + k[11] * t116) + (s5 * t180 - c5 * t184);
-  const Scalar t186 = wrench[0] * c1 + wrench[1] * s1;
-  const Scalar t187 = wrench[2] * c3 - s3 * t186;
-  const Scalar t188 = wrench[0] * s1 - wrench[1] * c1;
-  const Scalar t189 = (t163 * t2 + (t154 + t129) * t0) + k[29] * (s4 * t187 - c4 * t188);
-  const Scalar t190 = (k[11] * t174 + k[14] * t178) + k[27] * t165;
-  const Scalar t191 = ((k[12] * t163 + k[13] * t148) + t189) + t190;
-  const Scalar t192 = t185 - t191;
-  const Scalar t193 = t111 - t114;
-  const Scalar t194 = t175 + t193;
-  const Scalar t195 = (k[21] * t194 - k[8] * t121) - (k[25] * t125 - k[24] * t176);
-  const Scalar t196 = c4 * t187 + s4 * t188;
-  const Scalar t197 = c3 * t186 + wrench[2] * s3;
-  const Scalar t198 = k[29] * (s5 * t196 + c5 * t197) + (t2 * t152 - t151 * t0);
-  const Scalar t199 = t198 + (k[13] * t132 - k[12] * t140);
-  const Scalar t200 = (t126 * t0 - t2 * (t132 - t156)) - k[29] * (c5 * t196 - s5 * t197);
-  const Scalar t201 = t200 - (k[12] * t135 - k[13] * t141);
-  const Scalar t202 = k[27] * t107 + (k[11] * t121 - k[14] * (t194 + t115));
-  const Scalar t203 = (s5 * t199 - c5 * t201) - t202;
-  const Scalar t204 = (t159 - (k[14] * t116 + t195)) + t203;
-  const Scalar t205 = torque[2] - (t172 + (s4 * t192 - c4 * t204));
-  const Scalar t206 = t169 * t19;
-  const Scalar t207 = k[25] * t193 - (k[24] * t178 + k[23] * t121);
-  const Scalar t208 = (k[11] * t107 + k[14] * t165) + (t207 - (k[8] * t138 + k[21] * t124));
-  const Scalar t209 = t208 + (c5 * t180 + s5 * t184);
-  const Scalar t210 = t28 * t206 - ((torque[3] - t209) - t6 * t168);
-  const Scalar t211 = t210 * t49;
-  const Scalar t212 = (t36 * t169 + (t205 + t32 * t168)) - t211 * t43;
-  const Scalar t213 = t212 * t60;
-  const Scalar t214 = k[35] * t170 + (s4 * t191 + c4 * t203);
-  const Scalar t215 = k[27] * t116 + (k[11] * t125 - k[14] * t176);
-  const Scalar t216 = k[35] * t96 - ((c5 * t199 + s5 * t201) + t215);
-  const Scalar t217 = (s3 * t214 + c3 * t216) - (k[40] * t102 + k[41] * t99);
-  const Scalar t218 = t102 - t170;
-  const Scalar t219 = (k[44] * t104 + k[45] * t119) + k[39] * (t218 + t171);
-  const Scalar t220 = (c4 * t192 + s4 * t204) + (k[38] * t96 - t219);
-  const Scalar t221 = (k[43] * t119 - k[37] * t105) - (k[39] * t96 - k[38] * t218);
-  const Scalar t222 = c3 * t220 + s3 * (t209 - (t221 - k[35] * t103));
-  const Scalar t223 = t67 * t217 + ((k[42] * t99 - k[40] * t103) + t222);
-  const Scalar t224 = torque[0] + ((k[47] * t101 - k[46] * t97) - t223);
-  const Scalar t225 = (t75 * t169 + (t224 + t70 * t168)) - t211 * t79;
-  const Scalar t226 = k[50] * t119 + (c4 * t191 - s4 * t203);
-  const Scalar t227 = k[33] * ((k[41] * t103 + k[42] * t102) + t226);
-  const Scalar t228 = (t20 * t168 - (torque[1] - t227)) + t206 * t22;
-  const Scalar t229 = t64 * ((t210 * t62 + t228) - t212 * t61);
-  const Scalar t230 = Scalar(1) / (t86 * t85 + t93) * ((t213 * t84 - t225) - t229 * t85);
-  const Scalar t231 = t230 * t86 + t229;
-  const Scalar t232 = (t213 + t230 * t92) + t61 * t231;
-  const Scalar t233 = (t62 * t231 - (t211 + t83 * t230)) + t50 * t232;
-  const Scalar t234 = (t23 * t231 + (t75 * t230 + t206)) - t36 * t232;
-  const Scalar t235 = t44 * t233 + t234;
-  const Scalar t236 = t51 * t232 - (t3 * t231 + (t71 * t230 - t168));
+  const Scalar t115 = t107 - t114;
+  const Scalar t116 = t112 - t115;
+  const Scalar t117 = qd[2] * t103;
+  const Scalar t118 = t104 * t109;
+  const Scalar t119 = t117 - t118;
+  const Scalar t120 = t102 * t109;
+  const Scalar t121 = qd[2] * t101;
+  const Scalar t122 = t121 + t121;
+  const Scalar t123 = c4 * t122 - t101 * t108;
+  const Scalar t124 = t120 + (t120 - t123);
+  const Scalar t125 = c5 * t119 + s5 * t124;
+  const Scalar t126 = t110 * t113;
+  const Scalar t127 = t126 + (t125 + t126);
+  const Scalar t128 = t21 * t116 - (t125 * t29 - t127 * t13);
+  const Scalar t129 = t105 * t113;
+  const Scalar t130 = t101 * t103;
+  const Scalar t131 = c4 * t130 + s4 * t122;
+  const Scalar t132 = t102 * t104;
+  const Scalar t133 = t131 - t132;
+  const Scalar t134 = t129 + t133;
+  const Scalar t135 = t105 * t110;
+  const Scalar t136 = s5 * t119 - c5 * t124;
+  const Scalar t137 = (t135 + t135) + t136;
+  const Scalar t138 = k[4] * s1 - k[3] * c1;
+  const Scalar t139 = qd[0] * qd[0];
+  const Scalar t140 = t138 + t139 * t67;
+  const Scalar t141 = t140 - t122;
+  const Scalar t142 = qd[0] * k[5] * qd[1];
+  const Scalar t143 = k[4] * c1 + k[3] * s1;
+  const Scalar t144 = (t142 + t142) - t143;
+  const Scalar t145 = t130 - (k[2] * c3 + s3 * t144);
+  const Scalar t146 = c4 * t141 + s4 * t145;
+  const Scalar t147 = c4 * t145 - s4 * t141;
+  const Scalar t148 = t103 * t103;
+  const Scalar t149 = qd[2] * qd[2];
+  const Scalar t150 = t148 + t149;
+  const Scalar t151 = k[2] * s3 - c3 * t144;
+  const Scalar t152 = t150 + t151;
+  const Scalar t153 = c5 * t147 + s5 * t152;
+  const Scalar t154 = (t128 + (t134 * t5 + t1 * t137)) + (t0 * t146 - t153 * t3);
+  const Scalar t155 = (c5 * t97 + s5 * t100) + t154;
+  const Scalar t156 = torque[5] + t155;
+  const Scalar t157 = k[14] * t156;
+  const Scalar t158 = c5 * t152 - s5 * t147;
+  const Scalar t159 = t129 - t133;
+  const Scalar t160 = t109 * t109;
+  const Scalar t161 = t102 * t102;
+  const Scalar t162 = t160 - t161;
+  const Scalar t163 = t150 - t162;
+  const Scalar t164 = t114 + t111;
+  const Scalar t165 = t163 - t164;
+  const Scalar t166 = t116 - t165;
+  const Scalar t167 = (k[19] * t134 + k[18] * t159) + k[17] * t166;
+  const Scalar t168 = (k[15] * t158 + k[16] * t153) - (t167 - (k[20] * t136 - k[21] * t125));
+  const Scalar t169 = t110 * t106;
+  const Scalar t170 = t137 - (t169 + t169);
+  const Scalar t171 = t134 - Scalar(2) * t106 * t113;
+  const Scalar t172 = (t170 * t21 - t13 * t171) + (t1 * t115 - t125 * t5);
+  const Scalar t173 = (t172 + t0 * t158) - (s4 * t99 + c4 * t98);
+  const Scalar t174 = t168 + t173;
+  const Scalar t175 = t157 * t5 + (torque[4] - t174);
+  const Scalar t176 = t160 + t161;
+  const Scalar t177 = (k[33] * t176 - k[30] * t119) - k[32] * t147;
+  const Scalar t178 = wrench[0] * c1 + wrench[1] * s1;
+  const Scalar t179 = wrench[2] * c3 - s3 * t178;
+  const Scalar t180 = wrench[0] * s1 - wrench[1] * c1;
+  const Scalar t181 = c4 * t179 + s4 * t180;
+  const Scalar t182 = c3 * t178 + wrench[2] * s3;
+  const Scalar t183 = (t170 * t3 - t0 * t171) - k[31] * (s5 * t181 + c5 * t182);
+  const Scalar t184 = (k[16] * t164 - k[15] * t159) - t183;
+  const Scalar t185 = t107 + t111;
+  const Scalar t186 = (t125 * t3 - t0 * t185) - k[31] * (c5 * t181 - s5 * t182);
+  const Scalar t187 = (k[16] * t134 - k[15] * (t164 - t166)) + t186;
+  const Scalar t188 = t177 + (s5 * t184 - c5 * t187);
+  const Scalar t189 = t132 - t133;
+  const Scalar t190 = t150 - t176;
+  const Scalar t191 = (k[34] * t189 - k[28] * t124) - (k[26] * t119 + k[29] * t190);
+  const Scalar t192 = t188 - (t174 + (t191 + k[33] * t152));
+  const Scalar t193 = k[31] * (s4 * t179 - c4 * t180) + (t0 * t127 + t3 * (t116 + t185));
+  const Scalar t194 = t117 + t118;
+  const Scalar t195 = k[32] * t146 - (k[30] * t163 + k[33] * t194);
+  const Scalar t196 = (t193 + (k[16] * t137 + k[15] * t127)) - t195;
+  const Scalar t197 = (k[27] * t124 - k[28] * t189) + k[26] * t162;
+  const Scalar t198 = (t21 * t171 + t29 * t170) - t112 * t5;
+  const Scalar t199 = (c5 * t100 - s5 * t97) - ((t1 * t127 - t198) + t158 * t3);
+  const Scalar t200 = k[21] * t165 + (k[17] * t127 + k[19] * t137);
+  const Scalar t201 = t199 - (k[16] * t146 + (t200 + k[20] * t159));
+  const Scalar t202 = (k[18] * t127 - k[17] * t137) - (k[20] * t116 + k[21] * t134);
+  const Scalar t203 = t155 + (k[15] * t146 - t202);
+  const Scalar t204 = ((k[29] * t194 - t197) + k[30] * t152) - (c5 * t201 + s5 * t203);
+  const Scalar t205 = t196 - t204;
+  const Scalar t206 = t148 - t149;
+  const Scalar t207 = t139 - t206;
+  const Scalar t208 = k[23] * t151 + (k[24] * t130 + k[25] * (t150 - t207));
+  const Scalar t209 = torque[2] + ((c4 * t192 + s4 * t205) - t208);
+  const Scalar t210 = t38 * t175;
+  const Scalar t211 = k[28] * (t190 - t162) + (k[27] * t119 + k[34] * t194);
+  const Scalar t212 = (k[30] * t147 - k[33] * t146) - ((k[26] * t131 + k[29] * t123) + t211);
+  const Scalar t213 = t212 + (s5 * t201 - c5 * t203);
+  const Scalar t214 = t44 * t210 - (t41 * t156 - (torque[3] - t213));
+  const Scalar t215 = (t39 * t175 - (t8 * t156 + t209)) + t54 * t214;
+  const Scalar t216 = t55 * t215;
+  const Scalar t217 = k[48] * t117 - (s4 * t188 - c4 * t196);
+  const Scalar t218 = k[5] * (t217 + (k[40] * t139 - k[44] * t140));
+  const Scalar t219 = ((torque[1] - t218) - t56 * t156) - t58 * t210;
+  const Scalar t220 = t216 * t62 + (t64 * t214 - t219);
+  const Scalar t221 = t46 * t214;
+  const Scalar t222 = k[36] * (t139 - t150) + (k[42] * t121 + k[41] * t117);
+  const Scalar t223 = (s4 * t192 - c4 * t205) + (k[35] * t130 - t222);
+  const Scalar t224 = (k[36] * t130 - k[35] * t206) - (k[43] * t117 - k[25] * t122);
+  const Scalar t225 = c3 * t223 - s3 * ((k[23] * t140 - t224) - t213);
+  const Scalar t226 = k[23] * t207 + (c4 * t188 + s4 * t196);
+  const Scalar t227 = (k[33] * t189 - k[30] * t124) - k[32] * t152;
+  const Scalar t228 = k[23] * t130 - ((s5 * t187 + c5 * t184) - t227);
+  const Scalar t229 = (s3 * t226 + c3 * t228) + (k[44] * t144 - k[39] * t139);
+  const Scalar t230 = (t225 + (k[39] * t140 - k[40] * t144)) + t67 * t229;
+  const Scalar t231 = torque[0] - (t230 + (k[45] * t143 + k[46] * t138));
+  const Scalar t232 = t221 * t79 + (t74 * t210 - (t157 * t72 + t231));
+  const Scalar t233 = Scalar(1) / (t88 * t87 - t95) * (t88 * t220 - (t89 * t215 + t232));
+  const Scalar t234 = t220 * t66 - t88 * t233;
+  const Scalar t235 = t234 * t63 + (t89 * t233 - t216);
+  const Scalar t236 = t54 * t235 + (t234 * t64 - (t221 - t233 * t80));
+  const Scalar t237 = (t234 * t59 + (t75 * t233 - t210)) + t39 * t235;
+  const Scalar t238 = t236 * t45 + t237;
+  const Scalar t239 = t235 * t8 + ((t233 * t73 - t157) - t234 * t56);
   JointVector<Scalar> result;
-  result[0] = -t230;
-  result[1] = t231;
-  result[2] = t232;
-  result[3] = t233;
-  result[4] = -t235;
-  result[5] = (t236 - t5 * t233) + t12 * t235;
+  result[0] = -t233;
+  result[1] = -t234;
+  result[2] = -t235;
+  result[3] = t236;
+  result[4] = t238;
+  result[5] = t35 * t238 - (t239 + t41 * t236);
   return result;
 }
 

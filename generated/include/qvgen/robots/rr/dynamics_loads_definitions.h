@@ -28,87 +28,85 @@ InverseDynamicsWithGravityVectorConstants<Scalar> inverse_dynamics_with_gravity_
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c3x * inertia.m3;
-  const Scalar t1 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t2 = inertia.c2x * inertia.m2;
-  const Scalar t3 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t4 = (inertia.c3x * t0 - (inertia.I3xx - t1)) + (inertia.c2x * t2 - (inertia.I2xx - t3));
-  const Scalar t5 = inertia.c1x * inertia.m1;
-  const Scalar t6 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t7 = inertia.c1y * inertia.m1;
-  const Scalar t8 = t7 - g.l2 * inertia.m1;
-  const Scalar t9 = g.l2 * (t8 + t7) - (inertia.c1y * t7 - (inertia.I1yy - t6));
-  const Scalar t10 = inertia.c2y * inertia.m2;
-  const Scalar t11 = (t4 + (inertia.c1x * t5 - (inertia.I1xx - t6))) - (t9 + ((inertia.I2yy - t3) - inertia.c2y * t10));
-  const Scalar t12 = inertia.c6y * inertia.m6;
-  const Scalar t13 = inertia.c5y * inertia.m5;
-  const Scalar t14 = inertia.c5x * inertia.m5;
-  const Scalar t15 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t16 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t17 = ((inertia.I6yy - t15) - inertia.c6y * t12) - (inertia.c5y * t13 - (inertia.I5yy - t16));
-  const Scalar t18 = inertia.c6x * inertia.m6;
-  const Scalar t19 = (inertia.I6xx - t15) - inertia.c6x * t18;
-  const Scalar t20 = inertia.c6z * inertia.m6;
-  const Scalar t21 = inertia.c6z * t20 - (inertia.I6zz - t15);
-  const Scalar t22 = inertia.I6xz - inertia.c6z * t18;
-  const Scalar t23 = inertia.c5z * inertia.m5;
-  const Scalar t24 = inertia.c4x * inertia.m4;
-  const Scalar t25 = inertia.c4y * inertia.m4;
-  const Scalar t26 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t27 = inertia.c4z * inertia.m4;
-  const Scalar t28 = (inertia.c5x * t14 - (inertia.I5xx - t16)) - ((inertia.I4xx - t26) - inertia.c4x * t24);
-  const Scalar t29 = inertia.c3z * inertia.m3;
-  const Scalar t30 = g.d4 * t29;
-  const Scalar t31 = inertia.c3y * inertia.m3;
-  const Scalar t32 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t33 = t25 - g.d4 * t32;
-  const Scalar t34 = ((inertia.I4yy - t26) - inertia.c4y * t25) + g.d4 * (t25 + t33);
-  const Scalar t35 = g.d4 * inertia.m3 - t31;
-  const Scalar t36 = ((inertia.I3yy - t1) - inertia.c3y * t31) - g.d4 * (t35 - t31);
-  const Scalar t37 = (t33 - t35) / g.d4;
-  const Scalar t38 = g.d4 * g.d4 * t37;
-  const Scalar t39 = g.d4 * g.d4 * ((inertia.m2 + (inertia.m3 + t32)) + t37);
-  return { t11,
-           gravity[1] / g.d4,
-           gravity[0] / g.d4,
-           g.d4 * t8,
-           g.d4 * t5,
-           Scalar(1) / g.d4,
-           g.l2 / g.d4,
-           gravity[2] / g.d4,
-           g.d4 * (t12 + t13),
-           inertia.I5xz - inertia.c5z * t14,
+  const Scalar t0 = inertia.c4x * inertia.m4;
+  const Scalar t1 = inertia.c5x * inertia.m5;
+  const Scalar t2 = inertia.c4z * inertia.m4;
+  const Scalar t3 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t4 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t5 = (inertia.c5x * t1 - (inertia.I5xx - t4)) - ((inertia.I4xx - t3) - inertia.c4x * t0);
+  const Scalar t6 = inertia.c4y * inertia.m4;
+  const Scalar t7 = inertia.c6z * inertia.m6;
+  const Scalar t8 = inertia.c6x * inertia.m6;
+  const Scalar t9 = inertia.c6y * inertia.m6;
+  const Scalar t10 = inertia.I6xz - inertia.c6z * t8;
+  const Scalar t11 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t12 = (inertia.I6xx - t11) - inertia.c6x * t8;
+  const Scalar t13 = inertia.c6z * t7 - (inertia.I6zz - t11);
+  const Scalar t14 = inertia.c5y * inertia.m5;
+  const Scalar t15 = ((inertia.I6yy - t11) - inertia.c6y * t9) - (inertia.c5y * t14 - (inertia.I5yy - t4));
+  const Scalar t16 = inertia.c5z * inertia.m5;
+  const Scalar t17 = inertia.c3z * inertia.m3;
+  const Scalar t18 = inertia.c3x * inertia.m3;
+  const Scalar t19 = inertia.c3y * inertia.m3;
+  const Scalar t20 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t21 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t22 = t6 - g.d4 * t21;
+  const Scalar t23 = ((inertia.I4yy - t3) - inertia.c4y * t6) + g.d4 * (t6 + t22);
+  const Scalar t24 = g.d4 * inertia.m3 - t19;
+  const Scalar t25 = ((inertia.I3yy - t20) - inertia.c3y * t19) - g.d4 * (t24 - t19);
+  const Scalar t26 = (t22 - t24) / g.d4;
+  const Scalar t27 = inertia.c2x * inertia.m2;
+  const Scalar t28 = inertia.c2y * inertia.m2;
+  const Scalar t29 = inertia.c1y * inertia.m1;
+  const Scalar t30 = t29 - g.l2 * inertia.m1;
+  const Scalar t31 = inertia.c1x * inertia.m1;
+  const Scalar t32 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t33 = (inertia.c3x * t18 - (inertia.I3xx - t20)) + (inertia.c2x * t27 - (inertia.I2xx - t32));
+  const Scalar t34 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t35 = g.l2 * (t30 + t29) - (inertia.c1y * t29 - (inertia.I1yy - t34));
+  const Scalar t36 = (t33 + (inertia.c1x * t31 - (inertia.I1xx - t34)))
+      - (t35 + ((inertia.I2yy - t32) - inertia.c2y * t28));
+  return { g.l2,
+           gravity[0],
+           gravity[1],
+           gravity[2],
+           g.d4,
+           t0 + t1,
+           t2,
+           inertia.I4xz - inertia.c4z * t0,
+           (inertia.I4zz - t3) - inertia.c4z * t2,
+           t5,
+           inertia.I4xy - inertia.c4y * t0,
+           inertia.I4yz - inertia.c4z * t6,
+           t7,
+           t8,
+           inertia.I6xy - inertia.c6y * t8,
+           inertia.I6yz - inertia.c6z * t9,
+           Scalar(2) * t10,
+           t12 + t13,
+           t13,
+           t10,
+           t9 + t14,
+           inertia.I5xz - inertia.c5z * t1,
+           inertia.I5yz - inertia.c5z * t14,
+           t15,
+           inertia.I5xy - inertia.c5y * t1,
+           t12,
+           inertia.c5z * t16 - (inertia.I5zz - t4),
+           t16,
            t17,
-           inertia.I5yz - inertia.c5z * t13,
-           inertia.I5xy - inertia.c5y * t14,
-           inertia.I6xy - inertia.c6y * t18,
-           inertia.I6yz - inertia.c6z * t12,
-           t19 + t21,
-           Scalar(2) * t22,
-           t21,
-           t22,
-           g.d4 * t20,
-           g.d4 * t18,
-           t19,
-           inertia.c5z * t23 - (inertia.I5zz - t16),
-           g.d4 * t23,
-           inertia.I4xy - inertia.c4y * t24,
-           inertia.I4yz - inertia.c4z * t25,
-           (inertia.I4zz - t26) - inertia.c4z * t27,
+           inertia.I3xz - inertia.c3z * t18,
+           (inertia.I3xy - inertia.c3y * t18) + g.d4 * t18,
+           g.d4 * t17 + (inertia.I3yz - inertia.c3z * t19),
+           (inertia.I3zz - t20) - inertia.c3z * t17,
+           (t23 + t25) - g.d4 * g.d4 * t26,
+           t26,
+           t27 + t18,
            t28,
-           inertia.I4xz - inertia.c4z * t24,
-           g.d4 * t27,
-           g.d4 * (t24 + t14),
-           (inertia.I3zz - t1) - inertia.c3z * t29,
-           t30 + (inertia.I3yz - inertia.c3z * t31),
-           (inertia.I3xy - inertia.c3y * t0) + g.d4 * t0,
-           inertia.I3xz - inertia.c3z * t0,
+           (inertia.m2 + (inertia.m3 + t21)) + t26,
            t30,
-           (t34 + t36) - t38,
-           t38,
-           g.d4 * (t2 + t0),
-           g.d4 * t10,
-           t39 };
+           t31,
+           t36 };
 }
 
 namespace detail {
@@ -127,139 +125,142 @@ inline JointVector<Scalar> inverse_dynamics_with_gravity_vector(const JointVecto
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[2] * s1 - k[1] * c1;
-  const Scalar t1 = k[1] * s1 + k[2] * c1;
-  const Scalar t2 = k[0] * qdd[0] + (k[4] * t0 + k[3] * t1);
-  const Scalar t3 = k[6] + k[5] * q[1];
-  const Scalar t4 = qd[0] * c3;
-  const Scalar t5 = c4 * t4 - qd[2] * s4;
-  const Scalar t6 = qd[2] * c4 + s4 * t4;
-  const Scalar t7 = t5 * t6;
-  const Scalar t8 = qd[2] * t4;
-  const Scalar t9 = qdd[0] * s3;
-  const Scalar t10 = t8 + t9;
-  const Scalar t11 = qdd[3] - t10;
-  const Scalar t12 = t7 + t11;
-  const Scalar t13 = qd[0] * s3;
-  const Scalar t14 = qd[3] - t13;
-  const Scalar t15 = t14 * t14;
-  const Scalar t16 = t6 * t6;
+  const Scalar t0 = k[1] * s1 - k[2] * c1;
+  const Scalar t1 = k[2] * s1 + k[1] * c1;
+  const Scalar t2 = k[40] * qdd[0] + (k[39] * t0 + k[38] * t1);
+  const Scalar t3 = qd[0] * c3;
+  const Scalar t4 = qd[2] * t3;
+  const Scalar t5 = qdd[0] * s3;
+  const Scalar t6 = t4 + t5;
+  const Scalar t7 = t4 + t6;
+  const Scalar t8 = qd[0] * s3;
+  const Scalar t9 = qd[3] - t8;
+  const Scalar t10 = t9 * t9;
+  const Scalar t11 = qd[2] * c4 + s4 * t3;
+  const Scalar t12 = t11 * t11;
+  const Scalar t13 = t10 + t12;
+  const Scalar t14 = c4 * t3 - qd[2] * s4;
+  const Scalar t15 = t14 * t11;
+  const Scalar t16 = qdd[3] - t6;
   const Scalar t17 = t15 + t16;
-  const Scalar t18 = qd[2] * t13;
-  const Scalar t19 = qdd[0] * c3;
-  const Scalar t20 = t18 + (t18 - t19);
-  const Scalar t21 = t13 * t4;
-  const Scalar t22 = qdd[2] + t21;
-  const Scalar t23 = s4 * t20 - c4 * t22;
-  const Scalar t24 = qd[0] * qd[0];
-  const Scalar t25 = k[5] * qdd[1] - (t24 * t3 + t0);
-  const Scalar t26 = s3 * t25 - k[7] * c3;
-  const Scalar t27 = qd[0] * k[5] * qd[1];
-  const Scalar t28 = (qdd[0] * t3 - t1) + (t27 + t27);
-  const Scalar t29 = t23 + (c4 * t26 - s4 * t28);
-  const Scalar t30 = (k[30] * t12 - k[29] * t17) - k[37] * t29;
-  const Scalar t31 = qd[4] + t6;
-  const Scalar t32 = s5 * t5 - c5 * t14;
-  const Scalar t33 = c4 * t20 + s4 * t22;
-  const Scalar t34 = t33 + Scalar(2) * t14 * t6;
-  const Scalar t35 = c5 * t34 - s5 * t12;
-  const Scalar t36 = Scalar(2) * t31 * t32 + t35;
-  const Scalar t37 = qd[5] - t32;
-  const Scalar t38 = t36 + Scalar(2) * t37 * t31;
-  const Scalar t39 = k[19] * s6 - k[20] * c6;
-  const Scalar t40 = k[19] * c6 + k[20] * s6;
-  const Scalar t41 = s5 * t14 + c5 * t5;
-  const Scalar t42 = t37 * t41;
-  const Scalar t43 = t5 * t14;
-  const Scalar t44 = t23 - t43;
-  const Scalar t45 = qdd[4] - t44;
-  const Scalar t46 = t41 * t32;
-  const Scalar t47 = t45 + t46;
-  const Scalar t48 = t42 + (t42 + t47);
-  const Scalar t49 = t31 * t31;
-  const Scalar t50 = t41 * t41;
-  const Scalar t51 = t49 + t50;
-  const Scalar t52 = t45 - t46;
-  const Scalar t53 = (t38 * t39 - t40 * t48) - (k[8] * t51 + k[23] * t52);
-  const Scalar t54 = s5 * t34 + c5 * t12;
-  const Scalar t55 = qdd[5] + t54;
-  const Scalar t56 = t37 * t37;
-  const Scalar t57 = t49 + t56;
-  const Scalar t58 = t15 - t16;
-  const Scalar t59 = t13 * t13;
-  const Scalar t60 = qd[2] * qd[2];
-  const Scalar t61 = t59 - t60;
-  const Scalar t62 = t24 - t61;
-  const Scalar t63 = t58 + t62;
-  const Scalar t64 = t49 - t50;
-  const Scalar t65 = t63 + t64;
-  const Scalar t66 = (t55 * t39 + t40 * t57) - (k[8] * t47 - k[23] * t65);
-  const Scalar t67 = t30 + (s5 * t53 - c5 * t66);
-  const Scalar t68 = t31 * t41;
-  const Scalar t69 = (t68 - t54) + t68;
-  const Scalar t70 = qdd[5] - t69;
-  const Scalar t71 = ((t56 + t50) * t39 - t70 * t40) + (k[8] * t36 + k[23] * t69);
-  const Scalar t72 = t33 - (c4 * t28 + s4 * t26);
-  const Scalar t73 = t7 - t11;
-  const Scalar t74 = k[37] * t72 - (k[30] * t63 - k[29] * t73);
-  const Scalar t75 = t71 + t74;
-  const Scalar t76 = t8 + t10;
-  const Scalar t77 = (s4 * t67 - c4 * t75) - k[35] * t76;
-  const Scalar t78 = (k[38] * t24 + k[39] * qdd[0]) - k[40] * t28;
-  const Scalar t79 = t43 - t44;
-  const Scalar t80 = (k[26] * t79 + k[28] * t34) + (k[24] * t12 - k[25] * (t17 - t62));
-  const Scalar t81 = k[7] * s3 + c3 * t25;
-  const Scalar t82 = t62 - t81;
-  const Scalar t83 = c5 * t82 + s5 * t29;
-  const Scalar t84 = k[14] * c6 + k[13] * s6;
-  const Scalar t85 = t51 - t57;
-  const Scalar t86 = k[14] * s6 - k[13] * c6;
-  const Scalar t87 = k[16] * s6 - k[15] * c6;
-  const Scalar t88 = c6 * t87;
-  const Scalar t89 = k[21] + t88;
-  const Scalar t90 = k[18] - s6 * t87;
-  const Scalar t91 = (t84 * t85 - t86 * t55) + (t89 * t48 + t38 * t90);
-  const Scalar t92 = s5 * t82 - c5 * t29;
-  const Scalar t93 = k[11] * (t51 - t65) - (k[22] * t52 - k[10] * t47);
-  const Scalar t94 = (k[23] * t83 + k[8] * t92) + (t93 + (k[12] * t54 + k[9] * t35));
-  const Scalar t95 = (t83 * t40 + t91) + t94;
-  const Scalar t96 = t67 + ((t80 + k[29] * t82) + t95);
-  const Scalar t97 = (k[11] * t69 + k[10] * t36) + k[12] * (t51 - t63);
-  const Scalar t98 = k[17] + t88;
-  const Scalar t99 = (t90 * t48 - t38 * t98) - t86 * (t85 + t64);
-  const Scalar t100 = (k[8] * t72 + (t97 + k[9] * t52)) - (t83 * t39 + (t70 * t84 - t99));
-  const Scalar t101 = (k[9] * t64 - k[12] * t47) + (k[11] * t36 - k[22] * t69);
-  const Scalar t102 = t90 * t64 - (t70 * t89 - t55 * t98);
-  const Scalar t103 = ((t86 * t47 + t36 * t84) + t102) + (t92 * t39 + t72 * t40);
-  const Scalar t104 = (k[23] * t72 + t101) + t103;
-  const Scalar t105 = (k[27] * t34 - k[28] * t79) + k[24] * t58;
-  const Scalar t106 = (c5 * t100 - s5 * t104) - ((t105 - k[25] * t73) - k[30] * t82);
-  const Scalar t107 = t106 + t75;
-  const Scalar t108 = qdd[2] - t21;
-  const Scalar t109 = k[33] * t61 - (k[36] * t20 + k[32] * t76);
-  const Scalar t110 = (s4 * t96 - c4 * t107) - (k[34] * t108 - t109);
-  const Scalar t111 = t59 + t60;
-  const Scalar t112 = t62 - t111;
-  const Scalar t113 = (k[33] * t22 + k[34] * (t112 + t61)) - (k[32] * t20 + k[31] * t76);
-  const Scalar t114 = (k[27] * t12 + k[26] * t73) + k[28] * (t17 - t63);
-  const Scalar t115 = ((k[24] * t23 + k[25] * t33) + t114) + (k[30] * t29 + k[29] * t72);
-  const Scalar t116 = t115 + (c5 * t104 + s5 * t100);
-  const Scalar t117 = c3 * t110 - s3 * ((k[35] * t28 + t113) - t116);
-  const Scalar t118 = t3 * (t77 + t78) + ((k[39] * t28 + k[38] * t25) + t117);
-  const Scalar t119 = k[40] * t25 + (k[39] * t24 - k[38] * qdd[0]);
-  const Scalar t120 = k[35] * t111 - (c4 * t67 + s4 * t75);
-  const Scalar t121 = k[37] * t82 + (k[29] * t79 + k[30] * t34);
-  const Scalar t122 = k[35] * t108 + (t121 - (c5 * t53 + s5 * t66));
-  const Scalar t123 = k[5] * (t119 - (s3 * t120 - c3 * t122));
-  const Scalar t124 = (k[31] * t108 + k[36] * t22) + k[32] * t112;
-  const Scalar t125 = k[35] * t81 + ((k[34] * t19 + k[33] * t9) - t124);
+  const Scalar t18 = qdd[0] * c3;
+  const Scalar t19 = Scalar(2) * qd[2] * t8 - t18;
+  const Scalar t20 = t8 * t3;
+  const Scalar t21 = qdd[2] + t20;
+  const Scalar t22 = s4 * t19 - c4 * t21;
+  const Scalar t23 = qd[0] * qd[0];
+  const Scalar t24 = k[0] + q[1];
+  const Scalar t25 = qdd[1] - (t0 + t23 * t24);
+  const Scalar t26 = s3 * t25 - k[3] * c3;
+  const Scalar t27 = Scalar(2) * qd[1] * qd[0] + (qdd[0] * t24 - t1);
+  const Scalar t28 = k[4] * t22 + (c4 * t26 - s4 * t27);
+  const Scalar t29 = (k[6] * t13 - k[5] * t17) + k[34] * t28;
+  const Scalar t30 = s5 * t14 - c5 * t9;
+  const Scalar t31 = qd[5] - t30;
+  const Scalar t32 = t31 * t31;
+  const Scalar t33 = s5 * t9 + c5 * t14;
+  const Scalar t34 = t33 * t33;
+  const Scalar t35 = t32 + t34;
+  const Scalar t36 = qd[4] + t11;
+  const Scalar t37 = t36 * t36;
+  const Scalar t38 = t37 + t32;
+  const Scalar t39 = t35 - t38;
+  const Scalar t40 = t3 * t3;
+  const Scalar t41 = qd[2] * qd[2];
+  const Scalar t42 = t40 + t41;
+  const Scalar t43 = t10 - t12;
+  const Scalar t44 = t42 + t43;
+  const Scalar t45 = t39 - t44;
+  const Scalar t46 = t33 * t30;
+  const Scalar t47 = t14 * t9;
+  const Scalar t48 = t22 - t47;
+  const Scalar t49 = qdd[4] - t48;
+  const Scalar t50 = t46 + t49;
+  const Scalar t51 = k[13] * s6 + k[12] * c6;
+  const Scalar t52 = k[12] * s6 - k[13] * c6;
+  const Scalar t53 = c4 * t19 + s4 * t21;
+  const Scalar t54 = t9 * t11;
+  const Scalar t55 = (t53 + t54) + t54;
+  const Scalar t56 = s5 * t55 + c5 * t17;
+  const Scalar t57 = qdd[5] + t56;
+  const Scalar t58 = (k[27] * t45 + k[20] * t50) - (t51 * t38 + t52 * t57);
+  const Scalar t59 = t37 + t34;
+  const Scalar t60 = t46 - t49;
+  const Scalar t61 = t31 * t33;
+  const Scalar t62 = t61 + (t61 + t50);
+  const Scalar t63 = t31 * t36;
+  const Scalar t64 = c5 * t55 - s5 * t17;
+  const Scalar t65 = t36 * t30;
+  const Scalar t66 = t64 + (t65 + t65);
+  const Scalar t67 = t63 + (t63 + t66);
+  const Scalar t68 = (k[20] * t59 - k[27] * t60) + (t51 * t62 - t67 * t52);
+  const Scalar t69 = t29 - (c5 * t58 - s5 * t68);
+  const Scalar t70 = t36 * t33;
+  const Scalar t71 = t70 + t70;
+  const Scalar t72 = t71 - t56;
+  const Scalar t73 = t71 - t57;
+  const Scalar t74 = (k[20] * t66 + k[27] * t72) + (t35 * t52 + t73 * t51);
+  const Scalar t75 = t15 - t16;
+  const Scalar t76 = k[4] * t53 - (s4 * t26 + c4 * t27);
+  const Scalar t77 = (k[6] * t75 - k[5] * t44) + k[34] * t76;
+  const Scalar t78 = t74 + t77;
+  const Scalar t79 = k[28] * t7 + (s4 * t69 + c4 * t78);
+  const Scalar t80 = k[37] * t27 - (k[36] * qdd[0] + k[35] * t23);
+  const Scalar t81 = k[17] * c6 - k[16] * s6;
+  const Scalar t82 = k[19] + s6 * t81;
+  const Scalar t83 = c6 * t81;
+  const Scalar t84 = k[25] - t83;
+  const Scalar t85 = k[14] * c6 - k[15] * s6;
+  const Scalar t86 = k[14] * s6 + k[15] * c6;
+  const Scalar t87 = (t67 * t82 + t84 * t62) + (t85 * t57 + t86 * (t59 - t38));
+  const Scalar t88 = c3 * t25 + k[3] * s3;
+  const Scalar t89 = t88 - k[4] * t42;
+  const Scalar t90 = c5 * t89 - s5 * t28;
+  const Scalar t91 = s5 * t89 + c5 * t28;
+  const Scalar t92 = t45 + t59;
+  const Scalar t93 = (k[26] * t60 + k[23] * t50) + k[22] * t92;
+  const Scalar t94 = (k[27] * t90 + k[20] * t91) - ((k[21] * t64 + k[24] * t56) + t93);
+  const Scalar t95 = (t87 - t90 * t51) - t94;
+  const Scalar t96 = t42 - t13;
+  const Scalar t97 = t48 - t47;
+  const Scalar t98 = (k[10] * t17 + k[11] * t96) + (k[7] * t55 - k[8] * t97);
+  const Scalar t99 = k[4] * t69 - (t95 - (k[6] * t89 - t98));
+  const Scalar t100 = k[10] * t43 + (k[7] * t97 + k[9] * t55);
+  const Scalar t101 = k[24] * (t39 - t92) - (k[22] * t72 + k[23] * t66);
+  const Scalar t102 = k[18] - t83;
+  const Scalar t103 = (t35 - t59) * t85 - (t82 * t62 - t67 * t102);
+  const Scalar t104 = ((t101 + k[21] * t60) - k[20] * t76) + ((t103 - t86 * t73) - t90 * t52);
+  const Scalar t105 = (k[24] * t50 + k[21] * t39) + (k[26] * t72 - k[22] * t66);
+  const Scalar t106 = (t84 * t73 + t102 * t57) - t39 * t82;
+  const Scalar t107 = (t106 - (t50 * t85 - t66 * t86)) - (t52 * t91 - t76 * t51);
+  const Scalar t108 = (t105 - k[27] * t76) - t107;
+  const Scalar t109 = (k[5] * t89 - (k[11] * t75 - t100)) + (c5 * t104 - s5 * t108);
+  const Scalar t110 = k[4] * t78 - t109;
+  const Scalar t111 = t23 - t42;
+  const Scalar t112 = (k[33] * t19 + k[31] * t7) - k[30] * t111;
+  const Scalar t113 = qdd[2] - t20;
+  const Scalar t114 = (s4 * t99 + c4 * t110) + (t112 + k[29] * t113);
+  const Scalar t115 = t40 - t41;
+  const Scalar t116 = (k[29] * t115 + k[30] * t21) - (k[31] * t19 + k[32] * t7);
+  const Scalar t117 = (k[9] * t17 + k[8] * t75) - k[7] * (t43 + t96);
+  const Scalar t118 = (t117 + (k[11] * t53 + k[10] * t22)) + (k[6] * t76 + k[5] * t28);
+  const Scalar t119 = t118 - (c5 * t108 + s5 * t104);
+  const Scalar t120 = c3 * t114 + s3 * ((t116 + k[28] * t27) - t119);
+  const Scalar t121 = (t79 + t80) * t24 - ((k[36] * t27 + k[35] * t25) - t120);
+  const Scalar t122 = (k[36] * t23 - k[35] * qdd[0]) + k[37] * t25;
+  const Scalar t123 = t111 - t115;
+  const Scalar t124 = k[28] * (t123 + t42) - (s4 * t78 - c4 * t69);
+  const Scalar t125 = (k[5] * t55 - k[6] * t97) - k[34] * t89;
+  const Scalar t126 = (t125 + (s5 * t58 + c5 * t68)) + k[28] * t113;
+  const Scalar t127 = k[31] * t123 - (k[32] * t113 + k[33] * t21);
+  const Scalar t128 = (t127 + (k[29] * t18 + k[30] * t5)) + k[28] * t88;
   JointVector<Scalar> result;
-  result[0] = t2 - t118;
-  result[1] = t123;
-  result[2] = t125 - (s4 * t107 + c4 * t96);
-  result[3] = t116;
+  result[0] = t2 + t121;
+  result[1] = t122 - (s3 * t124 - c3 * t126);
+  result[2] = t128 - (s4 * t110 - c4 * t99);
+  result[3] = t119;
   result[4] = -t95;
-  result[5] = t103;
+  result[5] = t107;
   return result;
 }
 
@@ -288,88 +289,84 @@ InverseDynamicsWithWrenchConstants<Scalar> inverse_dynamics_with_wrench_constant
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c3x * inertia.m3;
-  const Scalar t1 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t2 = inertia.c2x * inertia.m2;
-  const Scalar t3 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t4 = (inertia.c3x * t0 - (inertia.I3xx - t1)) + (inertia.c2x * t2 - (inertia.I2xx - t3));
-  const Scalar t5 = inertia.c1x * inertia.m1;
-  const Scalar t6 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t7 = inertia.c1y * inertia.m1;
-  const Scalar t8 = t7 - g.l2 * inertia.m1;
-  const Scalar t9 = g.l2 * (t8 + t7) - (inertia.c1y * t7 - (inertia.I1yy - t6));
+  const Scalar t0 = inertia.c1y * inertia.m1;
+  const Scalar t1 = t0 - g.l2 * inertia.m1;
+  const Scalar t2 = inertia.c1x * inertia.m1;
+  const Scalar t3 = inertia.c3x * inertia.m3;
+  const Scalar t4 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t5 = inertia.c2x * inertia.m2;
+  const Scalar t6 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t7 = (inertia.c3x * t3 - (inertia.I3xx - t4)) + (inertia.c2x * t5 - (inertia.I2xx - t6));
+  const Scalar t8 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t9 = g.l2 * (t1 + t0) - (inertia.c1y * t0 - (inertia.I1yy - t8));
   const Scalar t10 = inertia.c2y * inertia.m2;
-  const Scalar t11 = (t4 + (inertia.c1x * t5 - (inertia.I1xx - t6))) - (t9 + ((inertia.I2yy - t3) - inertia.c2y * t10));
-  const Scalar t12 = inertia.c3z * inertia.m3;
-  const Scalar t13 = g.d4 * t12;
-  const Scalar t14 = inertia.c6z * inertia.m6;
-  const Scalar t15 = inertia.c6x * inertia.m6;
-  const Scalar t16 = inertia.c6y * inertia.m6;
-  const Scalar t17 = inertia.c5y * inertia.m5;
-  const Scalar t18 = inertia.c5z * inertia.m5;
-  const Scalar t19 = inertia.c4y * inertia.m4;
-  const Scalar t20 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t21 = t19 - g.d4 * t20;
-  const Scalar t22 = inertia.c3y * inertia.m3;
-  const Scalar t23 = g.d4 * inertia.m3 - t22;
-  const Scalar t24 = (t21 - t23) / g.d4;
-  const Scalar t25 = g.d4 * g.d4 * t24;
-  const Scalar t26 = inertia.c4z * inertia.m4;
-  const Scalar t27 = inertia.c4x * inertia.m4;
-  const Scalar t28 = inertia.c5x * inertia.m5;
-  const Scalar t29 = g.d4 * g.d4 * ((inertia.m2 + (inertia.m3 + t20)) + t24);
-  const Scalar t30 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t31 = ((inertia.I4yy - t30) - inertia.c4y * t19) + g.d4 * (t19 + t21);
-  const Scalar t32 = ((inertia.I3yy - t1) - inertia.c3y * t22) - g.d4 * (t23 - t22);
-  const Scalar t33 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t34 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t35 = ((inertia.I6yy - t33) - inertia.c6y * t16) - (inertia.c5y * t17 - (inertia.I5yy - t34));
-  const Scalar t36 = (inertia.I6xx - t33) - inertia.c6x * t15;
-  const Scalar t37 = inertia.c6z * t14 - (inertia.I6zz - t33);
-  const Scalar t38 = inertia.I6xz - inertia.c6z * t15;
-  const Scalar t39 = (inertia.c5x * t28 - (inertia.I5xx - t34)) - ((inertia.I4xx - t30) - inertia.c4x * t27);
-  return { t11,
-           gravity[1] / g.d4,
-           gravity[0] / g.d4,
-           g.d4 * t8,
-           g.d4 * t5,
-           t13,
-           g.d4 * t14,
-           g.d4 * t15,
-           g.d4,
-           g.d4 * (t16 + t17),
-           g.d4 * t18,
-           Scalar(1) / g.d4,
-           g.l2 / g.d4,
-           gravity[2] / g.d4,
+  const Scalar t11 = (t7 + (inertia.c1x * t2 - (inertia.I1xx - t8))) - (t9 + ((inertia.I2yy - t6) - inertia.c2y * t10));
+  const Scalar t12 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t13 = inertia.c4y * inertia.m4;
+  const Scalar t14 = t13 - g.d4 * t12;
+  const Scalar t15 = inertia.c3y * inertia.m3;
+  const Scalar t16 = g.d4 * inertia.m3 - t15;
+  const Scalar t17 = (t14 - t16) / g.d4;
+  const Scalar t18 = inertia.c6y * inertia.m6;
+  const Scalar t19 = inertia.c5y * inertia.m5;
+  const Scalar t20 = inertia.c5z * inertia.m5;
+  const Scalar t21 = inertia.c6z * inertia.m6;
+  const Scalar t22 = inertia.c6x * inertia.m6;
+  const Scalar t23 = inertia.c4x * inertia.m4;
+  const Scalar t24 = inertia.c5x * inertia.m5;
+  const Scalar t25 = inertia.c4z * inertia.m4;
+  const Scalar t26 = inertia.c3z * inertia.m3;
+  const Scalar t27 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t28 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t29 = (inertia.c5x * t24 - (inertia.I5xx - t28)) - ((inertia.I4xx - t27) - inertia.c4x * t23);
+  const Scalar t30 = inertia.I6xz - inertia.c6z * t22;
+  const Scalar t31 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t32 = (inertia.I6xx - t31) - inertia.c6x * t22;
+  const Scalar t33 = inertia.c6z * t21 - (inertia.I6zz - t31);
+  const Scalar t34 = ((inertia.I6yy - t31) - inertia.c6y * t18) - (inertia.c5y * t19 - (inertia.I5yy - t28));
+  const Scalar t35 = ((inertia.I4yy - t27) - inertia.c4y * t13) + g.d4 * (t13 + t14);
+  const Scalar t36 = ((inertia.I3yy - t4) - inertia.c3y * t15) - g.d4 * (t16 - t15);
+  return { gravity[1],
+           gravity[0],
+           t1,
+           t2,
+           t11,
+           g.l2,
+           (inertia.m2 + (inertia.m3 + t12)) + t17,
+           t10,
+           t5 + t3,
+           t18 + t19,
+           t20,
+           t21,
+           t22,
+           t23 + t24,
            t25,
-           g.d4 * t26,
-           g.d4 * (t27 + t28),
-           g.d4 * (t2 + t0),
-           g.d4 * t10,
+           g.d4,
+           gravity[2],
+           t17,
+           t26,
+           (inertia.I3zz - t4) - inertia.c3z * t26,
+           g.d4 * t26 + (inertia.I3yz - inertia.c3z * t15),
+           inertia.I3xz - inertia.c3z * t3,
+           (inertia.I3xy - inertia.c3y * t3) + g.d4 * t3,
+           inertia.I4xy - inertia.c4y * t23,
+           inertia.I4yz - inertia.c4z * t13,
+           (inertia.I4zz - t27) - inertia.c4z * t25,
            t29,
-           inertia.I3xz - inertia.c3z * t0,
-           t13 + (inertia.I3yz - inertia.c3z * t22),
-           (t31 + t32) - t25,
-           (inertia.I3xy - inertia.c3y * t0) + g.d4 * t0,
-           inertia.I4yz - inertia.c4z * t19,
-           inertia.I4xy - inertia.c4y * t27,
-           inertia.I4xz - inertia.c4z * t27,
-           (inertia.I4zz - t30) - inertia.c4z * t26,
-           inertia.I5xy - inertia.c5y * t28,
-           inertia.I5xz - inertia.c5z * t28,
-           t35,
-           inertia.c5z * t18 - (inertia.I5zz - t34),
-           inertia.I5yz - inertia.c5z * t17,
-           t36 + t37,
-           Scalar(2) * t38,
-           t36,
-           t38,
-           inertia.I6xy - inertia.c6y * t15,
-           inertia.I6yz - inertia.c6z * t16,
-           t39,
-           t37,
-           (inertia.I3zz - t1) - inertia.c3z * t12 };
+           inertia.I4xz - inertia.c4z * t23,
+           inertia.I6xy - inertia.c6y * t22,
+           inertia.I6yz - inertia.c6z * t18,
+           Scalar(2) * t30,
+           t32 + t33,
+           t30,
+           t33,
+           inertia.I5xz - inertia.c5z * t24,
+           inertia.I5xy - inertia.c5y * t24,
+           inertia.I5yz - inertia.c5z * t19,
+           t34,
+           t32,
+           inertia.c5z * t20 - (inertia.I5zz - t28),
+           (t35 + t36) - g.d4 * g.d4 * t17 };
 }
 
 namespace detail {
@@ -388,158 +385,158 @@ inline JointVector<Scalar> inverse_dynamics_with_wrench(const JointVector<Scalar
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[2] * s1 - k[1] * c1;
-  const Scalar t1 = k[1] * s1 + k[2] * c1;
-  const Scalar t2 = k[0] * qdd[0] + (k[4] * t0 + k[3] * t1);
-  const Scalar t3 = k[12] + k[11] * q[1];
-  const Scalar t4 = Scalar(2) * qd[0] * k[11] * qd[1] + (qdd[0] * t3 - t1);
-  const Scalar t5 = qd[0] * c3;
-  const Scalar t6 = t5 * t5;
-  const Scalar t7 = qd[0] * s3;
-  const Scalar t8 = t7 * t7;
-  const Scalar t9 = t6 + t8;
-  const Scalar t10 = k[19] * t4 - (k[17] * t9 + k[18] * qdd[0]);
-  const Scalar t11 = qd[2] * t5;
-  const Scalar t12 = qdd[0] * s3;
-  const Scalar t13 = t11 + t12;
-  const Scalar t14 = t11 + t13;
-  const Scalar t15 = c4 * t5 - qd[2] * s4;
-  const Scalar t16 = qd[2] * c4 + s4 * t5;
-  const Scalar t17 = t15 * t16;
-  const Scalar t18 = qdd[3] - t13;
-  const Scalar t19 = t17 - t18;
-  const Scalar t20 = qd[2] * qd[2];
-  const Scalar t21 = t6 + t20;
-  const Scalar t22 = qd[3] - t7;
+  const Scalar t0 = k[0] * s1 + k[1] * c1;
+  const Scalar t1 = k[1] * s1 - k[0] * c1;
+  const Scalar t2 = k[4] * qdd[0] + (k[2] * t0 + k[3] * t1);
+  const Scalar t3 = k[5] + q[1];
+  const Scalar t4 = qd[0] * c3;
+  const Scalar t5 = qd[2] * t4;
+  const Scalar t6 = qdd[0] * s3;
+  const Scalar t7 = t5 + t6;
+  const Scalar t8 = t5 + t7;
+  const Scalar t9 = qd[1] * qd[0];
+  const Scalar t10 = (qdd[0] * t3 - t0) + (t9 + t9);
+  const Scalar t11 = qd[0] * s3;
+  const Scalar t12 = qd[2] * t11;
+  const Scalar t13 = qdd[0] * c3;
+  const Scalar t14 = t12 + (t12 - t13);
+  const Scalar t15 = t10 - k[15] * t14;
+  const Scalar t16 = t11 * t4;
+  const Scalar t17 = qdd[2] + t16;
+  const Scalar t18 = qd[0] * qd[0];
+  const Scalar t19 = qdd[1] - (t1 + t3 * t18);
+  const Scalar t20 = k[15] * t17 - (s3 * t19 - k[16] * c3);
+  const Scalar t21 = s4 * t15 + c4 * t20;
+  const Scalar t22 = qd[3] - t11;
   const Scalar t23 = t22 * t22;
-  const Scalar t24 = t16 * t16;
-  const Scalar t25 = t23 - t24;
-  const Scalar t26 = t21 + t25;
-  const Scalar t27 = qdd[0] * c3;
-  const Scalar t28 = qd[2] * t7;
-  const Scalar t29 = t27 - (t28 + t28);
-  const Scalar t30 = t29 + t4;
-  const Scalar t31 = t7 * t5;
-  const Scalar t32 = qdd[2] + t31;
-  const Scalar t33 = k[11] * qdd[1] - (t3 * t9 + t0);
-  const Scalar t34 = t32 + (k[13] * c3 - s3 * t33);
-  const Scalar t35 = c4 * t30 - s4 * t34;
-  const Scalar t36 = (k[15] * t19 - k[16] * t26) - k[14] * t35;
-  const Scalar t37 = wrench[0] * s1 - wrench[1] * c1;
-  const Scalar t38 = wrench[2] * c3 + s3 * t37;
-  const Scalar t39 = wrench[0] * c1 + wrench[1] * s1;
-  const Scalar t40 = t22 * t16;
-  const Scalar t41 = c4 * t29 - s4 * t32;
-  const Scalar t42 = (t40 + t40) - t41;
-  const Scalar t43 = t17 + t18;
-  const Scalar t44 = s5 * t42 + c5 * t43;
-  const Scalar t45 = qdd[5] + t44;
-  const Scalar t46 = qd[4] + t16;
-  const Scalar t47 = s5 * t22 + c5 * t15;
-  const Scalar t48 = t46 * t47;
-  const Scalar t49 = (t45 - t48) - t48;
-  const Scalar t50 = k[6] * c6 + k[7] * s6;
-  const Scalar t51 = t46 * t46;
-  const Scalar t52 = s5 * t15 - c5 * t22;
-  const Scalar t53 = qd[5] - t52;
-  const Scalar t54 = t53 * t53;
-  const Scalar t55 = t51 - t54;
-  const Scalar t56 = t52 * t52;
-  const Scalar t57 = t51 - t56;
-  const Scalar t58 = t26 + t57;
-  const Scalar t59 = t55 - t58;
-  const Scalar t60 = k[7] * c6 - k[6] * s6;
-  const Scalar t61 = k[8] * (s4 * t38 + c4 * t39) + (t49 * t50 - t59 * t60);
-  const Scalar t62 = c5 * t42 - s5 * t43;
-  const Scalar t63 = t62 + Scalar(2) * t46 * t52;
-  const Scalar t64 = qdd[5] - t49;
-  const Scalar t65 = t36 - (t61 - (k[9] * t63 + k[10] * t64));
-  const Scalar t66 = t47 * t52;
-  const Scalar t67 = s4 * t29 + c4 * t32;
-  const Scalar t68 = t15 * t22;
-  const Scalar t69 = t67 + t68;
-  const Scalar t70 = qdd[4] + t69;
-  const Scalar t71 = t66 - t70;
-  const Scalar t72 = t63 + Scalar(2) * t53 * t46;
-  const Scalar t73 = t53 * t47;
-  const Scalar t74 = t66 + t70;
-  const Scalar t75 = (t73 + t74) + t73;
-  const Scalar t76 = s4 * t39 - c4 * t38;
-  const Scalar t77 = c3 * t37 - wrench[2] * s3;
-  const Scalar t78 = (t72 * t60 + t75 * t50) - k[8] * (s5 * t76 + c5 * t77);
-  const Scalar t79 = (k[9] * t58 - k[10] * t71) + t78;
-  const Scalar t80 = t51 + t56;
-  const Scalar t81 = t51 + t54;
-  const Scalar t82 = k[8] * (c5 * t76 - s5 * t77) - (t81 * t50 - t45 * t60);
-  const Scalar t83 = (k[9] * t74 - k[10] * t80) + t82;
-  const Scalar t84 = c4 * t34 + s4 * t30;
-  const Scalar t85 = t23 + t24;
-  const Scalar t86 = k[14] * t84 + (k[16] * t43 - k[15] * t85);
-  const Scalar t87 = (s5 * t79 - c5 * t83) - t86;
-  const Scalar t88 = c4 * t65 + s4 * t87;
-  const Scalar t89 = wrench[3] * s1 - wrench[4] * c1;
-  const Scalar t90 = wrench[5] * s3 - c3 * t89;
-  const Scalar t91 = s3 * t89 + wrench[5] * c3;
-  const Scalar t92 = wrench[3] * c1 + wrench[4] * s1;
-  const Scalar t93 = c4 * t91 - s4 * t92;
-  const Scalar t94 = c3 * t33 + k[13] * s3;
-  const Scalar t95 = t21 - t94;
-  const Scalar t96 = c5 * t95 - s5 * t84;
-  const Scalar t97 = k[37] * c6 - k[38] * s6;
-  const Scalar t98 = k[34] * s6 - k[33] * c6;
-  const Scalar t99 = k[36] - s6 * t98;
+  const Scalar t24 = c4 * t4 - qd[2] * s4;
+  const Scalar t25 = t24 * t24;
+  const Scalar t26 = t23 + t25;
+  const Scalar t27 = t23 - t25;
+  const Scalar t28 = t4 * t4;
+  const Scalar t29 = qd[2] * qd[2];
+  const Scalar t30 = t28 + t29;
+  const Scalar t31 = t30 - t26;
+  const Scalar t32 = t27 + t31;
+  const Scalar t33 = qd[2] * c4 + s4 * t4;
+  const Scalar t34 = t24 * t33;
+  const Scalar t35 = qdd[3] - t7;
+  const Scalar t36 = t34 + t35;
+  const Scalar t37 = k[17] * t21 - (k[14] * (t26 + t32) - k[13] * t36);
+  const Scalar t38 = k[12] * c6 - k[11] * s6;
+  const Scalar t39 = t22 * t33;
+  const Scalar t40 = c4 * t14 + s4 * t17;
+  const Scalar t41 = t39 + (t40 + t39);
+  const Scalar t42 = s5 * t41 + c5 * t36;
+  const Scalar t43 = qdd[5] + t42;
+  const Scalar t44 = qd[4] + t33;
+  const Scalar t45 = t44 * t44;
+  const Scalar t46 = s5 * t24 - c5 * t22;
+  const Scalar t47 = qd[5] - t46;
+  const Scalar t48 = t45 + t47 * t47;
+  const Scalar t49 = k[12] * s6 + k[11] * c6;
+  const Scalar t50 = wrench[0] * c1 + wrench[1] * s1;
+  const Scalar t51 = wrench[0] * s1 - wrench[1] * c1;
+  const Scalar t52 = wrench[2] * c3 + s3 * t51;
+  const Scalar t53 = s4 * t50 - c4 * t52;
+  const Scalar t54 = c3 * t51 - wrench[2] * s3;
+  const Scalar t55 = (t38 * t43 - t48 * t49) + (c5 * t53 - s5 * t54);
+  const Scalar t56 = t46 * t46;
+  const Scalar t57 = t45 + t56;
+  const Scalar t58 = s4 * t14 - c4 * t17;
+  const Scalar t59 = t24 * t22;
+  const Scalar t60 = t58 - t59;
+  const Scalar t61 = qdd[4] - t60;
+  const Scalar t62 = s5 * t22 + c5 * t24;
+  const Scalar t63 = t62 * t46;
+  const Scalar t64 = t61 + t63;
+  const Scalar t65 = t55 - (k[10] * t57 - k[9] * t64);
+  const Scalar t66 = t45 - t56;
+  const Scalar t67 = t66 + t26;
+  const Scalar t68 = t61 - t63;
+  const Scalar t69 = Scalar(2) * t47 * t62 + t64;
+  const Scalar t70 = t47 * t44;
+  const Scalar t71 = c5 * t41 - s5 * t36;
+  const Scalar t72 = Scalar(2) * t44 * t46 + t71;
+  const Scalar t73 = t70 + (t70 + t72);
+  const Scalar t74 = (s5 * t53 + c5 * t54) - (t49 * t69 + t38 * t73);
+  const Scalar t75 = (k[9] * t67 + k[10] * t68) - t74;
+  const Scalar t76 = t37 + (c5 * t65 - s5 * t75);
+  const Scalar t77 = c4 * t15 - s4 * t20;
+  const Scalar t78 = t34 - t35;
+  const Scalar t79 = k[17] * t77 + (k[13] * t26 - k[14] * t78);
+  const Scalar t80 = t44 * t62;
+  const Scalar t81 = t80 + t80;
+  const Scalar t82 = t43 - t81;
+  const Scalar t83 = t26 - t57;
+  const Scalar t84 = t83 + t48;
+  const Scalar t85 = (t82 * t49 + t38 * t84) + (s4 * t52 + c4 * t50);
+  const Scalar t86 = t42 - t81;
+  const Scalar t87 = t79 + (t85 + (k[10] * t86 - k[9] * t72));
+  const Scalar t88 = k[18] * t8 - (s4 * t76 + c4 * t87);
+  const Scalar t89 = (k[7] * qdd[0] + k[8] * t18) - k[6] * t10;
+  const Scalar t90 = (k[34] * t83 + k[35] * t64) - (k[36] * t72 + k[39] * t86);
+  const Scalar t91 = wrench[3] * s1 - wrench[4] * c1;
+  const Scalar t92 = wrench[5] * s3 - c3 * t91;
+  const Scalar t93 = s3 * t91 + wrench[5] * c3;
+  const Scalar t94 = wrench[3] * c1 + wrench[4] * s1;
+  const Scalar t95 = c4 * t93 - s4 * t94;
+  const Scalar t96 = k[28] * c6 - k[29] * s6;
+  const Scalar t97 = k[29] * c6 + k[28] * s6;
+  const Scalar t98 = k[30] * s6 - k[31] * c6;
+  const Scalar t99 = k[32] - s6 * t98;
   const Scalar t100 = c6 * t98;
-  const Scalar t101 = k[40] + t100;
-  const Scalar t102 = t97 * t55 + (t75 * t99 - t72 * t101);
-  const Scalar t103 = k[38] * c6 + k[37] * s6;
-  const Scalar t104 = (s5 * t90 - c5 * t93) + (t96 * t60 + (t102 - t49 * t103));
-  const Scalar t105 = (k[32] * t64 + k[30] * t63) + k[28] * t57;
-  const Scalar t106 = t104 - ((k[29] * t71 - t105) + k[9] * t35);
-  const Scalar t107 = k[35] + t100;
-  const Scalar t108 = t59 + t81;
-  const Scalar t109 = (t49 * t107 - t45 * t101) - t108 * t99;
-  const Scalar t110 = c5 * t84 + s5 * t95;
-  const Scalar t111 = ((t97 * t74 - t63 * t103) + t109) + (t60 * t110 + t35 * t50);
-  const Scalar t112 = (c5 * t90 + s5 * t93) - t111;
-  const Scalar t113 = (k[28] * t74 - k[29] * t108) - (k[32] * t63 - k[31] * t64);
-  const Scalar t114 = t112 - (t113 + k[10] * t35);
-  const Scalar t115 = t69 + t68;
-  const Scalar t116 = (k[39] * t42 - k[26] * t115) + k[25] * t25;
-  const Scalar t117 = (c5 * t106 - s5 * t114) - ((t116 - k[24] * t19) - k[16] * t95);
-  const Scalar t118 = (k[27] * t115 + k[26] * t42) + (k[24] * (t21 - t85) + k[25] * t43);
-  const Scalar t119 = k[32] * (t58 - t80) + (k[31] * t71 + k[30] * t74);
-  const Scalar t120 = (k[10] * t96 + k[9] * t110) + (t119 + (k[28] * t44 + k[29] * t62));
-  const Scalar t121 = (t75 * t107 + t72 * t99) + ((t58 - t81) * t103 + t45 * t97);
-  const Scalar t122 = (t121 + t96 * t50) + (c4 * t92 + s4 * t91);
-  const Scalar t123 = t120 + t122;
-  const Scalar t124 = (k[15] * t95 + t118) + t123;
-  const Scalar t125 = t8 - t20;
-  const Scalar t126 = (k[21] * t14 - k[22] * t29) - k[23] * t125;
-  const Scalar t127 = qdd[2] - t31;
-  const Scalar t128 = (t88 + (c4 * t117 - s4 * t124)) + (t126 + k[20] * t127);
-  const Scalar t129 = k[26] * (t26 - t85) - (k[39] * t43 + k[27] * t19);
-  const Scalar t130 = (k[15] * t35 + k[16] * t84) + (t129 + (k[24] * t41 + k[25] * t67));
-  const Scalar t131 = (c5 * t114 + s5 * t106) - t130;
-  const Scalar t132 = t6 - t8;
-  const Scalar t133 = t132 + t125;
-  const Scalar t134 = (k[21] * t29 - k[41] * t14) + (k[20] * t133 + k[23] * t32);
-  const Scalar t135 = c3 * t128 - s3 * (t131 - (k[5] * t4 + t134));
-  const Scalar t136 = (t10 + (k[5] * t14 + t88)) * t3 + (t135 - (k[18] * t4 + k[17] * t33));
-  const Scalar t137 = k[14] * t95 + (k[15] * t115 + k[16] * t42);
-  const Scalar t138 = ((s5 * t83 + c5 * t79) + t137) + k[5] * t127;
-  const Scalar t139 = s4 * t65 - c4 * t87;
-  const Scalar t140 = c3 * t138 + s3 * (t139 + k[5] * (t133 - t9));
-  const Scalar t141 = (k[18] * t9 - k[17] * qdd[0]) + k[19] * t33;
-  const Scalar t142 = (k[22] * t32 + k[41] * t127) + k[21] * t132;
-  const Scalar t143 = ((k[23] * t12 + k[20] * t27) - t142) + k[5] * t94;
-  const Scalar t144 = t143 - (t139 + (c4 * t124 + s4 * t117));
+  const Scalar t101 = k[38] + t100;
+  const Scalar t102 = k[33] + t100;
+  const Scalar t103 = t83 * t99 + (t82 * t101 - t43 * t102);
+  const Scalar t104 = k[16] * s3 + c3 * t19;
+  const Scalar t105 = k[15] * t30 - t104;
+  const Scalar t106 = s5 * t105 + c5 * t21;
+  const Scalar t107 = ((t96 * t64 - t72 * t97) + t103) + (t38 * t106 + t77 * t49);
+  const Scalar t108 = (c5 * t92 + s5 * t95) - t107;
+  const Scalar t109 = (k[10] * t77 + t90) - t108;
+  const Scalar t110 = (k[37] * t72 - k[36] * t86) + k[35] * t66;
+  const Scalar t111 = t67 - t84;
+  const Scalar t112 = (t73 * t102 - t99 * t69) - t96 * t111;
+  const Scalar t113 = s5 * t21 - c5 * t105;
+  const Scalar t114 = ((t82 * t97 + t112) + t38 * t113) - (s5 * t92 - c5 * t95);
+  const Scalar t115 = (k[9] * t77 - (k[34] * t68 + t110)) + t114;
+  const Scalar t116 = (k[26] * t36 + k[25] * t78) + k[27] * t32;
+  const Scalar t117 = (k[13] * t21 + k[14] * t77) - ((k[23] * t58 + k[24] * t40) + t116);
+  const Scalar t118 = (c5 * t109 + s5 * t115) + t117;
+  const Scalar t119 = t28 - t29;
+  const Scalar t120 = (k[20] * t14 + k[19] * t8) - (k[22] * t17 + k[21] * t119);
+  const Scalar t121 = qdd[2] - t16;
+  const Scalar t122 = t18 - t119;
+  const Scalar t123 = t30 - t122;
+  const Scalar t124 = k[22] * (t123 - t119) + (k[20] * t8 + k[40] * t14);
+  const Scalar t125 = t59 - t60;
+  const Scalar t126 = (k[27] * t41 + k[25] * t125) - (k[24] * t27 - k[23] * t36);
+  const Scalar t127 = (k[37] * t64 - k[39] * t68) + k[36] * (t67 - t57);
+  const Scalar t128 = ((k[34] * t71 + k[35] * t42) + t127) - (k[10] * t113 - k[9] * t106);
+  const Scalar t129 = (t99 * t73 + t101 * t69) + (t43 * t96 + (t83 + t111) * t97);
+  const Scalar t130 = (t113 * t49 - t129) - (c4 * t94 + s4 * t93);
+  const Scalar t131 = t128 - t130;
+  const Scalar t132 = k[15] * t76 + ((t126 + k[14] * t105) + t131);
+  const Scalar t133 = k[23] * t31 + (k[27] * t125 - k[26] * t41);
+  const Scalar t134 = (s5 * t109 - c5 * t115) + (k[13] * t105 + (t133 + k[24] * t78));
+  const Scalar t135 = t134 - k[15] * t87;
+  const Scalar t136 = (k[21] * t121 + t124) - (s4 * t132 - c4 * t135);
+  const Scalar t137 = s3 * (t118 + (k[18] * t10 - t120)) + c3 * t136;
+  const Scalar t138 = t3 * (t88 - t89) + (t137 - (k[7] * t10 + k[8] * t19));
+  const Scalar t139 = (c4 * t76 - s4 * t87) - k[18] * t122;
+  const Scalar t140 = (k[14] * t125 + k[13] * t41) + k[17] * t105;
+  const Scalar t141 = ((s5 * t65 + c5 * t75) + t140) + k[18] * t121;
+  const Scalar t142 = k[6] * t19 + (k[7] * t18 - k[8] * qdd[0]);
+  const Scalar t143 = (k[19] * t121 + k[40] * t17) + k[20] * t123;
+  const Scalar t144 = (t143 - (k[22] * t6 + k[21] * t13)) - k[18] * t104;
   JointVector<Scalar> result;
-  result[0] = t2 + t136;
-  result[1] = k[11] * (t140 + t141);
-  result[2] = t144;
-  result[3] = t131;
-  result[4] = -t123;
-  result[5] = t112;
+  result[0] = t2 + t138;
+  result[1] = (s3 * t139 + c3 * t141) + t142;
+  result[2] = -t144 - (c4 * t132 + s4 * t135);
+  result[3] = -t118;
+  result[4] = -t131;
+  result[5] = t108;
   return result;
 }
 
@@ -573,21 +570,21 @@ GravityTorqueWithGravityVectorConstants<Scalar> gravity_torque_with_gravity_vect
   const Scalar t1 = (inertia.c4y * inertia.m4 - g.d4 * t0) - (g.d4 * inertia.m3 - inertia.c3y * inertia.m3);
   return { gravity[1],
            gravity[0],
-           inertia.m2 + (inertia.m3 + t0),
-           g.l2,
-           t1,
-           gravity[2],
-           inertia.c6y * inertia.m6 + inertia.c5y * inertia.m5,
-           inertia.c5z * inertia.m5,
-           inertia.c6x * inertia.m6,
-           inertia.c6z * inertia.m6,
-           inertia.c4z * inertia.m4,
-           inertia.c4x * inertia.m4 + inertia.c5x * inertia.m5,
-           inertia.c3z * inertia.m3,
+           inertia.c1y * inertia.m1 - g.l2 * inertia.m1,
+           inertia.c1x * inertia.m1,
            inertia.c2x * inertia.m2 + inertia.c3x * inertia.m3,
            inertia.c2y * inertia.m2,
-           inertia.c1y * inertia.m1 - g.l2 * inertia.m1,
-           inertia.c1x * inertia.m1 };
+           t1,
+           gravity[2],
+           inertia.c4x * inertia.m4 + inertia.c5x * inertia.m5,
+           inertia.c6z * inertia.m6,
+           inertia.c6x * inertia.m6,
+           inertia.c5z * inertia.m5,
+           inertia.c6y * inertia.m6 + inertia.c5y * inertia.m5,
+           inertia.c4z * inertia.m4,
+           inertia.c3z * inertia.m3,
+           inertia.m2 + (inertia.m3 + t0),
+           g.l2 };
 }
 
 namespace detail {
@@ -607,32 +604,32 @@ inline JointVector<Scalar> gravity_torque_with_gravity_vector(const JointVector<
   const Scalar& c6 = angles.cosine[4];
   const Scalar t0 = k[0] * s1 + k[1] * c1;
   const Scalar t1 = k[1] * s1 - k[0] * c1;
-  const Scalar t2 = c3 * t1 - k[5] * s3;
-  const Scalar t3 = s3 * t1 + k[5] * c3;
-  const Scalar t4 = c4 * t3 - s4 * t0;
-  const Scalar t5 = s5 * t4 - c5 * t2;
-  const Scalar t6 = k[9] * c6 + k[8] * s6;
-  const Scalar t7 = c5 * t4 + s5 * t2;
-  const Scalar t8 = t5 * t6 - (k[6] * t7 - k[7] * t5);
-  const Scalar t9 = k[10] * t2 - t8;
-  const Scalar t10 = c4 * t0 + s4 * t3;
-  const Scalar t11 = k[8] * c6 - k[9] * s6;
-  const Scalar t12 = k[6] * t10 - t5 * t11;
-  const Scalar t13 = t10 * t6 - t7 * t11;
-  const Scalar t14 = t13 + k[7] * t10;
-  const Scalar t15 = (c5 * t12 - s5 * t14) + k[11] * t2;
-  const Scalar t16 = k[4] * t0 - (s4 * t9 - c4 * t15);
-  const Scalar t17 = (c5 * t14 + s5 * t12) + (k[10] * t10 - k[11] * t4);
-  const Scalar t18 = c3 * t16 - s3 * (k[12] * t0 + t17);
-  const Scalar t19 = (k[3] + q[1]) * k[2] * t0 - ((k[13] * t1 + k[14] * t0) + t18);
-  const Scalar t20 = (s4 * t15 + c4 * t9) + (k[12] * t2 + k[4] * t3);
+  const Scalar t2 = k[7] * s3 - c3 * t1;
+  const Scalar t3 = s3 * t1 + k[7] * c3;
+  const Scalar t4 = s4 * t0 - c4 * t3;
+  const Scalar t5 = c5 * t2 - s5 * t4;
+  const Scalar t6 = k[10] * c6 - k[9] * s6;
+  const Scalar t7 = s4 * t3 + c4 * t0;
+  const Scalar t8 = t5 * t6 - k[12] * t7;
+  const Scalar t9 = k[9] * c6 + k[10] * s6;
+  const Scalar t10 = c5 * t4 + s5 * t2;
+  const Scalar t11 = t7 * t9 + t6 * t10;
+  const Scalar t12 = t11 + k[11] * t7;
+  const Scalar t13 = (s5 * t8 - c5 * t12) - (k[8] * t4 + k[13] * t7);
+  const Scalar t14 = (s5 * t12 + c5 * t8) + k[8] * t2;
+  const Scalar t15 = (k[11] * t5 + k[12] * t10) + t5 * t9;
+  const Scalar t16 = t15 + k[13] * t2;
+  const Scalar t17 = k[6] * t0 - (c4 * t14 - s4 * t16);
+  const Scalar t18 = s3 * (t13 - k[14] * t0) + c3 * t17;
+  const Scalar t19 = k[15] * t0 * (k[16] + q[1]) - (t18 + (k[5] * t0 + k[4] * t1));
+  const Scalar t20 = (k[6] * t3 - k[14] * t2) - (c4 * t16 + s4 * t14);
   JointVector<Scalar> result;
-  result[0] = (k[15] * t0 + k[16] * t1) - t19;
-  result[1] = -k[2] * t1;
+  result[0] = (k[2] * t0 + k[3] * t1) - t19;
+  result[1] = -k[15] * t1;
   result[2] = -t20;
-  result[3] = t17;
-  result[4] = t8;
-  result[5] = t13;
+  result[3] = -t13;
+  result[4] = t15;
+  result[5] = t11;
   return result;
 }
 
@@ -659,102 +656,97 @@ ForwardDynamicsWithGravityVectorConstants<Scalar> forward_dynamics_with_gravity_
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6x * inertia.m6;
-  const Scalar t1 = inertia.c6y * inertia.m6;
-  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t0;
-  const Scalar t4 = inertia.c6z * inertia.m6;
-  const Scalar t5 = inertia.c6z * t4 - (inertia.I6zz - t2);
-  const Scalar t6 = t3 - t5;
-  const Scalar t7 = Scalar(1) / t6;
-  const Scalar t8 = inertia.c5x * inertia.m5;
-  const Scalar t9 = inertia.I6xz - inertia.c6z * t0;
-  const Scalar t10 = inertia.c4x * inertia.m4;
-  const Scalar t11 = inertia.c5z * inertia.m5;
-  const Scalar t12 = inertia.c5y * inertia.m5;
-  const Scalar t13 = inertia.c4z * inertia.m4;
-  const Scalar t14 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t15 = ((inertia.I6yy - t2) - inertia.c6y * t1) - (inertia.c5y * t12 - (inertia.I5yy - t14));
-  const Scalar t16 = inertia.c4y * inertia.m4;
-  const Scalar t17 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t18 = (inertia.c5x * t8 - (inertia.I5xx - t14)) - ((inertia.I4xx - t17) - inertia.c4x * t10);
-  const Scalar t19 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t20 = t16 - g.d4 * t19;
-  const Scalar t21 = inertia.c3y * inertia.m3;
-  const Scalar t22 = g.d4 * inertia.m3 - t21;
-  const Scalar t23 = (t20 - t22) / g.d4;
-  const Scalar t24 = g.d4 * g.d4 * t23;
-  const Scalar t25 = ((inertia.I4yy - t17) - inertia.c4y * t16) + g.d4 * (t16 + t20);
-  const Scalar t26 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t27 = ((inertia.I3yy - t26) - inertia.c3y * t21) - g.d4 * (t22 - t21);
-  const Scalar t28 = (t25 + t27) - t24;
-  const Scalar t29 = inertia.c3z * inertia.m3;
-  const Scalar t30 = (inertia.I3zz - t26) - inertia.c3z * t29;
-  const Scalar t31 = Scalar(1) / g.d4;
-  const Scalar t32 = g.d4 * t29;
-  const Scalar t33 = t32 + (inertia.I3yz - inertia.c3z * t21);
-  const Scalar t34 = inertia.c3x * inertia.m3;
-  const Scalar t35 = inertia.c2x * inertia.m2;
+  const Scalar t0 = inertia.c6y * inertia.m6;
+  const Scalar t1 = inertia.c5y * inertia.m5;
+  const Scalar t2 = inertia.c6z * inertia.m6;
+  const Scalar t3 = inertia.c6x * inertia.m6;
+  const Scalar t4 = inertia.c5z * inertia.m5;
+  const Scalar t5 = inertia.I6xz - inertia.c6z * t3;
+  const Scalar t6 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t7 = (inertia.I6xx - t6) - inertia.c6x * t3;
+  const Scalar t8 = inertia.c6z * t2 - (inertia.I6zz - t6);
+  const Scalar t9 = inertia.c5x * inertia.m5;
+  const Scalar t10 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t11 = ((inertia.I6yy - t6) - inertia.c6y * t0) - (inertia.c5y * t1 - (inertia.I5yy - t10));
+  const Scalar t12 = t7 - t8;
+  const Scalar t13 = inertia.c4x * inertia.m4;
+  const Scalar t14 = inertia.c4y * inertia.m4;
+  const Scalar t15 = inertia.c4z * inertia.m4;
+  const Scalar t16 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t17 = (inertia.c5x * t9 - (inertia.I5xx - t10)) - ((inertia.I4xx - t16) - inertia.c4x * t13);
+  const Scalar t18 = inertia.c3x * inertia.m3;
+  const Scalar t19 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t20 = inertia.c3z * inertia.m3;
+  const Scalar t21 = (inertia.I3zz - t19) - inertia.c3z * t20;
+  const Scalar t22 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t23 = t14 - g.d4 * t22;
+  const Scalar t24 = inertia.c3y * inertia.m3;
+  const Scalar t25 = g.d4 * inertia.m3 - t24;
+  const Scalar t26 = (t23 - t25) / g.d4;
+  const Scalar t27 = g.d4 * t26;
+  const Scalar t28 = ((inertia.I4yy - t16) - inertia.c4y * t14) + g.d4 * (t14 + t23);
+  const Scalar t29 = ((inertia.I3yy - t19) - inertia.c3y * t24) - g.d4 * (t25 - t24);
+  const Scalar t30 = (t28 + t29) - g.d4 * t27;
+  const Scalar t31 = inertia.c2x * inertia.m2;
+  const Scalar t32 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t33 = (inertia.c3x * t18 - (inertia.I3xx - t19)) + (inertia.c2x * t31 - (inertia.I2xx - t32));
+  const Scalar t34 = inertia.c1x * inertia.m1;
+  const Scalar t35 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
   const Scalar t36 = inertia.c2y * inertia.m2;
-  const Scalar t37 = g.d4 * g.d4 * ((inertia.m2 + (inertia.m3 + t19)) + t23);
-  const Scalar t38 = inertia.c1y * inertia.m1;
-  const Scalar t39 = t38 - g.l2 * inertia.m1;
-  const Scalar t40 = inertia.c1x * inertia.m1;
-  const Scalar t41 = t37 - t24;
-  const Scalar t42 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t43 = g.l2 * (t39 + t38) - (inertia.c1y * t38 - (inertia.I1yy - t42));
-  const Scalar t44 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t45 = (inertia.c3x * t34 - (inertia.I3xx - t26)) + (inertia.c2x * t35 - (inertia.I2xx - t44));
-  return { inertia.I6xy - inertia.c6y * t0,
-           inertia.I6yz - inertia.c6z * t1,
-           t7,
-           g.d4 * t4,
-           g.d4 * t0,
-           t6,
-           inertia.I5xy - inertia.c5y * t8,
-           t3 + t5,
-           Scalar(2) * t9,
-           t9,
-           inertia.I5xz - inertia.c5z * t8,
-           inertia.I4xy - inertia.c4y * t10,
-           g.d4 * (t10 + t8),
-           g.d4 * t11,
-           g.d4 * (t1 + t12),
-           g.d4 * t13,
-           inertia.I5yz - inertia.c5z * t12,
+  const Scalar t37 = (inertia.m2 + (inertia.m3 + t22)) + t26;
+  const Scalar t38 = g.d4 * t20 + (inertia.I3yz - inertia.c3z * t24);
+  const Scalar t39 = inertia.c1y * inertia.m1;
+  const Scalar t40 = t39 - g.l2 * inertia.m1;
+  const Scalar t41 = g.l2 * (t40 + t39) - (inertia.c1y * t39 - (inertia.I1yy - t35));
+  return { t0 + t1,
+           t2,
+           t3,
+           t4,
+           g.l2,
+           Scalar(2) * t5,
+           t7 + t8,
            t5,
-           inertia.c5z * t11 - (inertia.I5zz - t14),
+           inertia.I5xz - inertia.c5z * t9,
+           inertia.I6yz - inertia.c6z * t0,
+           inertia.I6xy - inertia.c6y * t3,
+           inertia.I5xy - inertia.c5y * t9,
+           g.d4,
+           t7,
+           inertia.c5z * t4 - (inertia.I5zz - t10),
+           inertia.I5yz - inertia.c5z * t1,
+           t11,
+           t12,
+           Scalar(1) / t12,
+           inertia.I4xy - inertia.c4y * t13,
+           inertia.I4yz - inertia.c4z * t14,
+           t13 + t9,
            t15,
-           inertia.I4yz - inertia.c4z * t16,
-           t18,
-           (inertia.I4zz - t17) - inertia.c4z * t13,
-           t24,
-           t28,
-           inertia.I4xz - inertia.c4z * t10,
+           t17,
+           (inertia.I4zz - t16) - inertia.c4z * t15,
+           inertia.I4xz - inertia.c4z * t13,
+           inertia.I3xz - inertia.c3z * t18,
+           (inertia.I3xy - inertia.c3y * t18) + g.d4 * t18,
+           t21,
+           t27,
            t30,
-           gravity[2] / g.d4,
-           t31,
-           g.l2 / g.d4,
-           gravity[0] / g.d4,
-           gravity[1] / g.d4,
-           t30 - t28,
-           t33,
-           t32,
-           inertia.I3xz - inertia.c3z * t34,
-           (inertia.I3xy - inertia.c3y * t34) + g.d4 * t34,
-           g.d4 * (t35 + t34),
-           g.d4 * t36,
-           Scalar(2) * t30,
-           Scalar(2) * t33,
+           t33 + (inertia.c1x * t34 - (inertia.I1xx - t35)),
+           t20,
+           t36,
+           t37 - t26,
+           t38,
+           t41 + ((inertia.I2yy - t32) - inertia.c2y * t36),
+           t31 + t18,
+           gravity[0],
+           gravity[1],
+           gravity[2],
+           t21 - t30,
+           t26,
            t37,
-           Scalar(2) * t32,
-           g.d4 * t39,
-           g.d4 * t40,
-           t7 * t31,
-           t41 * t31 * t31,
-           t41,
-           t43 + ((inertia.I2yy - t44) - inertia.c2y * t36),
-           t45 + (inertia.c1x * t40 - (inertia.I1xx - t42)) };
+           t40,
+           t34,
+           Scalar(2) * t20,
+           Scalar(2) * t21,
+           Scalar(2) * t38 };
 }
 
 namespace detail {
@@ -773,233 +765,233 @@ inline JointVector<Scalar> forward_dynamics_with_gravity_vector(const JointVecto
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[3] * c6 + k[4] * s6;
-  const Scalar t1 = k[13] + t0;
-  const Scalar t2 = s5 * t1 - k[14] * c5;
-  const Scalar t3 = k[23] - t2;
-  const Scalar t4 = k[0] * s6 + k[1] * c6;
-  const Scalar t5 = k[16] + t4;
-  const Scalar t6 = c5 * t5;
-  const Scalar t7 = k[7] * c6 - k[8] * s6;
-  const Scalar t8 = k[17] - c6 * t7;
-  const Scalar t9 = k[5] + t8;
-  const Scalar t10 = k[18] - t9;
-  const Scalar t11 = (t6 + t6) + s5 * (k[19] + t10);
-  const Scalar t12 = k[19] - s5 * t11;
-  const Scalar t13 = k[24] + ((t3 - t2) + t12);
-  const Scalar t14 = k[21] + t8;
-  const Scalar t15 = k[19] - t10;
-  const Scalar t16 = k[22] + (t15 - t12);
-  const Scalar t17 = k[0] * c6 - k[1] * s6;
-  const Scalar t18 = k[6] + t17;
-  const Scalar t19 = k[9] + s6 * t7;
-  const Scalar t20 = k[10] + t19;
-  const Scalar t21 = s5 * t18 + c5 * t20;
-  const Scalar t22 = k[25] + t21;
-  const Scalar t23 = s4 * (t14 + t16) - Scalar(2) * c4 * t22;
-  const Scalar t24 = s4 * t23 - t16;
-  const Scalar t25 = k[26] - t24;
-  const Scalar t26 = k[4] * c6 - k[3] * s6;
-  const Scalar t27 = k[12] + t26;
-  const Scalar t28 = c5 * t18 - s5 * t20;
-  const Scalar t29 = t27 + (k[11] + t28);
-  const Scalar t30 = c5 * t1 + k[14] * s5;
-  const Scalar t31 = k[15] + t30;
-  const Scalar t32 = (k[20] - (t5 - c5 * t11)) + t31;
-  const Scalar t33 = s4 * t29 + c4 * t32;
-  const Scalar t34 = s3 * (t13 - t25) + Scalar(2) * c3 * (k[33] + t33);
-  const Scalar t35 = k[29] + k[28] * q[1];
-  const Scalar t36 = c4 * t31 + s4 * t27;
-  const Scalar t37 = k[34] + t36;
-  const Scalar t38 = k[38] + (c3 * t3 - s3 * t37);
-  const Scalar t39 = (t13 - s3 * t34) - t35 * ((k[47] * t35 - t38) - t38);
-  const Scalar t40 = t14 - t16;
-  const Scalar t41 = c5 * t26;
-  const Scalar t42 = t17 + t41;
-  const Scalar t43 = (k[5] * s5 - c5 * t4) - t0;
-  const Scalar t44 = c5 + k[2] * s5 * t4;
-  const Scalar t45 = k[5] * t44;
-  const Scalar t46 = c3 * (s4 * t42 - c4 * t43) - s3 * t45;
-  const Scalar t47 = (s4 * t41 + c4 * t0) * t35 + t46;
-  const Scalar t48 = k[2] * t47;
-  const Scalar t49 = ((k[48] + t39) - (k[49] - (t24 - t40))) - t48 * t47;
-  const Scalar t50 = k[2] * t17;
-  const Scalar t51 = Scalar(1) / (t15 - t50 * t17);
-  const Scalar t52 = t15 - t2;
-  const Scalar t53 = c3 * (s4 * t52 - c4 * t21) - s3 * t28;
-  const Scalar t54 = t48 * t17 + (t35 * s4 * t2 - t53);
-  const Scalar t55 = t51 * t54;
-  const Scalar t56 = t50 * t45 - t28;
-  const Scalar t57 = t56 * t51;
-  const Scalar t58 = t36 * t35 + (s3 * t40 + c3 * t33);
-  const Scalar t59 = t57 * t54 + (t47 * t44 - t58);
-  const Scalar t60 = Scalar(1) / ((t40 + t44 * t45) + t56 * t57);
-  const Scalar t61 = t60 * t59;
-  const Scalar t62 = s4 * t32 - c4 * t29;
-  const Scalar t63 = s3 * (k[36] - t62) + c3 * (k[35] - (t22 + c4 * t23));
-  const Scalar t64 = s4 * t43 + c4 * t42;
-  const Scalar t65 = k[2] * t64;
-  const Scalar t66 = (c4 * t52 + s4 * t21) - t65 * t17;
-  const Scalar t67 = t66 * t51;
-  const Scalar t68 = t66 * t57 - (t44 * t64 + t62);
-  const Scalar t69 = ((t63 + t47 * t65) - t67 * t54) + t68 * t61;
-  const Scalar t70 = t60 * t68;
-  const Scalar t71 = t66 * t67 + (t65 * t64 - (t13 + t25));
-  const Scalar t72 = Scalar(1) / (t70 * t68 - t71);
-  const Scalar t73 = t69 * t72;
-  const Scalar t74 = ((t49 - t55 * t54) + t59 * t61) - t69 * t73;
-  const Scalar t75 = c3 * s5 * t26 + s3 * (c4 * t41 - s4 * t0);
-  const Scalar t76 = k[45] * t75;
-  const Scalar t77 = c4 * t27 - s4 * t31;
-  const Scalar t78 = k[28] * (s3 * c4 * t2 - c3 * t30);
-  const Scalar t79 = k[28] * t75;
-  const Scalar t80 = t78 + t79 * t50;
-  const Scalar t81 = (t76 * t45 - k[28] * s3 * t77) + t80 * t57;
-  const Scalar t82 = k[28] * (s3 * t3 + c3 * t37) - t79 * t65;
-  const Scalar t83 = t80 * t51;
-  const Scalar t84 = t70 * t81 - (t82 + t66 * t83);
-  const Scalar t85 = t72 * t84;
-  const Scalar t86 = t60 * t81;
-  const Scalar t87 = t86 * t81 - (t80 * t83 + (k[46] + t79 * t76));
-  const Scalar t88 = Scalar(1) / (t85 * t84 - t87);
-  const Scalar t89 = t83 * t54 + (t79 * t48 + k[28] * (k[37] + t77));
-  const Scalar t90 = (t81 * t61 - t89) - t73 * t84;
-  const Scalar t91 = t88 * t90;
-  const Scalar t92 = qd[0] * qd[0];
-  const Scalar t93 = qd[0] * s3;
-  const Scalar t94 = t93 * t93;
-  const Scalar t95 = qd[2] * qd[2];
-  const Scalar t96 = t94 - t95;
-  const Scalar t97 = t92 - t96;
-  const Scalar t98 = k[31] * c1 - k[30] * s1;
-  const Scalar t99 = t98 - t35 * t92;
-  const Scalar t100 = k[27] * s3 + c3 * t99;
-  const Scalar t101 = t97 - t100;
-  const Scalar t102 = qd[0] * k[28] * qd[1];
-  const Scalar t103 = k[30] * c1 + k[31] * s1;
-  const Scalar t104 = (t102 + t102) - t103;
-  const Scalar t105 = qd[2] * t93;
-  const Scalar t106 = t105 + t105;
-  const Scalar t107 = t104 - t106;
-  const Scalar t108 = qd[0] * c3;
-  const Scalar t109 = t93 * t108;
-  const Scalar t110 = t109 + (k[27] * c3 - s3 * t99);
-  const Scalar t111 = s4 * t107 + c4 * t110;
-  const Scalar t112 = c5 * t101 - s5 * t111;
-  const Scalar t113 = s5 * t101 + c5 * t111;
-  const Scalar t114 = s4 * t108;
-  const Scalar t115 = qd[2] * c4 + t114;
-  const Scalar t116 = qd[4] + t115;
-  const Scalar t117 = t116 * t116;
-  const Scalar t118 = qd[3] - t93;
-  const Scalar t119 = c4 * t108 - qd[2] * s4;
-  const Scalar t120 = s5 * t118 + c5 * t119;
-  const Scalar t121 = t120 * t120;
-  const Scalar t122 = t117 + t121;
-  const Scalar t123 = t118 * t118;
-  const Scalar t124 = t115 * t115;
-  const Scalar t125 = t123 - t124;
-  const Scalar t126 = t125 + t97;
-  const Scalar t127 = t122 - t126;
-  const Scalar t128 = t117 - t121;
-  const Scalar t129 = t127 - t128;
-  const Scalar t130 = c4 * t109 - s4 * t106;
-  const Scalar t131 = t119 * t118;
-  const Scalar t132 = t130 + t131;
-  const Scalar t133 = s5 * t119 - c5 * t118;
-  const Scalar t134 = t120 * t133;
-  const Scalar t135 = t132 - t134;
-  const Scalar t136 = t132 + t134;
-  const Scalar t137 = k[16] * t129 - (k[18] * t135 - k[19] * t136);
-  const Scalar t138 = qd[2] * t108;
-  const Scalar t139 = t119 * t115;
-  const Scalar t140 = t138 - t139;
-  const Scalar t141 = t118 * t115;
-  const Scalar t142 = c4 * t106 + t93 * t114;
-  const Scalar t143 = (t141 + t141) + t142;
-  const Scalar t144 = c5 * t140 - s5 * t143;
-  const Scalar t145 = s5 * t140 + c5 * t143;
-  const Scalar t146 = (k[13] * t112 + k[14] * t113) + (t137 - (k[6] * t144 - k[10] * t145));
-  const Scalar t147 = qd[5] - t133;
-  const Scalar t148 = t147 * t147;
-  const Scalar t149 = t117 - t148;
-  const Scalar t150 = t147 * t120;
-  const Scalar t151 = t136 + (t150 + t150);
-  const Scalar t152 = t147 * t116;
-  const Scalar t153 = t116 * t133;
-  const Scalar t154 = t153 + (t153 + t145);
-  const Scalar t155 = t152 + (t152 + t154);
-  const Scalar t156 = (t4 * (t149 - t128) - t144 * t17) + (t151 * t9 + t19 * t155);
-  const Scalar t157 = t146 + (t156 + t0 * t112);
-  const Scalar t158 = Scalar(2) * t116 * t120 + t144;
-  const Scalar t159 = t19 * t128 + (t158 * t9 - t8 * t144);
-  const Scalar t160 = c4 * t107 - s4 * t110;
-  const Scalar t161 = (t159 - (t136 * t17 - t4 * t154)) - (t0 * t160 + t26 * t113);
-  const Scalar t162 = torque[5] - t161;
-  const Scalar t163 = (torque[4] + t157) - t50 * t162;
-  const Scalar t164 = t163 * t51;
-  const Scalar t165 = t94 + t95;
-  const Scalar t166 = k[34] * t100 - (k[33] * (t97 - t165) - k[32] * t109);
-  const Scalar t167 = t138 + t139;
-  const Scalar t168 = k[23] * t160 + (k[12] * t126 - k[15] * t167);
-  const Scalar t169 = t117 + t148;
-  const Scalar t170 = (k[14] * t154 + k[13] * t158) - (t26 * (t169 - t128) - t158 * t0);
-  const Scalar t171 = t168 - t170;
-  const Scalar t172 = (k[6] * t136 - k[10] * t128) + (k[18] * t158 - k[16] * t154);
-  const Scalar t173 = (k[13] * t160 + t172) - t161;
-  const Scalar t174 = k[6] * t127 + (k[19] * t154 + k[16] * t158);
-  const Scalar t175 = (t19 * t151 - t8 * t155) + t149 * t17;
-  const Scalar t176 = ((k[10] * t135 + t174) - k[14] * t160) + ((t158 * t4 + t175) + t26 * t112);
-  const Scalar t177 = t132 + t131;
-  const Scalar t178 = (k[25] * t177 - k[21] * t143) - k[11] * t125;
-  const Scalar t179 = (s5 * t173 + c5 * t176) + ((t178 + k[20] * t167) + k[12] * t101);
-  const Scalar t180 = t171 - t179;
-  const Scalar t181 = t123 + t124;
-  const Scalar t182 = t181 - t126;
-  const Scalar t183 = (k[11] * t140 + k[20] * (t125 + t182)) - (k[22] * t177 + k[25] * t143);
-  const Scalar t184 = (k[12] * t140 + k[15] * t181) - k[23] * t111;
-  const Scalar t185 = (k[13] * t135 + k[14] * t122) + (t151 * t0 + t26 * t155);
-  const Scalar t186 = (k[13] * (t122 - t129) - k[14] * t136) + (t26 * t144 + t0 * t169);
-  const Scalar t187 = t184 + (s5 * t185 + c5 * t186);
-  const Scalar t188 = ((k[15] * t101 - t183) + t157) - t187;
-  const Scalar t189 = torque[2] - (t166 + (s4 * t180 - c4 * t188));
-  const Scalar t190 = k[25] * t182 - (k[21] * t140 - k[22] * t167);
-  const Scalar t191 = (k[12] * t111 + k[15] * t160) + ((k[11] * t130 - k[20] * t142) - t190);
-  const Scalar t192 = t191 + (c5 * t173 - s5 * t176);
-  const Scalar t193 = k[2] * t162;
-  const Scalar t194 = ((torque[3] + t192) - t193 * t45) + t163 * t57;
-  const Scalar t195 = t60 * t194;
-  const Scalar t196 = (t66 * t164 - (t189 - t162 * t65)) - t195 * t68;
-  const Scalar t197 = t196 * t72;
-  const Scalar t198 = (k[35] * (t92 - t165) + k[36] * t109) - (k[33] * t106 + k[39] * t138);
-  const Scalar t199 = k[36] * t96 - (k[24] * t106 + k[40] * t138);
-  const Scalar t200 = (s4 * t188 + c4 * t180) + (k[35] * t109 + t199);
-  const Scalar t201 = s3 * ((t198 + k[34] * t104) + t192) - c3 * t200;
-  const Scalar t202 = (c4 * t171 - s4 * t187) - k[42] * t138;
-  const Scalar t203 = t35 * ((k[41] * t104 - k[37] * t92) - t202);
-  const Scalar t204 = ((k[38] * t104 + k[37] * t99) - t201) - t203;
-  const Scalar t205 = torque[0] - ((k[43] * t103 - k[44] * t98) - t204);
-  const Scalar t206 = (t164 * t54 - (t48 * t162 - t205)) - t194 * t61;
-  const Scalar t207 = (s4 * t171 + c4 * t187) + k[34] * t165;
-  const Scalar t208 = k[23] * t101 + (k[15] * t177 + k[12] * t143);
-  const Scalar t209 = k[34] * t109 - (t208 - (s5 * t186 - c5 * t185));
-  const Scalar t210 = (k[38] * t92 + k[41] * t99) - (s3 * t207 + c3 * t209);
-  const Scalar t211 = ((torque[1] - k[28] * t210) + t162 * t76) - t83 * t163;
-  const Scalar t212 = ((t86 * t194 + t211) + t197 * t84) * t88;
-  const Scalar t213 = Scalar(1) / (t74 + t91 * t90) * ((t69 * t197 - t206) + t90 * t212);
-  const Scalar t214 = t91 * t213 - t212;
-  const Scalar t215 = t85 * t214 + (t73 * t213 + t197);
-  const Scalar t216 = (t86 * t214 + (t213 * t61 - t195)) - t70 * t215;
-  const Scalar t217 = ((t164 - t213 * t55) - t83 * t214) + t215 * t67;
-  const Scalar t218 = t217 + t216 * t57;
-  const Scalar t219 = t215 * t65 + (t76 * t214 + (t193 + t48 * t213));
+  const Scalar t0 = k[9] * c6 + k[10] * s6;
+  const Scalar t1 = c5 + k[18] * s5 * t0;
+  const Scalar t2 = k[17] * t1;
+  const Scalar t3 = k[6] * c6 - k[5] * s6;
+  const Scalar t4 = k[13] - c6 * t3;
+  const Scalar t5 = k[17] - t4;
+  const Scalar t6 = k[23] - t5;
+  const Scalar t7 = k[14] - t4;
+  const Scalar t8 = k[15] + t0;
+  const Scalar t9 = c5 * t8;
+  const Scalar t10 = s5 * (k[16] + t7) + (t9 + t9);
+  const Scalar t11 = s5 * t10;
+  const Scalar t12 = t7 - t11;
+  const Scalar t13 = k[24] - t12;
+  const Scalar t14 = t6 - t13;
+  const Scalar t15 = k[10] * c6 - k[9] * s6;
+  const Scalar t16 = k[11] + t15;
+  const Scalar t17 = k[7] + s6 * t3;
+  const Scalar t18 = k[8] + t17;
+  const Scalar t19 = c5 * t16 - s5 * t18;
+  const Scalar t20 = k[18] * t15;
+  const Scalar t21 = t19 - t20 * t2;
+  const Scalar t22 = k[16] - t11;
+  const Scalar t23 = t22 - t12;
+  const Scalar t24 = Scalar(1) / (t23 - t20 * t15);
+  const Scalar t25 = t24 * t21;
+  const Scalar t26 = Scalar(1) / ((t2 * t1 + t14) + t21 * t25);
+  const Scalar t27 = c5 * t18 + s5 * t16;
+  const Scalar t28 = k[1] * c6 + k[2] * s6;
+  const Scalar t29 = k[3] + t28;
+  const Scalar t30 = s5 * t29 - k[0] * c5;
+  const Scalar t31 = t23 - k[12] * t30;
+  const Scalar t32 = k[2] * c6 - k[1] * s6;
+  const Scalar t33 = c5 * t32;
+  const Scalar t34 = k[12] * t33 + t15;
+  const Scalar t35 = k[12] * t28 - (k[17] * s5 - c5 * t0);
+  const Scalar t36 = c4 * t34 - s4 * t35;
+  const Scalar t37 = k[18] * t36;
+  const Scalar t38 = (s4 * t27 + c4 * t31) - t37 * t15;
+  const Scalar t39 = k[19] + t19;
+  const Scalar t40 = k[20] - (t8 - c5 * t10);
+  const Scalar t41 = k[21] + t32;
+  const Scalar t42 = k[0] * s5 + c5 * t29;
+  const Scalar t43 = k[22] + t42;
+  const Scalar t44 = c4 * t41 - s4 * t43;
+  const Scalar t45 = (c4 * t39 - s4 * t40) + k[12] * t44;
+  const Scalar t46 = t25 * t38 - (t45 - t36 * t1);
+  const Scalar t47 = t26 * t46;
+  const Scalar t48 = t24 * t38;
+  const Scalar t49 = k[29] - t30;
+  const Scalar t50 = k[30] - (k[12] * (t30 - t49) - t22);
+  const Scalar t51 = k[25] + t27;
+  const Scalar t52 = Scalar(2) * c4 * t51 - s4 * (t6 + t13);
+  const Scalar t53 = t13 + s4 * t52;
+  const Scalar t54 = k[28] + t53;
+  const Scalar t55 = t48 * t38 + (t37 * t36 - (t50 + t54));
+  const Scalar t56 = Scalar(1) / (t47 * t46 - t55);
+  const Scalar t57 = s3 * (s4 * t28 - c4 * t33) - c3 * s5 * t32;
+  const Scalar t58 = c4 * t43 + s4 * t41;
+  const Scalar t59 = k[32] + t58;
+  const Scalar t60 = t37 * t57 + (c3 * t59 + s3 * t49);
+  const Scalar t61 = k[18] * t57;
+  const Scalar t62 = t61 * t15 + (c3 * t42 - s3 * c4 * t30);
+  const Scalar t63 = t24 * t62;
+  const Scalar t64 = (s3 * t44 + t2 * t61) - t21 * t63;
+  const Scalar t65 = (t60 - t63 * t38) - t47 * t64;
+  const Scalar t66 = t56 * t65;
+  const Scalar t67 = t26 * t64;
+  const Scalar t68 = (t62 * t63 + (k[34] + t61 * t57)) - t67 * t64;
+  const Scalar t69 = Scalar(1) / (t66 * t65 + t68);
+  const Scalar t70 = qd[0] * qd[0];
+  const Scalar t71 = k[4] + q[1];
+  const Scalar t72 = k[38] * s1 - k[39] * c1;
+  const Scalar t73 = t70 * t71 + t72;
+  const Scalar t74 = k[40] * s3 - c3 * t73;
+  const Scalar t75 = qd[0] * c3;
+  const Scalar t76 = t75 * t75;
+  const Scalar t77 = qd[2] * qd[2];
+  const Scalar t78 = t76 + t77;
+  const Scalar t79 = t74 - k[12] * t78;
+  const Scalar t80 = k[38] * c1 + k[39] * s1;
+  const Scalar t81 = t80 - Scalar(2) * qd[1] * qd[0];
+  const Scalar t82 = qd[0] * s3;
+  const Scalar t83 = qd[2] * t82;
+  const Scalar t84 = t83 + t83;
+  const Scalar t85 = t81 + k[12] * t84;
+  const Scalar t86 = t82 * t75;
+  const Scalar t87 = (k[40] * c3 + s3 * t73) + k[12] * t86;
+  const Scalar t88 = s4 * t85 - c4 * t87;
+  const Scalar t89 = s5 * t79 + c5 * t88;
+  const Scalar t90 = s4 * t87 + c4 * t85;
+  const Scalar t91 = qd[2] * c4 + s4 * t75;
+  const Scalar t92 = qd[4] + t91;
+  const Scalar t93 = c4 * t75;
+  const Scalar t94 = t93 - qd[2] * s4;
+  const Scalar t95 = qd[3] - t82;
+  const Scalar t96 = s5 * t94 - c5 * t95;
+  const Scalar t97 = t95 * t91;
+  const Scalar t98 = s4 * t86 + c4 * t84;
+  const Scalar t99 = (t97 + t97) + t98;
+  const Scalar t100 = qd[2] * t75;
+  const Scalar t101 = t94 * t91;
+  const Scalar t102 = t100 - t101;
+  const Scalar t103 = c5 * t99 + s5 * t102;
+  const Scalar t104 = Scalar(2) * t92 * t96 + t103;
+  const Scalar t105 = t93 * t82 - s4 * t84;
+  const Scalar t106 = t94 * t95;
+  const Scalar t107 = t105 + t106;
+  const Scalar t108 = s5 * t95 + c5 * t94;
+  const Scalar t109 = t108 * t96;
+  const Scalar t110 = t107 + t109;
+  const Scalar t111 = c5 * t102 - s5 * t99;
+  const Scalar t112 = t92 * t108;
+  const Scalar t113 = (t111 + t112) + t112;
+  const Scalar t114 = t92 * t92;
+  const Scalar t115 = t108 * t108;
+  const Scalar t116 = t114 - t115;
+  const Scalar t117 = (t111 * t5 + t113 * t4) + t116 * t17;
+  const Scalar t118 = (t89 * t32 + t90 * t28) + ((t0 * t104 - t15 * t110) + t117);
+  const Scalar t119 = torque[5] - t118;
+  const Scalar t120 = c5 * t79 - s5 * t88;
+  const Scalar t121 = t107 - t109;
+  const Scalar t122 = t95 * t95;
+  const Scalar t123 = t91 * t91;
+  const Scalar t124 = t122 - t123;
+  const Scalar t125 = t78 + t124;
+  const Scalar t126 = t114 + t115;
+  const Scalar t127 = t125 - t126;
+  const Scalar t128 = t127 + t116;
+  const Scalar t129 = (k[14] * t121 - k[16] * t110) + k[15] * t128;
+  const Scalar t130 = (k[3] * t120 + k[0] * t89) - ((k[8] * t103 - k[11] * t111) - t129);
+  const Scalar t131 = qd[5] - t96;
+  const Scalar t132 = t131 * t92;
+  const Scalar t133 = (t132 + t132) + t104;
+  const Scalar t134 = t131 * t108;
+  const Scalar t135 = t134 + (t134 + t110);
+  const Scalar t136 = t131 * t131;
+  const Scalar t137 = (t133 * t17 + t4 * t135) - ((t136 - t115) * t0 + t111 * t15);
+  const Scalar t138 = t130 - (t137 - t120 * t28);
+  const Scalar t139 = t119 * t20 - (torque[4] - t138);
+  const Scalar t140 = k[18] * t119;
+  const Scalar t141 = (k[15] * t104 - k[14] * t113) - (k[11] * t110 - k[8] * t116);
+  const Scalar t142 = t118 + (t141 + k[3] * t90);
+  const Scalar t143 = t136 + t115;
+  const Scalar t144 = (t135 * t17 + t5 * t133) - t15 * (t143 - t126);
+  const Scalar t145 = (k[16] * t104 + k[15] * t113) - k[11] * t127;
+  const Scalar t146 = (t120 * t32 - (t144 + t113 * t0)) - (k[0] * t90 + (t145 + k[8] * t121));
+  const Scalar t147 = t122 + t123;
+  const Scalar t148 = t78 - t147;
+  const Scalar t149 = t100 + t101;
+  const Scalar t150 = k[25] * (t124 + t148) - (k[24] * t149 - k[23] * t102);
+  const Scalar t151 = ((k[19] * t105 - k[20] * t98) + t150) - (k[22] * t90 + k[21] * t88);
+  const Scalar t152 = (c5 * t142 - s5 * t146) - t151;
+  const Scalar t153 = t139 * t25 - (t2 * t140 - (torque[3] - t152));
+  const Scalar t154 = t153 * t26;
+  const Scalar t155 = t107 + t106;
+  const Scalar t156 = (k[23] * t99 - k[25] * t155) + k[19] * t124;
+  const Scalar t157 = ((t156 - k[20] * t149) + k[21] * t79) + (s5 * t142 + c5 * t146);
+  const Scalar t158 = (k[19] * t102 - k[20] * t148) - (k[24] * t155 + k[25] * t99);
+  const Scalar t159 = (k[22] * t79 + t158) + t138;
+  const Scalar t160 = (k[0] * t104 + k[3] * t113) - (t143 * t32 - t113 * t28);
+  const Scalar t161 = k[42] * t90 + (k[22] * t149 - k[21] * t125);
+  const Scalar t162 = t160 + t161;
+  const Scalar t163 = (k[21] * t102 + k[22] * t147) + k[42] * t88;
+  const Scalar t164 = (k[3] * t121 + k[0] * t126) + (t135 * t28 + t32 * t133);
+  const Scalar t165 = (t111 * t32 + t28 * (t114 + t136)) - (k[0] * t110 - k[3] * (t126 + t128));
+  const Scalar t166 = t163 + (s5 * t164 + c5 * t165);
+  const Scalar t167 = s4 * t162 - c4 * t166;
+  const Scalar t168 = (s4 * t157 + c4 * t159) - k[12] * t167;
+  const Scalar t169 = t70 - t78;
+  const Scalar t170 = t76 - t77;
+  const Scalar t171 = t169 - t170;
+  const Scalar t172 = k[32] * t74 + (k[35] * t171 + k[41] * t86);
+  const Scalar t173 = t48 * t139 - (t36 * t140 - (torque[2] - (t168 + t172)));
+  const Scalar t174 = t56 * (t154 * t46 - t173);
+  const Scalar t175 = t139 * t24;
+  const Scalar t176 = (k[21] * t99 + k[22] * t155) - k[42] * t79;
+  const Scalar t177 = ((s5 * t165 - c5 * t164) - t176) + k[32] * t86;
+  const Scalar t178 = s3 * (k[32] * (t171 + t78) - t167) + c3 * t177;
+  const Scalar t179 = torque[1] - ((k[33] * t70 - k[43] * t73) - t178);
+  const Scalar t180 = t154 * t64 + (t62 * t175 - (t179 - t119 * t61));
+  const Scalar t181 = t69 * (t65 * t174 + t180);
+  const Scalar t182 = c3 * (c4 * t35 + s4 * t34) - s3 * t2;
+  const Scalar t183 = t71 * (s4 * t33 + c4 * t28) + t182;
+  const Scalar t184 = k[18] * t183;
+  const Scalar t185 = k[12] * t58 + (c4 * t40 + s4 * t39);
+  const Scalar t186 = (c3 * t185 + s3 * t14) + t71 * t58;
+  const Scalar t187 = c3 * (s4 * t31 - c4 * t27) - s3 * t19;
+  const Scalar t188 = (s4 * t30 * t71 - t187) + t15 * t184;
+  const Scalar t189 = (t2 * t184 - t186) - t25 * t188;
+  const Scalar t190 = t26 * t189;
+  const Scalar t191 = t188 * t63 - ((k[37] + t44) - t183 * t61);
+  const Scalar t192 = s3 * (k[27] + t45) + c3 * (k[26] - (t51 - c4 * t52));
+  const Scalar t193 = t24 * t188;
+  const Scalar t194 = ((t192 + t36 * t184) - t193 * t38) - t47 * t189;
+  const Scalar t195 = (t190 * t64 - t191) - t66 * t194;
+  const Scalar t196 = s4 * t166 + c4 * t162;
+  const Scalar t197 = (k[43] * t81 + k[37] * t70) - (t196 + k[46] * t100);
+  const Scalar t198 = (k[27] * t86 + k[26] * t170) - (k[35] * t84 + k[47] * t100);
+  const Scalar t199 = (s4 * t159 - c4 * t157) + k[12] * t196;
+  const Scalar t200 = k[27] * t169 - (k[30] * t84 + k[48] * t100);
+  const Scalar t201 = s3 * ((t198 - k[32] * t81) - t152) + c3 * (t199 - (t200 + k[26] * t86));
+  const Scalar t202 = t197 * t71 - (t201 + (k[37] * t73 + k[33] * t81));
+  const Scalar t203 = torque[0] - ((k[44] * t80 + k[45] * t72) - t202);
+  const Scalar t204 = (t139 * t193 + (t119 * t184 - t203)) + t153 * t190;
+  const Scalar t205 = c3 * (k[35] + t185);
+  const Scalar t206 = s3 * (s3 * (t50 - t54) + (t205 + t205));
+  const Scalar t207 = k[33] - (s3 * t59 - c3 * t49);
+  const Scalar t208 = (t50 - t206) + t71 * (t207 + (t207 - k[34] * t71));
+  const Scalar t209 = t183 * t184 - ((k[36] + t208) - (k[31] + (t53 + t14)));
+  const Scalar t210 = t56 * t194;
+  const Scalar t211 = (t190 * t189 - (t209 + t193 * t188)) - t210 * t194;
+  const Scalar t212 = t195 * t69;
+  const Scalar t213 = (t181 * t195 + (t204 + t194 * t174)) * Scalar(1) / (t211 + t195 * t212);
+  const Scalar t214 = t212 * t213 - t181;
+  const Scalar t215 = (t210 * t213 + t174) + t66 * t214;
+  const Scalar t216 = t47 * t215 + (t67 * t214 - (t154 - t190 * t213));
+  const Scalar t217 = t48 * t215 - ((t193 * t213 + t175) + t63 * t214);
+  const Scalar t218 = t217 - t216 * t25;
+  const Scalar t219 = (t61 * t214 + (t184 * t213 + t140)) + t37 * t215;
   JointVector<Scalar> result;
   result[0] = t213;
-  result[1] = -t214;
+  result[1] = t214;
   result[2] = t215;
   result[3] = -t216;
   result[4] = -t218;
-  result[5] = t50 * t218 - (t219 - t216 * t44);
+  result[5] = t20 * t218 + (t216 * t1 - t219);
   return result;
 }
 
@@ -1028,104 +1020,97 @@ ForwardDynamicsWithWrenchConstants<Scalar> forward_dynamics_with_wrench_constant
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6x * inertia.m6;
-  const Scalar t1 = inertia.c6y * inertia.m6;
+  const Scalar t0 = inertia.c6y * inertia.m6;
+  const Scalar t1 = inertia.c6x * inertia.m6;
   const Scalar t2 = inertia.c6z * inertia.m6;
   const Scalar t3 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t4 = (inertia.I6xx - t3) - inertia.c6x * t0;
+  const Scalar t4 = (inertia.I6xx - t3) - inertia.c6x * t1;
   const Scalar t5 = inertia.c6z * t2 - (inertia.I6zz - t3);
   const Scalar t6 = t4 - t5;
-  const Scalar t7 = Scalar(1) / t6;
-  const Scalar t8 = Scalar(1) / g.d4;
-  const Scalar t9 = inertia.c5y * inertia.m5;
-  const Scalar t10 = inertia.I6xz - inertia.c6z * t0;
-  const Scalar t11 = inertia.c5z * inertia.m5;
-  const Scalar t12 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t13 = ((inertia.I6yy - t3) - inertia.c6y * t1) - (inertia.c5y * t9 - (inertia.I5yy - t12));
+  const Scalar t7 = inertia.c5y * inertia.m5;
+  const Scalar t8 = inertia.c5z * inertia.m5;
+  const Scalar t9 = inertia.I6xz - inertia.c6z * t1;
+  const Scalar t10 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t11 = ((inertia.I6yy - t3) - inertia.c6y * t0) - (inertia.c5y * t7 - (inertia.I5yy - t10));
+  const Scalar t12 = inertia.c5x * inertia.m5;
+  const Scalar t13 = inertia.c4z * inertia.m4;
   const Scalar t14 = inertia.c4y * inertia.m4;
-  const Scalar t15 = inertia.c5x * inertia.m5;
-  const Scalar t16 = inertia.c4x * inertia.m4;
-  const Scalar t17 = inertia.c4z * inertia.m4;
-  const Scalar t18 = inertia.c3x * inertia.m3;
-  const Scalar t19 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t20 = (inertia.c5x * t15 - (inertia.I5xx - t12)) - ((inertia.I4xx - t19) - inertia.c4x * t16);
-  const Scalar t21 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t22 = t14 - g.d4 * t21;
-  const Scalar t23 = inertia.c3y * inertia.m3;
-  const Scalar t24 = g.d4 * inertia.m3 - t23;
-  const Scalar t25 = (t22 - t24) / g.d4;
-  const Scalar t26 = g.d4 * g.d4 * t25;
-  const Scalar t27 = ((inertia.I4yy - t19) - inertia.c4y * t14) + g.d4 * (t14 + t22);
-  const Scalar t28 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t29 = ((inertia.I3yy - t28) - inertia.c3y * t23) - g.d4 * (t24 - t23);
-  const Scalar t30 = (t27 + t29) - t26;
-  const Scalar t31 = inertia.c3z * inertia.m3;
-  const Scalar t32 = (inertia.I3zz - t28) - inertia.c3z * t31;
-  const Scalar t33 = g.d4 * t31;
-  const Scalar t34 = inertia.c2x * inertia.m2;
-  const Scalar t35 = g.d4 * g.d4 * ((inertia.m2 + (inertia.m3 + t21)) + t25);
-  const Scalar t36 = t35 - t26;
-  const Scalar t37 = t33 + (inertia.I3yz - inertia.c3z * t23);
-  const Scalar t38 = inertia.c2y * inertia.m2;
-  const Scalar t39 = inertia.c1y * inertia.m1;
-  const Scalar t40 = t39 - g.l2 * inertia.m1;
+  const Scalar t15 = inertia.c4x * inertia.m4;
+  const Scalar t16 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t17 = (inertia.c5x * t12 - (inertia.I5xx - t10)) - ((inertia.I4xx - t16) - inertia.c4x * t15);
+  const Scalar t18 = inertia.c3z * inertia.m3;
+  const Scalar t19 = inertia.c3y * inertia.m3;
+  const Scalar t20 = g.d4 * t18 + (inertia.I3yz - inertia.c3z * t19);
+  const Scalar t21 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t22 = (inertia.I3zz - t21) - inertia.c3z * t18;
+  const Scalar t23 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t24 = t14 - g.d4 * t23;
+  const Scalar t25 = g.d4 * inertia.m3 - t19;
+  const Scalar t26 = (t24 - t25) / g.d4;
+  const Scalar t27 = g.d4 * t26;
+  const Scalar t28 = ((inertia.I4yy - t16) - inertia.c4y * t14) + g.d4 * (t14 + t24);
+  const Scalar t29 = ((inertia.I3yy - t21) - inertia.c3y * t19) - g.d4 * (t25 - t19);
+  const Scalar t30 = (t28 + t29) - g.d4 * t27;
+  const Scalar t31 = inertia.c2y * inertia.m2;
+  const Scalar t32 = (inertia.m2 + (inertia.m3 + t23)) + t26;
+  const Scalar t33 = inertia.c1y * inertia.m1;
+  const Scalar t34 = t33 - g.l2 * inertia.m1;
+  const Scalar t35 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t36 = g.l2 * (t34 + t33) - (inertia.c1y * t33 - (inertia.I1yy - t35));
+  const Scalar t37 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t38 = inertia.c3x * inertia.m3;
+  const Scalar t39 = inertia.c2x * inertia.m2;
+  const Scalar t40 = (inertia.c3x * t38 - (inertia.I3xx - t21)) + (inertia.c2x * t39 - (inertia.I2xx - t37));
   const Scalar t41 = inertia.c1x * inertia.m1;
-  const Scalar t42 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t43 = g.l2 * (t40 + t39) - (inertia.c1y * t39 - (inertia.I1yy - t42));
-  const Scalar t44 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t45 = (inertia.c3x * t18 - (inertia.I3xx - t28)) + (inertia.c2x * t34 - (inertia.I2xx - t44));
-  return { inertia.I6xy - inertia.c6y * t0,
-           inertia.I6yz - inertia.c6z * t1,
-           g.d4 * t2,
-           g.d4 * t0,
-           t6,
-           t7,
-           t8,
-           g.l2 / g.d4,
-           inertia.I5yz - inertia.c5z * t9,
-           t4 + t5,
-           Scalar(2) * t10,
-           t5,
-           inertia.c5z * t11 - (inertia.I5zz - t12),
-           t13,
-           Scalar(2) * t13,
-           inertia.I4yz - inertia.c4z * t14,
-           inertia.I5xy - inertia.c5y * t15,
-           t10,
-           inertia.I5xz - inertia.c5z * t15,
-           inertia.I4xy - inertia.c4y * t16,
-           g.d4 * (t16 + t15),
-           g.d4 * t11,
-           g.d4 * (t1 + t9),
-           g.d4 * t17,
-           (inertia.I3xy - inertia.c3y * t18) + g.d4 * t18,
-           t20,
-           (inertia.I4zz - t19) - inertia.c4z * t17,
-           inertia.I4xz - inertia.c4z * t16,
-           inertia.I3xz - inertia.c3z * t18,
-           t26,
-           t30,
-           t32,
-           t7 * t8,
-           t33,
-           g.d4 * (t34 + t18),
-           t36 * t8 * t8,
-           gravity[1] / g.d4,
-           gravity[0] / g.d4,
-           gravity[2] / g.d4,
+  return { inertia.I6yz - inertia.c6z * t0,
+           inertia.I6xy - inertia.c6y * t1,
+           t2,
+           t1,
            g.d4,
-           t32 - t30,
-           t37,
-           t35,
-           g.d4 * t38,
-           Scalar(2) * t32,
-           Scalar(2) * t37,
-           Scalar(2) * t33,
-           g.d4 * t40,
-           g.d4 * t41,
-           t36,
-           t43 + ((inertia.I2yy - t44) - inertia.c2y * t38),
-           t45 + (inertia.c1x * t41 - (inertia.I1xx - t42)) };
+           t6,
+           Scalar(1) / t6,
+           g.l2,
+           t0 + t7,
+           t8,
+           Scalar(2) * t9,
+           t4 + t5,
+           t4,
+           inertia.c5z * t8 - (inertia.I5zz - t10),
+           t11,
+           t9,
+           inertia.I5xz - inertia.c5z * t12,
+           inertia.I5xy - inertia.c5y * t12,
+           t13,
+           inertia.I5yz - inertia.c5z * t7,
+           inertia.I4yz - inertia.c4z * t14,
+           t15 + t12,
+           inertia.I4xy - inertia.c4y * t15,
+           t17,
+           (inertia.I4zz - t16) - inertia.c4z * t13,
+           t20,
+           inertia.I4xz - inertia.c4z * t15,
+           t22,
+           t27,
+           t30,
+           t18,
+           t31,
+           t32 - t26,
+           t36 + ((inertia.I2yy - t37) - inertia.c2y * t31),
+           t40 + (inertia.c1x * t41 - (inertia.I1xx - t35)),
+           (inertia.I3xy - inertia.c3y * t38) + g.d4 * t38,
+           inertia.I3xz - inertia.c3z * t38,
+           t39 + t38,
+           gravity[1],
+           gravity[0],
+           gravity[2],
+           Scalar(2) * t18,
+           t26,
+           t32,
+           Scalar(2) * t20,
+           Scalar(2) * t22,
+           t34,
+           t41,
+           t22 - t30 };
 }
 
 namespace detail {
@@ -1144,241 +1129,245 @@ inline JointVector<Scalar> forward_dynamics_with_wrench(const JointVector<Scalar
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[9] * c6 - k[10] * s6;
-  const Scalar t1 = k[11] - c6 * t0;
-  const Scalar t2 = k[4] + t1;
-  const Scalar t3 = k[13] - (k[12] - t2);
-  const Scalar t4 = k[0] * s6 + k[1] * c6;
-  const Scalar t5 = k[8] + t4;
-  const Scalar t6 = c5 * t5;
-  const Scalar t7 = (t6 + t6) + s5 * (k[14] - t3);
-  const Scalar t8 = k[13] - s5 * t7;
-  const Scalar t9 = k[26] + (t3 - t8);
-  const Scalar t10 = k[0] * c6 - k[1] * s6;
-  const Scalar t11 = k[16] + t10;
-  const Scalar t12 = k[17] + s6 * t0;
-  const Scalar t13 = k[18] + t12;
-  const Scalar t14 = s5 * t11 + c5 * t13;
-  const Scalar t15 = k[27] + t14;
-  const Scalar t16 = c4 * t15;
-  const Scalar t17 = k[25] + t1;
-  const Scalar t18 = (t16 + t16) - s4 * (t17 + t9);
-  const Scalar t19 = t9 + s4 * t18;
-  const Scalar t20 = k[31] + t19;
-  const Scalar t21 = k[2] * c6 + k[3] * s6;
-  const Scalar t22 = k[21] + t21;
-  const Scalar t23 = s5 * t22 - k[22] * c5;
-  const Scalar t24 = k[29] - t23;
-  const Scalar t25 = k[30] + (t8 + (t24 - t23));
-  const Scalar t26 = t21 - (k[4] * s5 - c5 * t4);
-  const Scalar t27 = k[2] * s6 - k[3] * c6;
-  const Scalar t28 = c5 * t27;
-  const Scalar t29 = t28 - t10;
-  const Scalar t30 = s4 * t26 + c4 * t29;
-  const Scalar t31 = k[5] * t30;
-  const Scalar t32 = k[5] * t10;
-  const Scalar t33 = Scalar(1) / (t3 - t32 * t10);
-  const Scalar t34 = t3 - t23;
-  const Scalar t35 = (s4 * t14 + c4 * t34) + t32 * t30;
+  const Scalar t0 = k[2] * s6 - k[3] * c6;
+  const Scalar t1 = c5 * t0;
+  const Scalar t2 = k[0] * s6 - k[1] * c6;
+  const Scalar t3 = k[4] * t1 + t2;
+  const Scalar t4 = k[2] * c6 + k[3] * s6;
+  const Scalar t5 = k[0] * c6 + k[1] * s6;
+  const Scalar t6 = k[4] * t4 - (k[5] * s5 - c5 * t5);
+  const Scalar t7 = c5 + k[6] * s5 * t5;
+  const Scalar t8 = k[5] * t7;
+  const Scalar t9 = c3 * (s4 * t3 - c4 * t6) + s3 * t8;
+  const Scalar t10 = k[7] + q[1];
+  const Scalar t11 = t9 - t10 * (c4 * t4 - s4 * t1);
+  const Scalar t12 = s3 * (s4 * t4 + c4 * t1) + c3 * s5 * t0;
+  const Scalar t13 = k[6] * t12;
+  const Scalar t14 = k[21] - t0;
+  const Scalar t15 = k[9] + t4;
+  const Scalar t16 = c5 * t15 + k[8] * s5;
+  const Scalar t17 = k[18] + t16;
+  const Scalar t18 = c4 * t14 - s4 * t17;
+  const Scalar t19 = k[6] * t11;
+  const Scalar t20 = s5 * t15 - k[8] * c5;
+  const Scalar t21 = k[10] * s6 - k[11] * c6;
+  const Scalar t22 = k[15] - s6 * t21;
+  const Scalar t23 = k[16] + t22;
+  const Scalar t24 = k[17] - t2;
+  const Scalar t25 = c5 * t23 + s5 * t24;
+  const Scalar t26 = k[12] + c6 * t21;
+  const Scalar t27 = k[13] - t26;
+  const Scalar t28 = k[14] - t27;
+  const Scalar t29 = k[4] * t20 - t28;
+  const Scalar t30 = c5 * t24 - s5 * t23;
+  const Scalar t31 = c3 * (c4 * t25 + s4 * t29) + s3 * t30;
+  const Scalar t32 = t2 * t19 + (t10 * s4 * t20 + t31);
+  const Scalar t33 = (c3 * t16 - s3 * c4 * t20) - t2 * t13;
+  const Scalar t34 = k[6] * t2;
+  const Scalar t35 = Scalar(1) / (t2 * t34 - t28);
   const Scalar t36 = t33 * t35;
-  const Scalar t37 = ((t20 + t25) - t30 * t31) - t36 * t35;
-  const Scalar t38 = c5 + k[5] * s5 * t4;
-  const Scalar t39 = k[4] * t38;
-  const Scalar t40 = c5 * t11 - s5 * t13;
-  const Scalar t41 = t39 * t32 - t40;
-  const Scalar t42 = t41 * t33;
-  const Scalar t43 = k[15] - (t5 - c5 * t7);
-  const Scalar t44 = k[19] + t40;
-  const Scalar t45 = k[20] - t27;
-  const Scalar t46 = c5 * t22 + k[22] * s5;
-  const Scalar t47 = k[23] + t46;
-  const Scalar t48 = c4 * t45 - s4 * t47;
-  const Scalar t49 = (s4 * t43 - c4 * t44) - t48;
-  const Scalar t50 = t42 * t35 + (t38 * t30 - t49);
-  const Scalar t51 = t17 - t9;
-  const Scalar t52 = Scalar(1) / ((t38 * t39 + t51) + t42 * t41);
-  const Scalar t53 = t50 * t52;
-  const Scalar t54 = Scalar(1) / (t37 + t53 * t50);
-  const Scalar t55 = s3 * (k[24] - t49) + c3 * (k[28] - (t15 - c4 * t18));
-  const Scalar t56 = c3 * (c4 * t26 - s4 * t29) - s3 * t39;
-  const Scalar t57 = k[7] + k[6] * q[1];
-  const Scalar t58 = t56 + t57 * (c4 * t21 - s4 * t28);
-  const Scalar t59 = s3 * t40 - c3 * (s4 * t34 - c4 * t14);
-  const Scalar t60 = k[5] * t58;
-  const Scalar t61 = (s4 * t23 * t57 + t59) + t10 * t60;
-  const Scalar t62 = s4 * t45 + c4 * t47;
-  const Scalar t63 = t62 + (c4 * t43 + s4 * t44);
-  const Scalar t64 = t62 * t57 + (s3 * t51 + c3 * t63);
-  const Scalar t65 = t42 * t61 - (t64 - t39 * t60);
-  const Scalar t66 = t65 * t52;
-  const Scalar t67 = ((t55 - t58 * t31) - t36 * t61) + t50 * t66;
-  const Scalar t68 = t54 * t67;
-  const Scalar t69 = s3 * (t20 - t25) - Scalar(2) * c3 * (k[41] + t63);
-  const Scalar t70 = k[33] + t62;
-  const Scalar t71 = k[43] - (s3 * t70 - c3 * t24);
-  const Scalar t72 = (s3 * t69 + t25) + t57 * (t71 - (k[49] * t57 - t71));
-  const Scalar t73 = t58 * t60 + ((k[51] + (t19 + t51)) - (k[50] + t72));
-  const Scalar t74 = t61 * t33;
-  const Scalar t75 = t68 * t67 - (t66 * t65 - (t73 + t74 * t61));
-  const Scalar t76 = s3 * (s4 * t21 + c4 * t28) + c3 * s5 * t27;
-  const Scalar t77 = k[32] * t76;
-  const Scalar t78 = k[4] * t77;
-  const Scalar t79 = k[6] * (s3 * c4 * t23 - c3 * t46);
-  const Scalar t80 = t32 * t78 - t79;
-  const Scalar t81 = t42 * t80 + (t38 * t78 + k[6] * s3 * t48);
-  const Scalar t82 = t74 * t80 + (t58 * t77 - k[6] * (k[34] + t48));
-  const Scalar t83 = t80 * t33;
-  const Scalar t84 = k[6] * (s3 * t24 + c3 * t70) - t30 * t77;
-  const Scalar t85 = (t83 * t35 - t84) - t53 * t81;
-  const Scalar t86 = (t66 * t81 - t82) + t68 * t85;
-  const Scalar t87 = t54 * t85;
-  const Scalar t88 = t81 * t52;
-  const Scalar t89 = (t83 * t80 + (k[35] + t78 * t77)) - t81 * t88;
-  const Scalar t90 = Scalar(1) / (t85 * t87 + t89);
-  const Scalar t91 = t86 * t90;
-  const Scalar t92 = qd[0] * k[6] * qd[1];
-  const Scalar t93 = k[37] * c1 + k[36] * s1;
-  const Scalar t94 = (t92 + t92) - t93;
-  const Scalar t95 = qd[0] * s3;
-  const Scalar t96 = qd[2] * t95;
-  const Scalar t97 = t96 + t96;
-  const Scalar t98 = t94 - t97;
-  const Scalar t99 = qd[0] * c3;
-  const Scalar t100 = t95 * t99;
-  const Scalar t101 = k[37] * s1 - k[36] * c1;
-  const Scalar t102 = qd[0] * qd[0];
-  const Scalar t103 = t101 + t102 * t57;
-  const Scalar t104 = t100 + (s3 * t103 + k[38] * c3);
-  const Scalar t105 = c4 * t98 - s4 * t104;
-  const Scalar t106 = c4 * t99 - qd[2] * s4;
-  const Scalar t107 = qd[3] - t95;
-  const Scalar t108 = s5 * t106 - c5 * t107;
-  const Scalar t109 = t108 * t108;
-  const Scalar t110 = s5 * t107 + c5 * t106;
-  const Scalar t111 = t110 * t110;
-  const Scalar t112 = t109 + t111;
-  const Scalar t113 = qd[2] * c4 + s4 * t99;
-  const Scalar t114 = qd[4] + t113;
-  const Scalar t115 = t114 * t114 + t111;
-  const Scalar t116 = t109 - t111;
-  const Scalar t117 = t115 + t116;
-  const Scalar t118 = t112 - t117;
-  const Scalar t119 = s4 * t100 + c4 * t97;
-  const Scalar t120 = Scalar(2) * t107 * t113 + t119;
-  const Scalar t121 = qd[2] * t99;
-  const Scalar t122 = t106 * t113;
-  const Scalar t123 = t121 - t122;
-  const Scalar t124 = c5 * t120 + s5 * t123;
-  const Scalar t125 = t114 * t108;
-  const Scalar t126 = t124 + (t125 + t125);
-  const Scalar t127 = t114 * t110;
-  const Scalar t128 = s5 * t120 - c5 * t123;
-  const Scalar t129 = t127 + (t127 - t128);
-  const Scalar t130 = k[16] * (t118 + t116) - (k[13] * t126 + k[8] * t129);
-  const Scalar t131 = c4 * t100 - s4 * t97;
-  const Scalar t132 = t106 * t107;
-  const Scalar t133 = t131 + t132;
-  const Scalar t134 = t110 * t108;
-  const Scalar t135 = t133 - t134;
-  const Scalar t136 = wrench[3] * s1 - wrench[4] * c1;
-  const Scalar t137 = wrench[5] * s3 - c3 * t136;
-  const Scalar t138 = s3 * t136 + wrench[5] * c3;
-  const Scalar t139 = wrench[3] * c1 + wrench[4] * s1;
-  const Scalar t140 = c4 * t138 - s4 * t139;
-  const Scalar t141 = s4 * t98 + c4 * t104;
-  const Scalar t142 = t99 * t99;
-  const Scalar t143 = qd[2] * qd[2];
-  const Scalar t144 = t142 + t143;
-  const Scalar t145 = c3 * t103 - k[38] * s3;
-  const Scalar t146 = t144 + t145;
-  const Scalar t147 = s5 * t141 - c5 * t146;
-  const Scalar t148 = qd[5] - t108;
-  const Scalar t149 = t133 + t134;
-  const Scalar t150 = Scalar(2) * t148 * t110 + t149;
-  const Scalar t151 = t126 + Scalar(2) * t148 * t114;
-  const Scalar t152 = t148 * t148 - t111;
-  const Scalar t153 = (t150 * t12 - t1 * t151) - (t118 + t152) * t10;
-  const Scalar t154 = (s5 * t137 - c5 * t140) + (t147 * t27 + (t4 * t129 + t153));
-  const Scalar t155 = (k[22] * t105 + (t130 - k[18] * t135)) - t154;
-  const Scalar t156 = c5 * t141 + s5 * t146;
-  const Scalar t157 = (t129 * t2 + t1 * t128) - t118 * t12;
-  const Scalar t158 = (t156 * t27 - t21 * t105) + (t157 - (t149 * t10 - t4 * t126));
-  const Scalar t159 = (c5 * t137 + s5 * t140) + t158;
-  const Scalar t160 = (k[12] * t129 - k[8] * t126) + (k[16] * t149 + k[18] * t118);
-  const Scalar t161 = t159 - (k[21] * t105 + t160);
-  const Scalar t162 = t121 + t122;
-  const Scalar t163 = t113 * t113;
-  const Scalar t164 = (t144 - t163) - t163;
-  const Scalar t165 = (k[25] * t123 - k[26] * t162) + k[27] * t164;
-  const Scalar t166 = (k[20] * t141 + k[23] * t105) + ((k[19] * t131 - k[15] * t119) + t165);
-  const Scalar t167 = (s5 * t155 - c5 * t161) + t166;
-  const Scalar t168 = torque[5] - t159;
-  const Scalar t169 = k[5] * t168;
-  const Scalar t170 = (k[12] * t135 - k[13] * t149) + k[8] * t116;
-  const Scalar t171 = (t170 - (k[18] * t124 + k[16] * t128)) - (k[22] * t156 - k[21] * t147);
-  const Scalar t172 = (t150 * t2 + t12 * t151) - (t4 * t152 - t10 * t128);
-  const Scalar t173 = (t172 - t21 * t147) + (c4 * t139 + s4 * t138);
-  const Scalar t174 = t171 - t173;
-  const Scalar t175 = ((torque[4] - t174) - t168 * t32) * t33;
-  const Scalar t176 = ((torque[3] + t167) - t39 * t169) + t41 * t175;
-  const Scalar t177 = t176 * t52;
-  const Scalar t178 = k[24] * (t102 - t144) - (k[30] * t97 + k[45] * t121);
-  const Scalar t179 = t152 + t115;
-  const Scalar t180 = wrench[0] * c1 + wrench[1] * s1;
-  const Scalar t181 = wrench[0] * s1 - wrench[1] * c1;
-  const Scalar t182 = wrench[2] * c3 + s3 * t181;
-  const Scalar t183 = s4 * t180 - c4 * t182;
-  const Scalar t184 = c3 * t181 - wrench[2] * s3;
-  const Scalar t185 = (t128 * t27 + t21 * t179) - k[39] * (c5 * t183 - s5 * t184);
-  const Scalar t186 = t185 - (k[22] * t149 - k[21] * t117);
-  const Scalar t187 = (t21 * t150 - t27 * t151) - k[39] * (s5 * t183 + c5 * t184);
-  const Scalar t188 = t187 + (k[21] * t135 + k[22] * t115);
-  const Scalar t189 = (k[20] * t123 + k[23] * (t112 - t164)) - k[29] * t141;
-  const Scalar t190 = (c5 * t186 + s5 * t188) + t189;
-  const Scalar t191 = t133 + t132;
-  const Scalar t192 = t112 - t144;
-  const Scalar t193 = (k[26] * t191 + k[27] * t120) - (k[19] * t123 - k[15] * (t164 - t192));
-  const Scalar t194 = t190 - ((k[23] * t146 + t193) - t174);
-  const Scalar t195 = (k[25] * t120 - k[27] * t191) + k[19] * t192;
-  const Scalar t196 = (c5 * t155 + s5 * t161) - (k[20] * t146 - (t195 - k[15] * t162));
-  const Scalar t197 = (t21 * t129 + (t118 + t179) * t27) - k[39] * (s4 * t182 + c4 * t180);
-  const Scalar t198 = (k[23] * t162 - k[20] * t112) - k[29] * t105;
-  const Scalar t199 = (t197 + (k[22] * t126 + k[21] * t129)) + t198;
-  const Scalar t200 = t196 - t199;
-  const Scalar t201 = (k[28] * t100 + t178) - (s4 * t194 - c4 * t200);
-  const Scalar t202 = t142 - t143;
-  const Scalar t203 = (k[24] * t100 + k[28] * t202) - (k[44] * t121 + k[41] * t97);
-  const Scalar t204 = c3 * t201 - s3 * ((t203 + k[33] * t94) + t167);
-  const Scalar t205 = (s4 * t190 + c4 * t199) + k[46] * t121;
-  const Scalar t206 = t57 * ((k[42] * t94 - k[34] * t102) + t205);
-  const Scalar t207 = ((k[34] * t103 - k[43] * t94) - t204) + t206;
-  const Scalar t208 = torque[0] - (t207 + (k[48] * t101 + k[47] * t93));
-  const Scalar t209 = t177 * t65 + ((t168 * t60 - t208) - t61 * t175);
-  const Scalar t210 = t102 - t202;
-  const Scalar t211 = k[33] * t145 - (k[40] * t100 - k[41] * (t144 - t210));
-  const Scalar t212 = torque[2] - ((s4 * t200 + c4 * t194) - t211);
-  const Scalar t213 = (t175 * t35 - (t212 + t168 * t31)) - t177 * t50;
-  const Scalar t214 = t213 * t54;
-  const Scalar t215 = k[33] * t210 - (s4 * t199 - c4 * t190);
-  const Scalar t216 = k[29] * t146 + (k[20] * t120 + k[23] * t191);
-  const Scalar t217 = (t216 + (c5 * t188 - s5 * t186)) - k[33] * t100;
-  const Scalar t218 = (s3 * t215 - c3 * t217) - (k[43] * t102 - k[42] * t103);
-  const Scalar t219 = t80 * t175 - (t78 * t169 - (torque[1] + k[6] * t218));
-  const Scalar t220 = (t219 - t177 * t81) + t214 * t85;
-  const Scalar t221 = Scalar(1) / (t75 - t86 * t91) * ((t209 + t214 * t67) - t220 * t91);
-  const Scalar t222 = t220 * t90 - t221 * t91;
-  const Scalar t223 = t222 * t87 + (t221 * t68 - t214);
-  const Scalar t224 = (t222 * t88 - (t177 + t221 * t66)) + t53 * t223;
-  const Scalar t225 = t36 * t223 + (t83 * t222 - (t221 * t74 + t175));
-  const Scalar t226 = t42 * t224 - t225;
-  const Scalar t227 = t223 * t31 - ((t221 * t60 - t169) - t222 * t77);
+  const Scalar t37 = (t11 * t13 + (k[37] + t18)) + t32 * t36;
+  const Scalar t38 = c4 * t17 + s4 * t14;
+  const Scalar t39 = (k[22] + t30) + k[4] * t14;
+  const Scalar t40 = k[19] + t5;
+  const Scalar t41 = Scalar(2) * c5 * t40 + s5 * (k[14] + t27);
+  const Scalar t42 = (k[20] - (t40 - c5 * t41)) + k[4] * t17;
+  const Scalar t43 = s4 * t39 + c4 * t42;
+  const Scalar t44 = t27 - s5 * t41;
+  const Scalar t45 = k[24] - t44;
+  const Scalar t46 = k[5] - t26;
+  const Scalar t47 = k[23] - t46;
+  const Scalar t48 = t45 - t47;
+  const Scalar t49 = t10 * t38 + (c3 * t43 - s3 * t48);
+  const Scalar t50 = t30 + t2 * t7;
+  const Scalar t51 = t50 * t35;
+  const Scalar t52 = (t49 + t11 * t7) - t32 * t51;
+  const Scalar t53 = t36 * t50 + (t7 * t12 + s3 * t18);
+  const Scalar t54 = Scalar(1) / ((t48 - t8 * t7) + t50 * t51);
+  const Scalar t55 = t53 * t54;
+  const Scalar t56 = c4 * t3 + s4 * t6;
+  const Scalar t57 = k[6] * t56;
+  const Scalar t58 = (c4 * t29 - s4 * t25) + t2 * t57;
+  const Scalar t59 = t58 * t35;
+  const Scalar t60 = c4 * t39 - s4 * t42;
+  const Scalar t61 = k[26] + t25;
+  const Scalar t62 = Scalar(2) * c4 * t61 - s4 * (t45 + t47);
+  const Scalar t63 = s3 * (k[35] + t60) + c3 * (k[36] - (t61 - c4 * t62));
+  const Scalar t64 = t54 * t52;
+  const Scalar t65 = (t57 * t8 + t60) - t58 * t51;
+  const Scalar t66 = (t32 * t59 - (t63 + t19 * t56)) - t64 * t65;
+  const Scalar t67 = t65 * t54;
+  const Scalar t68 = s4 * t62;
+  const Scalar t69 = k[27] + (t45 + t68);
+  const Scalar t70 = k[28] - t20;
+  const Scalar t71 = k[29] + ((t44 + t28) + k[4] * (t70 - t20));
+  const Scalar t72 = t58 * t59 - (t57 * t56 - (t69 + t71));
+  const Scalar t73 = Scalar(1) / (t65 * t67 - t72);
+  const Scalar t74 = t66 * t73;
+  const Scalar t75 = k[30] + t38;
+  const Scalar t76 = t13 * t56 - (s3 * t70 + c3 * t75);
+  const Scalar t77 = t53 * t67 + (t76 + t33 * t59);
+  const Scalar t78 = (t37 + t52 * t55) + t74 * t77;
+  const Scalar t79 = t77 * t73;
+  const Scalar t80 = (t36 * t33 - (k[32] + t12 * t13)) - t53 * t55;
+  const Scalar t81 = Scalar(1) / (t79 * t77 + t80);
+  const Scalar t82 = t78 * t81;
+  const Scalar t83 = t32 * t35;
+  const Scalar t84 = c3 * (k[25] + t43);
+  const Scalar t85 = s3 * (s3 * (t69 - t71) - (t84 + t84));
+  const Scalar t86 = k[31] - (s3 * t75 - c3 * t70);
+  const Scalar t87 = (t71 + t85) + t10 * ((t86 - k[32] * t10) + t86);
+  const Scalar t88 = t11 * t19 - ((k[33] + t87) - (k[34] + (t47 + t68)));
+  const Scalar t89 = t66 * t74 - (t64 * t52 - (t83 * t32 - t88));
+  const Scalar t90 = qd[0] * s3;
+  const Scalar t91 = qd[2] * t90;
+  const Scalar t92 = Scalar(2) * t91;
+  const Scalar t93 = k[38] * s1 + k[39] * c1;
+  const Scalar t94 = qd[1] * qd[0];
+  const Scalar t95 = t93 - (t94 + t94);
+  const Scalar t96 = k[4] * t92 + t95;
+  const Scalar t97 = qd[0] * c3;
+  const Scalar t98 = t90 * t97;
+  const Scalar t99 = k[38] * c1 - k[39] * s1;
+  const Scalar t100 = qd[0] * qd[0];
+  const Scalar t101 = t99 - t100 * t10;
+  const Scalar t102 = k[4] * t98 + (k[40] * c3 - s3 * t101);
+  const Scalar t103 = c4 * t96 + s4 * t102;
+  const Scalar t104 = qd[2] * t97;
+  const Scalar t105 = c4 * t97 - qd[2] * s4;
+  const Scalar t106 = s4 * t97;
+  const Scalar t107 = qd[2] * c4 + t106;
+  const Scalar t108 = t105 * t107;
+  const Scalar t109 = t104 - t108;
+  const Scalar t110 = c4 * t92 + t90 * t106;
+  const Scalar t111 = qd[3] - t90;
+  const Scalar t112 = t111 * t107;
+  const Scalar t113 = (t110 + t112) + t112;
+  const Scalar t114 = s5 * t109 + c5 * t113;
+  const Scalar t115 = qd[4] + t107;
+  const Scalar t116 = s5 * t105 - c5 * t111;
+  const Scalar t117 = t115 * t116;
+  const Scalar t118 = t114 + (t117 + t117);
+  const Scalar t119 = s5 * t111 + c5 * t105;
+  const Scalar t120 = s5 * t113 - c5 * t109;
+  const Scalar t121 = Scalar(2) * t115 * t119 - t120;
+  const Scalar t122 = t115 * t115;
+  const Scalar t123 = t119 * t119;
+  const Scalar t124 = t122 - t123;
+  const Scalar t125 = c4 * t98 - s4 * t92;
+  const Scalar t126 = t105 * t111;
+  const Scalar t127 = t125 + t126;
+  const Scalar t128 = t119 * t116;
+  const Scalar t129 = t127 + t128;
+  const Scalar t130 = (k[19] * t118 - k[13] * t121) + (k[16] * t124 - k[17] * t129);
+  const Scalar t131 = wrench[3] * s1 - wrench[4] * c1;
+  const Scalar t132 = wrench[5] * s3 - c3 * t131;
+  const Scalar t133 = s3 * t131 + wrench[5] * c3;
+  const Scalar t134 = wrench[3] * c1 + wrench[4] * s1;
+  const Scalar t135 = c4 * t133 - s4 * t134;
+  const Scalar t136 = s4 * t96 - c4 * t102;
+  const Scalar t137 = c3 * t101 + k[40] * s3;
+  const Scalar t138 = t97 * t97;
+  const Scalar t139 = qd[2] * qd[2];
+  const Scalar t140 = t138 + t139;
+  const Scalar t141 = t137 - k[4] * t140;
+  const Scalar t142 = c5 * t136 + s5 * t141;
+  const Scalar t143 = (t46 * t120 - t26 * t121) - t22 * t124;
+  const Scalar t144 = (t142 * t0 - t4 * t103) - ((t2 * t129 + t5 * t118) - t143);
+  const Scalar t145 = (c5 * t132 + s5 * t135) - t144;
+  const Scalar t146 = (k[9] * t103 + t130) + t145;
+  const Scalar t147 = qd[5] - t116;
+  const Scalar t148 = Scalar(2) * t147 * t119 + t129;
+  const Scalar t149 = t118 + Scalar(2) * t147 * t115;
+  const Scalar t150 = t147 * t147;
+  const Scalar t151 = t122 - t150;
+  const Scalar t152 = (t148 * t22 + t149 * t46) - t2 * t151;
+  const Scalar t153 = s5 * t136 - c5 * t141;
+  const Scalar t154 = (s5 * t132 - c5 * t135) + ((t152 + t5 * t121) - t153 * t0);
+  const Scalar t155 = t111 * t111;
+  const Scalar t156 = t105 * t105;
+  const Scalar t157 = t155 + t156;
+  const Scalar t158 = t150 + t123;
+  const Scalar t159 = t158 + t151;
+  const Scalar t160 = t157 - t159;
+  const Scalar t161 = k[17] * t160 - (k[19] * t121 + k[14] * t118);
+  const Scalar t162 = t127 - t128;
+  const Scalar t163 = t154 - ((t161 - k[16] * t162) - k[8] * t103);
+  const Scalar t164 = t104 + t108;
+  const Scalar t165 = t155 - t156;
+  const Scalar t166 = t140 + t165;
+  const Scalar t167 = (k[24] * t164 - k[23] * t109) - k[26] * (t157 - t166);
+  const Scalar t168 = (t167 - (k[22] * t125 - k[20] * t110)) + (k[21] * t136 + k[18] * t103);
+  const Scalar t169 = (c5 * t146 + s5 * t163) + t168;
+  const Scalar t170 = torque[5] - t145;
+  const Scalar t171 = k[6] * t170;
+  const Scalar t172 = t158 + t124;
+  const Scalar t173 = (t149 * t22 + t148 * t26) + (t5 * (t159 - t172) - t2 * t120);
+  const Scalar t174 = (t4 * t153 + t173) + (c4 * t134 + s4 * t133);
+  const Scalar t175 = t160 + t124;
+  const Scalar t176 = k[19] * t175 + (k[13] * t162 - k[14] * t129);
+  const Scalar t177 = ((k[16] * t114 + k[17] * t120) - t176) + (k[9] * t153 - k[8] * t142);
+  const Scalar t178 = t174 + t177;
+  const Scalar t179 = t2 * t171 + (torque[4] + t178);
+  const Scalar t180 = ((torque[3] - t169) - t8 * t171) + t179 * t51;
+  const Scalar t181 = t179 * t35;
+  const Scalar t182 = t138 - t139;
+  const Scalar t183 = t100 - t182;
+  const Scalar t184 = (k[48] * t98 - k[25] * (t140 - t183)) + k[30] * t137;
+  const Scalar t185 = wrench[0] * c1 + wrench[1] * s1;
+  const Scalar t186 = wrench[0] * s1 - wrench[1] * c1;
+  const Scalar t187 = wrench[2] * c3 + s3 * t186;
+  const Scalar t188 = s4 * t185 - c4 * t187;
+  const Scalar t189 = c3 * t186 - wrench[2] * s3;
+  const Scalar t190 = (c5 * t188 - s5 * t189) - (t120 * t0 + t4 * t172);
+  const Scalar t191 = (k[9] * (t159 + t175) - k[8] * t129) - t190;
+  const Scalar t192 = (s5 * t188 + c5 * t189) - (t4 * t148 - t149 * t0);
+  const Scalar t193 = t192 - (k[8] * t159 + k[9] * t162);
+  const Scalar t194 = (k[21] * t109 + k[18] * t166) + k[42] * t136;
+  const Scalar t195 = (c5 * t191 - s5 * t193) + t194;
+  const Scalar t196 = (k[21] * t157 - k[18] * t164) - k[42] * t103;
+  const Scalar t197 = (s4 * t187 + c4 * t185) - (t4 * t121 + t158 * t0);
+  const Scalar t198 = t196 + (t197 - (k[9] * t121 + k[8] * t118));
+  const Scalar t199 = c4 * t195 + s4 * t198;
+  const Scalar t200 = t127 + t126;
+  const Scalar t201 = (k[23] * t113 - k[26] * t200) - k[22] * (t140 - t157);
+  const Scalar t202 = (c5 * t163 - s5 * t146) - (k[21] * t141 - (k[20] * t164 - t201));
+  const Scalar t203 = (k[24] * t200 + k[26] * t113) - (k[22] * t109 + k[20] * t165);
+  const Scalar t204 = t178 + (t203 - k[18] * t141);
+  const Scalar t205 = k[4] * t199 - (s4 * t202 + c4 * t204);
+  const Scalar t206 = t181 * t58 - ((torque[2] - (t184 + t205)) + t56 * t171);
+  const Scalar t207 = t67 * t180 + t206;
+  const Scalar t208 = c4 * t198 - s4 * t195;
+  const Scalar t209 = (k[43] * t95 + k[37] * t100) - (k[41] * t104 - t208);
+  const Scalar t210 = (k[35] * t98 + k[36] * t182) - (k[44] * t91 + k[45] * t104);
+  const Scalar t211 = (k[29] * t92 + k[44] * t104) - k[35] * (t100 - t140);
+  const Scalar t212 = k[4] * t208 + (s4 * t204 - c4 * t202);
+  const Scalar t213 = s3 * (t169 - (t210 - k[30] * t95)) - c3 * ((t211 - k[36] * t98) - t212);
+  const Scalar t214 = t209 * t10 + (t213 - (k[31] * t95 - k[37] * t101));
+  const Scalar t215 = torque[0] + (t214 - (k[46] * t93 - k[47] * t99));
+  const Scalar t216 = t64 * t180 - ((t215 + t170 * t19) - t181 * t32);
+  const Scalar t217 = k[42] * t141 - (k[18] * t200 + k[21] * t113);
+  const Scalar t218 = (t217 + (c5 * t193 + s5 * t191)) + k[30] * t98;
+  const Scalar t219 = s3 * (t199 + k[30] * t183) + c3 * t218;
+  const Scalar t220 = torque[1] - ((k[43] * t101 + k[31] * t100) - t219);
+  const Scalar t221 = t180 * t55 + ((t220 - t170 * t13) - t179 * t36);
+  const Scalar t222 = t207 * t73;
+  const Scalar t223 = t221 - t77 * t222;
+  const Scalar t224 = Scalar(1) / (t78 * t82 - t89) * ((t207 * t74 + t216) + t82 * t223);
+  const Scalar t225 = t82 * t224 - t81 * t223;
+  const Scalar t226 = (t74 * t224 + t222) - t79 * t225;
+  const Scalar t227 = (t64 * t224 - t180 * t54) + t225 * t55;
+  const Scalar t228 = t227 + t67 * t226;
+  const Scalar t229 = ((t181 + t83 * t224) - t36 * t225) + t59 * t226;
+  const Scalar t230 = t229 + t228 * t51;
+  const Scalar t231 = t57 * t226 + (t13 * t225 + (t19 * t224 + t171));
   JointVector<Scalar> result;
-  result[0] = -t221;
-  result[1] = t222;
-  result[2] = -t223;
-  result[3] = -t224;
-  result[4] = -t226;
-  result[5] = t32 * t226 - (t227 - t38 * t224);
+  result[0] = -t224;
+  result[1] = t225;
+  result[2] = -t226;
+  result[3] = t228;
+  result[4] = t230;
+  result[5] = t34 * t230 - (t228 * t7 + t231);
   return result;
 }
 

@@ -27,62 +27,62 @@ InverseDynamicsConstants<Scalar> inverse_dynamics_constants(const BasicGeometry<
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c4z * inertia.m4;
-  const Scalar t1 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t2 = t0 - g.d4 * t1;
-  const Scalar t3 = inertia.c3z * inertia.m3;
-  const Scalar t4 = t3 - g.d4 * inertia.m3;
-  const Scalar t5 = inertia.c3x * inertia.m3;
+  const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t1 = inertia.c3x * inertia.m3;
+  const Scalar t2 = inertia.c4z * inertia.m4;
+  const Scalar t3 = t2 - g.d4 * t0;
+  const Scalar t4 = inertia.c3z * inertia.m3;
+  const Scalar t5 = t4 - g.d4 * inertia.m3;
   const Scalar t6 = inertia.c5y * inertia.m5;
   const Scalar t7 = inertia.c5z * inertia.m5;
   const Scalar t8 = inertia.c6z * inertia.m6;
   const Scalar t9 = inertia.c6y * inertia.m6;
   const Scalar t10 = inertia.c6x * inertia.m6;
-  const Scalar t11 = inertia.c4x * inertia.m4;
-  const Scalar t12 = inertia.c5x * inertia.m5;
-  const Scalar t13 = inertia.c4y * inertia.m4;
-  const Scalar t14 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t15 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t16 = (inertia.I6xx - t15) - inertia.c6x * t10;
-  const Scalar t17 = (inertia.I6yy - t15) - inertia.c6y * t9;
-  const Scalar t18 = inertia.I6xy - inertia.c6y * t10;
-  const Scalar t19 = (inertia.c6z * t8 - (inertia.I6zz - t15)) + (inertia.c5z * t7 - (inertia.I5zz - t14));
-  const Scalar t20 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t21 = (inertia.c5x * t12 - (inertia.I5xx - t14)) - ((inertia.I4xx - t20) - inertia.c4x * t11);
-  const Scalar t22 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t23 = ((inertia.I3zz - t22) - inertia.c3z * t3) + g.d4 * (t3 + t4);
-  const Scalar t24 = ((inertia.I4zz - t20) - inertia.c4z * t0) + g.d4 * (t2 + t0);
-  const Scalar t25 = (inertia.c3x * t5 - (inertia.I3xx - t22)) - (t23 + t24);
-  return { t2 + t4,
-           t5,
+  const Scalar t11 = inertia.c4y * inertia.m4;
+  const Scalar t12 = inertia.c4x * inertia.m4;
+  const Scalar t13 = inertia.c5x * inertia.m5;
+  const Scalar t14 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t15 = ((inertia.I3zz - t14) - inertia.c3z * t4) + g.d4 * (t4 + t5);
+  const Scalar t16 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t17 = ((inertia.I4zz - t16) - inertia.c4z * t2) + g.d4 * (t3 + t2);
+  const Scalar t18 = (inertia.c3x * t1 - (inertia.I3xx - t14)) - (t15 + t17);
+  const Scalar t19 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t20 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t21 = (inertia.c6z * t8 - (inertia.I6zz - t19)) + (inertia.c5z * t7 - (inertia.I5zz - t20));
+  const Scalar t22 = inertia.I6xy - inertia.c6y * t10;
+  const Scalar t23 = (inertia.I6xx - t19) - inertia.c6x * t10;
+  const Scalar t24 = (inertia.I6yy - t19) - inertia.c6y * t9;
+  const Scalar t25 = (inertia.c5x * t13 - (inertia.I5xx - t20)) - ((inertia.I4xx - t16) - inertia.c4x * t12);
+  return { gravity,
+           inertia.m1,
+           inertia.m2 + (inertia.m3 + t0),
+           t1,
+           t3 + t5,
            t6,
            t7 + t8,
            t9,
            t10,
-           t11 + t12,
-           t13,
-           gravity,
-           inertia.m2 + (inertia.m3 + t1),
-           inertia.m1,
-           g.d4,
-           inertia.I5xy - inertia.c5y * t12,
-           inertia.I5xz - inertia.c5z * t12,
-           inertia.c5y * t6 - (inertia.I5yy - t14),
-           inertia.I5yz - inertia.c5z * t6,
-           t16 - t17,
-           Scalar(2) * t18,
-           t17,
-           t16,
+           t11,
+           t12 + t13,
            t18,
+           g.d4,
+           inertia.I5xz - inertia.c5z * t13,
+           inertia.I5yz - inertia.c5z * t6,
+           t21,
+           inertia.I5xy - inertia.c5y * t13,
            inertia.I6yz - inertia.c6z * t9,
            inertia.I6xz - inertia.c6z * t10,
-           t19,
-           inertia.I4yz - inertia.c4z * t13,
-           inertia.I4xy - inertia.c4y * t11,
-           t21,
-           inertia.I4xz - inertia.c4z * t11,
-           (inertia.I4yy - t20) - inertia.c4y * t13,
-           t25 };
+           Scalar(2) * t22,
+           t23 - t24,
+           t22,
+           t24,
+           t23,
+           inertia.c5y * t6 - (inertia.I5yy - t20),
+           inertia.I4xz - inertia.c4z * t12,
+           inertia.I4xy - inertia.c4y * t12,
+           t25,
+           inertia.I4yz - inertia.c4z * t11,
+           (inertia.I4yy - t16) - inertia.c4y * t11 };
 }
 
 namespace detail {
@@ -99,104 +99,109 @@ inline JointVector<Scalar> inverse_dynamics([[maybe_unused]] const JointVector<S
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = qd[2] * s4;
-  const Scalar t1 = qd[3] * t0;
-  const Scalar t2 = qdd[2] * c4;
-  const Scalar t3 = t1 + (t1 - t2);
-  const Scalar t4 = qd[2] * c4;
-  const Scalar t5 = qd[3] * t4;
-  const Scalar t6 = qdd[2] * s4;
-  const Scalar t7 = t5 + t6;
-  const Scalar t8 = t5 + t7;
-  const Scalar t9 = qd[4] - t0;
-  const Scalar t10 = t9 * t9;
-  const Scalar t11 = qd[3] * s5 - c5 * t4;
-  const Scalar t12 = t11 * t11;
-  const Scalar t13 = t10 + t12;
-  const Scalar t14 = s5 * t4 + qd[3] * c5;
-  const Scalar t15 = t11 * t14;
-  const Scalar t16 = qdd[4] - t7;
-  const Scalar t17 = t15 + t16;
-  const Scalar t18 = t9 * t14;
-  const Scalar t19 = t0 * t4;
-  const Scalar t20 = qdd[3] + t19;
-  const Scalar t21 = s5 * t20 + c5 * t3;
-  const Scalar t22 = t18 + (t21 + t18);
-  const Scalar t23 = qd[5] + t14;
-  const Scalar t24 = t22 - Scalar(2) * t23 * t9;
-  const Scalar t25 = k[4] * s6 + k[5] * c6;
-  const Scalar t26 = t11 * t23;
-  const Scalar t27 = t15 - t16;
-  const Scalar t28 = (t26 + t26) - t27;
-  const Scalar t29 = k[4] * c6 - k[5] * s6;
-  const Scalar t30 = (k[3] * t13 - k[2] * t17) - (t24 * t25 + t28 * t29);
-  const Scalar t31 = t4 * t4;
-  const Scalar t32 = qd[3] * qd[3];
-  const Scalar t33 = t31 + t32;
-  const Scalar t34 = t10 - t12;
-  const Scalar t35 = t33 + t34;
-  const Scalar t36 = t10 - t23 * t23;
-  const Scalar t37 = t36 - t13;
-  const Scalar t38 = s5 * t3 - c5 * t20;
-  const Scalar t39 = qdd[5] - t38;
-  const Scalar t40 = (k[3] * t27 - k[2] * t35) + ((t37 - t34) * t29 - t39 * t25);
-  const Scalar t41 = (k[6] * t3 - k[7] * t8) - (c5 * t30 - s5 * t40);
-  const Scalar t42 = qd[2] * qd[2];
-  const Scalar t43 = c3 * (t41 - (k[0] * t42 + k[1] * qdd[2]));
-  const Scalar t44 = t31 - t32;
-  const Scalar t45 = t44 - t42;
-  const Scalar t46 = (k[6] * t20 - k[7] * t45) - (s5 * t30 + c5 * t40);
-  const Scalar t47 = Scalar(2) * t11 * t9 - t39;
-  const Scalar t48 = qdd[5] + t47;
-  const Scalar t49 = (t29 * t47 - t25 * t37) + (k[3] * t22 + k[2] * t48);
-  const Scalar t50 = qdd[3] - t19;
-  const Scalar t51 = t49 - (k[7] * t50 - k[6] * t33);
-  const Scalar t52 = s4 * t46 + c4 * t51;
-  const Scalar t53 = s3 * ((k[1] * t42 - k[0] * qdd[2]) + t52);
-  const Scalar t54 = k[8] + qdd[0];
-  const Scalar t55 = ((t43 + t53) + k[9] * t54) + k[10] * t54;
-  const Scalar t56 = k[9] * qdd[1] - (c4 * t46 - s4 * t51);
-  const Scalar t57 = s3 * t54;
-  const Scalar t58 = c3 * t54;
-  const Scalar t59 = k[29] * qdd[2] - (k[0] * t57 + k[1] * t58);
-  const Scalar t60 = k[11] * t42 + t58;
-  const Scalar t61 = (k[24] * t44 - k[27] * t20) - (k[25] * t3 - k[28] * t8);
-  const Scalar t62 = k[22] * c6 + k[21] * s6;
-  const Scalar t63 = k[21] * c6 - k[22] * s6;
-  const Scalar t64 = k[17] * s6 + k[16] * c6;
-  const Scalar t65 = c6 * t64;
-  const Scalar t66 = k[19] - t65;
-  const Scalar t67 = k[20] - s6 * t64;
-  const Scalar t68 = (t62 * t39 - (t36 - t34) * t63) + (t28 * t66 + t24 * t67);
-  const Scalar t69 = k[11] * qdd[2] + t57;
-  const Scalar t70 = qdd[1] * c4 - s4 * t69;
-  const Scalar t71 = c5 * t60 - s5 * t70;
-  const Scalar t72 = (k[14] * t17 - k[23] * t27) - k[15] * (t35 - t13);
-  const Scalar t73 = s5 * t60 + c5 * t70;
-  const Scalar t74 = ((k[13] * t38 - k[12] * t21) + t72) + (k[2] * t71 - k[3] * t73);
-  const Scalar t75 = (t68 - t71 * t29) - t74;
-  const Scalar t76 = t45 + t33;
-  const Scalar t77 = (k[26] * t3 + k[25] * t8) + k[27] * (t44 - t76);
-  const Scalar t78 = k[18] + t65;
-  const Scalar t79 = t62 * t36 - (t28 * t67 + t24 * t78);
-  const Scalar t80 = (k[15] * t48 - k[23] * t22) + k[13] * (t33 - t13);
-  const Scalar t81 = qdd[1] * s4 + c4 * t69;
-  const Scalar t82 = (t71 * t25 + (t79 - t63 * t47)) - ((t80 + k[12] * t17) - k[3] * t81);
-  const Scalar t83 = (k[15] * t22 - k[14] * t48) - (k[12] * t34 - k[13] * t27);
-  const Scalar t84 = (t39 * t78 - t66 * t47) + t67 * t34;
-  const Scalar t85 = ((t63 * t22 + t62 * t27) - t84) - (t81 * t29 + t73 * t25);
-  const Scalar t86 = (k[2] * t81 - t83) - t85;
-  const Scalar t87 = ((t77 + k[24] * t50) + k[6] * t60) + (c5 * t82 + s5 * t86);
-  const Scalar t88 = s4 * ((k[7] * t60 + t61) - t75) + c4 * t87;
-  const Scalar t89 = (k[28] * t50 - k[26] * t20) - k[25] * t76;
-  const Scalar t90 = ((k[27] * t6 - k[24] * t2) - t89) - (k[7] * t81 + k[6] * t70);
+  const Scalar t0 = k[0] + qdd[0];
+  const Scalar t1 = qd[2] * qd[2];
+  const Scalar t2 = qd[2] * c4;
+  const Scalar t3 = t2 * t2;
+  const Scalar t4 = qd[3] * qd[3];
+  const Scalar t5 = t3 + t4;
+  const Scalar t6 = qd[2] * s4;
+  const Scalar t7 = qd[4] - t6;
+  const Scalar t8 = t7 * t7;
+  const Scalar t9 = s5 * t2 + qd[3] * c5;
+  const Scalar t10 = qd[5] + t9;
+  const Scalar t11 = t10 * t10;
+  const Scalar t12 = t8 + t11;
+  const Scalar t13 = qd[3] * s5 - c5 * t2;
+  const Scalar t14 = t13 * t13;
+  const Scalar t15 = t11 + t14;
+  const Scalar t16 = t12 - t15;
+  const Scalar t17 = t5 + t16;
+  const Scalar t18 = t13 * t9;
+  const Scalar t19 = qd[3] * t2;
+  const Scalar t20 = qdd[2] * s4;
+  const Scalar t21 = t19 + t20;
+  const Scalar t22 = qdd[4] - t21;
+  const Scalar t23 = t18 - t22;
+  const Scalar t24 = k[8] * c6 + k[7] * s6;
+  const Scalar t25 = qd[3] * t6;
+  const Scalar t26 = qdd[2] * c4;
+  const Scalar t27 = t25 + (t25 - t26);
+  const Scalar t28 = t6 * t2;
+  const Scalar t29 = qdd[3] + t28;
+  const Scalar t30 = s5 * t27 - c5 * t29;
+  const Scalar t31 = t13 * t7;
+  const Scalar t32 = t31 + t31;
+  const Scalar t33 = t30 + t32;
+  const Scalar t34 = qdd[5] - t33;
+  const Scalar t35 = t34 + t32;
+  const Scalar t36 = k[7] * c6 - k[8] * s6;
+  const Scalar t37 = (k[5] * t17 - k[6] * t23) + (t24 * t35 + t12 * t36);
+  const Scalar t38 = t8 + t14;
+  const Scalar t39 = t18 + t22;
+  const Scalar t40 = t13 * t10;
+  const Scalar t41 = (t40 + t40) - t23;
+  const Scalar t42 = s5 * t29 + c5 * t27;
+  const Scalar t43 = t7 * t9;
+  const Scalar t44 = t42 + (t43 + t43);
+  const Scalar t45 = t10 * t7;
+  const Scalar t46 = t44 - (t45 + t45);
+  const Scalar t47 = (k[6] * t38 - k[5] * t39) - (t41 * t36 + t24 * t46);
+  const Scalar t48 = t3 - t4;
+  const Scalar t49 = t48 - t1;
+  const Scalar t50 = (c5 * t37 - s5 * t47) - (k[9] * t49 - k[10] * t29);
+  const Scalar t51 = (t34 * t36 - t24 * t15) - (k[6] * t44 + k[5] * t33);
+  const Scalar t52 = qdd[3] - t28;
+  const Scalar t53 = t51 - (k[10] * t5 - k[9] * t52);
+  const Scalar t54 = s4 * t50 - c4 * t53;
+  const Scalar t55 = s3 * ((k[4] * qdd[2] - k[3] * t1) - t54);
+  const Scalar t56 = t19 + t21;
+  const Scalar t57 = (s5 * t37 + c5 * t47) - (k[10] * t27 - k[9] * t56);
+  const Scalar t58 = c3 * (t57 + (k[3] * qdd[2] + k[4] * t1));
+  const Scalar t59 = k[1] * t0 - ((t55 + t58) - k[2] * t0);
+  const Scalar t60 = k[2] * qdd[1] - (c4 * t50 + s4 * t53);
+  const Scalar t61 = c3 * t0;
+  const Scalar t62 = k[12] * t1 + t61;
+  const Scalar t63 = (k[26] * t27 - k[29] * t56) + (k[25] * t29 - k[28] * t48);
+  const Scalar t64 = s3 * t0;
+  const Scalar t65 = t64 + k[12] * qdd[2];
+  const Scalar t66 = qdd[1] * c4 - s4 * t65;
+  const Scalar t67 = c5 * t62 - s5 * t66;
+  const Scalar t68 = k[19] * s6 + k[20] * c6;
+  const Scalar t69 = k[21] - s6 * t68;
+  const Scalar t70 = c6 * t68;
+  const Scalar t71 = k[23] - t70;
+  const Scalar t72 = k[17] * s6 + k[18] * c6;
+  const Scalar t73 = k[17] * c6 - k[18] * s6;
+  const Scalar t74 = t8 - t11;
+  const Scalar t75 = (t69 * t46 + t41 * t71) + (t72 * t35 - t73 * (t74 - t16));
+  const Scalar t76 = t17 - t38;
+  const Scalar t77 = (k[24] * t39 - k[15] * t23) - k[14] * t76;
+  const Scalar t78 = c5 * t66 + s5 * t62;
+  const Scalar t79 = ((k[16] * t42 - k[13] * t30) - t77) + (k[6] * t78 - k[5] * t67);
+  const Scalar t80 = (t67 * t36 - t75) - t79;
+  const Scalar t81 = k[22] + t70;
+  const Scalar t82 = (t81 * t46 + t41 * t69) - t72 * t74;
+  const Scalar t83 = qdd[1] * s4 + c4 * t65;
+  const Scalar t84 = (k[15] * t44 - k[14] * t33) - k[13] * (t76 - t16);
+  const Scalar t85 = ((t82 - t73 * t34) - t24 * t67) - (k[6] * t83 - (k[16] * t39 - t84));
+  const Scalar t86 = (k[16] * t16 - k[13] * t23) + (k[24] * t33 - k[14] * t44);
+  const Scalar t87 = t69 * t16 + (t81 * t35 + t71 * t34);
+  const Scalar t88 = (t24 * t78 + t83 * t36) - ((t73 * t44 + t72 * t23) - t87);
+  const Scalar t89 = (t86 + k[5] * t83) + t88;
+  const Scalar t90 = (k[27] * t27 + k[26] * t56) - k[25] * (t5 - t1);
+  const Scalar t91 = (c5 * t85 - s5 * t89) - ((t90 + k[28] * t52) + k[10] * t62);
+  const Scalar t92 = s4 * ((k[9] * t62 - t63) + t80) - c4 * t91;
+  const Scalar t93 = k[11] * qdd[2] - (k[3] * t61 + k[4] * t64);
+  const Scalar t94 = (k[29] * t52 - k[27] * t29) - k[26] * (t49 + t5);
+  const Scalar t95 = (k[10] * t66 + k[9] * t83) + (t94 + (k[28] * t26 - k[25] * t20));
   JointVector<Scalar> result;
-  result[0] = t55;
-  result[1] = t56;
-  result[2] = t59 - (t88 - k[11] * t52);
-  result[3] = t90 + (s5 * t82 - c5 * t86);
-  result[4] = -t75;
-  result[5] = t85;
+  result[0] = t59;
+  result[1] = t60;
+  result[2] = t93 - (t92 - k[12] * t54);
+  result[3] = -(c5 * t89 + s5 * t85) - t95;
+  result[4] = t80;
+  result[5] = -t88;
   return result;
 }
 
@@ -232,8 +237,8 @@ GravityTorqueConstants<Scalar> gravity_torque_constants(const BasicGeometry<Scal
            t1,
            inertia.c6y * inertia.m6,
            inertia.c6x * inertia.m6,
-           inertia.c5z * inertia.m5 + inertia.c6z * inertia.m6,
            inertia.c5y * inertia.m5,
+           inertia.c5z * inertia.m5 + inertia.c6z * inertia.m6,
            inertia.c4y * inertia.m4,
            inertia.c4x * inertia.m4 + inertia.c5x * inertia.m5,
            t2 };
@@ -260,13 +265,13 @@ inline JointVector<Scalar> gravity_torque([[maybe_unused]] const JointVector<Sca
   const Scalar t5 = c5 * t4 - s5 * t0;
   const Scalar t6 = k[4] * c6 + k[3] * s6;
   const Scalar t7 = t2 * t3 - t5 * t6;
-  const Scalar t8 = t7 + k[6] * t2;
+  const Scalar t8 = t7 + k[5] * t2;
   const Scalar t9 = s5 * t4 + c5 * t0;
-  const Scalar t10 = t9 * t6 + k[5] * t2;
+  const Scalar t10 = t9 * t6 + k[6] * t2;
   const Scalar t11 = k[8] * t0 + (s5 * t8 + c5 * t10);
-  const Scalar t12 = (k[5] * t5 + k[6] * t9) + t9 * t3;
+  const Scalar t12 = (k[5] * t9 + k[6] * t5) + t9 * t3;
   const Scalar t13 = c4 * t11 + s4 * (t12 + k[7] * t0);
-  const Scalar t14 = (k[7] * t2 - k[8] * t4) - (s5 * t10 - c5 * t8);
+  const Scalar t14 = (c5 * t8 - s5 * t10) + (k[7] * t2 - k[8] * t4);
   JointVector<Scalar> result;
   result[0] = k[9];
   result[1] = Scalar(0);
@@ -299,55 +304,53 @@ CoriolisTorqueConstants<Scalar> coriolis_torque_constants(const BasicGeometry<Sc
   using std::cos;
   using std::sin;
   const Scalar t0 = inertia.c4z * inertia.m4 - g.d4 * (inertia.m4 + (inertia.m5 + inertia.m6));
-  const Scalar t1 = inertia.c6y * inertia.m6;
-  const Scalar t2 = inertia.c6x * inertia.m6;
-  const Scalar t3 = inertia.c5y * inertia.m5;
+  const Scalar t1 = inertia.c4y * inertia.m4;
+  const Scalar t2 = inertia.c4x * inertia.m4;
+  const Scalar t3 = inertia.c5x * inertia.m5;
   const Scalar t4 = inertia.c5z * inertia.m5;
   const Scalar t5 = inertia.c6z * inertia.m6;
-  const Scalar t6 = inertia.c4y * inertia.m4;
-  const Scalar t7 = inertia.c4x * inertia.m4;
-  const Scalar t8 = inertia.c5x * inertia.m5;
-  const Scalar t9 = t7 + t8;
-  const Scalar t10 = inertia.I4xy - inertia.c4y * t7;
-  const Scalar t11 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t12 = (inertia.I4yy - t11) - inertia.c4y * t6;
+  const Scalar t6 = inertia.c5y * inertia.m5;
+  const Scalar t7 = inertia.c6x * inertia.m6;
+  const Scalar t8 = inertia.c6y * inertia.m6;
+  const Scalar t9 = inertia.I6xy - inertia.c6y * t7;
+  const Scalar t10 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t11 = (inertia.I6xx - t10) - inertia.c6x * t7;
+  const Scalar t12 = (inertia.I6yy - t10) - inertia.c6y * t8;
   const Scalar t13 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t14 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t15 = (inertia.c6z * t5 - (inertia.I6zz - t14)) + (inertia.c5z * t4 - (inertia.I5zz - t13));
-  const Scalar t16 = (inertia.I6xx - t14) - inertia.c6x * t2;
-  const Scalar t17 = (inertia.I6yy - t14) - inertia.c6y * t1;
-  const Scalar t18 = inertia.I6xy - inertia.c6y * t2;
-  const Scalar t19 = (inertia.c5x * t8 - (inertia.I5xx - t13)) - ((inertia.I4xx - t11) - inertia.c4x * t7);
+  const Scalar t14 = (inertia.c6z * t5 - (inertia.I6zz - t10)) + (inertia.c5z * t4 - (inertia.I5zz - t13));
+  const Scalar t15 = inertia.I4xy - inertia.c4y * t2;
+  const Scalar t16 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t17 = (inertia.I4yy - t16) - inertia.c4y * t1;
+  const Scalar t18 = (inertia.c5x * t3 - (inertia.I5xx - t13)) - ((inertia.I4xx - t16) - inertia.c4x * t2);
   return { t0 + (inertia.c3z * inertia.m3 - g.d4 * inertia.m3),
-           t1,
-           t2,
-           t3,
+           Scalar(2) * t1,
+           t2 + t3,
            t4 + t5,
-           Scalar(2) * t6,
-           Scalar(2) * t9,
-           t9,
            t6,
+           t7,
+           t8,
+           t1,
            inertia.c3x * inertia.m3,
            g.d4,
-           Scalar(2) * t10,
-           Scalar(2) * t12,
-           inertia.I4yz - inertia.c4z * t6,
-           inertia.I4xz - inertia.c4z * t7,
-           inertia.I5xz - inertia.c5z * t8,
-           inertia.I5xy - inertia.c5y * t8,
-           inertia.I5yz - inertia.c5z * t3,
-           inertia.c5y * t3 - (inertia.I5yy - t13),
+           Scalar(2) * t9,
+           t11 - t12,
+           t11,
+           t9,
+           inertia.I6xz - inertia.c6z * t7,
+           inertia.I6yz - inertia.c6z * t8,
+           inertia.I5yz - inertia.c5z * t6,
+           inertia.c5y * t6 - (inertia.I5yy - t13),
+           t14,
+           inertia.I5xz - inertia.c5z * t3,
+           inertia.I5xy - inertia.c5y * t3,
+           inertia.I4yz - inertia.c4z * t1,
+           inertia.I4xz - inertia.c4z * t2,
            t15,
-           t16 - t17,
+           Scalar(2) * t17,
+           t12,
            Scalar(2) * t18,
-           t18,
-           t16,
-           inertia.I6xz - inertia.c6z * t2,
-           inertia.I6yz - inertia.c6z * t1,
-           t17,
-           t19,
-           t10,
-           t12 + t19 };
+           Scalar(2) * t15,
+           t17 + t18 };
 }
 
 namespace detail {
@@ -365,83 +368,88 @@ inline JointVector<Scalar> coriolis_torque([[maybe_unused]] const JointVector<Sc
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
   const Scalar t0 = qd[2] * qd[2];
-  const Scalar t1 = qd[3] * qd[3];
-  const Scalar t2 = qd[2] * s4;
-  const Scalar t3 = t2 * t2;
-  const Scalar t4 = t1 - t3;
-  const Scalar t5 = t4 + t0;
-  const Scalar t6 = qd[2] * c4;
-  const Scalar t7 = t2 * t6;
-  const Scalar t8 = qd[4] - t2;
-  const Scalar t9 = s5 * t6 + qd[3] * c5;
-  const Scalar t10 = qd[3] * t2;
-  const Scalar t11 = Scalar(2) * t10;
-  const Scalar t12 = c5 * t11 + s5 * t7;
-  const Scalar t13 = Scalar(2) * t8 * t9 + t12;
-  const Scalar t14 = s5 * t11 - c5 * t7;
-  const Scalar t15 = qd[3] * s5 - c5 * t6;
-  const Scalar t16 = t15 * t8;
-  const Scalar t17 = t14 + (t16 + t16);
-  const Scalar t18 = k[2] * c6 + k[1] * s6;
-  const Scalar t19 = t8 * t8;
-  const Scalar t20 = qd[5] + t9;
-  const Scalar t21 = t20 * t20;
-  const Scalar t22 = t19 - t21;
-  const Scalar t23 = t19 + t15 * t15;
+  const Scalar t1 = qd[2] * c4;
+  const Scalar t2 = qd[3] * t1;
+  const Scalar t3 = qd[2] * s4;
+  const Scalar t4 = qd[3] * t3;
+  const Scalar t5 = Scalar(2) * t4;
+  const Scalar t6 = qd[4] - t3;
+  const Scalar t7 = t6 * t6;
+  const Scalar t8 = s5 * t1 + qd[3] * c5;
+  const Scalar t9 = qd[5] + t8;
+  const Scalar t10 = t9 * t9;
+  const Scalar t11 = t7 - t10;
+  const Scalar t12 = c5 * t1;
+  const Scalar t13 = qd[3] * s5 - t12;
+  const Scalar t14 = t13 * t13;
+  const Scalar t15 = t7 - t14;
+  const Scalar t16 = t11 - t15;
+  const Scalar t17 = t10 + t14;
+  const Scalar t18 = t11 + t17;
+  const Scalar t19 = k[6] * c6 - k[5] * s6;
+  const Scalar t20 = s5 * t5 - t3 * t12;
+  const Scalar t21 = k[6] * s6 + k[5] * c6;
+  const Scalar t22 = qd[3] * qd[3];
+  const Scalar t23 = t3 * t3;
   const Scalar t24 = t22 - t23;
-  const Scalar t25 = k[1] * c6 - k[2] * s6;
-  const Scalar t26 = (k[4] * t13 + k[3] * t17) - (t18 * t24 - t17 * t25);
-  const Scalar t27 = (k[7] * t5 + k[8] * t7) + t26;
-  const Scalar t28 = t13 - Scalar(2) * t20 * t8;
-  const Scalar t29 = t15 * t20;
-  const Scalar t30 = qd[3] * t6;
-  const Scalar t31 = t15 * t9;
-  const Scalar t32 = t30 + t31;
-  const Scalar t33 = (t29 + t29) - t32;
-  const Scalar t34 = t30 - t31;
-  const Scalar t35 = (t18 * t28 + t33 * t25) - (k[3] * t34 + k[4] * t23);
-  const Scalar t36 = t19 + t21;
-  const Scalar t37 = t36 + t24;
-  const Scalar t38 = (t14 * t18 - t36 * t25) - (k[3] * (t37 + t5) - k[4] * t32);
-  const Scalar t39 = t1 + t3;
-  const Scalar t40 = (s5 * t35 - c5 * t38) + (k[8] * t39 + k[7] * t7);
-  const Scalar t41 = c4 * t27 + s4 * t40;
-  const Scalar t42 = (k[6] * t10 - k[5] * t30) + (c5 * t35 + s5 * t38);
-  const Scalar t43 = s3 * (k[9] * t0 + t41) - c3 * (k[0] * t0 - t42);
-  const Scalar t44 = k[10] * t0;
-  const Scalar t45 = (k[11] * t10 - k[12] * t30) + (k[13] * (t39 - t0) + k[14] * t7);
-  const Scalar t46 = t23 - t5;
-  const Scalar t47 = (k[19] * t32 + k[18] * t34) - k[17] * (t46 - t37);
-  const Scalar t48 = c5 * t44;
-  const Scalar t49 = s5 * t44;
-  const Scalar t50 = ((k[15] * t14 - k[16] * t12) - t47) + (k[3] * t48 - k[4] * t49);
-  const Scalar t51 = k[20] * c6 + k[21] * s6;
-  const Scalar t52 = c6 * t51;
-  const Scalar t53 = k[23] - t52;
-  const Scalar t54 = k[22] - s6 * t51;
-  const Scalar t55 = k[25] * s6 + k[24] * c6;
-  const Scalar t56 = k[25] * c6 - k[24] * s6;
-  const Scalar t57 = (t53 * t33 + t54 * t28) - (t55 * t14 + (t22 - t37) * t56);
-  const Scalar t58 = t50 + (t48 * t25 - t57);
-  const Scalar t59 = (k[16] * t37 - k[15] * t32) - (k[17] * t13 - k[18] * t17);
-  const Scalar t60 = k[26] + t52;
-  const Scalar t61 = t54 * t37 - (t17 * t53 + t14 * t60);
-  const Scalar t62 = (t61 - (t13 * t56 + t32 * t55)) + t18 * t49;
-  const Scalar t63 = t59 + t62;
-  const Scalar t64 = (k[19] * t13 - k[17] * t17) + k[15] * t46;
-  const Scalar t65 = (t60 * t28 + t33 * t54) - t55 * t22;
-  const Scalar t66 = (k[16] * t34 + t64) + (t48 * t18 - (t17 * t56 + t65));
-  const Scalar t67 = k[14] * t4 - (k[11] * t30 + k[27] * t11);
-  const Scalar t68 = (s5 * t63 + c5 * t66) + (k[7] * t44 - (t67 + k[13] * t7));
-  const Scalar t69 = s4 * ((k[8] * t44 - t45) + t58) + c4 * t68;
-  const Scalar t70 = (c5 * t63 - s5 * t66) - (k[29] * t7 - k[28] * (t39 - t5));
+  const Scalar t25 = t24 + t0;
+  const Scalar t26 = t13 * t8;
+  const Scalar t27 = t2 + t26;
+  const Scalar t28 = ((t16 - t18) * t19 + t20 * t21) - (k[4] * (t15 + t25) - k[3] * t27);
+  const Scalar t29 = t13 * t9;
+  const Scalar t30 = (t29 + t29) - t27;
+  const Scalar t31 = t3 * t1;
+  const Scalar t32 = c5 * t5 + s5 * t31;
+  const Scalar t33 = t6 * t8;
+  const Scalar t34 = t32 + (t33 + t33);
+  const Scalar t35 = t9 * t6;
+  const Scalar t36 = (t34 - t35) - t35;
+  const Scalar t37 = t2 - t26;
+  const Scalar t38 = (t30 * t19 + t21 * t36) - (k[4] * t37 + k[3] * t18);
+  const Scalar t39 = (k[1] * t2 - k[2] * t5) - (s5 * t28 + c5 * t38);
+  const Scalar t40 = t13 * t6;
+  const Scalar t41 = t40 + (t20 + t40);
+  const Scalar t42 = (k[3] * t34 + k[4] * t41) + (t21 * t17 + t41 * t19);
+  const Scalar t43 = (k[2] * t25 + k[7] * t31) + t42;
+  const Scalar t44 = t22 + t23;
+  const Scalar t45 = (k[7] * t44 + k[2] * t31) + (s5 * t38 - c5 * t28);
+  const Scalar t46 = c4 * t43 + s4 * t45;
+  const Scalar t47 = c3 * (k[0] * t0 + t39) - s3 * (k[8] * t0 + t46);
+  const Scalar t48 = k[9] * t0;
+  const Scalar t49 = (k[27] * t2 + k[26] * t4) - k[22] * t24;
+  const Scalar t50 = t18 - t25;
+  const Scalar t51 = (k[18] * t34 - k[16] * t41) + k[19] * t50;
+  const Scalar t52 = k[10] * s6 + k[11] * c6;
+  const Scalar t53 = k[13] - s6 * t52;
+  const Scalar t54 = c6 * t52;
+  const Scalar t55 = k[25] + t54;
+  const Scalar t56 = k[14] * c6 + k[15] * s6;
+  const Scalar t57 = (t53 * t30 + t36 * t55) - t56 * t11;
+  const Scalar t58 = k[14] * s6 - k[15] * c6;
+  const Scalar t59 = c5 * t48;
+  const Scalar t60 = (t51 + k[20] * t37) - ((t57 - t58 * t41) - t21 * t59);
+  const Scalar t61 = k[12] - t54;
+  const Scalar t62 = t53 * t15 - (t20 * t55 + t41 * t61);
+  const Scalar t63 = s5 * t48;
+  const Scalar t64 = ((t56 * t27 - t58 * t34) - t62) - t63 * t21;
+  const Scalar t65 = (k[16] * t34 - k[17] * t41) + (k[19] * t27 - k[20] * t15);
+  const Scalar t66 = t64 + t65;
+  const Scalar t67 = (k[2] * t48 + (t49 - k[21] * t31)) + (c5 * t60 - s5 * t66);
+  const Scalar t68 = k[16] * (t50 - t15) - (k[18] * t27 + k[17] * t37);
+  const Scalar t69 = (k[4] * t59 - k[3] * t63) + (t68 + (k[19] * t20 - k[20] * t32));
+  const Scalar t70 = (t58 * t16 - t56 * t20) + (t30 * t61 + t53 * t36);
+  const Scalar t71 = t69 - (t70 - t19 * t59);
+  const Scalar t72 = t44 - t0;
+  const Scalar t73 = (k[24] * t2 - k[23] * t5) - (k[22] * t31 + k[21] * t72);
+  const Scalar t74 = c4 * t67 + s4 * (t71 + (t73 + k[7] * t48));
+  const Scalar t75 = (k[28] * t31 + k[23] * (t24 - t72)) + (c5 * t66 + s5 * t60);
   JointVector<Scalar> result;
-  result[0] = t43;
-  result[1] = s4 * t27 - c4 * t40;
-  result[2] = k[10] * t41 - t69;
-  result[3] = -t70;
-  result[4] = t58;
-  result[5] = -t62;
+  result[0] = -t47;
+  result[1] = s4 * t43 - c4 * t45;
+  result[2] = k[9] * t46 - t74;
+  result[3] = t75;
+  result[4] = t71;
+  result[5] = t64;
   return result;
 }
 
@@ -472,56 +480,56 @@ MassMatrixConstants<Scalar> mass_matrix_constants(const BasicGeometry<Scalar>& g
   const Scalar t2 = inertia.c6y * inertia.m6;
   const Scalar t3 = inertia.c6x * inertia.m6;
   const Scalar t4 = inertia.c5y * inertia.m5;
-  const Scalar t5 = inertia.c4y * inertia.m4;
-  const Scalar t6 = inertia.c4x * inertia.m4;
-  const Scalar t7 = inertia.c5x * inertia.m5;
-  const Scalar t8 = inertia.c3x * inertia.m3;
-  const Scalar t9 = inertia.c4z * inertia.m4;
-  const Scalar t10 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t11 = t9 - g.d4 * t10;
-  const Scalar t12 = inertia.c3z * inertia.m3;
-  const Scalar t13 = t12 - g.d4 * inertia.m3;
-  const Scalar t14 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t15 = (inertia.I6xx - t14) - inertia.c6x * t3;
-  const Scalar t16 = (inertia.I6yy - t14) - inertia.c6y * t2;
-  const Scalar t17 = inertia.I6xy - inertia.c6y * t3;
+  const Scalar t5 = inertia.c4z * inertia.m4;
+  const Scalar t6 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t7 = t5 - g.d4 * t6;
+  const Scalar t8 = inertia.c3z * inertia.m3;
+  const Scalar t9 = t8 - g.d4 * inertia.m3;
+  const Scalar t10 = inertia.c4y * inertia.m4;
+  const Scalar t11 = inertia.c4x * inertia.m4;
+  const Scalar t12 = inertia.c5x * inertia.m5;
+  const Scalar t13 = inertia.c3x * inertia.m3;
+  const Scalar t14 = inertia.I6xy - inertia.c6y * t3;
+  const Scalar t15 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t16 = (inertia.I6xx - t15) - inertia.c6x * t3;
+  const Scalar t17 = (inertia.I6yy - t15) - inertia.c6y * t2;
   const Scalar t18 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t19 = (inertia.c6z * t1 - (inertia.I6zz - t14)) + (inertia.c5z * t0 - (inertia.I5zz - t18));
-  const Scalar t20 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t21 = (inertia.c5x * t7 - (inertia.I5xx - t18)) - ((inertia.I4xx - t20) - inertia.c4x * t6);
-  const Scalar t22 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t23 = ((inertia.I3zz - t22) - inertia.c3z * t12) + g.d4 * (t12 + t13);
-  const Scalar t24 = ((inertia.I4zz - t20) - inertia.c4z * t9) + g.d4 * (t11 + t9);
-  const Scalar t25 = inertia.m2 + (inertia.m3 + t10);
+  const Scalar t19 = (inertia.c6z * t1 - (inertia.I6zz - t15)) + (inertia.c5z * t0 - (inertia.I5zz - t18));
+  const Scalar t20 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t21 = ((inertia.I3zz - t20) - inertia.c3z * t8) + g.d4 * (t8 + t9);
+  const Scalar t22 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t23 = ((inertia.I4zz - t22) - inertia.c4z * t5) + g.d4 * (t7 + t5);
+  const Scalar t24 = (inertia.c5x * t12 - (inertia.I5xx - t18)) - ((inertia.I4xx - t22) - inertia.c4x * t11);
+  const Scalar t25 = inertia.m2 + (inertia.m3 + t6);
   return { t0 + t1,
            t2,
            t3,
            t4,
-           t5,
-           t6 + t7,
-           t8,
-           t11 + t13,
-           t15 - t16,
-           Scalar(2) * t17,
+           t7 + t9,
+           t10,
+           t11 + t12,
+           t13,
+           Scalar(2) * t14,
+           t16 - t17,
            t16,
-           t15 + t16,
            inertia.c5y * t4 - (inertia.I5yy - t18),
            t19,
            inertia.I6xz - inertia.c6z * t3,
            inertia.I6yz - inertia.c6z * t2,
            inertia.I5yz - inertia.c5z * t4,
-           (inertia.I4yy - t20) - inertia.c4y * t5,
-           t17,
-           inertia.I5xy - inertia.c5y * t7,
-           inertia.I5xz - inertia.c5z * t7,
-           inertia.I4xy - inertia.c4y * t6,
-           t21,
-           inertia.c3x * t8 - (inertia.I3xx - t22),
-           Scalar(2) * g.d4,
-           t23 + t24,
            g.d4,
-           inertia.I4xz - inertia.c4z * t6,
-           inertia.I4yz - inertia.c4z * t5,
+           t21 + t23,
+           (inertia.I4yy - t22) - inertia.c4y * t10,
+           t17,
+           t24,
+           inertia.I5xz - inertia.c5z * t12,
+           t14,
+           inertia.I5xy - inertia.c5y * t12,
+           inertia.I4xy - inertia.c4y * t11,
+           inertia.c3x * t13 - (inertia.I3xx - t20),
+           inertia.I4xz - inertia.c4z * t11,
+           inertia.I4yz - inertia.c4z * t10,
+           t16 + t17,
            inertia.m1 + t25,
            t25 };
 }
@@ -539,63 +547,61 @@ inline Eigen::Matrix<Scalar, dof, dof> mass_matrix([[maybe_unused]] const JointV
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[1] * c6 - k[2] * s6;
-  const Scalar t1 = k[3] + t0;
-  const Scalar t2 = s5 * t1 + k[0] * c5;
-  const Scalar t3 = k[2] * c6 + k[1] * s6;
-  const Scalar t4 = k[5] + t3;
-  const Scalar t5 = c5 * t1 - k[0] * s5;
-  const Scalar t6 = k[4] + t5;
-  const Scalar t7 = c4 * t4 + s4 * t6;
-  const Scalar t8 = s3 * (k[7] + t2) + c3 * (k[6] + t7);
-  const Scalar t9 = c4 * t6 - s4 * t4;
-  const Scalar t10 = s4 * t2;
-  const Scalar t11 = c5 * t3;
-  const Scalar t12 = c4 * t0 - s4 * t11;
-  const Scalar t13 = k[14] * s6 - k[15] * c6;
-  const Scalar t14 = k[16] - t13;
-  const Scalar t15 = c5 * t14;
-  const Scalar t16 = k[8] * c6 + k[9] * s6;
-  const Scalar t17 = k[10] + c6 * t16;
-  const Scalar t18 = k[12] - (k[11] - t17);
-  const Scalar t19 = (t15 + t15) + s5 * (k[13] - t18);
-  const Scalar t20 = k[13] - s5 * t19;
-  const Scalar t21 = k[19] + (k[18] - s6 * t16);
-  const Scalar t22 = k[14] * c6 + k[15] * s6;
-  const Scalar t23 = k[20] + t22;
-  const Scalar t24 = c5 * t21 - s5 * t23;
-  const Scalar t25 = s4 * (k[21] + t24);
-  const Scalar t26 = k[13] + t18;
-  const Scalar t27 = k[17] + (t20 - t26);
-  const Scalar t28 = k[22] - t17;
-  const Scalar t29 = c4 * ((t25 + t25) - c4 * (t27 + t28));
-  const Scalar t30 = (k[25] - (t20 - k[24] * t2)) - (k[23] - (t29 + t27));
-  const Scalar t31 = s5 * t21 + c5 * t23;
-  const Scalar t32 = c4 * (k[28] + (c5 * t19 - t14)) - s4 * (k[27] + t31);
-  const Scalar t33 = (c4 * t24 - s4 * t26) + k[26] * t10;
-  const Scalar t34 = c4 * (k[11] * s5 - c5 * t13) - s4 * t22;
+  const Scalar t0 = k[2] * c6 + k[1] * s6;
+  const Scalar t1 = k[6] + t0;
+  const Scalar t2 = k[1] * c6 - k[2] * s6;
+  const Scalar t3 = k[3] + t2;
+  const Scalar t4 = c5 * t3 - k[0] * s5;
+  const Scalar t5 = k[5] + t4;
+  const Scalar t6 = c4 * t1 + s4 * t5;
+  const Scalar t7 = s5 * t3 + k[0] * c5;
+  const Scalar t8 = c3 * (k[7] + t6) + s3 * (k[4] + t7);
+  const Scalar t9 = c4 * t5 - s4 * t1;
+  const Scalar t10 = c5 * t0;
+  const Scalar t11 = c4 * t2 - s4 * t10;
+  const Scalar t12 = k[16] * t7;
+  const Scalar t13 = k[14] * c6 - k[13] * s6;
+  const Scalar t14 = k[15] + t13;
+  const Scalar t15 = k[9] * c6 + k[8] * s6;
+  const Scalar t16 = c6 * t15;
+  const Scalar t17 = k[11] - (k[10] - t16);
+  const Scalar t18 = Scalar(2) * c5 * t14 + s5 * (k[12] - t17);
+  const Scalar t19 = k[12] - s5 * t18;
+  const Scalar t20 = k[12] + t17;
+  const Scalar t21 = k[18] + (t19 - t20);
+  const Scalar t22 = k[20] - (k[19] + t16);
+  const Scalar t23 = k[14] * s6 + k[13] * c6;
+  const Scalar t24 = k[21] + t23;
+  const Scalar t25 = k[23] + (k[22] - s6 * t15);
+  const Scalar t26 = s5 * t24 - c5 * t25;
+  const Scalar t27 = s4 * (k[24] - t26);
+  const Scalar t28 = c4 * (c4 * (t22 + t21) - (t27 + t27));
+  const Scalar t29 = (k[17] + (Scalar(2) * t12 - t19)) - (k[25] - (t21 - t28));
+  const Scalar t30 = c5 * t24 + s5 * t25;
+  const Scalar t31 = c4 * (k[27] - (t14 - c5 * t18)) - s4 * (k[26] + t30);
+  const Scalar t32 = c4 * (k[28] * s5 + c5 * t13) - s4 * t23;
   Eigen::Matrix<Scalar, dof, dof> result;
   result(0, 0) = k[29];
   result(0, 1) = result(1, 0) = Scalar(0);
   result(0, 2) = result(2, 0) = -t8;
   result(0, 3) = result(3, 0) = -s3 * t9;
-  result(0, 4) = result(4, 0) = s3 * t10 + c3 * t5;
-  result(0, 5) = result(5, 0) = -c3 * s5 * t3 - s3 * t12;
+  result(0, 4) = result(4, 0) = s3 * s4 * t7 + c3 * t4;
+  result(0, 5) = result(5, 0) = -c3 * s5 * t0 - s3 * t11;
   result(1, 1) = k[30];
   result(1, 2) = result(2, 1) = Scalar(0);
-  result(1, 3) = result(3, 1) = -t7;
-  result(1, 4) = result(4, 1) = -c4 * t2;
-  result(1, 5) = result(5, 1) = -c4 * t11 - s4 * t0;
-  result(2, 2) = -t30;
-  result(2, 3) = result(3, 2) = -t32 - k[26] * t9;
-  result(2, 4) = result(4, 2) = t33;
-  result(2, 5) = result(5, 2) = -t34 - k[26] * t12;
-  result(3, 3) = t28 - t27;
-  result(3, 4) = result(4, 3) = -t31;
-  result(3, 5) = result(5, 3) = -k[11] * c5 - s5 * t13;
-  result(4, 4) = t26;
-  result(4, 5) = result(5, 4) = -t22;
-  result(5, 5) = -k[11];
+  result(1, 3) = result(3, 1) = -t6;
+  result(1, 4) = result(4, 1) = -c4 * t7;
+  result(1, 5) = result(5, 1) = -c4 * t10 - s4 * t2;
+  result(2, 2) = -t29;
+  result(2, 3) = result(3, 2) = -t31 - k[16] * t9;
+  result(2, 4) = result(4, 2) = s4 * (t12 - t20) - c4 * t26;
+  result(2, 5) = result(5, 2) = -t32 - k[16] * t11;
+  result(3, 3) = t22 - t21;
+  result(3, 4) = result(4, 3) = -t30;
+  result(3, 5) = result(5, 3) = s5 * t13 - k[28] * c5;
+  result(4, 4) = t20;
+  result(4, 5) = result(5, 4) = -t23;
+  result(5, 5) = -k[28];
   return result;
 }
 
@@ -624,45 +630,45 @@ CoriolisMatrixConstants<Scalar> coriolis_matrix_constants(const BasicGeometry<Sc
   const Scalar t2 = inertia.c6y * inertia.m6;
   const Scalar t3 = inertia.c6x * inertia.m6;
   const Scalar t4 = inertia.c5y * inertia.m5;
-  const Scalar t5 = inertia.c4y * inertia.m4;
-  const Scalar t6 = inertia.c4x * inertia.m4;
-  const Scalar t7 = inertia.c5x * inertia.m5;
-  const Scalar t8 = inertia.c4z * inertia.m4 - g.d4 * (inertia.m4 + (inertia.m5 + inertia.m6));
-  const Scalar t9 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t10 = (inertia.I6xx - t9) - inertia.c6x * t3;
-  const Scalar t11 = (inertia.I6yy - t9) - inertia.c6y * t2;
-  const Scalar t12 = inertia.I6xy - inertia.c6y * t3;
+  const Scalar t5 = inertia.c4z * inertia.m4 - g.d4 * (inertia.m4 + (inertia.m5 + inertia.m6));
+  const Scalar t6 = inertia.c4y * inertia.m4;
+  const Scalar t7 = inertia.c4x * inertia.m4;
+  const Scalar t8 = inertia.c5x * inertia.m5;
+  const Scalar t9 = inertia.I6xy - inertia.c6y * t3;
+  const Scalar t10 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t11 = (inertia.I6xx - t10) - inertia.c6x * t3;
+  const Scalar t12 = (inertia.I6yy - t10) - inertia.c6y * t2;
   const Scalar t13 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t14 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t15 = (inertia.c5x * t7 - (inertia.I5xx - t13)) - ((inertia.I4xx - t14) - inertia.c4x * t6);
-  const Scalar t16 = (inertia.c6z * t1 - (inertia.I6zz - t9)) + (inertia.c5z * t0 - (inertia.I5zz - t13));
+  const Scalar t14 = (inertia.c6z * t1 - (inertia.I6zz - t10)) + (inertia.c5z * t0 - (inertia.I5zz - t13));
+  const Scalar t15 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t16 = (inertia.c5x * t8 - (inertia.I5xx - t13)) - ((inertia.I4xx - t15) - inertia.c4x * t7);
   return { t0 + t1,
            t2,
            t3,
            t4,
-           t5,
-           t6 + t7,
-           t8 + (inertia.c3z * inertia.m3 - g.d4 * inertia.m3),
+           t5 + (inertia.c3z * inertia.m3 - g.d4 * inertia.m3),
+           t6,
+           t7 + t8,
            inertia.c3x * inertia.m3,
-           t10 - t11,
-           Scalar(2) * t12,
-           t10,
-           t10 + t11,
-           inertia.I6yz - inertia.c6z * t2,
-           inertia.I6xz - inertia.c6z * t3,
-           inertia.I5xz - inertia.c5z * t7,
-           t12,
-           inertia.I5xy - inertia.c5y * t7,
-           t15,
-           inertia.I4xy - inertia.c4y * t6,
-           inertia.I5yz - inertia.c5z * t4,
-           t16,
+           Scalar(2) * t9,
+           t11 - t12,
+           t11,
            inertia.c5y * t4 - (inertia.I5yy - t13),
-           (inertia.I4yy - t14) - inertia.c4y * t5,
+           t9,
+           inertia.I6xz - inertia.c6z * t3,
+           inertia.I6yz - inertia.c6z * t2,
+           inertia.I5yz - inertia.c5z * t4,
+           t14,
+           inertia.I5xz - inertia.c5z * t8,
+           inertia.I5xy - inertia.c5y * t8,
+           inertia.I4xy - inertia.c4y * t7,
+           (inertia.I4yy - t15) - inertia.c4y * t6,
+           t11 + t12,
+           t16,
            g.d4,
-           inertia.I4xz - inertia.c4z * t6,
-           inertia.I4yz - inertia.c4z * t5,
-           t11 };
+           inertia.I4yz - inertia.c4z * t6,
+           inertia.I4xz - inertia.c4z * t7,
+           t12 };
 }
 
 namespace detail {
@@ -681,142 +687,143 @@ inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix([[maybe_unused]] const Jo
   const Scalar& c6 = angles.cosine[3];
   const Scalar t0 = k[1] * c6 - k[2] * s6;
   const Scalar t1 = k[3] + t0;
-  const Scalar t2 = c5 * t1;
-  const Scalar t3 = k[2] * c6 + k[1] * s6;
-  const Scalar t4 = k[0] * qd[4] + qd[5] * t3;
-  const Scalar t5 = qd[4] * t2 - s5 * t4;
-  const Scalar t6 = k[5] + t3;
-  const Scalar t7 = t2 - k[0] * s5;
-  const Scalar t8 = k[4] + t7;
-  const Scalar t9 = qd[2] * (k[7] + (c4 * t6 + s4 * t8));
-  const Scalar t10 = qd[3] * t8 + qd[5] * t0;
-  const Scalar t11 = s5 * t1;
-  const Scalar t12 = qd[4] * t11 + c5 * t4;
-  const Scalar t13 = qd[3] * t6 + t12;
-  const Scalar t14 = c4 * t10 - s4 * t13;
-  const Scalar t15 = t11 + k[0] * c5;
-  const Scalar t16 = s3 * (t5 - t9) + c3 * (t14 + qd[2] * (k[6] + t15));
-  const Scalar t17 = qd[2] * c4;
-  const Scalar t18 = qd[2] * s4;
-  const Scalar t19 = s3 * (s4 * t10 + c4 * t13) - c3 * (t17 * t8 - t18 * t6);
-  const Scalar t20 = qd[3] * t15;
-  const Scalar t21 = c4 * t20 + s4 * t5;
-  const Scalar t22 = qd[2] * t7 - t21;
-  const Scalar t23 = s3 * t22 + c3 * (t12 - t18 * t15);
-  const Scalar t24 = s5 * t17 + qd[3] * c5;
-  const Scalar t25 = qd[5] + t24;
-  const Scalar t26 = t25 * t0;
-  const Scalar t27 = qd[4] - t18;
-  const Scalar t28 = qd[3] * s5 - c5 * t17;
-  const Scalar t29 = c6 * t27 + s6 * t28;
-  const Scalar t30 = s6 * t27 - c6 * t28;
-  const Scalar t31 = k[2] * t29 + k[1] * t30;
-  const Scalar t32 = c5 * t26 - s5 * t31;
-  const Scalar t33 = t25 * t3;
-  const Scalar t34 = s4 * t32 + c4 * t33;
-  const Scalar t35 = s3 * t34 - c3 * (c5 * t31 + s5 * t26);
-  const Scalar t36 = k[13] * s6 - k[12] * c6;
-  const Scalar t37 = s5 * t36;
-  const Scalar t38 = k[8] * c6 + k[9] * s6;
-  const Scalar t39 = k[10] - c6 * t38;
-  const Scalar t40 = qd[5] * t39;
-  const Scalar t41 = qd[5] * t37 + c5 * t40;
-  const Scalar t42 = k[21] - t39;
-  const Scalar t43 = k[19] - t36;
-  const Scalar t44 = s5 * (k[20] - t42) + Scalar(2) * c5 * t43;
-  const Scalar t45 = k[22] - (s5 * t44 + t42);
-  const Scalar t46 = qd[4] * t43;
-  const Scalar t47 = k[12] * s6 + k[13] * c6;
-  const Scalar t48 = qd[5] * t47;
-  const Scalar t49 = t48 - k[20] * qd[4];
-  const Scalar t50 = c5 * t46 - s5 * t49;
-  const Scalar t51 = qd[4] * t42;
-  const Scalar t52 = k[15] - s6 * t38;
-  const Scalar t53 = qd[5] * t52;
-  const Scalar t54 = c5 * t51 + s5 * (t53 + t46);
-  const Scalar t55 = c5 * t50 - s5 * t54;
-  const Scalar t56 = k[16] + t52;
-  const Scalar t57 = c5 * t56;
-  const Scalar t58 = k[14] + t47;
-  const Scalar t59 = t57 - s5 * t58;
-  const Scalar t60 = k[18] + t59;
-  const Scalar t61 = t53 + qd[3] * t60;
-  const Scalar t62 = c4 * (t41 + qd[3] * t45) - s4 * (t55 + t61);
-  const Scalar t63 = k[11] - t39;
-  const Scalar t64 = k[17] - t63;
-  const Scalar t65 = qd[5] * t63;
-  const Scalar t66 = t65 + qd[4] * t58;
-  const Scalar t67 = s5 * t56;
-  const Scalar t68 = c5 * t66 + qd[4] * t67;
-  const Scalar t69 = s4 * (qd[3] * t64 - t68) + c4 * t61;
-  const Scalar t70 = (s4 * t62 + c4 * t69) + (k[23] * t5 + t55);
-  const Scalar t71 = c5 * t54;
-  const Scalar t72 = s5 * t50;
-  const Scalar t73 = qd[3] * (k[24] + (c5 * t58 + t67)) - ((t51 - t71) - (t72 + t49));
-  const Scalar t74 = t73 + k[23] * t13;
-  const Scalar t75 = c4 * ((t18 * t64 + t17 * t60) - t74);
-  const Scalar t76 = c5 * t36;
-  const Scalar t77 = qd[5] * t76 - s5 * t40;
-  const Scalar t78 = qd[3] * (k[25] - (t43 - c5 * t44)) - t77;
-  const Scalar t79 = t78 + k[23] * t10;
-  const Scalar t80 = s4 * ((t17 * t45 - t18 * t60) - t79);
-  const Scalar t81 = t75 + t80;
-  const Scalar t82 = t27 * t56 + (t28 * t42 - t43 * t24);
-  const Scalar t83 = (k[20] * t24 - t28 * t43) + (t65 + t58 * t27);
-  const Scalar t84 = s4 * t53 + c4 * (s5 * t82 + c5 * t83);
-  const Scalar t85 = k[23] * t22 + t84;
-  const Scalar t86 = (k[10] * t29 + k[15] * t30) - k[13] * t25;
-  const Scalar t87 = k[12] * t25 - (k[15] * t29 + k[26] * t30);
-  const Scalar t88 = s6 * t86 + c6 * t87;
-  const Scalar t89 = c6 * t86 - s6 * t87;
-  const Scalar t90 = (s4 * t88 - c4 * c5 * t89) + k[23] * t34;
-  const Scalar t91 = qd[4] * t57 - s5 * t66;
-  const Scalar t92 = s4 * (t91 + t79) + c4 * ((t72 + t71) + t74);
-  const Scalar t93 = s5 * t83 - c5 * t82;
-  const Scalar t94 = s5 * t89;
-  const Scalar t95 = c4 * ((t41 - t68) - qd[3] * (k[20] + t42));
-  const Scalar t96 = s4 * (qd[3] * t59 + (t53 + t53)) - t95;
-  const Scalar t97 = k[11] * qd[4] - t48;
-  const Scalar t98 = (c5 * t97 + qd[4] * t37) - qd[3] * t47;
-  const Scalar t99 = qd[5] * t36;
-  const Scalar t100 = s4 * (qd[3] * (k[11] * s5 - t76) - t99);
-  const Scalar t101 = (c4 * t98 - t100) + k[23] * (qd[2] * s5 * t3 - t34);
+  const Scalar t2 = s5 * t1;
+  const Scalar t3 = t2 + k[0] * c5;
+  const Scalar t4 = k[2] * c6 + k[1] * s6;
+  const Scalar t5 = qd[5] * t4;
+  const Scalar t6 = k[0] * qd[4] + t5;
+  const Scalar t7 = qd[4] * t2 + c5 * t6;
+  const Scalar t8 = k[6] + t4;
+  const Scalar t9 = t7 + qd[3] * t8;
+  const Scalar t10 = qd[5] * t0;
+  const Scalar t11 = c5 * t1;
+  const Scalar t12 = t11 - k[0] * s5;
+  const Scalar t13 = k[5] + t12;
+  const Scalar t14 = t10 + qd[3] * t13;
+  const Scalar t15 = s4 * t9 - c4 * t14;
+  const Scalar t16 = qd[4] * t11 - s5 * t6;
+  const Scalar t17 = qd[2] * (k[7] + (c4 * t8 + s4 * t13));
+  const Scalar t18 = c3 * (qd[2] * (k[4] + t3) - t15) + s3 * (t16 - t17);
+  const Scalar t19 = s4 * t14 + c4 * t9;
+  const Scalar t20 = qd[2] * s4;
+  const Scalar t21 = qd[2] * c4;
+  const Scalar t22 = s3 * t19 + c3 * (t20 * t8 - t13 * t21);
+  const Scalar t23 = qd[3] * t3;
+  const Scalar t24 = c4 * t23 + s4 * t16;
+  const Scalar t25 = qd[2] * t12 - t24;
+  const Scalar t26 = s3 * t25 + c3 * (t7 - t20 * t3);
+  const Scalar t27 = qd[3] * c5;
+  const Scalar t28 = t5 + t4 * t27;
+  const Scalar t29 = s5 * t4;
+  const Scalar t30 = qd[3] * t0 - (qd[4] * t29 - c5 * t10);
+  const Scalar t31 = c4 * t28 + s4 * t30;
+  const Scalar t32 = t31 + qd[2] * t29;
+  const Scalar t33 = qd[4] - t20;
+  const Scalar t34 = qd[3] * s5 - c5 * t21;
+  const Scalar t35 = c6 * t33 + s6 * t34;
+  const Scalar t36 = s6 * t33 - c6 * t34;
+  const Scalar t37 = s5 * t21 + t27;
+  const Scalar t38 = qd[5] + t37;
+  const Scalar t39 = c5 * (k[2] * t35 + k[1] * t36) + s5 * t38 * t0;
+  const Scalar t40 = k[9] * c6 + k[8] * s6;
+  const Scalar t41 = k[10] - c6 * t40;
+  const Scalar t42 = k[11] - t41;
+  const Scalar t43 = k[14] * c6 - k[13] * s6;
+  const Scalar t44 = k[15] + t43;
+  const Scalar t45 = c5 * t44;
+  const Scalar t46 = s5 * (k[16] - t42) + Scalar(2) * t45;
+  const Scalar t47 = k[20] - (t42 + s5 * t46);
+  const Scalar t48 = qd[5] * t43;
+  const Scalar t49 = qd[5] * t41;
+  const Scalar t50 = s5 * t48 - c5 * t49;
+  const Scalar t51 = k[14] * s6 + k[13] * c6;
+  const Scalar t52 = qd[5] * t51;
+  const Scalar t53 = k[16] * qd[4] - t52;
+  const Scalar t54 = s5 * t53 + qd[4] * t45;
+  const Scalar t55 = k[12] - s6 * t40;
+  const Scalar t56 = qd[5] * t55;
+  const Scalar t57 = qd[4] * t42;
+  const Scalar t58 = s5 * (t56 + qd[4] * t44) + c5 * t57;
+  const Scalar t59 = c5 * t54 - s5 * t58;
+  const Scalar t60 = k[17] + t51;
+  const Scalar t61 = k[18] + t55;
+  const Scalar t62 = c5 * t61;
+  const Scalar t63 = s5 * t60 - t62;
+  const Scalar t64 = k[19] - t63;
+  const Scalar t65 = t56 + qd[3] * t64;
+  const Scalar t66 = c4 * (qd[3] * t47 - t50) - s4 * (t59 + t65);
+  const Scalar t67 = s5 * t61;
+  const Scalar t68 = k[21] - t41;
+  const Scalar t69 = qd[5] * t68;
+  const Scalar t70 = qd[4] * t60 + t69;
+  const Scalar t71 = qd[4] * t67 + c5 * t70;
+  const Scalar t72 = k[22] - t68;
+  const Scalar t73 = s4 * (t71 - qd[3] * t72) - c4 * t65;
+  const Scalar t74 = (s4 * t66 - c4 * t73) + (k[23] * t16 + t59);
+  const Scalar t75 = c5 * t43;
+  const Scalar t76 = qd[5] * t75 + s5 * t49;
+  const Scalar t77 = qd[3] * (k[24] - (t44 - c5 * t46)) + t76;
+  const Scalar t78 = s4 * (t77 + (t20 * t64 - t21 * t47));
+  const Scalar t79 = s5 * t54;
+  const Scalar t80 = c5 * t58;
+  const Scalar t81 = qd[3] * (k[25] + (t67 + c5 * t60)) - ((t53 - t79) + (t57 - t80));
+  const Scalar t82 = c4 * (t81 - (t72 * t20 + t21 * t64));
+  const Scalar t83 = t78 + t82;
+  const Scalar t84 = (t69 + t33 * t60) - (t34 * t44 - k[16] * t37);
+  const Scalar t85 = (t34 * t42 - t44 * t37) + t33 * t61;
+  const Scalar t86 = s4 * t56 + c4 * (c5 * t84 + s5 * t85);
+  const Scalar t87 = k[23] * t25 + t86;
+  const Scalar t88 = (k[26] * t36 + k[12] * t35) - k[14] * t38;
+  const Scalar t89 = (k[10] * t35 + k[12] * t36) - k[13] * t38;
+  const Scalar t90 = c6 * t88 - s6 * t89;
+  const Scalar t91 = s6 * t88 + c6 * t89;
+  const Scalar t92 = k[23] * t32 - (s4 * t90 + c4 * c5 * t91);
+  const Scalar t93 = s5 * t70 - qd[4] * t62;
+  const Scalar t94 = s4 * (t77 - t93) + c4 * (t81 + (t80 + t79));
+  const Scalar t95 = s5 * t84 - c5 * t85;
+  const Scalar t96 = s5 * t91;
+  const Scalar t97 = c4 * ((t50 + t71) + qd[3] * (k[16] + t42));
+  const Scalar t98 = s4 * (qd[3] * t63 - Scalar(2) * t56) - t97;
+  const Scalar t99 = s4 * (t48 + qd[3] * (k[21] * s5 + t75));
+  const Scalar t100 = k[21] * qd[4] - t52;
+  const Scalar t101 = qd[3] * t51 + (qd[4] * s5 * t43 - c5 * t100);
+  const Scalar t102 = (k[23] * t31 + (t99 + c4 * t101)) - t92;
   Eigen::Matrix<Scalar, dof, dof> result;
   result(0, 0) = Scalar(0);
   result(0, 1) = Scalar(0);
-  result(0, 2) = -t16;
-  result(0, 3) = t19;
-  result(0, 4) = -t23;
-  result(0, 5) = t35;
+  result(0, 2) = -t18;
+  result(0, 3) = t22;
+  result(0, 4) = -t26;
+  result(0, 5) = s3 * t32 - c3 * t39;
   result(1, 0) = Scalar(0);
   result(1, 1) = Scalar(0);
   result(1, 2) = Scalar(0);
-  result(1, 3) = -t14;
-  result(1, 4) = s4 * t20 - c4 * t5;
-  result(1, 5) = s4 * t33 - c4 * t32;
+  result(1, 3) = t15;
+  result(1, 4) = s4 * t23 - c4 * t16;
+  result(1, 5) = s4 * t28 - c4 * t30;
   result(2, 0) = Scalar(0);
   result(2, 1) = Scalar(0);
-  result(2, 2) = -t70;
-  result(2, 3) = -t81;
-  result(2, 4) = -t85;
-  result(2, 5) = t90;
+  result(2, 2) = -t74;
+  result(2, 3) = k[23] * t19 + t83;
+  result(2, 4) = -t87;
+  result(2, 5) = t92;
   result(3, 0) = Scalar(0);
   result(3, 1) = Scalar(0);
-  result(3, 2) = t81 + t92;
-  result(3, 3) = t55;
-  result(3, 4) = t93;
-  result(3, 5) = t94;
+  result(3, 2) = t94 - t83;
+  result(3, 3) = t59;
+  result(3, 4) = t95;
+  result(3, 5) = t96;
   result(4, 0) = Scalar(0);
   result(4, 1) = Scalar(0);
-  result(4, 2) = (k[23] * t21 - t96) + t85;
-  result(4, 3) = (t77 - t91) - t93;
-  result(4, 4) = t53;
-  result(4, 5) = -t88;
+  result(4, 2) = t87 + (k[23] * t24 + t98);
+  result(4, 3) = -(t76 - t93) - t95;
+  result(4, 4) = t56;
+  result(4, 5) = t90;
   result(5, 0) = Scalar(0);
   result(5, 1) = Scalar(0);
-  result(5, 2) = -t101 - t90;
-  result(5, 3) = (s5 * t97 - qd[4] * t76) - t94;
-  result(5, 4) = t88 + t99;
+  result(5, 2) = t102;
+  result(5, 3) = (s5 * t100 + qd[4] * t75) - t96;
+  result(5, 4) = -t48 - t90;
   result(5, 5) = Scalar(0);
   return result;
 }
@@ -844,78 +851,81 @@ ForwardDynamicsConstants<Scalar> forward_dynamics_constants(const BasicGeometry<
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c5z * inertia.m5;
-  const Scalar t1 = inertia.c6z * inertia.m6;
-  const Scalar t2 = inertia.c6y * inertia.m6;
-  const Scalar t3 = inertia.c6x * inertia.m6;
-  const Scalar t4 = inertia.c5y * inertia.m5;
-  const Scalar t5 = inertia.c4y * inertia.m4;
-  const Scalar t6 = inertia.c4x * inertia.m4;
-  const Scalar t7 = inertia.c5x * inertia.m5;
-  const Scalar t8 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t9 = (inertia.I6xx - t8) - inertia.c6x * t3;
-  const Scalar t10 = (inertia.I6yy - t8) - inertia.c6y * t2;
-  const Scalar t11 = inertia.I6xy - inertia.c6y * t3;
-  const Scalar t12 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t13 = (inertia.c6z * t1 - (inertia.I6zz - t8)) + (inertia.c5z * t0 - (inertia.I5zz - t12));
-  const Scalar t14 = t9 + t10;
-  const Scalar t15 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t16 = (inertia.c5x * t7 - (inertia.I5xx - t12)) - ((inertia.I4xx - t15) - inertia.c4x * t6);
-  const Scalar t17 = (inertia.I4yy - t15) - inertia.c4y * t5;
-  const Scalar t18 = inertia.c3x * inertia.m3;
-  const Scalar t19 = inertia.c4z * inertia.m4;
-  const Scalar t20 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t21 = t19 - g.d4 * t20;
-  const Scalar t22 = inertia.c3z * inertia.m3;
-  const Scalar t23 = t22 - g.d4 * inertia.m3;
-  const Scalar t24 = t21 + t23;
-  const Scalar t25 = inertia.I4xy - inertia.c4y * t6;
-  const Scalar t26 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t27 = ((inertia.I3zz - t26) - inertia.c3z * t22) + g.d4 * (t22 + t23);
-  const Scalar t28 = ((inertia.I4zz - t15) - inertia.c4z * t19) + g.d4 * (t21 + t19);
-  const Scalar t29 = inertia.m2 + (inertia.m3 + t20);
-  return { t0 + t1,
-           t2,
-           t3,
-           t4,
+  const Scalar t0 = inertia.c6x * inertia.m6;
+  const Scalar t1 = inertia.I6xy - inertia.c6y * t0;
+  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t0;
+  const Scalar t4 = inertia.c6y * inertia.m6;
+  const Scalar t5 = (inertia.I6yy - t2) - inertia.c6y * t4;
+  const Scalar t6 = inertia.c5x * inertia.m5;
+  const Scalar t7 = t3 + t5;
+  const Scalar t8 = inertia.c5y * inertia.m5;
+  const Scalar t9 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t10 = inertia.c6z * inertia.m6;
+  const Scalar t11 = inertia.c5z * inertia.m5;
+  const Scalar t12 = (inertia.c6z * t10 - (inertia.I6zz - t2)) + (inertia.c5z * t11 - (inertia.I5zz - t9));
+  const Scalar t13 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t14 = inertia.c4y * inertia.m4;
+  const Scalar t15 = (inertia.I4yy - t13) - inertia.c4y * t14;
+  const Scalar t16 = inertia.c4x * inertia.m4;
+  const Scalar t17 = (inertia.c5x * t6 - (inertia.I5xx - t9)) - ((inertia.I4xx - t13) - inertia.c4x * t16);
+  const Scalar t18 = t16 + t6;
+  const Scalar t19 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t20 = inertia.m2 + (inertia.m3 + t19);
+  const Scalar t21 = inertia.c4z * inertia.m4;
+  const Scalar t22 = t21 - g.d4 * t19;
+  const Scalar t23 = inertia.c3z * inertia.m3;
+  const Scalar t24 = t23 - g.d4 * inertia.m3;
+  const Scalar t25 = t22 + t24;
+  const Scalar t26 = inertia.c3x * inertia.m3;
+  const Scalar t27 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t28 = ((inertia.I3zz - t27) - inertia.c3z * t23) + g.d4 * (t23 + t24);
+  const Scalar t29 = ((inertia.I4zz - t13) - inertia.c4z * t21) + g.d4 * (t22 + t21);
+  const Scalar t30 = inertia.I4xy - inertia.c4y * t16;
+  return { Scalar(2) * t1,
+           t3 - t5,
+           t1,
+           inertia.I5xy - inertia.c5y * t6,
+           inertia.I6yz - inertia.c6z * t4,
+           inertia.I6xz - inertia.c6z * t0,
+           inertia.I5xz - inertia.c5z * t6,
+           Scalar(1) / t7,
+           t7,
            t5,
-           t6 + t7,
-           g.d4,
-           t9 - t10,
-           Scalar(2) * t11,
-           t9,
-           inertia.c5y * t4 - (inertia.I5yy - t12),
-           t13,
-           Scalar(2) * t13,
-           inertia.I6xz - inertia.c6z * t3,
-           inertia.I6yz - inertia.c6z * t2,
-           inertia.I5yz - inertia.c5z * t4,
-           inertia.I4yz - inertia.c4z * t5,
-           inertia.I5xz - inertia.c5z * t7,
-           t11,
-           inertia.I5xy - inertia.c5y * t7,
-           inertia.I4xz - inertia.c4z * t6,
-           t14,
-           Scalar(1) / t14,
-           t16,
+           inertia.c5y * t8 - (inertia.I5yy - t9),
+           t12,
+           inertia.I5yz - inertia.c5z * t8,
+           Scalar(2) * t12,
+           t15,
            t17,
+           t0,
+           t4,
+           t8,
+           t11 + t10,
            t18,
-           t24,
-           gravity,
+           t14,
+           inertia.m1 + t20,
+           g.d4,
+           inertia.I4yz - inertia.c4z * t14,
+           inertia.I4xz - inertia.c4z * t16,
            t25,
-           t17 + t16,
-           Scalar(2) * t25,
-           Scalar(2) * t17,
-           gravity * t24,
-           gravity * t18,
-           inertia.c3x * t18 - (inertia.I3xx - t26),
+           t26,
            Scalar(2) * g.d4,
-           t27 + t28,
-           Scalar(2) * t5,
-           gravity * t29,
+           t28 + t29,
+           t30,
+           inertia.c3x * t26 - (inertia.I3xx - t27),
+           t20,
+           gravity,
+           t15 + t17,
+           Scalar(2) * t14,
+           Scalar(2) * t18,
+           gravity * t20,
            gravity * inertia.m1,
-           t29,
-           inertia.m1 + t29 };
+           gravity * t26,
+           gravity * t25,
+           Scalar(2) * t17,
+           Scalar(2) * t30,
+           Scalar(2) * t15 };
 }
 
 namespace detail {
@@ -932,174 +942,178 @@ inline JointVector<Scalar> forward_dynamics([[maybe_unused]] const JointVector<S
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[14] * c6 - k[13] * s6;
-  const Scalar t1 = s5 * t0 - k[21] * c5;
-  const Scalar t2 = k[22] * t1;
-  const Scalar t3 = k[7] * c6 + k[8] * s6;
-  const Scalar t4 = k[9] - c6 * t3;
-  const Scalar t5 = k[21] - t4;
-  const Scalar t6 = k[23] - t5;
-  const Scalar t7 = k[15] + t0;
-  const Scalar t8 = c5 * t7;
-  const Scalar t9 = k[10] - t4;
-  const Scalar t10 = k[11] + t9;
-  const Scalar t11 = (t8 + t8) + s5 * (k[12] - t10);
-  const Scalar t12 = s5 * t11 + t9;
-  const Scalar t13 = k[24] - t12;
-  const Scalar t14 = k[18] - s6 * t3;
-  const Scalar t15 = k[19] + t14;
-  const Scalar t16 = k[14] * s6 + k[13] * c6;
-  const Scalar t17 = k[17] + t16;
-  const Scalar t18 = s5 * t15 + c5 * t17;
-  const Scalar t19 = k[22] * t16;
-  const Scalar t20 = t18 + t1 * t19;
-  const Scalar t21 = Scalar(1) / (t16 * t19 + t10);
-  const Scalar t22 = t20 * t21;
-  const Scalar t23 = (t2 * t1 + (t6 - t13)) - t22 * t20;
-  const Scalar t24 = Scalar(1) / t23;
-  const Scalar t25 = k[1] * c6 - k[2] * s6;
-  const Scalar t26 = k[3] + t25;
-  const Scalar t27 = s5 * t26 + k[0] * c5;
-  const Scalar t28 = k[2] * c6 + k[1] * s6;
-  const Scalar t29 = c5 * t28;
-  const Scalar t30 = c4 * t29 + s4 * t25;
-  const Scalar t31 = k[22] * t30;
-  const Scalar t32 = c4 * t27 - t16 * t31;
-  const Scalar t33 = t32 * t21;
-  const Scalar t34 = k[5] + t28;
-  const Scalar t35 = c5 * t26 - k[0] * s5;
-  const Scalar t36 = k[4] + t35;
-  const Scalar t37 = c4 * t34 + s4 * t36;
-  const Scalar t38 = t33 * t20 + (t31 * t1 + t37);
-  const Scalar t39 = t24 * t38;
-  const Scalar t40 = c4 * t25 - s4 * t29;
-  const Scalar t41 = c4 * (k[21] * s5 + c5 * t0) - s4 * t16;
-  const Scalar t42 = k[6] * t40 + t41;
-  const Scalar t43 = c5 * t15 - s5 * t17;
-  const Scalar t44 = s4 * (k[6] * t27 - t10) + c4 * t43;
-  const Scalar t45 = t42 * t19 + t44;
-  const Scalar t46 = c4 * t36 - s4 * t34;
-  const Scalar t47 = c4 * (k[16] + (c5 * t11 - t7)) - s4 * (k[20] + t18);
-  const Scalar t48 = t22 * t45 - ((k[6] * t46 + t47) + t42 * t2);
-  const Scalar t49 = k[22] * t42;
-  const Scalar t50 = t39 * t48 + (t49 * t30 + t33 * t45);
-  const Scalar t51 = t24 * t48;
-  const Scalar t52 = t45 * t21;
-  const Scalar t53 = c4 * (t6 + t13) - Scalar(2) * s4 * (k[28] + t43);
-  const Scalar t54 = (k[34] - (t13 - c4 * t53)) - (k[36] + (k[35] * t27 + (t12 - t10)));
-  const Scalar t55 = t51 * t48 + (t45 * t52 - (t42 * t49 + t54));
-  const Scalar t56 = Scalar(1) / t55;
-  const Scalar t57 = t50 * t56;
-  const Scalar t58 = (t33 * t32 - (k[40] + t31 * t30)) + t39 * t38;
-  const Scalar t59 = Scalar(1) / (t57 * t50 - t58);
-  const Scalar t60 = c3 * s5 * t28 + s3 * t40;
-  const Scalar t61 = k[22] * t60;
-  const Scalar t62 = t16 * t61 + (s3 * s4 * t27 + c3 * t35);
-  const Scalar t63 = t62 * t21;
-  const Scalar t64 = t63 * t20 - (t61 * t1 + s3 * t46);
-  const Scalar t65 = (t63 * t32 + t61 * t30) + t39 * t64;
-  const Scalar t66 = c3 * (k[25] + t37) + s3 * (k[26] + t27);
-  const Scalar t67 = t24 * t64;
-  const Scalar t68 = ((t60 * t49 - t66) - t62 * t52) - t67 * t48;
-  const Scalar t69 = t65 + t57 * t68;
-  const Scalar t70 = t59 * t69;
-  const Scalar t71 = t67 * t64 + (t62 * t63 - (k[41] + t61 * t60));
-  const Scalar t72 = t68 * t56;
-  const Scalar t73 = Scalar(1) / (t70 * t69 + (t71 - t68 * t72));
-  const Scalar t74 = qd[2] * c4;
-  const Scalar t75 = qd[3] * t74;
-  const Scalar t76 = qd[2] * s4;
-  const Scalar t77 = Scalar(2) * qd[3] * t76;
-  const Scalar t78 = qd[3] * s5 - c5 * t74;
-  const Scalar t79 = s5 * t74 + qd[3] * c5;
-  const Scalar t80 = t78 * t79;
-  const Scalar t81 = t75 - t80;
-  const Scalar t82 = qd[4] - t76;
-  const Scalar t83 = t82 * t82;
-  const Scalar t84 = t78 * t78;
-  const Scalar t85 = t83 + t84;
-  const Scalar t86 = t76 * t74;
-  const Scalar t87 = c5 * t77 + s5 * t86;
-  const Scalar t88 = Scalar(2) * t82 * t79 + t87;
-  const Scalar t89 = qd[5] + t79;
-  const Scalar t90 = t88 - Scalar(2) * t89 * t82;
-  const Scalar t91 = t75 + t80;
-  const Scalar t92 = t78 * t89;
-  const Scalar t93 = (t91 - t92) - t92;
-  const Scalar t94 = (k[3] * t81 + k[0] * t85) - (t28 * t90 - t93 * t25);
-  const Scalar t95 = t83 - t84;
-  const Scalar t96 = qd[3] * qd[3];
-  const Scalar t97 = t76 * t76;
-  const Scalar t98 = t96 - t97;
-  const Scalar t99 = qd[2] * qd[2];
-  const Scalar t100 = t98 + t99;
-  const Scalar t101 = t95 + t100;
-  const Scalar t102 = s5 * t77 - c5 * t86;
-  const Scalar t103 = t89 * t89;
-  const Scalar t104 = t103 - t84;
-  const Scalar t105 = t85 + t104;
-  const Scalar t106 = (k[3] * t101 - k[0] * t91) - (t102 * t28 - t25 * t105);
-  const Scalar t107 = (k[37] * t75 - k[5] * t77) + (c5 * t94 + s5 * t106);
-  const Scalar t108 = t78 * t82;
-  const Scalar t109 = t102 + (t108 + t108);
-  const Scalar t110 = (t109 * t25 - (t95 - t105) * t28) + (k[3] * t109 + k[0] * t88);
-  const Scalar t111 = t110 + (k[5] * t100 + k[4] * t86);
-  const Scalar t112 = t96 + t97;
-  const Scalar t113 = (s5 * t94 - c5 * t106) - (k[5] * t86 + k[4] * t112);
-  const Scalar t114 = c4 * t111 - s4 * t113;
-  const Scalar t115 = c3 * (t107 + k[26] * t99) - s3 * (k[25] * t99 + t114);
-  const Scalar t116 = k[27] * s3;
-  const Scalar t117 = s4 * t116;
-  const Scalar t118 = k[27] * c3 + k[6] * t99;
-  const Scalar t119 = c5 * t117 - s5 * t118;
-  const Scalar t120 = c4 * t116;
-  const Scalar t121 = t14 * t95 - (t102 * t5 + t109 * t4);
-  const Scalar t122 = (t119 * t28 - t25 * t120) + ((t88 * t0 + t91 * t16) - t121);
-  const Scalar t123 = torque[5] - t122;
-  const Scalar t124 = k[22] * t123;
-  const Scalar t125 = (torque[0] - (k[39] + (k[38] - t115))) - t60 * t124;
-  const Scalar t126 = s5 * t117 + c5 * t118;
-  const Scalar t127 = (t0 * t104 - t16 * t102) + (t14 * t90 - t4 * t93);
-  const Scalar t128 = t101 - t85;
-  const Scalar t129 = k[15] * t128 + (k[10] * t81 + k[11] * t91);
-  const Scalar t130 = ((k[17] * t102 - k[19] * t87) - t129) + (k[0] * t119 + k[3] * t126);
-  const Scalar t131 = (t126 * t25 - t127) + t130;
-  const Scalar t132 = (torque[4] - t131) - t123 * t19;
-  const Scalar t133 = t132 * t21;
-  const Scalar t134 = (t14 * t93 - t5 * t90) + t16 * (t83 - t103);
-  const Scalar t135 = (k[15] * t109 - k[11] * t88) + k[17] * (t128 - t95);
-  const Scalar t136 = (t126 * t28 + (t134 - t109 * t0)) + ((k[19] * t81 - t135) + k[0] * t120);
-  const Scalar t137 = (k[17] * t91 - k[19] * t95) - (k[10] * t109 - k[15] * t88);
-  const Scalar t138 = (k[3] * t120 - t137) - t122;
-  const Scalar t139 = t112 - t100;
-  const Scalar t140 = (k[4] * t120 - k[5] * t117) - (k[29] * t86 - k[28] * t139);
-  const Scalar t141 = torque[3] - ((s5 * t136 - c5 * t138) - t140);
-  const Scalar t142 = (t141 + t123 * t2) + t133 * t20;
-  const Scalar t143 = t24 * t142;
-  const Scalar t144 = k[20] * t98 - (k[30] * t75 + k[23] * t77);
-  const Scalar t145 = (k[5] * t118 - (k[16] * t86 + t144)) + (c5 * t136 + s5 * t138);
-  const Scalar t146 = (k[28] * t77 - k[31] * t75) + (k[20] * t86 + k[16] * (t139 + t98));
-  const Scalar t147 = c4 * t145 + s4 * (t131 - (t146 - k[4] * t118));
-  const Scalar t148 = (k[33] * c3 + k[32] * s3) + (t147 - k[6] * t114);
-  const Scalar t149 = (t123 * t49 - (torque[2] + t148)) + t133 * t45;
-  const Scalar t150 = t56 * (t149 + t142 * t51);
-  const Scalar t151 = ((t125 - t62 * t133) - t143 * t64) - t68 * t150;
-  const Scalar t152 = t123 * t31 - (torque[1] - (s4 * t111 + c4 * t113));
-  const Scalar t153 = (t39 * t142 + (t132 * t33 - t152)) - t50 * t150;
-  const Scalar t154 = t73 * (t151 - t153 * t70);
-  const Scalar t155 = t153 * t59 + t70 * t154;
-  const Scalar t156 = t57 * t155 - (t72 * t154 - t150);
-  const Scalar t157 = (t39 * t155 + (t143 + t67 * t154)) - t156 * t51;
-  const Scalar t158 = t156 * t52 - (t33 * t155 + (t133 + t63 * t154));
-  const Scalar t159 = t158 - t22 * t157;
-  const Scalar t160 = (t31 * t155 + (t124 - t61 * t154)) + t156 * t49;
+  const Scalar t0 = qd[2] * s4;
+  const Scalar t1 = qd[2] * c4;
+  const Scalar t2 = t0 * t1;
+  const Scalar t3 = qd[3] * qd[3];
+  const Scalar t4 = t0 * t0;
+  const Scalar t5 = t3 - t4;
+  const Scalar t6 = t3 + t4;
+  const Scalar t7 = qd[2] * qd[2];
+  const Scalar t8 = t6 - t7;
+  const Scalar t9 = t5 - t8;
+  const Scalar t10 = t9 + t6;
+  const Scalar t11 = qd[4] - t0;
+  const Scalar t12 = s5 * t1 + qd[3] * c5;
+  const Scalar t13 = qd[3] * t0;
+  const Scalar t14 = t13 + t13;
+  const Scalar t15 = c5 * t14 + s5 * t2;
+  const Scalar t16 = Scalar(2) * t11 * t12 + t15;
+  const Scalar t17 = s5 * t14 - c5 * t2;
+  const Scalar t18 = qd[3] * s5 - c5 * t1;
+  const Scalar t19 = t18 * t11;
+  const Scalar t20 = t17 + (t19 + t19);
+  const Scalar t21 = k[17] * s6 + k[16] * c6;
+  const Scalar t22 = qd[5] + t12;
+  const Scalar t23 = t22 * t22;
+  const Scalar t24 = t18 * t18;
+  const Scalar t25 = t23 + t24;
+  const Scalar t26 = k[17] * c6 - k[16] * s6;
+  const Scalar t27 = (k[19] * t16 + k[18] * t20) + (t21 * t25 + t26 * t20);
+  const Scalar t28 = (k[21] * t2 + k[20] * t10) + t27;
+  const Scalar t29 = qd[3] * t1;
+  const Scalar t30 = t18 * t12;
+  const Scalar t31 = t29 + t30;
+  const Scalar t32 = t11 * t11;
+  const Scalar t33 = t32 - t24;
+  const Scalar t34 = t10 + t33;
+  const Scalar t35 = (k[19] * t31 - k[18] * t34) + (t21 * t17 - (t33 + t25) * t26);
+  const Scalar t36 = t22 * t11;
+  const Scalar t37 = (t36 - t16) + t36;
+  const Scalar t38 = t18 * t22;
+  const Scalar t39 = (t31 - t38) - t38;
+  const Scalar t40 = t29 - t30;
+  const Scalar t41 = t32 + t24;
+  const Scalar t42 = (t21 * t37 + t39 * t26) + (k[18] * t40 + k[19] * t41);
+  const Scalar t43 = (k[20] * t2 + k[21] * t6) - (c5 * t35 + s5 * t42);
+  const Scalar t44 = k[33] * s3;
+  const Scalar t45 = s4 * t44;
+  const Scalar t46 = k[33] * c3 + k[23] * t7;
+  const Scalar t47 = c5 * t45 - s5 * t46;
+  const Scalar t48 = c4 * t44;
+  const Scalar t49 = k[4] * c6 - k[5] * s6;
+  const Scalar t50 = k[4] * s6 + k[5] * c6;
+  const Scalar t51 = k[0] * s6 + k[1] * c6;
+  const Scalar t52 = k[2] - s6 * t51;
+  const Scalar t53 = k[9] + c6 * t51;
+  const Scalar t54 = k[8] - t53;
+  const Scalar t55 = t52 * t33 - (t17 * t53 + t54 * t20);
+  const Scalar t56 = (t21 * t47 - t48 * t26) + ((t49 * t16 + t31 * t50) - t55);
+  const Scalar t57 = torque[5] - t56;
+  const Scalar t58 = c5 * t21;
+  const Scalar t59 = c4 * t58 + s4 * t26;
+  const Scalar t60 = k[7] * t59;
+  const Scalar t61 = (torque[1] - (s4 * t28 - c4 * t43)) - t57 * t60;
+  const Scalar t62 = k[18] + t26;
+  const Scalar t63 = k[19] * c5 + s5 * t62;
+  const Scalar t64 = k[7] * t50;
+  const Scalar t65 = c4 * t63 - t64 * t59;
+  const Scalar t66 = k[11] + (k[10] - t54);
+  const Scalar t67 = Scalar(1) / (t66 + t64 * t50);
+  const Scalar t68 = t65 * t67;
+  const Scalar t69 = t23 - t24;
+  const Scalar t70 = (t49 * t69 - t50 * t17) - (t54 * t39 + t52 * t37);
+  const Scalar t71 = s5 * t45 + c5 * t46;
+  const Scalar t72 = t41 - t34;
+  const Scalar t73 = k[12] * t72 - (k[10] * t40 + k[11] * t31);
+  const Scalar t74 = (k[19] * t47 + k[18] * t71) + ((k[6] * t17 - k[3] * t15) + t73);
+  const Scalar t75 = (t70 - t71 * t26) - t74;
+  const Scalar t76 = k[7] * t57;
+  const Scalar t77 = (torque[4] + t75) - t50 * t76;
+  const Scalar t78 = k[3] + t52;
+  const Scalar t79 = k[6] + t50;
+  const Scalar t80 = s5 * t78 + c5 * t79;
+  const Scalar t81 = s5 * t49 - k[8] * c5;
+  const Scalar t82 = t80 + t64 * t81;
+  const Scalar t83 = t82 * t67;
+  const Scalar t84 = k[7] * t81;
+  const Scalar t85 = (t52 * t39 + t37 * t53) + t50 * (t33 - t69);
+  const Scalar t86 = (k[11] * t16 - k[12] * t20) + k[6] * (t33 + t72);
+  const Scalar t87 = (t71 * t21 - (t20 * t49 - t85)) + (k[19] * t48 + (t86 + k[3] * t40));
+  const Scalar t88 = (k[10] * t20 - k[12] * t16) + (k[3] * t33 - k[6] * t31);
+  const Scalar t89 = t56 - (t88 + k[18] * t48);
+  const Scalar t90 = (k[34] * t2 + k[30] * t9) - (k[21] * t48 - k[20] * t45);
+  const Scalar t91 = torque[3] - ((s5 * t87 + c5 * t89) + t90);
+  const Scalar t92 = t83 * t77 + (t57 * t84 + t91);
+  const Scalar t93 = k[15] - t53;
+  const Scalar t94 = k[12] + t49;
+  const Scalar t95 = c5 * t94;
+  const Scalar t96 = (t95 + t95) + s5 * (k[13] - t66);
+  const Scalar t97 = k[11] - s5 * t96;
+  const Scalar t98 = k[14] + (t97 - t66);
+  const Scalar t99 = t83 * t82 - ((t93 - t98) + t84 * t81);
+  const Scalar t100 = Scalar(1) / t99;
+  const Scalar t101 = c5 * t62 - k[19] * s5;
+  const Scalar t102 = k[21] + t101;
+  const Scalar t103 = k[20] + t21;
+  const Scalar t104 = s4 * t102 + c4 * t103;
+  const Scalar t105 = (t104 + t60 * t81) + t83 * t65;
+  const Scalar t106 = t100 * t105;
+  const Scalar t107 = t67 * t77;
+  const Scalar t108 = c5 * t78 - s5 * t79;
+  const Scalar t109 = s4 * t63;
+  const Scalar t110 = (s4 * t66 - c4 * t108) - k[23] * t109;
+  const Scalar t111 = s4 * t58 - c4 * t26;
+  const Scalar t112 = c4 * (c5 * t49 + k[8] * s5) - s4 * t50;
+  const Scalar t113 = k[23] * t111 - t112;
+  const Scalar t114 = k[7] * t113;
+  const Scalar t115 = t110 + t114 * t50;
+  const Scalar t116 = c4 * t28 + s4 * t43;
+  const Scalar t117 = (k[41] * t13 + k[42] * t29) - k[25] * t5;
+  const Scalar t118 = (k[20] * t46 - (k[24] * t2 - t117)) + (c5 * t87 - s5 * t89);
+  const Scalar t119 = (k[25] * t2 + k[24] * t8) + (k[30] * t14 - k[43] * t29);
+  const Scalar t120 = c4 * t118 - s4 * (t75 + (t119 - k[21] * t46));
+  const Scalar t121 = (k[39] * c3 + k[40] * s3) - (k[23] * t116 - t120);
+  const Scalar t122 = t107 * t115 + ((torque[2] + t121) + t113 * t76);
+  const Scalar t123 = s4 * t103 - c4 * t102;
+  const Scalar t124 = s4 * (k[25] + t80) - c4 * (k[24] - (t94 - c5 * t96));
+  const Scalar t125 = t83 * t115 - ((k[23] * t123 + t124) + t81 * t114);
+  const Scalar t126 = t92 * t100;
+  const Scalar t127 = t122 - t125 * t126;
+  const Scalar t128 = t115 * t67;
+  const Scalar t129 = c4 * (t93 + t98) - Scalar(2) * s4 * (k[30] + t108);
+  const Scalar t130 = (k[29] - (t97 - k[28] * t63)) - (k[31] + (c4 * t129 - t98));
+  const Scalar t131 = t125 * t100;
+  const Scalar t132 = (t128 * t115 - (t113 * t114 - t130)) - t125 * t131;
+  const Scalar t133 = Scalar(1) / t132;
+  const Scalar t134 = t125 * t106 - (t128 * t65 + t114 * t59);
+  const Scalar t135 = t133 * t134;
+  const Scalar t136 = ((t61 + t68 * t77) - t92 * t106) + t127 * t135;
+  const Scalar t137 = t105 * t106 - (t68 * t65 - (k[32] + t60 * t59));
+  const Scalar t138 = Scalar(1) / (t135 * t134 + t137);
+  const Scalar t139 = c3 * s5 * t21 - s3 * t111;
+  const Scalar t140 = k[7] * t139;
+  const Scalar t141 = (c3 * t101 + s3 * t109) + t64 * t139;
+  const Scalar t142 = t141 * t67;
+  const Scalar t143 = (s3 * t123 - t81 * t140) + t82 * t142;
+  const Scalar t144 = c3 * (k[27] + t104) + s3 * (k[26] + t63);
+  const Scalar t145 = t143 * t131 + ((t114 * t139 + t144) - t142 * t115);
+  const Scalar t146 = t100 * t143;
+  const Scalar t147 = (t59 * t140 + t68 * t141) - t146 * t105;
+  const Scalar t148 = t145 * t135 - t147;
+  const Scalar t149 = t138 * t148;
+  const Scalar t150 = (c5 * t42 - s5 * t35) + (k[35] * t29 - k[36] * t13);
+  const Scalar t151 = c3 * (t150 + k[26] * t7) - s3 * (k[27] * t7 + t116);
+  const Scalar t152 = t76 * t139 - (torque[0] - (k[38] + (k[37] - t151)));
+  const Scalar t153 = t127 * t133;
+  const Scalar t154 = (t92 * t146 - (t152 + t142 * t77)) - t145 * t153;
+  const Scalar t155 = t145 * t133;
+  const Scalar t156 = ((k[22] + t139 * t140) - t141 * t142) + t143 * t146;
+  const Scalar t157 = Scalar(1) / ((t145 * t155 + t156) - t149 * t148);
+  const Scalar t158 = (t136 * t149 + t154) * t157;
+  const Scalar t159 = t158 * t149 + t136 * t138;
+  const Scalar t160 = (t153 + t158 * t155) - t135 * t159;
+  const Scalar t161 = t160 * t131 - ((t126 - t158 * t146) + t106 * t159);
+  const Scalar t162 = (t68 * t159 + (t107 - t158 * t142)) - t160 * t128;
+  const Scalar t163 = t83 * t161 + t162;
+  const Scalar t164 = t160 * t114 + ((t76 + t158 * t140) + t60 * t159);
   JointVector<Scalar> result;
-  result[0] = -t154;
-  result[1] = t155;
-  result[2] = t156;
-  result[3] = t157;
-  result[4] = -t159;
-  result[5] = t159 * t19 + (t157 * t2 - t160);
+  result[0] = t158;
+  result[1] = t159;
+  result[2] = -t160;
+  result[3] = t161;
+  result[4] = t163;
+  result[5] = -(t164 - t84 * t161) - t64 * t163;
   return result;
 }
 
@@ -1132,15 +1146,15 @@ KineticEnergyConstants<Scalar> kinetic_energy_constants(const BasicGeometry<Scal
   const Scalar t3 = inertia.c6y * inertia.m6;
   const Scalar t4 = (inertia.I6yy - t0) - inertia.c6y * t3;
   const Scalar t5 = inertia.I6xy - inertia.c6y * t1;
-  const Scalar t6 = inertia.c5x * inertia.m5;
+  const Scalar t6 = inertia.c5y * inertia.m5;
   const Scalar t7 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t8 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t9 = inertia.c4x * inertia.m4;
-  const Scalar t10 = (inertia.c5x * t6 - (inertia.I5xx - t7)) - ((inertia.I4xx - t8) - inertia.c4x * t9);
-  const Scalar t11 = inertia.c5y * inertia.m5;
-  const Scalar t12 = inertia.c6z * inertia.m6;
-  const Scalar t13 = inertia.c5z * inertia.m5;
-  const Scalar t14 = (inertia.c6z * t12 - (inertia.I6zz - t0)) + (inertia.c5z * t13 - (inertia.I5zz - t7));
+  const Scalar t8 = inertia.c6z * inertia.m6;
+  const Scalar t9 = inertia.c5z * inertia.m5;
+  const Scalar t10 = (inertia.c6z * t8 - (inertia.I6zz - t0)) + (inertia.c5z * t9 - (inertia.I5zz - t7));
+  const Scalar t11 = inertia.c5x * inertia.m5;
+  const Scalar t12 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t13 = inertia.c4x * inertia.m4;
+  const Scalar t14 = (inertia.c5x * t11 - (inertia.I5xx - t7)) - ((inertia.I4xx - t12) - inertia.c4x * t13);
   const Scalar t15 = inertia.c4y * inertia.m4;
   const Scalar t16 = inertia.c3x * inertia.m3;
   const Scalar t17 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
@@ -1150,39 +1164,39 @@ KineticEnergyConstants<Scalar> kinetic_energy_constants(const BasicGeometry<Scal
   const Scalar t21 = inertia.c4z * inertia.m4;
   const Scalar t22 = inertia.m4 + (inertia.m5 + inertia.m6);
   const Scalar t23 = t21 - g.d4 * t22;
-  const Scalar t24 = ((inertia.I4zz - t8) - inertia.c4z * t21) + g.d4 * (t23 + t21);
+  const Scalar t24 = ((inertia.I4zz - t12) - inertia.c4z * t21) + g.d4 * (t23 + t21);
   const Scalar t25 = inertia.m2 + (inertia.m3 + t22);
   return { t2 + t4,
-           t2 - t4,
            Scalar(2) * t5,
-           t2,
+           t2 - t4,
+           t4,
+           inertia.c5y * t6 - (inertia.I5yy - t7),
            t10,
-           inertia.c5y * t11 - (inertia.I5yy - t7),
-           t14,
            inertia.I6xz - inertia.c6z * t1,
            inertia.I6yz - inertia.c6z * t3,
-           inertia.I5yz - inertia.c5z * t11,
-           (inertia.I4yy - t8) - inertia.c4y * t15,
+           inertia.I5yz - inertia.c5z * t6,
+           t14,
+           (inertia.I4yy - t12) - inertia.c4y * t15,
+           inertia.I5xz - inertia.c5z * t11,
            t5,
-           inertia.I5xy - inertia.c5y * t6,
-           inertia.I5xz - inertia.c5z * t6,
-           inertia.I4xy - inertia.c4y * t9,
+           inertia.I5xy - inertia.c5y * t11,
+           inertia.I4xy - inertia.c4y * t13,
            inertia.c3x * t16 - (inertia.I3xx - t17),
+           t9 + t8,
            t3,
            t1,
-           t11,
-           t13 + t12,
+           t6,
            Scalar(2) * g.d4,
            t20 + t24,
-           inertia.m1 + t25,
            t25,
+           inertia.m1 + t25,
            t15,
-           t9 + t6,
-           t16,
+           t13 + t11,
            t23 + t19,
+           t16,
            g.d4,
-           inertia.I4yz - inertia.c4z * t15,
-           inertia.I4xz - inertia.c4z * t9 };
+           inertia.I4xz - inertia.c4z * t13,
+           inertia.I4yz - inertia.c4z * t15 };
 }
 
 namespace detail {
@@ -1199,55 +1213,55 @@ inline Scalar kinetic_energy([[maybe_unused]] const JointVector<Scalar>& q, cons
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[7] * c6 + k[8] * s6;
-  const Scalar t1 = k[8] * c6 - k[7] * s6;
-  const Scalar t2 = k[13] + t0;
-  const Scalar t3 = k[1] * c6 + k[2] * s6;
-  const Scalar t4 = k[12] + (k[11] - s6 * t3);
-  const Scalar t5 = c5 * t2 + s5 * t4;
-  const Scalar t6 = qd[5] * (s5 * t1 - k[0] * c5) - qd[4] * t5;
-  const Scalar t7 = k[17] * s6 - k[16] * c6;
-  const Scalar t8 = k[17] * c6 + k[16] * s6;
-  const Scalar t9 = c5 * t8;
-  const Scalar t10 = c4 * t7 + s4 * t9;
-  const Scalar t11 = s4 * t0 - c4 * (c5 * t1 + k[0] * s5);
-  const Scalar t12 = c5 * t4 - s5 * t2;
-  const Scalar t13 = k[18] - t7;
-  const Scalar t14 = k[19] * c5 + s5 * t13;
-  const Scalar t15 = k[20] * t14;
-  const Scalar t16 = k[9] + t1;
-  const Scalar t17 = k[3] - c6 * t3;
-  const Scalar t18 = k[5] - t17;
-  const Scalar t19 = Scalar(2) * c5 * t16 + s5 * (k[6] - t18);
-  const Scalar t20 = s5 * t19;
-  const Scalar t21 = k[6] - t20;
-  const Scalar t22 = t18 + t20;
-  const Scalar t23 = t21 + t22;
-  const Scalar t24 = c4 * t12 + s4 * (Scalar(0.5) * t15 - t23);
-  const Scalar t25 = k[25] + t8;
-  const Scalar t26 = c5 * t13 - k[19] * s5;
-  const Scalar t27 = k[24] + t26;
-  const Scalar t28 = s4 * t25 - c4 * t27;
-  const Scalar t29 = s4 * (k[30] + t5) - c4 * (k[29] + (c5 * t19 - t16));
-  const Scalar t30 = qd[4] * t24 + qd[3] * (k[28] * t28 + t29);
-  const Scalar t31 = qd[2] * (qd[5] * (k[28] * t10 + t11) + t30);
-  const Scalar t32 = c4 * t25 + s4 * t27;
-  const Scalar t33 = (qd[3] * t32 + qd[4] * c4 * t14) + qd[5] * (c4 * t9 - s4 * t7);
-  const Scalar t34 = s3 * (k[27] + t14) + c3 * (k[26] + t32);
-  const Scalar t35 = qd[4] * (s3 * s4 * t14 + c3 * t26);
-  const Scalar t36 = (qd[3] * s3 * t28 - qd[2] * t34) + t35;
-  const Scalar t37 = qd[5] * (c3 * s5 * t8 - s3 * t10);
-  const Scalar t38 = t31 - (qd[1] * t33 - qd[0] * (t36 - t37));
-  const Scalar t39 = qd[4] * qd[5] * t0 - (qd[3] * t6 + t38);
-  const Scalar t40 = k[10] - t22;
-  const Scalar t41 = k[4] - (k[0] - t17);
-  const Scalar t42 = Scalar(2) * s4 * (k[14] + t12) - c4 * (t41 + t40);
-  const Scalar t43 = (k[21] + (t15 - t21)) - (k[15] - (t40 + c4 * t42));
-  const Scalar t44 = qd[0] * k[22] * qd[0] + qd[1] * k[23] * qd[1];
-  const Scalar t45 = (qd[2] * qd[2] * t43 - t44) - qd[3] * qd[3] * (t41 - t40);
-  const Scalar t46 = qd[5] * k[0] * qd[5] + (t45 - qd[4] * qd[4] * t23);
+  const Scalar t0 = k[6] * c6 + k[7] * s6;
+  const Scalar t1 = k[17] * c6 - k[18] * s6;
+  const Scalar t2 = k[19] + t1;
+  const Scalar t3 = s5 * t2 + k[16] * c5;
+  const Scalar t4 = s4 * t3;
+  const Scalar t5 = k[2] * c6 + k[1] * s6;
+  const Scalar t6 = k[13] + (k[12] - s6 * t5);
+  const Scalar t7 = k[11] + t0;
+  const Scalar t8 = c5 * t6 - s5 * t7;
+  const Scalar t9 = k[7] * c6 - k[6] * s6;
+  const Scalar t10 = k[8] + t9;
+  const Scalar t11 = k[3] + c6 * t5;
+  const Scalar t12 = k[4] - (k[0] - t11);
+  const Scalar t13 = Scalar(2) * c5 * t10 + s5 * (k[5] - t12);
+  const Scalar t14 = s5 * t13;
+  const Scalar t15 = k[5] - t14;
+  const Scalar t16 = t12 + t14;
+  const Scalar t17 = t15 + t16;
+  const Scalar t18 = k[28] * t4 + (c4 * t8 - s4 * t17);
+  const Scalar t19 = c5 * t7 + s5 * t6;
+  const Scalar t20 = c4 * (k[30] - (t10 - c5 * t13)) - s4 * (k[29] + t19);
+  const Scalar t21 = k[17] * s6 + k[18] * c6;
+  const Scalar t22 = k[25] + t21;
+  const Scalar t23 = k[16] * s5 - c5 * t2;
+  const Scalar t24 = k[24] - t23;
+  const Scalar t25 = s4 * t22 - c4 * t24;
+  const Scalar t26 = qd[4] * t18 - qd[3] * (t20 - k[28] * t25);
+  const Scalar t27 = s4 * t0 - c4 * (k[0] * s5 + c5 * t9);
+  const Scalar t28 = c5 * t21;
+  const Scalar t29 = s4 * t28 - c4 * t1;
+  const Scalar t30 = qd[2] * (t26 + qd[5] * (t27 + k[28] * t29));
+  const Scalar t31 = c4 * t22 + s4 * t24;
+  const Scalar t32 = qd[5] * (s4 * t1 + c4 * t28) + (qd[3] * t31 + qd[4] * c4 * t3);
+  const Scalar t33 = s3 * (k[26] + t3) + c3 * (k[27] + t31);
+  const Scalar t34 = qd[4] * (c3 * t23 - s3 * t4) + (qd[2] * t33 - qd[3] * s3 * t25);
+  const Scalar t35 = qd[5] * (c3 * s5 * t21 - s3 * t29);
+  const Scalar t36 = t30 - (qd[1] * t32 + qd[0] * (t34 + t35));
+  const Scalar t37 = qd[5] * (s5 * t9 - k[0] * c5) - qd[4] * t19;
+  const Scalar t38 = qd[4] * qd[5] * t0 - (t36 + qd[3] * t37);
+  const Scalar t39 = qd[0] * k[23] * qd[0] + qd[1] * k[22] * qd[1];
+  const Scalar t40 = k[9] - t11;
+  const Scalar t41 = k[10] - t16;
+  const Scalar t42 = s4 * (k[14] + t8);
+  const Scalar t43 = c4 * (c4 * (t40 + t41) - (t42 + t42));
+  const Scalar t44 = (k[15] + (t43 - t41)) - (k[21] + (k[20] * t3 - t15));
+  const Scalar t45 = (t39 + qd[2] * qd[2] * t44) + qd[3] * qd[3] * (t40 - t41);
+  const Scalar t46 = (qd[4] * qd[4] * t17 + t45) - qd[5] * k[0] * qd[5];
   Scalar result;
-  result = -t39 - Scalar(0.5) * t46;
+  result = Scalar(0.5) * t46 - t38;
   return result;
 }
 

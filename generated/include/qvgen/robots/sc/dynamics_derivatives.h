@@ -17,7 +17,7 @@ struct InverseDynamicsDerivatives {
 
 /// Joint forces for a motion, and their derivatives by q and qd; the one by qdd is mass_matrix.
 ///
-/// 621 multiplications, 526 additions, 4 sine/cosine pairs. Set-up: 42 multiplications, 57 additions.
+/// 628 multiplications, 519 additions, 4 sine/cosine pairs. Set-up: 42 multiplications, 57 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 InverseDynamicsDerivatives<Scalar> inverse_dynamics_derivatives(const JointVector<Scalar>& q,

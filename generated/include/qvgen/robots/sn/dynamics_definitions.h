@@ -27,82 +27,82 @@ InverseDynamicsConstants<Scalar> inverse_dynamics_constants(const BasicGeometry<
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c2x * inertia.m2;
-  const Scalar t1 = inertia.c4y * inertia.m4;
-  const Scalar t2 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t3 = t1 - g.d4 * t2;
+  const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t1 = inertia.m3 + t0;
+  const Scalar t2 = inertia.c4y * inertia.m4;
+  const Scalar t3 = t2 - g.d4 * t0;
   const Scalar t4 = inertia.c3y * inertia.m3;
   const Scalar t5 = g.d4 * inertia.m3 - t4;
   const Scalar t6 = (t3 - t5) / g.d4;
-  const Scalar t7 = g.l2 * t6;
-  const Scalar t8 = inertia.c2z * inertia.m2;
-  const Scalar t9 = g.l2 * inertia.m2 + t8;
-  const Scalar t10 = inertia.c3z * inertia.m3;
-  const Scalar t11 = inertia.m3 + t2;
-  const Scalar t12 = t10 + g.l2 * t11;
-  const Scalar t13 = inertia.c3x * inertia.m3;
-  const Scalar t14 = g.d4 * t13;
-  const Scalar t15 = inertia.c6y * inertia.m6;
-  const Scalar t16 = inertia.c5y * inertia.m5;
-  const Scalar t17 = inertia.c5z * inertia.m5;
-  const Scalar t18 = inertia.c6z * inertia.m6;
-  const Scalar t19 = inertia.c6x * inertia.m6;
-  const Scalar t20 = inertia.c4z * inertia.m4;
-  const Scalar t21 = inertia.c4x * inertia.m4;
-  const Scalar t22 = inertia.c5x * inertia.m5;
-  const Scalar t23 = g.d4 * g.d4 * t6;
-  const Scalar t24 = g.d4 * g.d4 * ((inertia.m1 + (inertia.m2 + t11)) + t6);
-  const Scalar t25 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t26 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t27 = (inertia.c5x * t22 - (inertia.I5xx - t25)) - ((inertia.I4xx - t26) - inertia.c4x * t21);
-  const Scalar t28 = inertia.I6xz - inertia.c6z * t19;
-  const Scalar t29 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t30 = (inertia.I6xx - t29) - inertia.c6x * t19;
-  const Scalar t31 = inertia.c6z * t18 - (inertia.I6zz - t29);
-  const Scalar t32 = ((inertia.I6yy - t29) - inertia.c6y * t15) - (inertia.c5y * t16 - (inertia.I5yy - t25));
+  const Scalar t7 = g.d4 * g.d4 * ((inertia.m1 + (inertia.m2 + t1)) + t6);
+  const Scalar t8 = g.l2 * t6;
+  const Scalar t9 = inertia.c2z * inertia.m2;
+  const Scalar t10 = g.l2 * inertia.m2 + t9;
+  const Scalar t11 = inertia.c3z * inertia.m3;
+  const Scalar t12 = t11 + g.l2 * t1;
+  const Scalar t13 = inertia.c2x * inertia.m2;
+  const Scalar t14 = inertia.c6y * inertia.m6;
+  const Scalar t15 = inertia.c5y * inertia.m5;
+  const Scalar t16 = inertia.c5z * inertia.m5;
+  const Scalar t17 = inertia.c6z * inertia.m6;
+  const Scalar t18 = inertia.c6x * inertia.m6;
+  const Scalar t19 = inertia.c4x * inertia.m4;
+  const Scalar t20 = inertia.c5x * inertia.m5;
+  const Scalar t21 = inertia.c4z * inertia.m4;
+  const Scalar t22 = g.d4 * g.d4 * t6;
+  const Scalar t23 = inertia.c3x * inertia.m3;
+  const Scalar t24 = g.d4 * t23;
+  const Scalar t25 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t26 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t27 = (inertia.c5x * t20 - (inertia.I5xx - t26)) - ((inertia.I4xx - t25) - inertia.c4x * t19);
+  const Scalar t28 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t29 = (inertia.I6xx - t28) - inertia.c6x * t18;
+  const Scalar t30 = inertia.c6z * t17 - (inertia.I6zz - t28);
+  const Scalar t31 = inertia.I6xz - inertia.c6z * t18;
+  const Scalar t32 = ((inertia.I6yy - t28) - inertia.c6y * t14) - (inertia.c5y * t15 - (inertia.I5yy - t26));
   const Scalar t33 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t34 = ((inertia.I4yy - t26) - inertia.c4y * t1) + g.d4 * (t1 + t3);
+  const Scalar t34 = ((inertia.I4yy - t25) - inertia.c4y * t2) + g.d4 * (t2 + t3);
   const Scalar t35 = ((inertia.I3yy - t33) - inertia.c3y * t4) - g.d4 * (t5 - t4);
   const Scalar t36 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t37 = g.l2 * (t9 + t8) - ((inertia.I2zz - t36) - inertia.c2z * t8);
-  const Scalar t38 = ((inertia.I3zz - t33) - inertia.c3z * t10) - g.l2 * (t10 + t12);
-  const Scalar t39 = (inertia.c2x * t0 - (inertia.I2xx - t36)) + (g.l2 * t7 + (t37 - t38));
-  return { g.d4 * t0,
-           g.d4 * (t7 + (t9 + t12)),
-           t14,
-           g.d4 * (t15 + t16),
+  const Scalar t37 = g.l2 * (t10 + t9) - ((inertia.I2zz - t36) - inertia.c2z * t9);
+  const Scalar t38 = ((inertia.I3zz - t33) - inertia.c3z * t11) - g.l2 * (t11 + t12);
+  const Scalar t39 = (inertia.c2x * t13 - (inertia.I2xx - t36)) + (g.l2 * t8 + (t37 - t38));
+  return { Scalar(1) / g.d4,
+           gravity / g.d4,
+           t7,
+           g.d4 * (t8 + (t10 + t12)),
+           g.d4 * t13,
+           g.d4 * (t14 + t15),
+           g.d4 * t16,
            g.d4 * t17,
            g.d4 * t18,
-           g.d4 * t19,
-           g.d4 * t20,
-           g.d4 * (t21 + t22),
-           Scalar(1) / g.d4,
-           gravity / g.d4,
+           g.d4 * (t19 + t20),
+           g.d4 * t21,
            g.l2 / g.d4,
-           t23,
+           t22,
            t24,
-           inertia.I4xy - inertia.c4y * t21,
-           inertia.I4yz - inertia.c4z * t1,
+           inertia.I4xy - inertia.c4y * t19,
+           inertia.I4yz - inertia.c4z * t2,
+           inertia.I4xz - inertia.c4z * t19,
+           (inertia.I4zz - t25) - inertia.c4z * t21,
            t27,
-           (inertia.I4zz - t26) - inertia.c4z * t20,
-           inertia.I4xz - inertia.c4z * t21,
-           Scalar(2) * t28,
-           t30 + t31,
-           t28,
+           t29 + t30,
+           Scalar(2) * t31,
            t30,
            t31,
-           inertia.I6yz - inertia.c6z * t15,
-           inertia.I6xy - inertia.c6y * t19,
-           inertia.I5xz - inertia.c5z * t22,
-           inertia.I5xy - inertia.c5y * t22,
-           inertia.c5z * t17 - (inertia.I5zz - t25),
-           inertia.I5yz - inertia.c5z * t16,
+           inertia.I6yz - inertia.c6z * t14,
+           inertia.I6xy - inertia.c6y * t18,
+           inertia.I5yz - inertia.c5z * t15,
            t32,
-           g.d4 * t10 + (inertia.I3yz - inertia.c3z * t4),
-           inertia.I3xz - inertia.c3z * t13,
-           (inertia.I3xy - inertia.c3y * t13) + t14,
-           inertia.c3x * t13 - (inertia.I3xx - t33),
-           (t34 + t35) - t23,
+           inertia.I5xy - inertia.c5y * t20,
+           inertia.I5xz - inertia.c5z * t20,
+           inertia.c5z * t16 - (inertia.I5zz - t26),
+           t29,
+           (inertia.I3xy - inertia.c3y * t23) + t24,
+           inertia.c3x * t23 - (inertia.I3xx - t33),
+           inertia.I3xz - inertia.c3z * t23,
+           g.d4 * t11 + (inertia.I3yz - inertia.c3z * t4),
+           (t34 + t35) - t22,
            t39 };
 }
 
@@ -122,139 +122,140 @@ inline JointVector<Scalar> inverse_dynamics([[maybe_unused]] const JointVector<S
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[6] * s6 + k[5] * c6;
-  const Scalar t1 = qd[1] * c3;
-  const Scalar t2 = qd[3] - t1;
-  const Scalar t3 = qd[1] * s3;
-  const Scalar t4 = s4 * t3 - qd[2] * c4;
-  const Scalar t5 = s5 * t2 + c5 * t4;
-  const Scalar t6 = qd[2] * s4 + c4 * t3;
-  const Scalar t7 = qd[4] - t6;
-  const Scalar t8 = t5 * t7;
-  const Scalar t9 = t3 * t1;
-  const Scalar t10 = qdd[2] - t9;
-  const Scalar t11 = qdd[1] * s3;
-  const Scalar t12 = qd[2] * t1;
-  const Scalar t13 = (t11 + t12) + t12;
-  const Scalar t14 = c4 * t10 - s4 * t13;
-  const Scalar t15 = t14 - Scalar(2) * t2 * t6;
-  const Scalar t16 = qd[2] * t3;
-  const Scalar t17 = qdd[1] * c3;
-  const Scalar t18 = t16 - t17;
-  const Scalar t19 = qdd[3] + t18;
-  const Scalar t20 = t4 * t6;
-  const Scalar t21 = t19 - t20;
-  const Scalar t22 = s5 * t15 + c5 * t21;
-  const Scalar t23 = qdd[5] + t22;
-  const Scalar t24 = t8 + (t8 - t23);
-  const Scalar t25 = t4 * t4;
-  const Scalar t26 = t2 * t2;
-  const Scalar t27 = t25 + t26;
-  const Scalar t28 = s5 * t4 - c5 * t2;
-  const Scalar t29 = t28 * t28;
-  const Scalar t30 = t7 * t7;
-  const Scalar t31 = t29 + t30;
-  const Scalar t32 = t27 - t31;
-  const Scalar t33 = qd[5] - t28;
-  const Scalar t34 = t33 * t33 + t30;
-  const Scalar t35 = t32 + t34;
-  const Scalar t36 = k[6] * c6 - k[5] * s6;
-  const Scalar t37 = qdd[5] + t24;
-  const Scalar t38 = t7 * t28;
-  const Scalar t39 = c5 * t15 - s5 * t21;
-  const Scalar t40 = t38 + (t39 + t38);
-  const Scalar t41 = (t0 * t24 - t35 * t36) + (k[4] * t37 - k[3] * t40);
-  const Scalar t42 = t19 + t20;
-  const Scalar t43 = k[10] + k[9] * qdd[0];
-  const Scalar t44 = k[11] * qdd[1] - s2 * t43;
-  const Scalar t45 = t10 + c3 * t44;
-  const Scalar t46 = qd[1] * qd[1];
-  const Scalar t47 = k[11] * t46 - c2 * t43;
-  const Scalar t48 = t47 + t13;
-  const Scalar t49 = c4 * t45 - s4 * t48;
-  const Scalar t50 = (k[7] * t42 + k[8] * t27) + k[12] * t49;
-  const Scalar t51 = t41 - t50;
-  const Scalar t52 = t2 * t4;
-  const Scalar t53 = c4 * t13 + s4 * t10;
-  const Scalar t54 = t52 - t53;
-  const Scalar t55 = qdd[4] + t54;
-  const Scalar t56 = t5 * t28;
-  const Scalar t57 = t55 + t56;
-  const Scalar t58 = (k[4] * t31 + k[3] * t57) + (t0 * t34 - t23 * t36);
-  const Scalar t59 = Scalar(2) * t7 * t33 + t40;
-  const Scalar t60 = t5 * t33;
-  const Scalar t61 = t60 + (t60 + t57);
-  const Scalar t62 = t55 - t56;
-  const Scalar t63 = t29 - t30;
-  const Scalar t64 = t27 - t63;
-  const Scalar t65 = (t59 * t36 + t0 * t61) + (k[4] * t62 - k[3] * t64);
-  const Scalar t66 = t25 - t26;
-  const Scalar t67 = t1 * t1;
-  const Scalar t68 = qd[2] * qd[2];
-  const Scalar t69 = t67 - t68;
-  const Scalar t70 = t46 - t69;
-  const Scalar t71 = t66 - t70;
-  const Scalar t72 = c4 * t48 + s4 * t45;
-  const Scalar t73 = (k[8] * t21 + k[7] * t71) + k[12] * t72;
-  const Scalar t74 = (c5 * t58 + s5 * t65) - t73;
-  const Scalar t75 = c4 * t51 + s4 * t74;
-  const Scalar t76 = t67 + t68;
-  const Scalar t77 = qdd[2] + t9;
-  const Scalar t78 = s3 * t44;
-  const Scalar t79 = t78 - t70;
-  const Scalar t80 = t54 + t52;
-  const Scalar t81 = k[12] * t79 + (k[7] * t80 + k[8] * t15);
-  const Scalar t82 = k[2] * t77 - ((s5 * t58 - c5 * t65) - t81);
-  const Scalar t83 = c3 * (t75 - k[2] * t76) - s3 * t82;
-  const Scalar t84 = s4 * t51 - c4 * t74;
-  const Scalar t85 = t16 + t18;
-  const Scalar t86 = s2 * t83 - c2 * (t84 + k[2] * t85);
-  const Scalar t87 = k[1] * s2 + k[0] * c2;
-  const Scalar t88 = qdd[1] * t87 - (k[0] * s2 - k[1] * c2) * t46;
-  const Scalar t89 = (k[35] * t13 + k[33] * t85) - k[31] * t69;
-  const Scalar t90 = t27 + t71;
-  const Scalar t91 = (k[18] * t80 - k[16] * t15) - k[14] * (t66 - t90);
-  const Scalar t92 = (k[27] * t57 - k[26] * t32) - (k[28] * t37 + k[29] * t40);
-  const Scalar t93 = s5 * t79 + c5 * t72;
-  const Scalar t94 = k[19] * s6 - k[20] * c6;
-  const Scalar t95 = k[21] - s6 * t94;
+  const Scalar t0 = k[1] + k[0] * qdd[0];
+  const Scalar t1 = k[4] * c2 + k[3] * s2;
+  const Scalar t2 = qd[1] * qd[1];
+  const Scalar t3 = qdd[1] * t1 + t2 * (k[3] * c2 - k[4] * s2);
+  const Scalar t4 = qd[1] * s3;
+  const Scalar t5 = qd[1] * c3;
+  const Scalar t6 = t4 * t5;
+  const Scalar t7 = qdd[2] + t6;
+  const Scalar t8 = t4 * t4;
+  const Scalar t9 = qd[2] * qd[2];
+  const Scalar t10 = t8 + t9;
+  const Scalar t11 = s2 * t0 - k[11] * qdd[1];
+  const Scalar t12 = s3 * t11;
+  const Scalar t13 = t10 + t12;
+  const Scalar t14 = qd[3] - t5;
+  const Scalar t15 = s4 * t4 - qd[2] * c4;
+  const Scalar t16 = t14 * t15;
+  const Scalar t17 = qdd[1] * s3;
+  const Scalar t18 = qd[2] * t5;
+  const Scalar t19 = (t17 + t18) + t18;
+  const Scalar t20 = qdd[2] - t6;
+  const Scalar t21 = c4 * t19 + s4 * t20;
+  const Scalar t22 = t16 - t21;
+  const Scalar t23 = t22 + t16;
+  const Scalar t24 = c4 * t20 - s4 * t19;
+  const Scalar t25 = qd[2] * s4 + c4 * t4;
+  const Scalar t26 = t24 - Scalar(2) * t14 * t25;
+  const Scalar t27 = k[12] * t13 - (k[10] * t23 + k[9] * t26);
+  const Scalar t28 = s5 * t15 - c5 * t14;
+  const Scalar t29 = qd[5] - t28;
+  const Scalar t30 = t29 * t29;
+  const Scalar t31 = s5 * t14 + c5 * t15;
+  const Scalar t32 = t31 * t31;
+  const Scalar t33 = t30 - t32;
+  const Scalar t34 = qd[4] - t25;
+  const Scalar t35 = t34 * t34;
+  const Scalar t36 = t30 + t35;
+  const Scalar t37 = t33 - t36;
+  const Scalar t38 = qdd[4] + t22;
+  const Scalar t39 = t31 * t28;
+  const Scalar t40 = t38 - t39;
+  const Scalar t41 = t34 * t29;
+  const Scalar t42 = qd[2] * t4;
+  const Scalar t43 = qdd[1] * c3;
+  const Scalar t44 = t42 - t43;
+  const Scalar t45 = qdd[3] + t44;
+  const Scalar t46 = t15 * t25;
+  const Scalar t47 = t45 - t46;
+  const Scalar t48 = c5 * t26 - s5 * t47;
+  const Scalar t49 = t34 * t28;
+  const Scalar t50 = t48 + (t49 + t49);
+  const Scalar t51 = (t41 + t41) + t50;
+  const Scalar t52 = k[8] * c6 - k[7] * s6;
+  const Scalar t53 = k[7] * c6 + k[8] * s6;
+  const Scalar t54 = t31 * t29;
+  const Scalar t55 = t38 + t39;
+  const Scalar t56 = t54 + (t54 + t55);
+  const Scalar t57 = (k[5] * t37 + k[6] * t40) + (t51 * t52 + t53 * t56);
+  const Scalar t58 = t15 * t15;
+  const Scalar t59 = t14 * t14;
+  const Scalar t60 = t58 + t59;
+  const Scalar t61 = t60 + t37;
+  const Scalar t62 = t35 - t32;
+  const Scalar t63 = t61 + t62;
+  const Scalar t64 = s5 * t26 + c5 * t47;
+  const Scalar t65 = qdd[5] + t64;
+  const Scalar t66 = (k[6] * (t63 - t37) + k[5] * t55) + (t53 * t36 - t65 * t52);
+  const Scalar t67 = k[13] * t7 - (t27 - (c5 * t57 - s5 * t66));
+  const Scalar t68 = t8 - t9;
+  const Scalar t69 = t58 - t59;
+  const Scalar t70 = t60 - t10;
+  const Scalar t71 = t69 + t70;
+  const Scalar t72 = k[11] * t2 - c2 * t0;
+  const Scalar t73 = t72 + t19;
+  const Scalar t74 = c3 * t11 - t20;
+  const Scalar t75 = c4 * t73 - s4 * t74;
+  const Scalar t76 = (k[9] * t47 - k[10] * (t60 - t71)) + k[12] * t75;
+  const Scalar t77 = (c5 * t66 + s5 * t57) - t76;
+  const Scalar t78 = t31 * t34;
+  const Scalar t79 = (t78 + t78) - t65;
+  const Scalar t80 = qdd[5] + t79;
+  const Scalar t81 = (k[6] * t80 - k[5] * t50) + (t53 * t79 - (t30 + t32) * t52);
+  const Scalar t82 = t45 + t46;
+  const Scalar t83 = s4 * t73 + c4 * t74;
+  const Scalar t84 = (k[10] * t82 + k[9] * t60) - k[12] * t83;
+  const Scalar t85 = t81 - t84;
+  const Scalar t86 = k[13] * (t68 - t2) + (s4 * t77 + c4 * t85);
+  const Scalar t87 = s3 * t67 - c3 * t86;
+  const Scalar t88 = t42 + t44;
+  const Scalar t89 = k[13] * t88 + (s4 * t85 - c4 * t77);
+  const Scalar t90 = k[2] * t0 - (t3 - (s2 * t87 + c2 * t89));
+  const Scalar t91 = (k[34] * t20 - k[33] * t68) - (k[32] * t88 - k[31] * t19);
+  const Scalar t92 = k[23] * c6 + k[24] * s6;
+  const Scalar t93 = k[24] * c6 - k[23] * s6;
+  const Scalar t94 = k[19] * c6 - k[20] * s6;
+  const Scalar t95 = k[22] + s6 * t94;
   const Scalar t96 = c6 * t94;
-  const Scalar t97 = k[23] + t96;
-  const Scalar t98 = k[22] + t96;
-  const Scalar t99 = t32 * t95 - (t23 * t97 + t24 * t98);
-  const Scalar t100 = k[25] * c6 - k[24] * s6;
-  const Scalar t101 = k[25] * s6 + k[24] * c6;
-  const Scalar t102 = (t0 * t49 + t93 * t36) + (t99 - (t100 * t57 - t101 * t40));
-  const Scalar t103 = (k[4] * t49 - t92) + t102;
-  const Scalar t104 = s5 * t72 - c5 * t79;
-  const Scalar t105 = (t59 * t97 - t61 * t95) + (t64 - t35) * t100;
-  const Scalar t106 = (k[29] * t37 - k[30] * t40) - k[27] * t63;
-  const Scalar t107 = (t104 * t36 + (t105 + t101 * t24)) - ((k[26] * t62 - t106) + k[3] * t49);
-  const Scalar t108 = ((t91 + k[15] * t42) + k[8] * t79) + (s5 * t103 - c5 * t107);
-  const Scalar t109 = (k[15] * t66 + k[14] * t21) - (k[18] * t15 + k[17] * t80);
-  const Scalar t110 = (k[30] * t57 - k[28] * t62) - k[29] * (t32 - t63);
-  const Scalar t111 = (k[3] * t93 + k[4] * t104) + ((k[27] * t22 - k[26] * t39) - t110);
-  const Scalar t112 = (t59 * t95 + t61 * t98) - (t23 * t100 - t101 * (t34 - t64));
-  const Scalar t113 = t111 - (t112 - t0 * t104);
-  const Scalar t114 = (k[7] * t79 - t109) - t113;
-  const Scalar t115 = (k[32] * t77 - t89) - (t84 - (s4 * t108 + c4 * t114));
-  const Scalar t116 = (k[17] * t42 - k[16] * t21) + k[18] * t90;
-  const Scalar t117 = (k[8] * t72 + k[7] * t49) + ((k[15] * t14 + k[14] * t53) + t116);
-  const Scalar t118 = t117 + (s5 * t107 + c5 * t103);
-  const Scalar t119 = t70 - t76;
-  const Scalar t120 = (k[32] * (t119 + t69) - k[31] * t10) - (k[33] * t13 - k[34] * t85);
-  const Scalar t121 = s3 * t115 + c3 * (t118 - (t120 - k[2] * t47));
-  const Scalar t122 = (t121 + k[11] * t83) - (t43 * t87 - k[36] * qdd[1]);
-  const Scalar t123 = (k[34] * t77 - k[35] * t10) + k[33] * t119;
-  const Scalar t124 = k[2] * t78 - ((k[31] * t17 + k[32] * t11) + t123);
-  const Scalar t125 = ((c4 * t108 - s4 * t114) - t75) + t124;
+  const Scalar t97 = k[21] - t96;
+  const Scalar t98 = t93 * (t33 - t62) + (t56 * t95 - t97 * t51);
+  const Scalar t99 = s5 * t75 + c5 * t13;
+  const Scalar t100 = k[27] * t61 - (k[25] * t80 - k[26] * t50);
+  const Scalar t101 = ((t92 * t79 - t98) + t99 * t52) + (k[5] * t83 - (k[28] * t40 + t100));
+  const Scalar t102 = s5 * t13 - c5 * t75;
+  const Scalar t103 = k[30] - t96;
+  const Scalar t104 = (t65 * t97 + t103 * t79) + t95 * t62;
+  const Scalar t105 = (t102 * t52 + t53 * t83) + (t104 - (t92 * t50 - t93 * t55));
+  const Scalar t106 = (k[28] * t62 + k[27] * t55) - (k[25] * t50 + k[29] * t80);
+  const Scalar t107 = t105 + (t106 + k[6] * t83);
+  const Scalar t108 = k[16] * t71 - (k[18] * t47 - k[17] * t82);
+  const Scalar t109 = ((k[15] * t24 + k[14] * t21) + t108) - (k[10] * t83 - k[9] * t75);
+  const Scalar t110 = (s5 * t101 - c5 * t107) + t109;
+  const Scalar t111 = t2 - t10;
+  const Scalar t112 = k[34] * t111 - (k[35] * t19 + k[31] * t88);
+  const Scalar t113 = (k[18] * t26 - k[16] * t23) - k[14] * t70;
+  const Scalar t114 = (s5 * t107 + c5 * t101) + (k[9] * t13 + (t113 - k[15] * t82));
+  const Scalar t115 = t114 + t85;
+  const Scalar t116 = (k[26] * t55 - k[29] * t40) + k[25] * t63;
+  const Scalar t117 = ((k[27] * t64 - k[28] * t48) - t116) + (k[6] * t99 - k[5] * t102);
+  const Scalar t118 = (t103 * t56 + t51 * t95) + (t92 * t33 - t93 * t65);
+  const Scalar t119 = t117 + (t53 * t99 - t118);
+  const Scalar t120 = (k[17] * t23 + k[16] * t26) - (k[15] * t69 + k[14] * t47);
+  const Scalar t121 = t77 - (t119 - (t120 - k[10] * t13));
+  const Scalar t122 = (t112 + k[33] * t7) - (s4 * t115 - c4 * t121);
+  const Scalar t123 = c3 * ((k[13] * t72 + t91) + t110) + s3 * t122;
+  const Scalar t124 = (t123 - k[11] * t87) + (k[36] * qdd[1] - t0 * t1);
+  const Scalar t125 = (k[32] * t7 - k[35] * t20) + k[31] * (t68 - t111);
+  const Scalar t126 = (t125 + (k[33] * t17 + k[34] * t43)) + k[13] * t12;
   JointVector<Scalar> result;
-  result[0] = -k[9] * ((t86 + t88) - k[13] * t43);
-  result[1] = t122;
-  result[2] = -t125;
-  result[3] = -t118;
-  result[4] = t113;
-  result[5] = -t102;
+  result[0] = k[0] * t90;
+  result[1] = t124;
+  result[2] = t126 + (s4 * t121 + c4 * t115);
+  result[3] = -t110;
+  result[4] = t119;
+  result[5] = t105;
   return result;
 }
 
@@ -283,21 +284,21 @@ GravityTorqueConstants<Scalar> gravity_torque_constants(const BasicGeometry<Scal
   using std::cos;
   using std::sin;
   const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t1 = (inertia.c4y * inertia.m4 - g.d4 * t0) - (g.d4 * inertia.m3 - inertia.c3y * inertia.m3);
-  const Scalar t2 = inertia.m3 + t0;
-  const Scalar t3 = (g.l2 * inertia.m2 + inertia.c2z * inertia.m2) + (inertia.c3z * inertia.m3 + g.l2 * t2);
+  const Scalar t1 = inertia.m3 + t0;
+  const Scalar t2 = (g.l2 * inertia.m2 + inertia.c2z * inertia.m2) + (inertia.c3z * inertia.m3 + g.l2 * t1);
+  const Scalar t3 = (inertia.c4y * inertia.m4 - g.d4 * t0) - (g.d4 * inertia.m3 - inertia.c3y * inertia.m3);
   return { gravity,
+           inertia.c2x * inertia.m2,
+           t2,
            inertia.c6z * inertia.m6,
            inertia.c6x * inertia.m6,
-           inertia.c6y * inertia.m6 + inertia.c5y * inertia.m5,
            inertia.c5z * inertia.m5,
-           inertia.c4x * inertia.m4 + inertia.c5x * inertia.m5,
+           inertia.c6y * inertia.m6 + inertia.c5y * inertia.m5,
            inertia.c4z * inertia.m4,
-           t1,
-           inertia.c3x * inertia.m3,
+           inertia.c4x * inertia.m4 + inertia.c5x * inertia.m5,
            t3,
-           inertia.c2x * inertia.m2,
-           gravity * (inertia.m1 + (inertia.m2 + t2)) };
+           inertia.c3x * inertia.m3,
+           gravity * (inertia.m1 + (inertia.m2 + t1)) };
 }
 
 namespace detail {
@@ -315,33 +316,33 @@ inline JointVector<Scalar> gravity_torque([[maybe_unused]] const JointVector<Sca
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[0] * c2;
-  const Scalar t1 = k[0] * s2;
-  const Scalar t2 = s3 * t1;
-  const Scalar t3 = c3 * t1;
-  const Scalar t4 = s4 * t3 + c4 * t0;
-  const Scalar t5 = c5 * t2 - s5 * t4;
-  const Scalar t6 = k[2] * c6 - k[1] * s6;
-  const Scalar t7 = s4 * t0 - c4 * t3;
-  const Scalar t8 = t5 * t6 - k[3] * t7;
-  const Scalar t9 = c5 * t4 + s5 * t2;
-  const Scalar t10 = k[1] * c6 + k[2] * s6;
-  const Scalar t11 = t9 * t6 - t10 * t7;
-  const Scalar t12 = k[4] * t7 - t11;
-  const Scalar t13 = k[5] * t2 + (c5 * t8 - s5 * t12);
-  const Scalar t14 = t5 * t10 - (k[3] * t9 - k[4] * t5);
-  const Scalar t15 = t14 + k[6] * t2;
-  const Scalar t16 = k[7] * t0 - (s4 * t13 + c4 * t15);
-  const Scalar t17 = (k[6] * t7 - k[5] * t4) + (s5 * t8 + c5 * t12);
-  const Scalar t18 = s3 * t16 + c3 * (t17 - k[8] * t0);
-  const Scalar t19 = (k[7] * t3 + k[8] * t2) - (s4 * t15 - c4 * t13);
+  const Scalar t0 = k[0] * s2;
+  const Scalar t1 = k[0] * c2;
+  const Scalar t2 = c3 * t0;
+  const Scalar t3 = s4 * t1 - c4 * t2;
+  const Scalar t4 = s4 * t2 + c4 * t1;
+  const Scalar t5 = s3 * t0;
+  const Scalar t6 = c5 * t4 + s5 * t5;
+  const Scalar t7 = k[4] * c6 - k[3] * s6;
+  const Scalar t8 = k[3] * c6 + k[4] * s6;
+  const Scalar t9 = t6 * t7 - t8 * t3;
+  const Scalar t10 = k[5] * t3 - t9;
+  const Scalar t11 = c5 * t5 - s5 * t4;
+  const Scalar t12 = k[6] * t3 - t11 * t7;
+  const Scalar t13 = (s5 * t10 + c5 * t12) - k[8] * t5;
+  const Scalar t14 = (k[6] * t6 - k[5] * t11) - t11 * t8;
+  const Scalar t15 = k[7] * t5 - t14;
+  const Scalar t16 = k[9] * t1 + (s4 * t13 - c4 * t15);
+  const Scalar t17 = (k[7] * t3 - k[8] * t4) + (c5 * t10 - s5 * t12);
+  const Scalar t18 = s3 * t16 + c3 * (t17 - k[10] * t1);
+  const Scalar t19 = (k[10] * t5 + k[9] * t2) - (s4 * t15 + c4 * t13);
   JointVector<Scalar> result;
   result[0] = k[11];
-  result[1] = t18 - (k[10] * t0 + k[9] * t1);
+  result[1] = t18 - (k[2] * t0 + k[1] * t1);
   result[2] = t19;
   result[3] = -t17;
-  result[4] = t14;
-  result[5] = t11;
+  result[4] = -t14;
+  result[5] = t9;
   return result;
 }
 
@@ -366,11 +367,11 @@ CoriolisTorqueConstants<Scalar> coriolis_torque_constants(const BasicGeometry<Sc
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6y * inertia.m6;
-  const Scalar t1 = inertia.c5y * inertia.m5;
-  const Scalar t2 = inertia.c5z * inertia.m5;
-  const Scalar t3 = inertia.c6z * inertia.m6;
-  const Scalar t4 = inertia.c6x * inertia.m6;
+  const Scalar t0 = inertia.c3x * inertia.m3;
+  const Scalar t1 = g.d4 * t0;
+  const Scalar t2 = inertia.c4x * inertia.m4;
+  const Scalar t3 = inertia.c5x * inertia.m5;
+  const Scalar t4 = inertia.c4z * inertia.m4;
   const Scalar t5 = g.l2 / g.d4;
   const Scalar t6 = inertia.c4y * inertia.m4;
   const Scalar t7 = inertia.m4 + (inertia.m5 + inertia.m6);
@@ -379,65 +380,67 @@ CoriolisTorqueConstants<Scalar> coriolis_torque_constants(const BasicGeometry<Sc
   const Scalar t10 = g.d4 * inertia.m3 - t9;
   const Scalar t11 = (t8 - t10) / g.d4;
   const Scalar t12 = g.d4 * g.d4 * t11;
-  const Scalar t13 = inertia.c4z * inertia.m4;
-  const Scalar t14 = inertia.c4x * inertia.m4;
-  const Scalar t15 = inertia.c5x * inertia.m5;
-  const Scalar t16 = inertia.c3x * inertia.m3;
-  const Scalar t17 = g.d4 * t16;
+  const Scalar t13 = inertia.c6y * inertia.m6;
+  const Scalar t14 = inertia.c5y * inertia.m5;
+  const Scalar t15 = inertia.c5z * inertia.m5;
+  const Scalar t16 = inertia.c6z * inertia.m6;
+  const Scalar t17 = inertia.c6x * inertia.m6;
   const Scalar t18 = inertia.c3z * inertia.m3;
   const Scalar t19 = (g.l2 * inertia.m2 + inertia.c2z * inertia.m2) + (t18 + g.l2 * (inertia.m3 + t7));
-  const Scalar t20 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t21 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t22 = (inertia.c5x * t15 - (inertia.I5xx - t21)) - ((inertia.I4xx - t20) - inertia.c4x * t14);
-  const Scalar t23 = inertia.I6xz - inertia.c6z * t4;
-  const Scalar t24 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t25 = (inertia.I6xx - t24) - inertia.c6x * t4;
-  const Scalar t26 = inertia.c6z * t3 - (inertia.I6zz - t24);
-  const Scalar t27 = ((inertia.I6yy - t24) - inertia.c6y * t0) - (inertia.c5y * t1 - (inertia.I5yy - t21));
-  const Scalar t28 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t29 = inertia.c3x * t16 - (inertia.I3xx - t28);
-  const Scalar t30 = (inertia.I3xy - inertia.c3y * t16) + t17;
-  const Scalar t31 = ((inertia.I4yy - t20) - inertia.c4y * t6) + g.d4 * (t6 + t8);
-  const Scalar t32 = ((inertia.I3yy - t28) - inertia.c3y * t9) - g.d4 * (t10 - t9);
-  const Scalar t33 = (t31 + t32) - t12;
-  return { g.d4 * inertia.c2x * inertia.m2,
-           g.d4 * (t0 + t1),
-           g.d4 * t2,
-           g.d4 * t3,
+  const Scalar t20 = t19 / g.l2;
+  const Scalar t21 = (g.l2 * t20 - t19) - g.l2 * (t20 + t11);
+  const Scalar t22 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t23 = inertia.c3x * t0 - (inertia.I3xx - t22);
+  const Scalar t24 = (inertia.I3xy - inertia.c3y * t0) + t1;
+  const Scalar t25 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t26 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t27 = (inertia.c5x * t3 - (inertia.I5xx - t25)) - ((inertia.I4xx - t26) - inertia.c4x * t2);
+  const Scalar t28 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t29 = (inertia.I6xx - t28) - inertia.c6x * t17;
+  const Scalar t30 = inertia.c6z * t16 - (inertia.I6zz - t28);
+  const Scalar t31 = inertia.I6xz - inertia.c6z * t17;
+  const Scalar t32 = ((inertia.I6yy - t28) - inertia.c6y * t13) - (inertia.c5y * t14 - (inertia.I5yy - t25));
+  const Scalar t33 = ((inertia.I4yy - t26) - inertia.c4y * t6) + g.d4 * (t6 + t8);
+  const Scalar t34 = ((inertia.I3yy - t22) - inertia.c3y * t9) - g.d4 * (t10 - t9);
+  const Scalar t35 = (t33 + t34) - t12;
+  return { Scalar(2) * t1,
+           g.d4 * (t2 + t3),
            g.d4 * t4,
            t5,
            t12,
-           g.d4 * t13,
-           g.d4 * (t14 + t15),
-           t17,
-           g.d4 * (g.l2 * t11 + t19),
-           Scalar(2) * t17,
+           g.d4 * (t13 + t14),
+           g.d4 * t15,
+           g.d4 * t16,
+           g.d4 * t17,
+           g.d4 * t21,
+           g.d4 * inertia.c2x * inertia.m2,
+           t1,
            Scalar(1) / g.d4,
-           (inertia.I4zz - t20) - inertia.c4z * t13,
-           t22,
-           inertia.I4xz - inertia.c4z * t14,
-           inertia.I4xy - inertia.c4y * t14,
-           inertia.I4yz - inertia.c4z * t6,
-           inertia.c5z * t2 - (inertia.I5zz - t21),
-           inertia.I5yz - inertia.c5z * t1,
-           inertia.I5xy - inertia.c5y * t15,
-           inertia.I5xz - inertia.c5z * t15,
-           inertia.I6xy - inertia.c6y * t4,
-           inertia.I6yz - inertia.c6z * t0,
            Scalar(2) * t23,
-           t25 + t26,
-           t23,
-           t26,
-           t25,
-           t27,
+           t24,
            g.d4 * t18 + (inertia.I3yz - inertia.c3z * t9),
-           inertia.I3xz - inertia.c3z * t16,
-           Scalar(2) * t29,
+           inertia.I3xz - inertia.c3z * t0,
+           t1 * t5,
+           inertia.I4yz - inertia.c4z * t6,
+           inertia.I4xy - inertia.c4y * t2,
+           inertia.I4xz - inertia.c4z * t2,
+           t27,
+           (inertia.I4zz - t26) - inertia.c4z * t4,
+           inertia.I5xz - inertia.c5z * t3,
+           inertia.I5xy - inertia.c5y * t3,
+           inertia.I5yz - inertia.c5z * t14,
+           inertia.c5z * t15 - (inertia.I5zz - t25),
+           inertia.I6yz - inertia.c6z * t13,
+           inertia.I6xy - inertia.c6y * t17,
+           t29 + t30,
+           Scalar(2) * t31,
+           t31,
            t30,
-           t17 * t5,
-           Scalar(2) * t30,
-           Scalar(2) * t33,
-           t29 + t33 };
+           t29,
+           t32,
+           Scalar(2) * t24,
+           t35,
+           t23 + t35 };
 }
 
 namespace detail {
@@ -457,120 +460,116 @@ inline JointVector<Scalar> coriolis_torque([[maybe_unused]] const JointVector<Sc
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
   const Scalar t0 = qd[1] * qd[1];
-  const Scalar t1 = qd[1] * c3;
-  const Scalar t2 = t1 * t1;
-  const Scalar t3 = qd[2] * qd[2];
-  const Scalar t4 = t2 - t3;
-  const Scalar t5 = t0 - t4;
-  const Scalar t6 = qd[3] - t1;
-  const Scalar t7 = qd[1] * s3;
-  const Scalar t8 = s4 * t7;
-  const Scalar t9 = t8 - qd[2] * c4;
-  const Scalar t10 = t6 * t9;
-  const Scalar t11 = qd[2] * t1;
-  const Scalar t12 = Scalar(2) * t11;
-  const Scalar t13 = t8 * t1 - c4 * t12;
-  const Scalar t14 = t10 + t13;
-  const Scalar t15 = t14 + t10;
-  const Scalar t16 = c4 * t7;
-  const Scalar t17 = qd[2] * s4 + t16;
-  const Scalar t18 = t6 * t17;
-  const Scalar t19 = t1 * t16 + s4 * t12;
-  const Scalar t20 = (t18 + t18) + t19;
-  const Scalar t21 = k[6] * t5 - (k[7] * t15 - k[8] * t20);
-  const Scalar t22 = s5 * t6 + c5 * t9;
-  const Scalar t23 = s5 * t9 - c5 * t6;
-  const Scalar t24 = t22 * t23;
-  const Scalar t25 = t14 + t24;
-  const Scalar t26 = t9 * t9;
-  const Scalar t27 = t6 * t6;
-  const Scalar t28 = t26 + t27;
-  const Scalar t29 = qd[4] - t17;
-  const Scalar t30 = t22 * t22;
-  const Scalar t31 = t29 * t29 - t30;
-  const Scalar t32 = t28 + t31;
-  const Scalar t33 = qd[5] - t23;
-  const Scalar t34 = t33 * t33;
-  const Scalar t35 = t34 + t30;
-  const Scalar t36 = t35 + t31;
-  const Scalar t37 = k[3] * c6 + k[4] * s6;
-  const Scalar t38 = t9 * t17;
-  const Scalar t39 = qd[2] * t7;
-  const Scalar t40 = t38 - t39;
-  const Scalar t41 = s5 * t20 + c5 * t40;
-  const Scalar t42 = k[4] * c6 - k[3] * s6;
-  const Scalar t43 = (k[1] * t25 + k[2] * t32) + (t36 * t37 + t41 * t42);
-  const Scalar t44 = t34 - t30;
-  const Scalar t45 = t44 - t36;
-  const Scalar t46 = t14 - t24;
-  const Scalar t47 = Scalar(2) * t22 * t33 + t25;
-  const Scalar t48 = t29 * t33;
-  const Scalar t49 = c5 * t20 - s5 * t40;
-  const Scalar t50 = t29 * t23;
-  const Scalar t51 = t49 - (t50 + t50);
-  const Scalar t52 = (t48 + t48) - t51;
-  const Scalar t53 = (k[1] * t45 + k[2] * t46) + (t47 * t37 + t42 * t52);
-  const Scalar t54 = t7 * t1;
-  const Scalar t55 = (t21 + (s5 * t43 - c5 * t53)) - k[9] * t54;
-  const Scalar t56 = k[5] * t0;
-  const Scalar t57 = t13 - c4 * t56;
-  const Scalar t58 = t26 - t27;
-  const Scalar t59 = t58 - t5;
-  const Scalar t60 = k[6] * t57 + (k[8] * t40 - k[7] * t59);
-  const Scalar t61 = (s5 * t53 + c5 * t43) + t60;
-  const Scalar t62 = t22 * t29;
-  const Scalar t63 = t62 + (t41 + t62);
-  const Scalar t64 = (t37 * t63 - t42 * t35) + (k[1] * t51 + k[2] * t63);
-  const Scalar t65 = s4 * t56 + t19;
-  const Scalar t66 = t38 + t39;
-  const Scalar t67 = k[6] * t65 - (k[8] * t28 + k[7] * t66);
-  const Scalar t68 = t64 + t67;
-  const Scalar t69 = s4 * t61 + c4 * t68;
-  const Scalar t70 = t2 + t3;
-  const Scalar t71 = s3 * t55 + c3 * (t69 - k[9] * t70);
-  const Scalar t72 = s4 * t68 - c4 * t61;
-  const Scalar t73 = c2 * ((k[11] * t39 + t72) - k[10] * t0);
-  const Scalar t74 = k[12] * (s2 * (t71 - k[0] * t0) - t73);
-  const Scalar t75 = t5 - t70;
-  const Scalar t76 = (k[33] * t12 - k[32] * t39) - (k[31] * (t75 + t4) + k[30] * t54);
-  const Scalar t77 = (k[20] * t25 + k[21] * t31) + (k[19] * t51 - k[18] * t63);
-  const Scalar t78 = k[23] * c6 + k[22] * s6;
-  const Scalar t79 = k[22] * c6 - k[23] * s6;
-  const Scalar t80 = k[25] * c6 - k[24] * s6;
-  const Scalar t81 = k[26] + s6 * t80;
-  const Scalar t82 = c6 * t80;
-  const Scalar t83 = k[27] - t82;
-  const Scalar t84 = k[28] - t82;
-  const Scalar t85 = t81 * t31 - (t41 * t83 - t84 * t63);
-  const Scalar t86 = s5 * t5 + c5 * t57;
-  const Scalar t87 = ((t78 * t51 + t25 * t79) + t85) + (t65 * t37 + t86 * t42);
-  const Scalar t88 = (k[2] * t65 + t77) + t87;
-  const Scalar t89 = t32 + t45;
-  const Scalar t90 = k[20] * (t89 - t31) - (k[19] * t63 + k[29] * t51);
-  const Scalar t91 = (t52 * t83 - t47 * t81) - (t44 - t31) * t79;
-  const Scalar t92 = s5 * t57 - c5 * t5;
-  const Scalar t93 = ((t90 + k[21] * t46) - k[1] * t65) - ((t91 + t78 * t63) - t42 * t92);
-  const Scalar t94 = (k[13] * t66 + k[14] * t40) + k[15] * (t28 + t59);
-  const Scalar t95 = (k[7] * t65 + k[8] * t57) - (t94 - (k[17] * t19 + k[16] * t13));
-  const Scalar t96 = (c5 * t88 + s5 * t93) + t95;
-  const Scalar t97 = (k[36] * t11 + k[35] * t39) - k[30] * t4;
-  const Scalar t98 = k[16] * (t28 - t5) + (k[15] * t15 + k[14] * t20);
-  const Scalar t99 = (k[8] * t5 - (t98 + k[17] * t66)) + (s5 * t88 - c5 * t93);
-  const Scalar t100 = (k[15] * t20 - k[13] * t15) - (k[16] * t40 - k[17] * t58);
-  const Scalar t101 = (t52 * t81 + t47 * t84) + (t44 * t78 + t41 * t79);
-  const Scalar t102 = (k[29] * t25 - k[18] * t46) + k[19] * t89;
-  const Scalar t103 = (k[2] * t92 + k[1] * t86) + ((k[20] * t41 - k[21] * t49) + t102);
-  const Scalar t104 = (t101 + t37 * t92) + t103;
-  const Scalar t105 = (t100 + k[7] * t5) - t104;
-  const Scalar t106 = (k[31] * t54 - t97) - ((s4 * t99 + c4 * t105) + t72);
-  const Scalar t107 = c3 * ((k[34] * t0 + t76) - t96) + s3 * t106;
-  const Scalar t108 = (t69 - (s4 * t105 - c4 * t99)) + (k[37] * t54 + k[33] * t75);
+  const Scalar t1 = k[7] * c6 + k[8] * s6;
+  const Scalar t2 = qd[1] * c3;
+  const Scalar t3 = qd[3] - t2;
+  const Scalar t4 = qd[1] * s3;
+  const Scalar t5 = s4 * t4 - qd[2] * c4;
+  const Scalar t6 = s5 * t3 + c5 * t5;
+  const Scalar t7 = qd[2] * s4 + c4 * t4;
+  const Scalar t8 = qd[4] - t7;
+  const Scalar t9 = t4 * t2;
+  const Scalar t10 = Scalar(2) * qd[2] * t2;
+  const Scalar t11 = c4 * t9 + s4 * t10;
+  const Scalar t12 = Scalar(2) * t3 * t7 + t11;
+  const Scalar t13 = t5 * t7;
+  const Scalar t14 = qd[2] * t4;
+  const Scalar t15 = t13 - t14;
+  const Scalar t16 = s5 * t12 + c5 * t15;
+  const Scalar t17 = Scalar(2) * t6 * t8 + t16;
+  const Scalar t18 = s5 * t5 - c5 * t3;
+  const Scalar t19 = qd[5] - t18;
+  const Scalar t20 = t6 * t6;
+  const Scalar t21 = t19 * t19 + t20;
+  const Scalar t22 = k[8] * c6 - k[7] * s6;
+  const Scalar t23 = c5 * t12 - s5 * t15;
+  const Scalar t24 = Scalar(2) * t8 * t18 - t23;
+  const Scalar t25 = (t1 * t17 - t21 * t22) + (k[6] * t17 - k[5] * t24);
+  const Scalar t26 = t13 + t14;
+  const Scalar t27 = t2 * t2;
+  const Scalar t28 = qd[2] * qd[2];
+  const Scalar t29 = t27 - t28;
+  const Scalar t30 = t0 - t29;
+  const Scalar t31 = t3 * t3;
+  const Scalar t32 = t7 * t7;
+  const Scalar t33 = t31 - t32;
+  const Scalar t34 = t30 + t33;
+  const Scalar t35 = k[3] * t0;
+  const Scalar t36 = s4 * t35 + t11;
+  const Scalar t37 = (k[2] * t26 + k[1] * t34) - k[4] * t36;
+  const Scalar t38 = t25 - t37;
+  const Scalar t39 = t8 * t8;
+  const Scalar t40 = t39 - t20;
+  const Scalar t41 = t34 + t40;
+  const Scalar t42 = t6 * t18;
+  const Scalar t43 = s4 * t9 - c4 * t10;
+  const Scalar t44 = t3 * t5;
+  const Scalar t45 = t43 + t44;
+  const Scalar t46 = t42 + t45;
+  const Scalar t47 = t39 + t20;
+  const Scalar t48 = t21 - t47;
+  const Scalar t49 = t48 + t40;
+  const Scalar t50 = (k[6] * t41 + k[5] * t46) + (t22 * t16 + t1 * (t49 + t47));
+  const Scalar t51 = t8 * t19;
+  const Scalar t52 = t51 + (t24 + t51);
+  const Scalar t53 = t6 * t19;
+  const Scalar t54 = (t53 + t53) + t46;
+  const Scalar t55 = t42 - t45;
+  const Scalar t56 = (t52 * t22 + t1 * t54) - (k[6] * t55 + k[5] * t47);
+  const Scalar t57 = t43 - c4 * t35;
+  const Scalar t58 = t31 + t32;
+  const Scalar t59 = k[4] * t57 + (k[1] * t15 + k[2] * t58);
+  const Scalar t60 = (c5 * t50 + s5 * t56) + t59;
+  const Scalar t61 = s4 * t38 - c4 * t60;
+  const Scalar t62 = c2 * (k[9] * t0 + (t61 + k[0] * t14));
+  const Scalar t63 = c4 * t38 + s4 * t60;
+  const Scalar t64 = t27 + t28;
+  const Scalar t65 = t44 + t45;
+  const Scalar t66 = (k[1] * t12 - k[2] * t65) + k[4] * t30;
+  const Scalar t67 = k[11] * t9 - (t66 + (s5 * t50 - c5 * t56));
+  const Scalar t68 = c3 * (t63 - k[11] * t64) - s3 * t67;
+  const Scalar t69 = k[12] * (t62 + s2 * (k[10] * t0 - t68));
+  const Scalar t70 = (k[35] * t14 + k[36] * t10) - k[15] * t29;
+  const Scalar t71 = k[19] * t33 + (k[20] * t65 + k[21] * t12);
+  const Scalar t72 = t41 - t47;
+  const Scalar t73 = k[24] * (t72 - t40) + (k[34] * t24 - k[25] * t17);
+  const Scalar t74 = k[27] * c6 + k[28] * s6;
+  const Scalar t75 = k[29] * c6 - k[30] * s6;
+  const Scalar t76 = k[31] + s6 * t75;
+  const Scalar t77 = c6 * t75;
+  const Scalar t78 = k[32] - t77;
+  const Scalar t79 = k[28] * c6 - k[27] * s6;
+  const Scalar t80 = (t54 * t76 - t52 * t78) + t48 * t79;
+  const Scalar t81 = c5 * t30 - s5 * t57;
+  const Scalar t82 = (k[5] * t36 - (t73 - k[23] * t55)) + ((t74 * t17 - t80) + t81 * t22);
+  const Scalar t83 = (k[26] * t17 + k[25] * t24) - (k[23] * t40 + k[24] * t46);
+  const Scalar t84 = s5 * t30 + c5 * t57;
+  const Scalar t85 = k[33] - t77;
+  const Scalar t86 = t76 * t40 + (t85 * t17 - t78 * t16);
+  const Scalar t87 = (t1 * t36 + t84 * t22) + (t86 + (t46 * t79 - t24 * t74));
+  const Scalar t88 = (k[6] * t36 - t83) + t87;
+  const Scalar t89 = ((k[18] * t26 + t71) - k[1] * t30) - (c5 * t82 + s5 * t88);
+  const Scalar t90 = t58 - t30;
+  const Scalar t91 = (k[18] * t90 + k[19] * t15) - (k[20] * t12 - k[22] * t65);
+  const Scalar t92 = (k[26] * t55 + k[34] * t46) + k[25] * t72;
+  const Scalar t93 = (k[5] * t84 - k[6] * t81) - ((k[23] * t23 - k[24] * t16) - t92);
+  const Scalar t94 = (t52 * t76 + t85 * t54) + (t49 * t74 + t79 * t16);
+  const Scalar t95 = t93 + (t94 - t1 * t81);
+  const Scalar t96 = (k[2] * t30 - t91) - t95;
+  const Scalar t97 = (k[16] * t9 - t70) + ((s4 * t89 - c4 * t96) - t61);
+  const Scalar t98 = k[20] * (t90 - t33) - (k[22] * t26 + k[21] * t15);
+  const Scalar t99 = (t98 + (k[18] * t11 + k[19] * t43)) + (k[1] * t57 + k[2] * t36);
+  const Scalar t100 = t99 + (c5 * t88 - s5 * t82);
+  const Scalar t101 = t0 - t64;
+  const Scalar t102 = (k[13] * t14 - k[14] * t10) + (k[16] * t101 + k[15] * t9);
+  const Scalar t103 = s3 * t97 - c3 * (t100 + (t102 - k[17] * t0));
+  const Scalar t104 = (k[37] * t9 + k[14] * (t101 - t29)) + (t63 - (c4 * t89 + s4 * t96));
   JointVector<Scalar> result;
-  result[0] = -t74;
-  result[1] = k[5] * t71 + t107;
-  result[2] = t108;
-  result[3] = t96;
-  result[4] = -t104;
+  result[0] = t69;
+  result[1] = t103 + k[3] * t68;
+  result[2] = t104;
+  result[3] = t100;
+  result[4] = -t95;
   result[5] = t87;
   return result;
 }
@@ -597,78 +596,78 @@ MassMatrixConstants<Scalar> mass_matrix_constants(const BasicGeometry<Scalar>& g
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6x * inertia.m6;
-  const Scalar t1 = inertia.c6z * inertia.m6;
-  const Scalar t2 = inertia.c5z * inertia.m5;
-  const Scalar t3 = inertia.c6y * inertia.m6;
-  const Scalar t4 = inertia.c5y * inertia.m5;
-  const Scalar t5 = inertia.c4y * inertia.m4;
-  const Scalar t6 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t7 = t5 - g.d4 * t6;
-  const Scalar t8 = inertia.c3y * inertia.m3;
-  const Scalar t9 = g.d4 * inertia.m3 - t8;
-  const Scalar t10 = inertia.c4x * inertia.m4;
-  const Scalar t11 = inertia.c5x * inertia.m5;
-  const Scalar t12 = inertia.c4z * inertia.m4;
-  const Scalar t13 = inertia.c3x * inertia.m3;
-  const Scalar t14 = inertia.c2x * inertia.m2;
-  const Scalar t15 = inertia.c2z * inertia.m2;
-  const Scalar t16 = g.l2 * inertia.m2 + t15;
-  const Scalar t17 = inertia.c3z * inertia.m3;
-  const Scalar t18 = inertia.m3 + t6;
-  const Scalar t19 = t17 + g.l2 * t18;
+  const Scalar t0 = inertia.c6z * inertia.m6;
+  const Scalar t1 = inertia.c6x * inertia.m6;
+  const Scalar t2 = inertia.c4x * inertia.m4;
+  const Scalar t3 = inertia.c5x * inertia.m5;
+  const Scalar t4 = inertia.c5z * inertia.m5;
+  const Scalar t5 = inertia.c6y * inertia.m6;
+  const Scalar t6 = inertia.c5y * inertia.m5;
+  const Scalar t7 = inertia.c4z * inertia.m4;
+  const Scalar t8 = inertia.c2z * inertia.m2;
+  const Scalar t9 = g.l2 * inertia.m2 + t8;
+  const Scalar t10 = inertia.c3z * inertia.m3;
+  const Scalar t11 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t12 = inertia.m3 + t11;
+  const Scalar t13 = t10 + g.l2 * t12;
+  const Scalar t14 = inertia.c4y * inertia.m4;
+  const Scalar t15 = t14 - g.d4 * t11;
+  const Scalar t16 = inertia.c3y * inertia.m3;
+  const Scalar t17 = g.d4 * inertia.m3 - t16;
+  const Scalar t18 = inertia.c3x * inertia.m3;
+  const Scalar t19 = inertia.c2x * inertia.m2;
   const Scalar t20 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t21 = (inertia.I6xx - t20) - inertia.c6x * t0;
-  const Scalar t22 = inertia.c6z * t1 - (inertia.I6zz - t20);
-  const Scalar t23 = inertia.I6xz - inertia.c6z * t0;
+  const Scalar t21 = (inertia.I6xx - t20) - inertia.c6x * t1;
+  const Scalar t22 = inertia.c6z * t0 - (inertia.I6zz - t20);
+  const Scalar t23 = inertia.I6xz - inertia.c6z * t1;
   const Scalar t24 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t25 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t26 = (inertia.c5x * t11 - (inertia.I5xx - t24)) - ((inertia.I4xx - t25) - inertia.c4x * t10);
-  const Scalar t27 = ((inertia.I6yy - t20) - inertia.c6y * t3) - (inertia.c5y * t4 - (inertia.I5yy - t24));
-  const Scalar t28 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t29 = g.l2 * (t16 + t15) - ((inertia.I2zz - t28) - inertia.c2z * t15);
-  const Scalar t30 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t31 = ((inertia.I3zz - t30) - inertia.c3z * t17) - g.l2 * (t17 + t19);
-  const Scalar t32 = ((inertia.I4yy - t25) - inertia.c4y * t5) + g.d4 * (t5 + t7);
-  const Scalar t33 = ((inertia.I3yy - t30) - inertia.c3y * t8) - g.d4 * (t9 - t8);
+  const Scalar t25 = ((inertia.I6yy - t20) - inertia.c6y * t5) - (inertia.c5y * t6 - (inertia.I5yy - t24));
+  const Scalar t26 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t27 = (inertia.c5x * t3 - (inertia.I5xx - t24)) - ((inertia.I4xx - t26) - inertia.c4x * t2);
+  const Scalar t28 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t29 = ((inertia.I4yy - t26) - inertia.c4y * t14) + g.d4 * (t14 + t15);
+  const Scalar t30 = ((inertia.I3yy - t28) - inertia.c3y * t16) - g.d4 * (t17 - t16);
+  const Scalar t31 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t32 = g.l2 * (t9 + t8) - ((inertia.I2zz - t31) - inertia.c2z * t8);
+  const Scalar t33 = ((inertia.I3zz - t28) - inertia.c3z * t10) - g.l2 * (t10 + t13);
   return { t0,
            t1,
-           t2,
-           t3 + t4,
-           t7 - t9,
-           t10 + t11,
-           t12,
-           t13,
-           t14,
-           t16 + t19,
-           g.l2,
+           t2 + t3,
+           t4,
+           t5 + t6,
+           t7,
+           t9 + t13,
+           t15 - t17,
+           t18,
+           t19,
+           inertia.I6yz - inertia.c6z * t5,
+           inertia.I6xy - inertia.c6y * t1,
+           inertia.I5yz - inertia.c5z * t6,
            t21 + t22,
            Scalar(2) * t23,
            t21,
+           inertia.c5z * t4 - (inertia.I5zz - t24),
+           t25,
+           (inertia.I4zz - t26) - inertia.c4z * t7,
            t21 - t22,
-           t26,
-           inertia.c5z * t2 - (inertia.I5zz - t24),
-           inertia.I6yz - inertia.c6z * t3,
-           inertia.I6xy - inertia.c6y * t0,
-           inertia.I5yz - inertia.c5z * t4,
            t27,
-           (inertia.I4zz - t25) - inertia.c4z * t12,
-           inertia.I5xy - inertia.c5y * t11,
            t23,
-           inertia.I5xz - inertia.c5z * t11,
-           inertia.I4xz - inertia.c4z * t10,
-           t29 - t31,
-           inertia.c3x * t13 - (inertia.I3xx - t30),
-           inertia.I4yz - inertia.c4z * t5,
+           inertia.I5xz - inertia.c5z * t3,
+           inertia.I5xy - inertia.c5y * t3,
+           inertia.I4xz - inertia.c4z * t2,
+           inertia.c3x * t18 - (inertia.I3xx - t28),
            g.d4,
-           inertia.I4xy - inertia.c4y * t10,
-           (inertia.I3xy - inertia.c3y * t13) + g.d4 * t13,
-           Scalar(2) * g.d4,
-           t32 + t33,
-           inertia.c2x * t14 - (inertia.I2xx - t28),
-           g.d4 * t17 + (inertia.I3yz - inertia.c3z * t8),
-           inertia.I3xz - inertia.c3z * t13,
-           inertia.m1 + (inertia.m2 + t18) };
+           t29 + t30,
+           inertia.I4yz - inertia.c4z * t14,
+           inertia.I4xy - inertia.c4y * t2,
+           (inertia.I3xy - inertia.c3y * t18) + g.d4 * t18,
+           inertia.c2x * t19 - (inertia.I2xx - t31),
+           Scalar(2) * g.l2,
+           t32 - t33,
+           inertia.I3xz - inertia.c3z * t18,
+           g.d4 * t10 + (inertia.I3yz - inertia.c3z * t16),
+           g.l2,
+           inertia.m1 + (inertia.m2 + t12) };
 }
 
 namespace detail {
@@ -686,84 +685,82 @@ inline Eigen::Matrix<Scalar, dof, dof> mass_matrix([[maybe_unused]] const JointV
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[0] * s6 + k[1] * c6;
-  const Scalar t1 = k[2] + t0;
-  const Scalar t2 = s5 * t1 + k[3] * c5;
-  const Scalar t3 = k[4] + t2;
-  const Scalar t4 = k[3] * s5 - c5 * t1;
-  const Scalar t5 = k[6] - t4;
-  const Scalar t6 = k[0] * c6 - k[1] * s6;
-  const Scalar t7 = k[5] + t6;
-  const Scalar t8 = s4 * t5 - c4 * t7;
-  const Scalar t9 = k[7] - t8;
-  const Scalar t10 = c2 * (k[8] - (s3 * t3 - c3 * t9));
-  const Scalar t11 = c4 * t5 + s4 * t7;
-  const Scalar t12 = s3 * t9 + c3 * t3;
-  const Scalar t13 = c3 * s4 * t2 + s3 * t4;
-  const Scalar t14 = c5 * t6;
-  const Scalar t15 = s3 * s5 * t6 + c3 * (c4 * t0 + s4 * t14);
-  const Scalar t16 = c2 * (c4 * t14 - s4 * t0) + s2 * t15;
-  const Scalar t17 = k[10] * t11;
-  const Scalar t18 = k[12] * s6 - k[11] * c6;
-  const Scalar t19 = k[13] + c6 * t18;
-  const Scalar t20 = k[15] - (k[14] - t19);
-  const Scalar t21 = k[16] - t19;
-  const Scalar t22 = k[17] * c6 + k[18] * s6;
-  const Scalar t23 = k[19] + t22;
-  const Scalar t24 = c5 * t23;
-  const Scalar t25 = s5 * (k[20] + t21) - (t24 + t24);
-  const Scalar t26 = s5 * t25;
-  const Scalar t27 = t26 - t21;
-  const Scalar t28 = k[21] + t27;
-  const Scalar t29 = t20 - t28;
-  const Scalar t30 = k[24] + (k[23] - s6 * t18);
-  const Scalar t31 = k[17] * s6 - k[18] * c6;
-  const Scalar t32 = k[22] - t31;
-  const Scalar t33 = c5 * t30 - s5 * t32;
-  const Scalar t34 = k[25] + t33;
-  const Scalar t35 = s4 * t34;
-  const Scalar t36 = (t35 + t35) + c4 * (t20 + t28);
-  const Scalar t37 = t28 - c4 * t36;
-  const Scalar t38 = k[27] - t37;
-  const Scalar t39 = k[29] * t5 + (k[28] - (t23 + c5 * t25));
-  const Scalar t40 = s5 * t30 + c5 * t32;
-  const Scalar t41 = (k[30] + t40) + k[29] * t7;
-  const Scalar t42 = s4 * t39 - c4 * t41;
-  const Scalar t43 = k[20] - t26;
-  const Scalar t44 = k[33] + (k[32] * t2 + t43);
-  const Scalar t45 = Scalar(2) * c3 * (k[31] - t42) - s3 * (t44 + t38);
-  const Scalar t46 = (k[26] + ((t17 + t17) + (t29 + t37))) + (k[34] + (t38 + s3 * t45));
-  const Scalar t47 = c4 * t39 + s4 * t41;
-  const Scalar t48 = c3 * (k[35] + t47) + s3 * (k[36] + (t34 - s4 * t36));
-  const Scalar t49 = t27 + t43;
-  const Scalar t50 = t49 + k[29] * t2;
-  const Scalar t51 = s3 * (s4 * t33 + c4 * t50) - c3 * t40;
-  const Scalar t52 = t31 - k[29] * t14;
-  const Scalar t53 = k[29] * t0 + (c5 * t22 + k[14] * s5);
-  const Scalar t54 = s5 * t22 - k[14] * c5;
-  const Scalar t55 = s3 * (c4 * t52 + s4 * t53) - c3 * t54;
+  const Scalar t0 = k[0] * s6 - k[1] * c6;
+  const Scalar t1 = k[2] - t0;
+  const Scalar t2 = k[0] * c6 + k[1] * s6;
+  const Scalar t3 = k[3] + t2;
+  const Scalar t4 = k[4] * s5 - c5 * t3;
+  const Scalar t5 = k[5] - t4;
+  const Scalar t6 = c4 * t1 - s4 * t5;
+  const Scalar t7 = k[8] + t6;
+  const Scalar t8 = k[4] * c5 + s5 * t3;
+  const Scalar t9 = k[7] + t8;
+  const Scalar t10 = c2 * (k[9] + (c3 * t7 - s3 * t9));
+  const Scalar t11 = s4 * t1 + c4 * t5;
+  const Scalar t12 = c3 * t9 + s3 * t7;
+  const Scalar t13 = c3 * s4 * t8 + s3 * t4;
+  const Scalar t14 = c5 * t0;
+  const Scalar t15 = c3 * (s4 * t14 - c4 * t2) + s3 * s5 * t0;
+  const Scalar t16 = s2 * t15 + c2 * (c4 * t14 + s4 * t2);
+  const Scalar t17 = k[10] * s6 - k[11] * c6;
+  const Scalar t18 = k[23] - t17;
+  const Scalar t19 = k[14] * s6 - k[13] * c6;
+  const Scalar t20 = k[22] + (k[21] - s6 * t19);
+  const Scalar t21 = s5 * t18 - c5 * t20;
+  const Scalar t22 = k[24] - t21;
+  const Scalar t23 = s4 * t22;
+  const Scalar t24 = k[15] + c6 * t19;
+  const Scalar t25 = k[16] - t24;
+  const Scalar t26 = k[10] * c6 + k[11] * s6;
+  const Scalar t27 = k[12] + t26;
+  const Scalar t28 = s5 * (k[17] + t25) - Scalar(2) * c5 * t27;
+  const Scalar t29 = s5 * t28 - t25;
+  const Scalar t30 = k[18] + t29;
+  const Scalar t31 = k[20] - (k[19] - t24);
+  const Scalar t32 = (t23 + t23) + c4 * (t30 + t31);
+  const Scalar t33 = c4 * t32;
+  const Scalar t34 = k[25] + (t33 - t30);
+  const Scalar t35 = k[17] - t25;
+  const Scalar t36 = k[26] * t8;
+  const Scalar t37 = k[27] + ((t35 - t29) + (t36 + t36));
+  const Scalar t38 = k[26] * t5 + (k[28] - (t27 + c5 * t28));
+  const Scalar t39 = s5 * t20 + c5 * t18;
+  const Scalar t40 = k[26] * t1 + (k[29] + t39);
+  const Scalar t41 = s4 * t38 - c4 * t40;
+  const Scalar t42 = s3 * (t34 + t37) - Scalar(2) * c3 * (k[30] - t41);
+  const Scalar t43 = (k[33] - ((t33 - t31) - k[32] * t11)) + (k[31] - (s3 * t42 - t34));
+  const Scalar t44 = c4 * t38 + s4 * t40;
+  const Scalar t45 = s3 * (k[34] + (t22 - s4 * t32)) + c3 * (k[35] + t44);
+  const Scalar t46 = t30 - t31;
+  const Scalar t47 = c3 * (t46 - k[36] * t11) + s3 * t41;
+  const Scalar t48 = t35 + t36;
+  const Scalar t49 = c3 * t39 - s3 * (c4 * t48 - s4 * t21);
+  const Scalar t50 = k[26] * t2 + (c5 * t26 + k[19] * s5);
+  const Scalar t51 = t17 + k[26] * t14;
+  const Scalar t52 = s5 * t26 - k[19] * c5;
+  const Scalar t53 = s3 * (s4 * t50 + c4 * t51) - c3 * t52;
   Eigen::Matrix<Scalar, dof, dof> result;
   result(0, 0) = k[37];
-  result(0, 1) = result(1, 0) = -t10 - s2 * (k[9] + t11);
+  result(0, 1) = result(1, 0) = -t10 - s2 * (k[6] + t11);
   result(0, 2) = result(2, 0) = s2 * t12;
-  result(0, 3) = result(3, 0) = s2 * c3 * t11 - c2 * t8;
-  result(0, 4) = result(4, 0) = -c2 * c4 * t2 - s2 * t13;
-  result(0, 5) = result(5, 0) = t16;
-  result(1, 1) = t46;
-  result(1, 2) = result(2, 1) = t48 - k[10] * t12;
-  result(1, 3) = result(3, 1) = s3 * t42 - c3 * (t17 + t29);
-  result(1, 4) = result(4, 1) = k[10] * t13 + t51;
-  result(1, 5) = result(5, 1) = t55 - k[10] * t15;
-  result(2, 2) = t38 - t44;
-  result(2, 3) = result(3, 2) = -t47;
-  result(2, 4) = result(4, 2) = s4 * t50 - c4 * t33;
-  result(2, 5) = result(5, 2) = s4 * t52 - c4 * t53;
-  result(3, 3) = t29;
-  result(3, 4) = result(4, 3) = t40;
-  result(3, 5) = result(5, 3) = t54;
-  result(4, 4) = -t49;
-  result(4, 5) = result(5, 4) = -t31;
-  result(5, 5) = -k[14];
+  result(0, 3) = result(3, 0) = c2 * t6 + s2 * c3 * t11;
+  result(0, 4) = result(4, 0) = -c2 * c4 * t8 - s2 * t13;
+  result(0, 5) = result(5, 0) = -t16;
+  result(1, 1) = t43;
+  result(1, 2) = result(2, 1) = t45 - k[36] * t12;
+  result(1, 3) = result(3, 1) = t47;
+  result(1, 4) = result(4, 1) = k[36] * t13 - t49;
+  result(1, 5) = result(5, 1) = t53 + k[36] * t15;
+  result(2, 2) = t34 - t37;
+  result(2, 3) = result(3, 2) = -t44;
+  result(2, 4) = result(4, 2) = c4 * t21 + s4 * t48;
+  result(2, 5) = result(5, 2) = s4 * t51 - c4 * t50;
+  result(3, 3) = -t46;
+  result(3, 4) = result(4, 3) = t39;
+  result(3, 5) = result(5, 3) = t52;
+  result(4, 4) = -t35;
+  result(4, 5) = result(5, 4) = -t17;
+  result(5, 5) = -k[19];
   return result;
 }
 
@@ -787,69 +784,69 @@ CoriolisMatrixConstants<Scalar> coriolis_matrix_constants(const BasicGeometry<Sc
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6y * inertia.m6;
-  const Scalar t1 = inertia.c5y * inertia.m5;
-  const Scalar t2 = inertia.c6x * inertia.m6;
-  const Scalar t3 = inertia.c6z * inertia.m6;
-  const Scalar t4 = inertia.c5z * inertia.m5;
-  const Scalar t5 = inertia.c4z * inertia.m4;
-  const Scalar t6 = inertia.c4x * inertia.m4;
-  const Scalar t7 = inertia.c5x * inertia.m5;
-  const Scalar t8 = inertia.c4y * inertia.m4;
-  const Scalar t9 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t10 = t8 - g.d4 * t9;
-  const Scalar t11 = inertia.c3y * inertia.m3;
-  const Scalar t12 = g.d4 * inertia.m3 - t11;
+  const Scalar t0 = inertia.c6z * inertia.m6;
+  const Scalar t1 = inertia.c6x * inertia.m6;
+  const Scalar t2 = inertia.c5z * inertia.m5;
+  const Scalar t3 = inertia.c6y * inertia.m6;
+  const Scalar t4 = inertia.c5y * inertia.m5;
+  const Scalar t5 = inertia.c4y * inertia.m4;
+  const Scalar t6 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t7 = t5 - g.d4 * t6;
+  const Scalar t8 = inertia.c3y * inertia.m3;
+  const Scalar t9 = g.d4 * inertia.m3 - t8;
+  const Scalar t10 = inertia.c4z * inertia.m4;
+  const Scalar t11 = inertia.c4x * inertia.m4;
+  const Scalar t12 = inertia.c5x * inertia.m5;
   const Scalar t13 = inertia.c3x * inertia.m3;
   const Scalar t14 = inertia.c3z * inertia.m3;
-  const Scalar t15 = (g.l2 * inertia.m2 + inertia.c2z * inertia.m2) + (t14 + g.l2 * (inertia.m3 + t9));
+  const Scalar t15 = (g.l2 * inertia.m2 + inertia.c2z * inertia.m2) + (t14 + g.l2 * (inertia.m3 + t6));
   const Scalar t16 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t17 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t18 = ((inertia.I6yy - t16) - inertia.c6y * t0) - (inertia.c5y * t1 - (inertia.I5yy - t17));
-  const Scalar t19 = (inertia.I6xx - t16) - inertia.c6x * t2;
-  const Scalar t20 = inertia.c6z * t3 - (inertia.I6zz - t16);
-  const Scalar t21 = inertia.I6xz - inertia.c6z * t2;
+  const Scalar t17 = (inertia.I6xx - t16) - inertia.c6x * t1;
+  const Scalar t18 = inertia.c6z * t0 - (inertia.I6zz - t16);
+  const Scalar t19 = inertia.I6xz - inertia.c6z * t1;
+  const Scalar t20 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t21 = ((inertia.I6yy - t16) - inertia.c6y * t3) - (inertia.c5y * t4 - (inertia.I5yy - t20));
   const Scalar t22 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t23 = (inertia.c5x * t7 - (inertia.I5xx - t17)) - ((inertia.I4xx - t22) - inertia.c4x * t6);
+  const Scalar t23 = ((inertia.I4yy - t22) - inertia.c4y * t5) + g.d4 * (t5 + t7);
   const Scalar t24 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t25 = ((inertia.I4yy - t22) - inertia.c4y * t8) + g.d4 * (t8 + t10);
-  const Scalar t26 = ((inertia.I3yy - t24) - inertia.c3y * t11) - g.d4 * (t12 - t11);
-  return { t0 + t1,
+  const Scalar t25 = ((inertia.I3yy - t24) - inertia.c3y * t8) - g.d4 * (t9 - t8);
+  const Scalar t26 = (inertia.c5x * t12 - (inertia.I5xx - t20)) - ((inertia.I4xx - t22) - inertia.c4x * t11);
+  return { t0,
+           t1,
            t2,
-           t3,
-           t4,
-           t5,
-           t6 + t7,
-           t10 - t12,
+           t3 + t4,
+           t7 - t9,
+           t10,
+           t11 + t12,
            t13,
            inertia.c2x * inertia.m2,
            t15,
-           g.l2,
+           inertia.I6yz - inertia.c6z * t3,
+           inertia.I6xy - inertia.c6y * t1,
+           inertia.I5yz - inertia.c5z * t4,
+           t17 + t18,
+           Scalar(2) * t19,
            t18,
-           inertia.I6yz - inertia.c6z * t0,
-           inertia.I6xy - inertia.c6y * t2,
-           inertia.I5yz - inertia.c5z * t1,
-           t19 + t20,
-           Scalar(2) * t21,
-           t20,
-           t19 - t20,
-           inertia.c5z * t4 - (inertia.I5zz - t17),
+           t17 - t18,
+           inertia.c5z * t2 - (inertia.I5zz - t20),
            t21,
-           (inertia.I4zz - t22) - inertia.c4z * t5,
-           inertia.I5xy - inertia.c5y * t7,
-           inertia.I5xz - inertia.c5z * t7,
-           inertia.I4xz - inertia.c4z * t6,
-           t23,
-           inertia.c3x * t13 - (inertia.I3xx - t24),
-           inertia.I4xy - inertia.c4y * t6,
-           inertia.I4yz - inertia.c4z * t8,
+           inertia.I4yz - inertia.c4z * t5,
+           inertia.I5xy - inertia.c5y * t12,
+           t19,
+           inertia.I5xz - inertia.c5z * t12,
            g.d4,
-           (inertia.I3xy - inertia.c3y * t13) + g.d4 * t13,
+           inertia.I4xy - inertia.c4y * t11,
            Scalar(2) * g.d4,
-           t25 + t26,
-           g.d4 * t14 + (inertia.I3yz - inertia.c3z * t11),
+           t23 + t25,
+           (inertia.I3xy - inertia.c3y * t13) + g.d4 * t13,
+           (inertia.I4zz - t22) - inertia.c4z * t10,
+           t26,
+           inertia.I4xz - inertia.c4z * t11,
+           inertia.c3x * t13 - (inertia.I3xx - t24),
+           g.l2,
            inertia.I3xz - inertia.c3z * t13,
-           t19 };
+           g.d4 * t14 + (inertia.I3yz - inertia.c3z * t8),
+           t17 };
 }
 
 namespace detail {
@@ -868,216 +865,215 @@ inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix([[maybe_unused]] const Jo
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[2] * c6 + k[1] * s6;
-  const Scalar t1 = k[3] + t0;
+  const Scalar t0 = k[0] * c6 + k[1] * s6;
+  const Scalar t1 = k[2] + t0;
   const Scalar t2 = s5 * t1;
-  const Scalar t3 = t2 + k[0] * c5;
-  const Scalar t4 = k[6] + t3;
+  const Scalar t3 = t2 + k[3] * c5;
+  const Scalar t4 = k[4] + t3;
   const Scalar t5 = c5 * t1;
-  const Scalar t6 = k[4] + (t5 - k[0] * s5);
-  const Scalar t7 = k[1] * c6 - k[2] * s6;
-  const Scalar t8 = k[5] + t7;
+  const Scalar t6 = k[5] + (t5 - k[3] * s5);
+  const Scalar t7 = k[0] * s6 - k[1] * c6;
+  const Scalar t8 = k[6] - t7;
   const Scalar t9 = s4 * t6 - c4 * t8;
   const Scalar t10 = k[7] - t9;
   const Scalar t11 = qd[1] * (k[8] - (s3 * t4 - c3 * t10));
-  const Scalar t12 = qd[5] * t0;
-  const Scalar t13 = qd[3] * t6 + t12;
-  const Scalar t14 = qd[5] * t7;
-  const Scalar t15 = k[0] * qd[4] - t14;
-  const Scalar t16 = c5 * t15 + qd[4] * t2;
-  const Scalar t17 = qd[3] * t8 - t16;
-  const Scalar t18 = s4 * t13 - c4 * t17;
-  const Scalar t19 = s4 * t8 + c4 * t6;
-  const Scalar t20 = c4 * t13 + s4 * t17;
+  const Scalar t12 = qd[5] * t7;
+  const Scalar t13 = k[3] * qd[4] + t12;
+  const Scalar t14 = c5 * t13 + qd[4] * t2;
+  const Scalar t15 = qd[3] * t8 - t14;
+  const Scalar t16 = qd[5] * t0;
+  const Scalar t17 = t16 + qd[3] * t6;
+  const Scalar t18 = c4 * t15 - s4 * t17;
+  const Scalar t19 = c4 * t6 + s4 * t8;
+  const Scalar t20 = s4 * t15 + c4 * t17;
   const Scalar t21 = qd[2] * t4 + t20;
-  const Scalar t22 = qd[4] * t5 - s5 * t15;
-  const Scalar t23 = qd[2] * t10 + t22;
-  const Scalar t24 = qd[1] * (k[9] + t19) - (c3 * t21 + s3 * t23);
-  const Scalar t25 = qd[1] * s3;
-  const Scalar t26 = qd[1] * c3;
-  const Scalar t27 = c3 * t23 - s3 * t21;
-  const Scalar t28 = c2 * (t10 * t25 + t4 * t26) + s2 * t27;
-  const Scalar t29 = c3 * t18 + s3 * qd[2] * t19;
+  const Scalar t22 = s5 * t13 - qd[4] * t5;
+  const Scalar t23 = t22 - qd[2] * t10;
+  const Scalar t24 = qd[1] * (k[9] + t19) - (c3 * t21 - s3 * t23);
+  const Scalar t25 = s3 * t21 + c3 * t23;
+  const Scalar t26 = qd[1] * s3;
+  const Scalar t27 = qd[1] * c3;
+  const Scalar t28 = s2 * t25 - c2 * (t10 * t26 + t4 * t27);
+  const Scalar t29 = qd[2] * s3 * t19 - c3 * t18;
   const Scalar t30 = qd[1] * t9 - t29;
-  const Scalar t31 = c2 * (t19 * t26 - t20) + s2 * t30;
-  const Scalar t32 = qd[2] * s4 + c4 * t25;
+  const Scalar t31 = s2 * t30 + c2 * (t19 * t27 - t20);
+  const Scalar t32 = qd[2] * s4 + c4 * t26;
   const Scalar t33 = qd[4] - t32;
-  const Scalar t34 = t14 - k[0] * t33;
-  const Scalar t35 = s4 * t25 - qd[2] * c4;
-  const Scalar t36 = qd[3] - t26;
-  const Scalar t37 = s5 * t35 - c5 * t36;
-  const Scalar t38 = s5 * t36 + c5 * t35;
-  const Scalar t39 = k[0] * t37 - t38 * t1;
-  const Scalar t40 = s5 * t34 + t5 * t33;
-  const Scalar t41 = s3 * (t2 * t33 - c5 * t34) - c3 * (c4 * t39 - s4 * t40);
-  const Scalar t42 = s2 * t41 + c2 * (c4 * t40 + s4 * t39);
-  const Scalar t43 = qd[5] - t37;
-  const Scalar t44 = t7 * t43;
+  const Scalar t34 = k[3] * t33 + t12;
+  const Scalar t35 = t5 * t33 - s5 * t34;
+  const Scalar t36 = qd[3] - t27;
+  const Scalar t37 = s4 * t26 - qd[2] * c4;
+  const Scalar t38 = s5 * t36 + c5 * t37;
+  const Scalar t39 = s5 * t37 - c5 * t36;
+  const Scalar t40 = t38 * t1 - k[3] * t39;
+  const Scalar t41 = c3 * (s4 * t35 + c4 * t40) + s3 * (c5 * t34 + t2 * t33);
+  const Scalar t42 = c2 * (c4 * t35 - s4 * t40) + s2 * t41;
+  const Scalar t43 = qd[5] - t39;
+  const Scalar t44 = t0 * t43;
   const Scalar t45 = c6 * t33 + s6 * t38;
   const Scalar t46 = c6 * t38 - s6 * t33;
-  const Scalar t47 = k[1] * t45 + k[2] * t46;
-  const Scalar t48 = t0 * t43;
-  const Scalar t49 = s5 * t47 + c5 * t48;
-  const Scalar t50 = s4 * t44 + c4 * t49;
-  const Scalar t51 = c4 * t44 - s4 * t49;
-  const Scalar t52 = s3 * (c5 * t47 - s5 * t48) + c3 * t51;
-  const Scalar t53 = k[16] * s6 - k[15] * c6;
-  const Scalar t54 = k[17] + c6 * t53;
-  const Scalar t55 = k[18] + t54;
-  const Scalar t56 = k[19] - t55;
-  const Scalar t57 = qd[4] * t56;
-  const Scalar t58 = k[20] - s6 * t53;
-  const Scalar t59 = qd[5] * t58;
-  const Scalar t60 = k[13] * s6 + k[12] * c6;
-  const Scalar t61 = k[14] + t60;
-  const Scalar t62 = c5 * t57 - s5 * (t59 - qd[4] * t61);
-  const Scalar t63 = c5 * t61;
-  const Scalar t64 = k[12] * s6 - k[13] * c6;
-  const Scalar t65 = qd[5] * t64;
-  const Scalar t66 = t65 + k[11] * qd[4];
-  const Scalar t67 = qd[4] * t63 - s5 * t66;
-  const Scalar t68 = s5 * t62 - c5 * t67;
-  const Scalar t69 = k[22] - t64;
-  const Scalar t70 = k[23] + t58;
-  const Scalar t71 = c5 * t70;
-  const Scalar t72 = s5 * t69 - t71;
-  const Scalar t73 = k[24] - t72;
-  const Scalar t74 = t59 + qd[3] * t73;
-  const Scalar t75 = s5 * t60;
-  const Scalar t76 = qd[5] * t55;
-  const Scalar t77 = qd[5] * t75 - c5 * t76;
-  const Scalar t78 = s5 * (k[11] + t56) - (t63 + t63);
-  const Scalar t79 = k[11] - s5 * t78;
-  const Scalar t80 = k[11] - t56;
-  const Scalar t81 = k[21] - (t79 - t80);
-  const Scalar t82 = t77 - qd[3] * t81;
-  const Scalar t83 = s4 * (t68 + t74) - c4 * t82;
-  const Scalar t84 = qd[5] * t54;
-  const Scalar t85 = qd[4] * t69 + t84;
-  const Scalar t86 = s5 * t70;
-  const Scalar t87 = c5 * t85 + qd[4] * t86;
-  const Scalar t88 = k[25] + t54;
-  const Scalar t89 = t87 + qd[3] * t88;
-  const Scalar t90 = c4 * t74 - s4 * t89;
-  const Scalar t91 = s4 * t83 - c4 * t90;
-  const Scalar t92 = t68 - t91;
-  const Scalar t93 = k[32] + (k[31] * t3 + t79);
-  const Scalar t94 = s5 * t85 - qd[4] * t71;
-  const Scalar t95 = s5 * t67;
-  const Scalar t96 = c5 * t62;
-  const Scalar t97 = t95 + t96;
-  const Scalar t98 = c4 * t94 - s4 * t97;
-  const Scalar t99 = qd[5] * t60;
-  const Scalar t100 = c5 * t99 + s5 * t76;
-  const Scalar t101 = t100 + t94;
-  const Scalar t102 = k[28] - (t61 + c5 * t78);
-  const Scalar t103 = (t101 + qd[3] * t102) + k[29] * t13;
-  const Scalar t104 = (t66 + t95) - (t57 - t96);
-  const Scalar t105 = t86 + c5 * t69;
-  const Scalar t106 = k[27] + t105;
-  const Scalar t107 = (k[29] * t17 - (t104 - qd[3] * t106)) - t97;
-  const Scalar t108 = c4 * t103 + s4 * t107;
-  const Scalar t109 = (s4 * t102 - c4 * t106) + k[29] * t9;
-  const Scalar t110 = k[30] - t109;
-  const Scalar t111 = t91 - qd[2] * t110;
-  const Scalar t112 = k[29] * t22;
-  const Scalar t113 = t112 - t92;
-  const Scalar t114 = c3 * (qd[2] * t93 - (t98 - t108)) - s3 * (t111 - t113);
-  const Scalar t115 = Scalar(2) * s4 * t73 + c4 * (t88 + t81);
-  const Scalar t116 = k[26] - (t81 - c4 * t115);
-  const Scalar t117 = s3 * (t98 + qd[2] * t116) + c3 * t111;
-  const Scalar t118 = (k[10] * t18 + t92) + (s3 * t114 + c3 * t117);
-  const Scalar t119 = qd[2] * (k[34] + (t73 - s4 * t115));
-  const Scalar t120 = (t110 * t26 - t116 * t25) - ((c4 * t97 + s4 * t94) - t119);
-  const Scalar t121 = k[29] * t19 + (s4 * t106 + c4 * t102);
-  const Scalar t122 = c4 * t83;
-  const Scalar t123 = s4 * t90;
-  const Scalar t124 = qd[2] * (k[33] + t121) + (t122 + t123);
-  const Scalar t125 = s3 * ((t110 * t25 + t93 * t26) + t124);
-  const Scalar t126 = c3 * t120 - t125;
-  const Scalar t127 = (t81 * t35 - t73 * t32) + (t102 * t36 + t100);
-  const Scalar t128 = k[29] * (t6 * t36 + t12) + t127;
-  const Scalar t129 = (t36 * t106 - t104) + (t88 * t32 + t73 * t35);
-  const Scalar t130 = k[29] * (t8 * t36 - t16) + t129;
-  const Scalar t131 = c3 * t68 + s3 * (c4 * t128 + s4 * t130);
-  const Scalar t132 = t131 - k[10] * t30;
-  const Scalar t133 = k[29] * t40 + t59;
-  const Scalar t134 = (t61 * t37 + t56 * t38) - t70 * t33;
-  const Scalar t135 = (k[11] * t37 - t38 * t61) - (t33 * t69 + t84);
-  const Scalar t136 = (s5 * t134 + c5 * t135) + k[29] * t39;
-  const Scalar t137 = s5 * t135 - c5 * t134;
-  const Scalar t138 = s3 * (c4 * t133 + s4 * t136) - c3 * t137;
-  const Scalar t139 = k[10] * t41 + t138;
-  const Scalar t140 = (k[20] * t46 + k[35] * t45) + k[13] * t43;
-  const Scalar t141 = (k[20] * t45 - k[17] * t46) + k[12] * t43;
-  const Scalar t142 = s6 * t140 + c6 * t141;
-  const Scalar t143 = s6 * t141 - c6 * t140;
-  const Scalar t144 = c5 * t143;
-  const Scalar t145 = k[29] * t50 + (c4 * t142 - s4 * t144);
-  const Scalar t146 = s5 * t143;
-  const Scalar t147 = k[10] * t52 - (s3 * t145 + c3 * t146);
-  const Scalar t148 = s4 * t103 - c4 * t107;
-  const Scalar t149 = s3 * (((t82 + t122) + (t123 + t89)) + t124);
-  const Scalar t150 = s4 * t128 - c4 * t130;
-  const Scalar t151 = c4 * t136 - s4 * t133;
-  const Scalar t152 = (c4 * t144 + s4 * t142) - k[29] * t51;
-  const Scalar t153 = s3 * (qd[2] * (t88 - t81) + t108) + c3 * (Scalar(2) * t68 + qd[2] * t109);
-  const Scalar t154 = t112 + (Scalar(2) * t59 - qd[3] * t72);
-  const Scalar t155 = k[29] * t3;
-  const Scalar t156 = (qd[3] * t80 + (t87 - t77)) + qd[3] * t155;
-  const Scalar t157 = qd[2] * t105 + (c4 * t154 - s4 * t156);
-  const Scalar t158 = qd[2] * (s4 * t72 - c4 * (t155 + t80));
-  const Scalar t159 = (s3 * t157 + c3 * (t101 - t158)) + k[10] * (qd[1] * c4 * t3 + t41);
-  const Scalar t160 = c5 * t7;
-  const Scalar t161 = c4 * t160 - s4 * t0;
-  const Scalar t162 = t65 - k[18] * qd[4];
-  const Scalar t163 = c5 * t60;
-  const Scalar t164 = s5 * t162 - qd[4] * t163;
-  const Scalar t165 = k[18] * s5 + t163;
-  const Scalar t166 = k[29] * t161 - (c4 * t64 + s4 * t165);
-  const Scalar t167 = qd[3] * t0 + (s5 * qd[4] * t7 + c5 * t12);
-  const Scalar t168 = k[29] * t167 + (t99 + qd[3] * t165);
-  const Scalar t169 = (qd[4] * t75 + c5 * t162) + qd[3] * t64;
-  const Scalar t170 = t169 - k[29] * (t14 + qd[3] * t160);
-  const Scalar t171 = (c4 * t168 - s4 * t170) - qd[2] * (k[18] * c5 - t75);
-  const Scalar t172 = c3 * (t164 - qd[2] * t166) + s3 * t171;
-  const Scalar t173 = (k[10] * (qd[1] * t161 + t52) - t172) - t147;
+  const Scalar t47 = k[1] * t45 + k[0] * t46;
+  const Scalar t48 = c5 * t44 + s5 * t47;
+  const Scalar t49 = t7 * t43;
+  const Scalar t50 = c3 * (s4 * t48 + c4 * t49) - s3 * (c5 * t47 - s5 * t44);
+  const Scalar t51 = s2 * t50 - c2 * (s4 * t49 - c4 * t48);
+  const Scalar t52 = k[14] * s6 - k[13] * c6;
+  const Scalar t53 = k[21] - s6 * t52;
+  const Scalar t54 = qd[5] * t53;
+  const Scalar t55 = k[22] + t53;
+  const Scalar t56 = c5 * t55;
+  const Scalar t57 = k[10] * s6 - k[11] * c6;
+  const Scalar t58 = k[20] - t57;
+  const Scalar t59 = t56 - s5 * t58;
+  const Scalar t60 = k[30] + t59;
+  const Scalar t61 = t54 + qd[3] * t60;
+  const Scalar t62 = k[15] + c6 * t52;
+  const Scalar t63 = k[29] + t62;
+  const Scalar t64 = qd[5] * t62;
+  const Scalar t65 = t64 + qd[4] * t58;
+  const Scalar t66 = s5 * t55;
+  const Scalar t67 = c5 * t65 + qd[4] * t66;
+  const Scalar t68 = qd[3] * t63 + t67;
+  const Scalar t69 = s4 * t61 + c4 * t68;
+  const Scalar t70 = k[16] + t62;
+  const Scalar t71 = qd[5] * t70;
+  const Scalar t72 = k[10] * c6 + k[11] * s6;
+  const Scalar t73 = s5 * t72;
+  const Scalar t74 = c5 * t71 - qd[5] * t73;
+  const Scalar t75 = k[17] - t70;
+  const Scalar t76 = k[12] + t72;
+  const Scalar t77 = c5 * t76;
+  const Scalar t78 = Scalar(2) * t77 - s5 * (k[18] + t75);
+  const Scalar t79 = t75 + s5 * t78;
+  const Scalar t80 = k[28] - t79;
+  const Scalar t81 = t74 + qd[3] * t80;
+  const Scalar t82 = qd[4] * t75;
+  const Scalar t83 = c5 * t82 - s5 * (t54 - qd[4] * t76);
+  const Scalar t84 = qd[5] * t57;
+  const Scalar t85 = k[18] * qd[4] + t84;
+  const Scalar t86 = s5 * t85 - qd[4] * t77;
+  const Scalar t87 = s5 * t83 + c5 * t86;
+  const Scalar t88 = s4 * t81 - c4 * (t61 + t87);
+  const Scalar t89 = s4 * t69 + c4 * t88;
+  const Scalar t90 = k[23] * t22;
+  const Scalar t91 = t66 + c5 * t58;
+  const Scalar t92 = k[24] + t91;
+  const Scalar t93 = k[19] - (t76 - c5 * t78);
+  const Scalar t94 = k[23] * t9 - (c4 * t92 - s4 * t93);
+  const Scalar t95 = k[27] - t94;
+  const Scalar t96 = (t90 + t87) - qd[2] * t95;
+  const Scalar t97 = t90 - t89;
+  const Scalar t98 = s5 * t86;
+  const Scalar t99 = c5 * t83;
+  const Scalar t100 = t98 - t99;
+  const Scalar t101 = qd[4] * t56 - s5 * t65;
+  const Scalar t102 = s4 * t100 - c4 * t101;
+  const Scalar t103 = c4 * (t80 + t63) + Scalar(2) * s4 * t60;
+  const Scalar t104 = k[31] - (t80 - c4 * t103);
+  const Scalar t105 = c3 * (t96 - t97) + s3 * (t102 + qd[2] * t104);
+  const Scalar t106 = k[18] - t75;
+  const Scalar t107 = k[26] + (k[25] * t3 + (t79 + t106));
+  const Scalar t108 = (t82 - t99) + (t98 - t85);
+  const Scalar t109 = (t100 + (t108 + qd[3] * t92)) + k[23] * t15;
+  const Scalar t110 = c5 * t72;
+  const Scalar t111 = qd[5] * t110 + s5 * t71;
+  const Scalar t112 = t101 - t111;
+  const Scalar t113 = (qd[3] * t93 - t112) + k[23] * t17;
+  const Scalar t114 = s4 * t109 + c4 * t113;
+  const Scalar t115 = c3 * (qd[2] * t107 - (t102 - t114)) - s3 * t96;
+  const Scalar t116 = (k[32] * t18 + t89) - (c3 * t105 + s3 * t115);
+  const Scalar t117 = c4 * t69;
+  const Scalar t118 = s4 * t88;
+  const Scalar t119 = k[23] * t19 + (s4 * t92 + c4 * t93);
+  const Scalar t120 = ((t117 - t68) - (t118 - t81)) + qd[2] * (k[34] + t119);
+  const Scalar t121 = s3 * ((t107 * t27 + t95 * t26) + t120);
+  const Scalar t122 = qd[2] * (k[33] - (s4 * t103 - t60));
+  const Scalar t123 = (t122 + (c4 * t100 + s4 * t101)) + (t95 * t27 - t104 * t26);
+  const Scalar t124 = t121 - c3 * t123;
+  const Scalar t125 = (t108 + t36 * t92) + (t37 * t60 + t63 * t32);
+  const Scalar t126 = t125 + k[23] * (t8 * t36 - t14);
+  const Scalar t127 = (t111 + t36 * t93) - (t60 * t32 - t80 * t37);
+  const Scalar t128 = k[23] * (t16 + t36 * t6) + t127;
+  const Scalar t129 = s3 * (s4 * t126 + c4 * t128) + c3 * t87;
+  const Scalar t130 = t129 - k[32] * t30;
+  const Scalar t131 = k[23] * t35 + t54;
+  const Scalar t132 = (t38 * t75 + t76 * t39) - t55 * t33;
+  const Scalar t133 = (t58 * t33 + t64) + (t76 * t38 - k[18] * t39);
+  const Scalar t134 = (s5 * t132 - c5 * t133) - k[23] * t40;
+  const Scalar t135 = s5 * t133 + c5 * t132;
+  const Scalar t136 = s3 * (c4 * t131 + s4 * t134) + c3 * t135;
+  const Scalar t137 = t136 + k[32] * t41;
+  const Scalar t138 = k[10] * t43 - (k[15] * t46 - k[21] * t45);
+  const Scalar t139 = k[11] * t43 + (k[35] * t45 + k[21] * t46);
+  const Scalar t140 = s6 * t138 - c6 * t139;
+  const Scalar t141 = s5 * t140;
+  const Scalar t142 = c5 * t140 + k[23] * t49;
+  const Scalar t143 = c6 * t138 + s6 * t139;
+  const Scalar t144 = t143 + k[23] * t48;
+  const Scalar t145 = c3 * t141 - s3 * (s4 * t142 - c4 * t144);
+  const Scalar t146 = k[32] * t50 + t145;
+  const Scalar t147 = s4 * t113 - c4 * t109;
+  const Scalar t148 = c3 * (t122 - t147) - s3 * ((t117 - t118) + t120);
+  const Scalar t149 = c4 * t126 - s4 * t128;
+  const Scalar t150 = s4 * t131 - c4 * t134;
+  const Scalar t151 = s4 * t144 + c4 * t142;
+  const Scalar t152 = c3 * ((t87 + t87) + qd[2] * t94) + s3 * (t114 - qd[2] * (t80 - t63));
+  const Scalar t153 = k[23] * t3;
+  const Scalar t154 = qd[2] * (c4 * (t153 + t106) + s4 * t59);
+  const Scalar t155 = qd[3] * t153 + ((t67 + t74) + qd[3] * t106);
+  const Scalar t156 = (Scalar(2) * t54 + qd[3] * t59) - t90;
+  const Scalar t157 = (s4 * t155 - c4 * t156) - qd[2] * t91;
+  const Scalar t158 = (c3 * (t112 - t154) + s3 * t157) - k[32] * (qd[1] * c4 * t3 + t41);
+  const Scalar t159 = c5 * t7;
+  const Scalar t160 = c4 * t159 + s4 * t0;
+  const Scalar t161 = k[16] * qd[4] - t84;
+  const Scalar t162 = (c5 * t161 - qd[4] * t73) - qd[3] * t57;
+  const Scalar t163 = k[23] * (qd[3] * t159 + t12) - t162;
+  const Scalar t164 = (c5 * t16 - qd[4] * s5 * t7) + qd[3] * t0;
+  const Scalar t165 = qd[5] * t72;
+  const Scalar t166 = k[16] * s5 + t110;
+  const Scalar t167 = k[23] * t164 + (t165 + qd[3] * t166);
+  const Scalar t168 = qd[2] * (t73 - k[16] * c5) - (s4 * t163 - c4 * t167);
+  const Scalar t169 = k[23] * t160 + (c4 * t57 + s4 * t166);
+  const Scalar t170 = qd[4] * t110 + s5 * t161;
+  const Scalar t171 = s3 * t168 + c3 * (qd[2] * t169 - t170);
+  const Scalar t172 = (k[32] * (qd[1] * t160 + t50) + t171) - t146;
   Eigen::Matrix<Scalar, dof, dof> result;
   result(0, 0) = Scalar(0);
-  result(0, 1) = s2 * (t11 + t18) - c2 * t24;
-  result(0, 2) = t28;
+  result(0, 1) = s2 * (t11 - t18) - c2 * t24;
+  result(0, 2) = -t28;
   result(0, 3) = t31;
   result(0, 4) = -t42;
-  result(0, 5) = s2 * t52 - c2 * t50;
+  result(0, 5) = -t51;
   result(1, 0) = Scalar(0);
-  result(1, 1) = -t118;
-  result(1, 2) = t126 - k[10] * t27;
-  result(1, 3) = t132;
-  result(1, 4) = t139;
-  result(1, 5) = -t147;
+  result(1, 1) = t116;
+  result(1, 2) = k[32] * t25 - t124;
+  result(1, 3) = t130;
+  result(1, 4) = t137;
+  result(1, 5) = t146;
   result(2, 0) = Scalar(0);
-  result(2, 1) = -t126 - (c3 * (t148 - t119) + t149);
-  result(2, 2) = -t113;
-  result(2, 3) = t150;
-  result(2, 4) = -t151;
-  result(2, 5) = t152;
+  result(2, 1) = t148 + t124;
+  result(2, 2) = t97;
+  result(2, 3) = -t149;
+  result(2, 4) = t150;
+  result(2, 5) = t151;
   result(3, 0) = Scalar(0);
-  result(3, 1) = (t153 + k[10] * t29) - t132;
-  result(3, 2) = t148 - t150;
-  result(3, 3) = -t68;
-  result(3, 4) = t137;
-  result(3, 5) = -t146;
+  result(3, 1) = (k[32] * t29 + t152) - t130;
+  result(3, 2) = t147 + t149;
+  result(3, 3) = -t87;
+  result(3, 4) = -t135;
+  result(3, 5) = -t141;
   result(4, 0) = Scalar(0);
-  result(4, 1) = t159 - t139;
-  result(4, 2) = (c4 * t156 + s4 * t154) + t151;
-  result(4, 3) = -t101 - t137;
-  result(4, 4) = -t59;
-  result(4, 5) = -t142;
+  result(4, 1) = -t137 - t158;
+  result(4, 2) = (s4 * t156 + c4 * t155) - t150;
+  result(4, 3) = t135 + t112;
+  result(4, 4) = -t54;
+  result(4, 5) = -t143;
   result(5, 0) = Scalar(0);
-  result(5, 1) = -t173;
-  result(5, 2) = (c4 * t170 + s4 * t168) - t152;
-  result(5, 3) = t146 - t164;
-  result(5, 4) = t142 - t99;
+  result(5, 1) = t172;
+  result(5, 2) = (s4 * t167 + c4 * t163) - t151;
+  result(5, 3) = t141 + t170;
+  result(5, 4) = t143 - t165;
   result(5, 5) = Scalar(0);
   return result;
 }
@@ -1105,105 +1101,101 @@ ForwardDynamicsConstants<Scalar> forward_dynamics_constants(const BasicGeometry<
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6y * inertia.m6;
-  const Scalar t1 = inertia.c5y * inertia.m5;
-  const Scalar t2 = inertia.c6z * inertia.m6;
-  const Scalar t3 = inertia.c6x * inertia.m6;
-  const Scalar t4 = inertia.c5z * inertia.m5;
-  const Scalar t5 = g.l2 / g.d4;
-  const Scalar t6 = inertia.I6xz - inertia.c6z * t3;
-  const Scalar t7 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t8 = (inertia.I6xx - t7) - inertia.c6x * t3;
-  const Scalar t9 = inertia.c6z * t2 - (inertia.I6zz - t7);
-  const Scalar t10 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t11 = ((inertia.I6yy - t7) - inertia.c6y * t0) - (inertia.c5y * t1 - (inertia.I5yy - t10));
-  const Scalar t12 = inertia.I6yz - inertia.c6z * t0;
-  const Scalar t13 = t8 - t9;
-  const Scalar t14 = Scalar(1) / t13;
-  const Scalar t15 = inertia.I6xy - inertia.c6y * t3;
-  const Scalar t16 = inertia.c5x * inertia.m5;
-  const Scalar t17 = gravity / g.d4;
-  const Scalar t18 = inertia.c2x * inertia.m2;
-  const Scalar t19 = g.d4 * t18;
-  const Scalar t20 = inertia.c4y * inertia.m4;
-  const Scalar t21 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t22 = t20 - g.d4 * t21;
-  const Scalar t23 = inertia.c3y * inertia.m3;
-  const Scalar t24 = g.d4 * inertia.m3 - t23;
-  const Scalar t25 = (t22 - t24) / g.d4;
-  const Scalar t26 = g.l2 * t25;
-  const Scalar t27 = inertia.c2z * inertia.m2;
-  const Scalar t28 = g.l2 * inertia.m2 + t27;
-  const Scalar t29 = inertia.c3z * inertia.m3;
-  const Scalar t30 = inertia.m3 + t21;
-  const Scalar t31 = t29 + g.l2 * t30;
-  const Scalar t32 = g.d4 * g.d4 * t25;
-  const Scalar t33 = inertia.c4z * inertia.m4;
-  const Scalar t34 = inertia.c4x * inertia.m4;
-  const Scalar t35 = inertia.c3x * inertia.m3;
-  const Scalar t36 = g.d4 * t35;
-  const Scalar t37 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t38 = (inertia.c5x * t16 - (inertia.I5xx - t10)) - ((inertia.I4xx - t37) - inertia.c4x * t34);
-  const Scalar t39 = (inertia.I3xy - inertia.c3y * t35) + t36;
-  const Scalar t40 = ((inertia.I4yy - t37) - inertia.c4y * t20) + g.d4 * (t20 + t22);
-  const Scalar t41 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t42 = ((inertia.I3yy - t41) - inertia.c3y * t23) - g.d4 * (t24 - t23);
-  const Scalar t43 = (t40 + t42) - t32;
-  const Scalar t44 = inertia.c3x * t35 - (inertia.I3xx - t41);
-  const Scalar t45 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t46 = g.l2 * (t28 + t27) - ((inertia.I2zz - t45) - inertia.c2z * t27);
-  const Scalar t47 = ((inertia.I3zz - t41) - inertia.c3z * t29) - g.l2 * (t29 + t31);
-  const Scalar t48 = Scalar(1) / g.d4;
-  const Scalar t49 = g.d4 * g.d4 * ((inertia.m1 + (inertia.m2 + t30)) + t25);
-  return { g.d4 * (t0 + t1),
-           g.d4 * t2,
-           g.d4 * t3,
-           g.d4 * t4,
-           t5,
-           Scalar(2) * t6,
-           t8 + t9,
-           t8,
-           inertia.c5z * t4 - (inertia.I5zz - t10),
-           t11,
-           Scalar(2) * t11,
-           t12 * t14,
-           t14 * t15,
-           t13,
-           inertia.I5xy - inertia.c5y * t16,
+  const Scalar t0 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t1 = inertia.c6x * inertia.m6;
+  const Scalar t2 = (inertia.I6xx - t0) - inertia.c6x * t1;
+  const Scalar t3 = inertia.c6z * inertia.m6;
+  const Scalar t4 = inertia.c6z * t3 - (inertia.I6zz - t0);
+  const Scalar t5 = inertia.I6xz - inertia.c6z * t1;
+  const Scalar t6 = t2 - t4;
+  const Scalar t7 = inertia.c5z * inertia.m5;
+  const Scalar t8 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t9 = inertia.c6y * inertia.m6;
+  const Scalar t10 = inertia.c5y * inertia.m5;
+  const Scalar t11 = ((inertia.I6yy - t0) - inertia.c6y * t9) - (inertia.c5y * t10 - (inertia.I5yy - t8));
+  const Scalar t12 = Scalar(1) / t6;
+  const Scalar t13 = inertia.I6xy - inertia.c6y * t1;
+  const Scalar t14 = inertia.I6yz - inertia.c6z * t9;
+  const Scalar t15 = inertia.c5x * inertia.m5;
+  const Scalar t16 = inertia.c4x * inertia.m4;
+  const Scalar t17 = inertia.c4y * inertia.m4;
+  const Scalar t18 = inertia.c4z * inertia.m4;
+  const Scalar t19 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t20 = (inertia.c5x * t15 - (inertia.I5xx - t8)) - ((inertia.I4xx - t19) - inertia.c4x * t16);
+  const Scalar t21 = inertia.c3x * inertia.m3;
+  const Scalar t22 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t23 = t17 - g.d4 * t22;
+  const Scalar t24 = inertia.c3y * inertia.m3;
+  const Scalar t25 = g.d4 * inertia.m3 - t24;
+  const Scalar t26 = (t23 - t25) / g.d4;
+  const Scalar t27 = g.d4 * t26;
+  const Scalar t28 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t29 = inertia.c3x * t21 - (inertia.I3xx - t28);
+  const Scalar t30 = ((inertia.I4yy - t19) - inertia.c4y * t17) + g.d4 * (t17 + t23);
+  const Scalar t31 = ((inertia.I3yy - t28) - inertia.c3y * t24) - g.d4 * (t25 - t24);
+  const Scalar t32 = (t30 + t31) - g.d4 * t27;
+  const Scalar t33 = inertia.m3 + t22;
+  const Scalar t34 = (inertia.m1 + (inertia.m2 + t33)) + t26;
+  const Scalar t35 = g.l2 * t26;
+  const Scalar t36 = inertia.c2z * inertia.m2;
+  const Scalar t37 = g.l2 * inertia.m2 + t36;
+  const Scalar t38 = inertia.c3z * inertia.m3;
+  const Scalar t39 = t38 + g.l2 * t33;
+  const Scalar t40 = inertia.c2x * inertia.m2;
+  const Scalar t41 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t42 = g.l2 * (t37 + t36) - ((inertia.I2zz - t41) - inertia.c2z * t36);
+  const Scalar t43 = ((inertia.I3zz - t28) - inertia.c3z * t38) - g.l2 * (t38 + t39);
+  const Scalar t44 = (inertia.I3xy - inertia.c3y * t21) + g.d4 * t21;
+  return { t2 + t4,
+           Scalar(2) * t5,
+           t4,
            t6,
-           inertia.I5xz - inertia.c5z * t16,
-           t15,
-           t12,
+           inertia.c5z * t7 - (inertia.I5zz - t8),
+           t11,
+           t12 * t13,
+           t14 * t12,
+           t3,
+           t1,
+           g.d4,
            t14,
-           inertia.I5yz - inertia.c5z * t1,
-           t17,
-           t17 * t19,
-           g.d4 * (t26 + (t28 + t31)),
+           t13,
+           t5,
+           inertia.I5xz - inertia.c5z * t15,
+           inertia.I5xy - inertia.c5y * t15,
+           t7,
+           t9 + t10,
+           t12,
+           inertia.I4xy - inertia.c4y * t16,
+           t16 + t15,
+           inertia.I5yz - inertia.c5z * t10,
+           inertia.I4yz - inertia.c4z * t17,
+           t18,
+           (inertia.I4zz - t19) - inertia.c4z * t18,
+           inertia.I4xz - inertia.c4z * t16,
+           t20,
+           t21,
+           t27,
+           t29,
            t32,
-           g.d4 * t33,
-           g.d4 * (t34 + t16),
-           t36,
-           inertia.I4yz - inertia.c4z * t20,
-           inertia.I4xy - inertia.c4y * t34,
-           t38,
-           inertia.I4xz - inertia.c4z * t34,
-           (inertia.I4zz - t37) - inertia.c4z * t33,
-           Scalar(2) * t39,
-           t43,
-           g.d4 * t29 + (inertia.I3yz - inertia.c3z * t23),
-           inertia.I3xz - inertia.c3z * t35,
-           Scalar(2) * t44,
-           t39,
+           t34 - t26,
+           t35,
+           t35 + (t37 + t39),
+           t40,
+           g.l2,
+           g.d4 * t38 + (inertia.I3yz - inertia.c3z * t24),
+           inertia.I3xz - inertia.c3z * t21,
+           g.l2 * t35 + (t42 - t43),
            t44,
-           t44 + t43,
-           inertia.c2x * t18 - (inertia.I2xx - t45),
-           t32 * t5,
-           g.l2 * t26 + (t46 - t47),
-           t48,
-           t19,
-           Scalar(2) * t36,
-           t17 * t49,
-           (t49 - t32) * t48 * t48 };
+           inertia.c2x * t40 - (inertia.I2xx - t41),
+           gravity,
+           Scalar(2) * g.d4,
+           t29 + t32,
+           t26,
+           Scalar(2) * t21,
+           gravity * t34,
+           gravity * t40,
+           Scalar(2) * t44,
+           Scalar(2) * t29 };
 }
 
 namespace detail {
@@ -1222,238 +1214,234 @@ inline JointVector<Scalar> forward_dynamics([[maybe_unused]] const JointVector<S
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = qd[1] * c3;
-  const Scalar t1 = qd[3] - t0;
-  const Scalar t2 = qd[1] * s3;
-  const Scalar t3 = s4 * t2;
-  const Scalar t4 = t3 - qd[2] * c4;
-  const Scalar t5 = s5 * t1 + c5 * t4;
-  const Scalar t6 = s5 * t4 - c5 * t1;
-  const Scalar t7 = qd[5] - t6;
-  const Scalar t8 = t1 * t4;
-  const Scalar t9 = Scalar(2) * qd[2] * t0;
-  const Scalar t10 = t3 * t0 - c4 * t9;
-  const Scalar t11 = t8 + t10;
-  const Scalar t12 = t5 * t6;
-  const Scalar t13 = t11 + t12;
-  const Scalar t14 = Scalar(2) * t5 * t7 + t13;
-  const Scalar t15 = k[1] * c6 + k[2] * s6;
-  const Scalar t16 = k[2] * c6 - k[1] * s6;
-  const Scalar t17 = qd[2] * s4 + c4 * t2;
-  const Scalar t18 = qd[4] - t17;
-  const Scalar t19 = t18 * t7;
-  const Scalar t20 = t18 * t6;
-  const Scalar t21 = t1 * t17;
-  const Scalar t22 = t2 * t0;
-  const Scalar t23 = c4 * t22 + s4 * t9;
-  const Scalar t24 = t21 + (t21 + t23);
-  const Scalar t25 = t4 * t17;
-  const Scalar t26 = qd[2] * t2;
-  const Scalar t27 = t25 - t26;
-  const Scalar t28 = c5 * t24 - s5 * t27;
-  const Scalar t29 = (t20 + t20) - t28;
-  const Scalar t30 = t19 + (t19 + t29);
-  const Scalar t31 = t11 - t12;
-  const Scalar t32 = t18 * t18;
-  const Scalar t33 = t5 * t5;
-  const Scalar t34 = t32 + t33;
-  const Scalar t35 = (t14 * t15 + t16 * t30) + (k[3] * t31 - k[0] * t34);
-  const Scalar t36 = qd[1] * qd[1];
-  const Scalar t37 = t0 * t0;
-  const Scalar t38 = qd[2] * qd[2];
-  const Scalar t39 = t37 - t38;
-  const Scalar t40 = t36 - t39;
-  const Scalar t41 = t1 * t1;
-  const Scalar t42 = t17 * t17;
-  const Scalar t43 = t41 - t42;
-  const Scalar t44 = t40 + t43;
-  const Scalar t45 = t7 * t7;
-  const Scalar t46 = t45 - t33;
-  const Scalar t47 = t45 - t32;
-  const Scalar t48 = t46 - t47;
-  const Scalar t49 = t44 + t48;
-  const Scalar t50 = t47 + t34;
-  const Scalar t51 = s5 * t24 + c5 * t27;
-  const Scalar t52 = (k[0] * t13 + k[3] * t49) + (t15 * (t50 + t48) + t51 * t16);
-  const Scalar t53 = t41 + t42;
-  const Scalar t54 = k[21] * s2;
-  const Scalar t55 = c3 * t54;
-  const Scalar t56 = k[4] * t36 - k[21] * c2;
-  const Scalar t57 = (s4 * t55 - c4 * t56) + t10;
-  const Scalar t58 = (k[25] * t53 + k[26] * t27) + k[24] * t57;
-  const Scalar t59 = (s5 * t35 + c5 * t52) + t58;
-  const Scalar t60 = s3 * t54;
-  const Scalar t61 = t60 + t40;
-  const Scalar t62 = s5 * t61 + c5 * t57;
-  const Scalar t63 = s5 * t57 - c5 * t61;
-  const Scalar t64 = t49 - t34;
-  const Scalar t65 = (k[9] * t13 - k[8] * t31) + k[20] * t64;
-  const Scalar t66 = (k[0] * t62 + k[3] * t63) - ((k[16] * t28 - k[14] * t51) - t65);
-  const Scalar t67 = k[12] * c6 - k[11] * s6;
-  const Scalar t68 = k[13] * t67;
-  const Scalar t69 = k[17] * s6 + k[18] * c6;
-  const Scalar t70 = k[6] * c6 - k[5] * s6;
-  const Scalar t71 = k[7] - c6 * t70;
-  const Scalar t72 = k[15] + s6 * t70;
-  const Scalar t73 = (t68 * t51 + t46 * t69) + (t71 * t14 + t72 * t30);
-  const Scalar t74 = t66 + (t73 + t15 * t63);
-  const Scalar t75 = t53 - t40;
-  const Scalar t76 = t11 + t8;
-  const Scalar t77 = (k[29] * t27 + k[28] * t75) + (k[32] * t76 - k[31] * t24);
-  const Scalar t78 = t59 + (t74 - (k[25] * t61 - t77));
-  const Scalar t79 = t25 + t26;
-  const Scalar t80 = t23 + (c4 * t55 + s4 * t56);
-  const Scalar t81 = (k[25] * t79 + k[26] * t44) - k[24] * t80;
-  const Scalar t82 = t5 * t18;
-  const Scalar t83 = t82 + (t82 + t51);
-  const Scalar t84 = (t83 * t15 - t50 * t16) - (k[0] * t29 - k[3] * t83);
-  const Scalar t85 = t81 - t84;
-  const Scalar t86 = k[13] - t71;
-  const Scalar t87 = (t30 * t86 + t72 * t14) + t68 * t47;
-  const Scalar t88 = k[14] * (t64 - t48) + (k[9] * t29 - k[20] * t83);
-  const Scalar t89 = (t16 * t63 + (t87 - t83 * t69)) + ((t88 + k[16] * t31) - k[0] * t80);
-  const Scalar t90 = (k[8] * t83 + k[20] * t29) - (k[16] * t48 + k[14] * t13);
-  const Scalar t91 = t72 * t48 + (t83 * t71 + t51 * t86);
-  const Scalar t92 = (t91 - (t69 * t29 - t68 * t13)) + (t15 * t80 + t62 * t16);
-  const Scalar t93 = (k[3] * t80 - t90) + t92;
-  const Scalar t94 = (k[31] * t76 + k[30] * t24) + k[29] * t43;
-  const Scalar t95 = (c5 * t89 - s5 * t93) - (k[26] * t61 - (t94 + k[28] * t79));
-  const Scalar t96 = t85 + t95;
-  const Scalar t97 = t37 + t38;
-  const Scalar t98 = t40 - t97;
-  const Scalar t99 = k[27] * t60 + (k[38] * t98 + k[40] * t22);
-  const Scalar t100 = torque[2] - ((s4 * t78 - c4 * t96) + t99);
-  const Scalar t101 = torque[5] - t92;
-  const Scalar t102 = k[19] * t101;
-  const Scalar t103 = (k[13] * s5 + c5 * t69) + t15;
-  const Scalar t104 = c5 * t16;
-  const Scalar t105 = t68 + t104;
-  const Scalar t106 = c4 * t103 + s4 * t105;
-  const Scalar t107 = (torque[4] + t74) + t68 * t102;
-  const Scalar t108 = k[8] - t71;
-  const Scalar t109 = k[9] + t108;
-  const Scalar t110 = k[10] - t109;
-  const Scalar t111 = Scalar(1) / (t67 * t68 - t110);
-  const Scalar t112 = t107 * t111;
-  const Scalar t113 = k[16] + t72;
-  const Scalar t114 = k[14] + t68;
-  const Scalar t115 = c5 * t113 - s5 * t114;
-  const Scalar t116 = k[3] + t15;
-  const Scalar t117 = s5 * t116 + k[0] * c5;
-  const Scalar t118 = t110 + t117;
-  const Scalar t119 = (c4 * t115 - s4 * t118) + t67 * t106;
-  const Scalar t120 = s5 * t113 + c5 * t114;
-  const Scalar t121 = k[13] * c5 - s5 * t69;
-  const Scalar t122 = t120 - t67 * t121;
-  const Scalar t123 = t122 * t111;
-  const Scalar t124 = k[19] * t106;
-  const Scalar t125 = k[0] * s5 - c5 * t116;
-  const Scalar t126 = k[25] - t125;
-  const Scalar t127 = k[20] + t69;
-  const Scalar t128 = c5 * t127;
-  const Scalar t129 = s5 * t109 - (t128 + t128);
-  const Scalar t130 = t126 + (k[28] - (t127 + c5 * t129));
-  const Scalar t131 = k[26] + t16;
-  const Scalar t132 = (k[29] + t120) + t131;
-  const Scalar t133 = c4 * t130 + s4 * t132;
-  const Scalar t134 = t123 * t119 + (t121 * t124 - t133);
-  const Scalar t135 = k[30] - t86;
-  const Scalar t136 = s5 * t129;
-  const Scalar t137 = k[32] - (t108 - t136);
-  const Scalar t138 = t135 - t137;
-  const Scalar t139 = k[19] * t121;
-  const Scalar t140 = Scalar(1) / ((t138 + t139 * t121) - t122 * t123);
-  const Scalar t141 = t134 * t140;
-  const Scalar t142 = (k[30] * t27 + k[32] * t79) - k[31] * (t75 - t43);
-  const Scalar t143 = ((k[28] * t23 + k[29] * t10) - t142) + (k[26] * t57 + k[25] * t80);
-  const Scalar t144 = (s5 * t89 + c5 * t93) + t143;
-  const Scalar t145 = ((torque[3] - t144) - t101 * t139) - t107 * t123;
-  const Scalar t146 = ((t100 - t102 * t106) + t112 * t119) - t141 * t145;
-  const Scalar t147 = t111 * t119;
-  const Scalar t148 = k[31] + t115;
-  const Scalar t149 = s4 * t148;
-  const Scalar t150 = c4 * (t135 + t137) + (t149 + t149);
-  const Scalar t151 = c4 * t150 - t137;
-  const Scalar t152 = k[39] + t151;
-  const Scalar t153 = k[24] + t117;
-  const Scalar t154 = k[34] + ((k[9] - t136) + (t153 + t117));
-  const Scalar t155 = t147 * t119 - (t106 * t124 + (t152 - t154));
-  const Scalar t156 = Scalar(1) / (t141 * t134 + t155);
-  const Scalar t157 = s3 * t125 + c3 * s4 * t117;
-  const Scalar t158 = k[44] * (s2 * t157 + c2 * c4 * t117);
-  const Scalar t159 = s3 * s5 * t16 + c3 * (s4 * t104 + c4 * t15);
-  const Scalar t160 = c2 * (s4 * t15 - c4 * t104) - s2 * t159;
-  const Scalar t161 = k[44] * t160;
-  const Scalar t162 = k[19] * t161;
-  const Scalar t163 = t158 + t162 * t68;
-  const Scalar t164 = t163 * t111;
-  const Scalar t165 = c4 * t126 + s4 * t131;
-  const Scalar t166 = c3 * t165;
-  const Scalar t167 = c4 * t131 - s4 * t126;
-  const Scalar t168 = t161 * t139 + k[44] * (s2 * t166 + c2 * t167);
-  const Scalar t169 = t122 * t164 + t168;
-  const Scalar t170 = t169 * t140;
-  const Scalar t171 = k[27] + t167;
-  const Scalar t172 = s3 * t171 + c3 * t153;
-  const Scalar t173 = t164 * t119 - (t162 * t106 + k[44] * s2 * t172);
-  const Scalar t174 = t170 * t134 + t173;
-  const Scalar t175 = t156 * t174;
-  const Scalar t176 = (c4 * t59 + s4 * t85) - k[46] * t26;
-  const Scalar t177 = (s4 * t59 - c4 * t85) - k[27] * t97;
-  const Scalar t178 = (k[25] * t76 - k[26] * t24) - k[24] * t61;
-  const Scalar t179 = (t178 + (c5 * t35 - s5 * t52)) + k[27] * t22;
-  const Scalar t180 = c3 * t177 - s3 * t179;
-  const Scalar t181 = c2 * (k[23] * t36 + t176) - s2 * (k[45] * t36 - t180);
-  const Scalar t182 = t162 * t101 - (torque[0] - k[44] * (k[47] - t181));
-  const Scalar t183 = t146 * t175 + (t170 * t145 + (t182 - t112 * t163));
-  const Scalar t184 = s3 * (c4 * t105 - s4 * t103) - c3 * t121;
-  const Scalar t185 = k[4] * t159 + t184;
-  const Scalar t186 = k[19] * t185;
-  const Scalar t187 = s3 * (s4 * t115 + c4 * t118) - c3 * t120;
-  const Scalar t188 = t68 * t186 - (k[4] * t157 + t187);
-  const Scalar t189 = c4 * t132 - s4 * t130;
-  const Scalar t190 = s3 * t189 + (k[4] * t166 + c3 * t138);
-  const Scalar t191 = t188 * t123 + (t139 * t185 - t190);
-  const Scalar t192 = s3 * (k[36] + (t148 - s4 * t150)) + c3 * (k[35] + t133);
-  const Scalar t193 = t188 * t111;
-  const Scalar t194 = ((k[4] * t172 - t192) - t106 * t186) + t193 * t119;
-  const Scalar t195 = t141 * t191 + t194;
-  const Scalar t196 = t156 * t195;
-  const Scalar t197 = t145 * t140;
-  const Scalar t198 = (k[33] * t26 + k[34] * t9) - k[35] * t39;
-  const Scalar t199 = (s4 * t96 + c4 * t78) + (k[36] * t22 - t198);
-  const Scalar t200 = (k[38] * t9 - k[37] * t26) - (k[35] * t22 + k[36] * (t98 + t39));
-  const Scalar t201 = s3 * t199 + c3 * ((k[27] * t56 + t200) - t144);
-  const Scalar t202 = (k[4] * t180 + t201) - (k[23] * t54 + k[22] * c2);
-  const Scalar t203 = t112 * t188 + ((torque[1] - t202) - t101 * t186);
-  const Scalar t204 = Scalar(2) * c3 * (k[38] + t189) - s3 * (t152 + t154);
-  const Scalar t205 = k[42] - t165;
-  const Scalar t206 = k[43] + ((t138 - t151) + k[4] * (t165 - t205));
-  const Scalar t207 = ((k[41] + (t152 + s3 * t204)) + t206) + t185 * t186;
-  const Scalar t208 = t140 * t191;
-  const Scalar t209 = t196 * t195 - ((t188 * t193 - t207) + t208 * t191);
-  const Scalar t210 = Scalar(1) / t209;
-  const Scalar t211 = (t196 * t146 + (t197 * t191 - t203)) * t210;
-  const Scalar t212 = c2 * (k[45] - (s3 * t153 - c3 * t171));
-  const Scalar t213 = k[44] * (t212 + s2 * (k[23] - t205)) - t161 * t186;
-  const Scalar t214 = (t169 * t208 + (t163 * t193 + t213)) - t195 * t175;
-  const Scalar t215 = t169 * t170 - ((k[48] + t162 * t161) - t163 * t164);
-  const Scalar t216 = t210 * t214;
-  const Scalar t217 = Scalar(1) / ((t174 * t175 - t215) - t216 * t214);
-  const Scalar t218 = (t183 + t211 * t214) * t217;
-  const Scalar t219 = t211 + t216 * t218;
-  const Scalar t220 = (t156 * t146 - t218 * t175) - t196 * t219;
-  const Scalar t221 = ((t197 + t170 * t218) + t219 * t208) + t141 * t220;
-  const Scalar t222 = t220 * t147 - ((t112 - t164 * t218) - t219 * t193);
-  const Scalar t223 = t221 * t123 + t222;
-  const Scalar t224 = ((t162 * t218 - t102) + t219 * t186) + t220 * t124;
+  const Scalar t0 = k[8] * c6 + k[9] * s6;
+  const Scalar t1 = k[9] * c6 - k[8] * s6;
+  const Scalar t2 = c5 * t1;
+  const Scalar t3 = c4 * t0 + s4 * t2;
+  const Scalar t4 = k[12] * s6 + k[11] * c6;
+  const Scalar t5 = k[3] * s5 + c5 * t4;
+  const Scalar t6 = k[6] * c6 - k[7] * s6;
+  const Scalar t7 = k[3] * t6;
+  const Scalar t8 = k[10] * t3 + (c4 * t5 + s4 * t7);
+  const Scalar t9 = k[18] * t8;
+  const Scalar t10 = k[16] + t0;
+  const Scalar t11 = k[17] * c5 + s5 * t10;
+  const Scalar t12 = k[28] + t11;
+  const Scalar t13 = k[0] * c6 - k[1] * s6;
+  const Scalar t14 = k[2] - c6 * t13;
+  const Scalar t15 = k[3] + t14;
+  const Scalar t16 = k[4] - t15;
+  const Scalar t17 = k[5] - t16;
+  const Scalar t18 = k[21] + t4;
+  const Scalar t19 = Scalar(2) * c5 * t18 - s5 * (k[5] + t16);
+  const Scalar t20 = s5 * t19 + t16;
+  const Scalar t21 = k[30] + (k[10] * (t11 + t12) + (t17 + t20));
+  const Scalar t22 = k[26] + t14;
+  const Scalar t23 = k[24] - t20;
+  const Scalar t24 = k[15] + t7;
+  const Scalar t25 = k[13] + s6 * t13;
+  const Scalar t26 = k[14] + t25;
+  const Scalar t27 = s5 * t24 - c5 * t26;
+  const Scalar t28 = k[25] - t27;
+  const Scalar t29 = c4 * (t22 + t23) + Scalar(2) * s4 * t28;
+  const Scalar t30 = c4 * t29;
+  const Scalar t31 = t30 - t23;
+  const Scalar t32 = k[29] + t31;
+  const Scalar t33 = Scalar(1) / (t17 - t7 * t6);
+  const Scalar t34 = t17 + k[10] * t11;
+  const Scalar t35 = (s4 * t34 + c4 * t27) - t6 * t8;
+  const Scalar t36 = t33 * t35;
+  const Scalar t37 = (t8 * t9 - (t21 - t32)) + t36 * t35;
+  const Scalar t38 = k[20] + t1;
+  const Scalar t39 = c5 * t24 + s5 * t26;
+  const Scalar t40 = k[10] * t38 + (k[19] + t39);
+  const Scalar t41 = k[17] * s5 - c5 * t10;
+  const Scalar t42 = k[23] - t41;
+  const Scalar t43 = k[10] * t42 + (k[22] - (t18 - c5 * t19));
+  const Scalar t44 = s4 * t40 + c4 * t43;
+  const Scalar t45 = s5 * t4 - k[3] * c5;
+  const Scalar t46 = k[18] * t45;
+  const Scalar t47 = t7 * t46 + t39;
+  const Scalar t48 = (t44 + t46 * t8) - t47 * t36;
+  const Scalar t49 = t47 * t33;
+  const Scalar t50 = t22 - t30;
+  const Scalar t51 = t31 + t50;
+  const Scalar t52 = Scalar(1) / (t47 * t49 + (t46 * t45 + t51));
+  const Scalar t53 = t48 * t52;
+  const Scalar t54 = Scalar(1) / (t37 - t48 * t53);
+  const Scalar t55 = s4 * t0 - c4 * t2;
+  const Scalar t56 = c3 * t3 + s3 * s5 * t1;
+  const Scalar t57 = c2 * t55 - s2 * t56;
+  const Scalar t58 = c4 * t42 + s4 * t38;
+  const Scalar t59 = c3 * t58;
+  const Scalar t60 = c4 * t38 - s4 * t42;
+  const Scalar t61 = t46 * t57 - (s2 * t59 + c2 * t60);
+  const Scalar t62 = c3 * s4 * t11 + s3 * t41;
+  const Scalar t63 = t57 * t6 + (s2 * t62 + c2 * c4 * t11);
+  const Scalar t64 = t63 * t33;
+  const Scalar t65 = t61 + t64 * t47;
+  const Scalar t66 = k[27] + t60;
+  const Scalar t67 = c3 * t12 + s3 * t66;
+  const Scalar t68 = t63 * t36 - (s2 * t67 + t57 * t9);
+  const Scalar t69 = t53 * t65 + t68;
+  const Scalar t70 = t54 * t69;
+  const Scalar t71 = qd[1] * s3;
+  const Scalar t72 = qd[1] * c3;
+  const Scalar t73 = t71 * t72;
+  const Scalar t74 = qd[2] * t72;
+  const Scalar t75 = Scalar(2) * t74;
+  const Scalar t76 = c4 * t73 + s4 * t75;
+  const Scalar t77 = s4 * t73 - c4 * t75;
+  const Scalar t78 = s4 * t71 - qd[2] * c4;
+  const Scalar t79 = qd[2] * s4 + c4 * t71;
+  const Scalar t80 = t78 * t79;
+  const Scalar t81 = qd[2] * t71;
+  const Scalar t82 = t80 + t81;
+  const Scalar t83 = t80 - t81;
+  const Scalar t84 = t79 * t79;
+  const Scalar t85 = t71 * t71;
+  const Scalar t86 = qd[2] * qd[2];
+  const Scalar t87 = t85 + t86;
+  const Scalar t88 = (t84 - t87) + t84;
+  const Scalar t89 = (k[24] * t82 + k[26] * t83) - k[25] * t88;
+  const Scalar t90 = k[41] * s2;
+  const Scalar t91 = c3 * t90 + k[10] * t73;
+  const Scalar t92 = qd[1] * qd[1];
+  const Scalar t93 = k[41] * c2 - k[35] * t92;
+  const Scalar t94 = t93 - k[42] * t74;
+  const Scalar t95 = s4 * t91 + c4 * t94;
+  const Scalar t96 = c4 * t91 - s4 * t94;
+  const Scalar t97 = ((k[22] * t76 + k[19] * t77) - t89) + (k[20] * t95 + k[23] * t96);
+  const Scalar t98 = qd[3] - t72;
+  const Scalar t99 = s5 * t98 + c5 * t78;
+  const Scalar t100 = qd[4] - t79;
+  const Scalar t101 = t99 * t100;
+  const Scalar t102 = Scalar(2) * t98 * t79 + t76;
+  const Scalar t103 = s5 * t102 + c5 * t83;
+  const Scalar t104 = t101 + (t101 + t103);
+  const Scalar t105 = s5 * t78 - c5 * t98;
+  const Scalar t106 = qd[5] - t105;
+  const Scalar t107 = t100 * t106;
+  const Scalar t108 = c5 * t102 - s5 * t83;
+  const Scalar t109 = t100 * t105;
+  const Scalar t110 = t108 - (t109 + t109);
+  const Scalar t111 = (t107 - t110) + t107;
+  const Scalar t112 = t99 * t105;
+  const Scalar t113 = t98 * t78;
+  const Scalar t114 = t77 + t113;
+  const Scalar t115 = t112 + t114;
+  const Scalar t116 = t99 * t106;
+  const Scalar t117 = (t115 + t116) + t116;
+  const Scalar t118 = t106 * t106;
+  const Scalar t119 = t100 * t100;
+  const Scalar t120 = t118 - t119;
+  const Scalar t121 = (t111 * t14 - t25 * t117) - t7 * t120;
+  const Scalar t122 = s3 * t90;
+  const Scalar t123 = t122 + k[10] * t87;
+  const Scalar t124 = s5 * t95 - c5 * t123;
+  const Scalar t125 = t112 - t114;
+  const Scalar t126 = t99 * t99;
+  const Scalar t127 = t105 * t105 - t126;
+  const Scalar t128 = t119 - t126;
+  const Scalar t129 = t127 - t128;
+  const Scalar t130 = (k[5] * t110 + k[21] * t104) - k[15] * t129;
+  const Scalar t131 = ((t104 * t4 + t121) - t1 * t124) + (k[17] * t96 + (k[14] * t125 + t130));
+  const Scalar t132 = s5 * t123 + c5 * t95;
+  const Scalar t133 = (t15 * t104 - t14 * t103) + t25 * t128;
+  const Scalar t134 = (t1 * t132 + t0 * t96) + (t133 + (t7 * t115 + t4 * t110));
+  const Scalar t135 = (k[14] * t128 + k[15] * t115) - (k[4] * t104 - k[21] * t110);
+  const Scalar t136 = t134 + (k[16] * t96 + t135);
+  const Scalar t137 = t97 - (s5 * t131 - c5 * t136);
+  const Scalar t138 = torque[5] - t134;
+  const Scalar t139 = k[21] * t127 + (k[4] * t125 + k[5] * t115);
+  const Scalar t140 = ((k[15] * t103 - k[14] * t108) + t139) + (k[17] * t132 + k[16] * t124);
+  const Scalar t141 = ((t120 + t128) * t4 + t7 * t103) + (t117 * t15 + t25 * t111);
+  const Scalar t142 = t140 + (t141 + t0 * t124);
+  const Scalar t143 = t138 * t6 + (torque[4] + t142);
+  const Scalar t144 = ((torque[3] - t137) + t138 * t46) + t49 * t143;
+  const Scalar t145 = t144 * t52;
+  const Scalar t146 = k[18] * t138;
+  const Scalar t147 = t85 - t86;
+  const Scalar t148 = t92 - t87;
+  const Scalar t149 = (k[43] * t73 + k[39] * (t147 - t148)) + k[27] * t122;
+  const Scalar t150 = t118 + t126;
+  const Scalar t151 = t120 - t150;
+  const Scalar t152 = t129 - t151;
+  const Scalar t153 = t152 - t87;
+  const Scalar t154 = t113 + t114;
+  const Scalar t155 = k[19] * t153 + (k[25] * t154 + k[26] * t102);
+  const Scalar t156 = (k[20] * t123 - (k[22] * t82 + t155)) + (c5 * t131 + s5 * t136);
+  const Scalar t157 = (k[16] * t104 + k[17] * t110) - (t1 * t150 - t0 * t104);
+  const Scalar t158 = k[44] * t96 - (k[23] * t82 + k[20] * t152);
+  const Scalar t159 = t157 + t158;
+  const Scalar t160 = t156 + k[10] * t159;
+  const Scalar t161 = t88 + t153;
+  const Scalar t162 = (k[23] * (t161 + t87) + k[20] * t83) + k[44] * t95;
+  const Scalar t163 = (t0 * (t150 + t128) + t1 * t103) + (k[17] * t115 + k[16] * (t152 + t128));
+  const Scalar t164 = (k[16] * t125 - k[17] * t151) - (t117 * t0 + t1 * t111);
+  const Scalar t165 = t162 + (c5 * t163 - s5 * t164);
+  const Scalar t166 = (k[22] * t161 + k[19] * t83) - (k[25] * t102 - k[24] * t154);
+  const Scalar t167 = k[10] * t165 + (t142 + (t166 - k[23] * t123));
+  const Scalar t168 = torque[2] - (t149 + (c4 * t160 + s4 * t167));
+  const Scalar t169 = t48 * t145 + (t36 * t143 - (t8 * t146 - t168));
+  const Scalar t170 = t33 * t143;
+  const Scalar t171 = (c4 * t159 + s4 * t165) + k[27] * (t147 - t92);
+  const Scalar t172 = k[44] * t123 + (k[20] * t102 - k[23] * t154);
+  const Scalar t173 = k[27] * t73 - (t172 + (c5 * t164 + s5 * t163));
+  const Scalar t174 = c3 * t171 - s3 * t173;
+  const Scalar t175 = k[45] * t81 + (s4 * t159 - c4 * t165);
+  const Scalar t176 = s2 * (k[34] * t92 - t174) - c2 * (k[33] * t92 - t175);
+  const Scalar t177 = t170 * t63 - ((torque[0] - (k[46] + t176)) - t57 * t146);
+  const Scalar t178 = t54 * t169;
+  const Scalar t179 = s3 * (c4 * t34 - s4 * t27) - c3 * t39;
+  const Scalar t180 = (c4 * t7 - s4 * t5) - k[10] * t55;
+  const Scalar t181 = (s3 * t180 + c3 * t45) + k[35] * t56;
+  const Scalar t182 = (k[35] * t62 + t179) - t181 * t6;
+  const Scalar t183 = t182 * t33;
+  const Scalar t184 = k[18] * t181;
+  const Scalar t185 = c3 * (k[36] + t44) + s3 * (k[37] - (s4 * t29 - t28));
+  const Scalar t186 = t183 * t35 + (t184 * t8 - (k[35] * t67 - t185));
+  const Scalar t187 = s4 * t43 - c4 * t40;
+  const Scalar t188 = k[35] * t59 + (c3 * t51 - s3 * t187);
+  const Scalar t189 = (t188 + t181 * t46) - t182 * t49;
+  const Scalar t190 = t189 * t52;
+  const Scalar t191 = t186 - t48 * t190;
+  const Scalar t192 = (k[37] * t147 + k[36] * t73) + (k[49] * t81 - k[39] * t75);
+  const Scalar t193 = k[36] * t148 - (k[30] * t75 + k[48] * t81);
+  const Scalar t194 = (k[37] * t73 + t193) + (c4 * t167 - s4 * t160);
+  const Scalar t195 = c3 * (t137 + (t192 + k[27] * t93)) - s3 * t194;
+  const Scalar t196 = (k[47] * c2 + k[33] * t90) + (t195 - k[35] * t174);
+  const Scalar t197 = t170 * t182 - (t181 * t146 - (torque[1] + t196));
+  const Scalar t198 = k[32] - t58;
+  const Scalar t199 = s3 * (t21 + t32) - Scalar(2) * c3 * (k[39] - t187);
+  const Scalar t200 = (k[38] - (k[35] * (t198 - t58) - t50)) + (k[40] - (s3 * t199 - t32));
+  const Scalar t201 = ((t181 * t184 + t200) + t182 * t183) - t189 * t190;
+  const Scalar t202 = t54 * t191;
+  const Scalar t203 = Scalar(1) / (t201 - t202 * t191);
+  const Scalar t204 = (t178 * t191 - (t197 + t144 * t190)) * t203;
+  const Scalar t205 = c2 * (k[34] + (c3 * t66 - s3 * t12));
+  const Scalar t206 = t184 * t57 - (s2 * (k[33] - t198) + t205);
+  const Scalar t207 = t65 * t52;
+  const Scalar t208 = t202 * t69 + ((t206 - t64 * t182) - t189 * t207);
+  const Scalar t209 = (t70 * t169 + (t65 * t145 - t177)) + t204 * t208;
+  const Scalar t210 = k[18] * t57;
+  const Scalar t211 = ((k[31] + t210 * t57) + t64 * t63) - t65 * t207;
+  const Scalar t212 = t208 * t203;
+  const Scalar t213 = Scalar(1) / ((t70 * t69 - t211) + t212 * t208);
+  const Scalar t214 = t209 * t213;
+  const Scalar t215 = t212 * t214 - t204;
+  const Scalar t216 = (t70 * t214 - t178) + t215 * t202;
+  const Scalar t217 = t53 * t216 - (t215 * t190 + (t145 - t207 * t214));
+  const Scalar t218 = t216 * t36 + ((t170 - t64 * t214) - t215 * t183);
+  const Scalar t219 = t49 * t217 + t218;
+  const Scalar t220 = t216 * t9 - (t215 * t184 - (t210 * t214 - t146));
   JointVector<Scalar> result;
-  result[0] = -t218;
-  result[1] = -t219;
-  result[2] = -t220;
-  result[3] = t221;
-  result[4] = -t223;
-  result[5] = (t224 - t139 * t221) - t67 * t223;
+  result[0] = -t214;
+  result[1] = t215;
+  result[2] = -t216;
+  result[3] = -t217;
+  result[4] = -t219;
+  result[5] = -(t46 * t217 - t220) - t219 * t6;
   return result;
 }
 
@@ -1482,76 +1470,77 @@ KineticEnergyConstants<Scalar> kinetic_energy_constants(const BasicGeometry<Scal
   using std::sin;
   const Scalar t0 = inertia.c6y * inertia.m6;
   const Scalar t1 = inertia.c6x * inertia.m6;
-  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t1;
-  const Scalar t4 = inertia.c6z * inertia.m6;
-  const Scalar t5 = inertia.c6z * t4 - (inertia.I6zz - t2);
-  const Scalar t6 = inertia.c5x * inertia.m5;
+  const Scalar t2 = inertia.c5y * inertia.m5;
+  const Scalar t3 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t4 = (inertia.I6xx - t3) - inertia.c6x * t1;
+  const Scalar t5 = inertia.c6z * inertia.m6;
+  const Scalar t6 = inertia.c6z * t5 - (inertia.I6zz - t3);
   const Scalar t7 = inertia.I6xz - inertia.c6z * t1;
-  const Scalar t8 = inertia.c5y * inertia.m5;
-  const Scalar t9 = inertia.c5z * inertia.m5;
-  const Scalar t10 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t11 = ((inertia.I6yy - t2) - inertia.c6y * t0) - (inertia.c5y * t8 - (inertia.I5yy - t10));
+  const Scalar t8 = inertia.c5z * inertia.m5;
+  const Scalar t9 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t10 = ((inertia.I6yy - t3) - inertia.c6y * t0) - (inertia.c5y * t2 - (inertia.I5yy - t9));
+  const Scalar t11 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
   const Scalar t12 = inertia.c4y * inertia.m4;
-  const Scalar t13 = inertia.c4x * inertia.m4;
-  const Scalar t14 = inertia.c4z * inertia.m4;
-  const Scalar t15 = inertia.c3z * inertia.m3;
-  const Scalar t16 = inertia.c3y * inertia.m3;
-  const Scalar t17 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t18 = (inertia.c5x * t6 - (inertia.I5xx - t10)) - ((inertia.I4xx - t17) - inertia.c4x * t13);
-  const Scalar t19 = inertia.c3x * inertia.m3;
-  const Scalar t20 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t21 = t12 - g.d4 * t20;
-  const Scalar t22 = g.d4 * inertia.m3 - t16;
-  const Scalar t23 = inertia.c2x * inertia.m2;
-  const Scalar t24 = inertia.c2z * inertia.m2;
-  const Scalar t25 = g.l2 * inertia.m2 + t24;
-  const Scalar t26 = inertia.m3 + t20;
-  const Scalar t27 = t15 + g.l2 * t26;
-  const Scalar t28 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t29 = g.l2 * (t25 + t24) - ((inertia.I2zz - t28) - inertia.c2z * t24);
-  const Scalar t30 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t31 = ((inertia.I3zz - t30) - inertia.c3z * t15) - g.l2 * (t15 + t27);
-  const Scalar t32 = ((inertia.I4yy - t17) - inertia.c4y * t12) + g.d4 * (t12 + t21);
-  const Scalar t33 = ((inertia.I3yy - t30) - inertia.c3y * t16) - g.d4 * (t22 - t16);
+  const Scalar t13 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t14 = t12 - g.d4 * t13;
+  const Scalar t15 = ((inertia.I4yy - t11) - inertia.c4y * t12) + g.d4 * (t12 + t14);
+  const Scalar t16 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t17 = inertia.c3y * inertia.m3;
+  const Scalar t18 = g.d4 * inertia.m3 - t17;
+  const Scalar t19 = ((inertia.I3yy - t16) - inertia.c3y * t17) - g.d4 * (t18 - t17);
+  const Scalar t20 = inertia.c5x * inertia.m5;
+  const Scalar t21 = inertia.c4x * inertia.m4;
+  const Scalar t22 = (inertia.c5x * t20 - (inertia.I5xx - t9)) - ((inertia.I4xx - t11) - inertia.c4x * t21);
+  const Scalar t23 = inertia.c4z * inertia.m4;
+  const Scalar t24 = inertia.c3x * inertia.m3;
+  const Scalar t25 = inertia.c2z * inertia.m2;
+  const Scalar t26 = g.l2 * inertia.m2 + t25;
+  const Scalar t27 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t28 = g.l2 * (t26 + t25) - ((inertia.I2zz - t27) - inertia.c2z * t25);
+  const Scalar t29 = inertia.c3z * inertia.m3;
+  const Scalar t30 = inertia.m3 + t13;
+  const Scalar t31 = t29 + g.l2 * t30;
+  const Scalar t32 = ((inertia.I3zz - t16) - inertia.c3z * t29) - g.l2 * (t29 + t31);
+  const Scalar t33 = inertia.c2x * inertia.m2;
   return { inertia.I6yz - inertia.c6z * t0,
            inertia.I6xy - inertia.c6y * t1,
-           t3 - t5,
-           inertia.I5xy - inertia.c5y * t6,
-           t3 + t5,
+           inertia.I5yz - inertia.c5z * t2,
+           t4 + t6,
            Scalar(2) * t7,
-           t7,
-           inertia.I5xz - inertia.c5z * t6,
-           inertia.I5yz - inertia.c5z * t8,
-           t5,
-           inertia.c5z * t9 - (inertia.I5zz - t10),
-           t11,
-           inertia.I4yz - inertia.c4z * t12,
-           inertia.I4xy - inertia.c4y * t13,
-           t0 + t8,
-           t1,
            t4,
-           t9,
-           t14,
-           t13 + t6,
+           inertia.c5z * t8 - (inertia.I5zz - t9),
+           t10,
+           t5,
+           t1,
+           t8,
+           t0 + t2,
            g.d4,
-           g.d4 * t15 + (inertia.I3yz - inertia.c3z * t16),
-           (inertia.I4zz - t17) - inertia.c4z * t14,
-           t18,
-           inertia.I4xz - inertia.c4z * t13,
-           inertia.I3xz - inertia.c3z * t19,
-           t21 - t22,
-           t19,
-           g.l2,
-           Scalar(2) * g.d4,
+           t15 + t19,
+           t6,
+           t22,
+           (inertia.I4zz - t11) - inertia.c4z * t23,
+           t7,
+           inertia.I5xz - inertia.c5z * t20,
+           inertia.I5xy - inertia.c5y * t20,
+           inertia.I4xz - inertia.c4z * t21,
+           inertia.c3x * t24 - (inertia.I3xx - t16),
+           t21 + t20,
            t23,
-           t25 + t27,
-           t29 - t31,
-           (inertia.I3xy - inertia.c3y * t19) + g.d4 * t19,
-           t32 + t33,
-           inertia.c3x * t19 - (inertia.I3xx - t30),
-           inertia.c2x * t23 - (inertia.I2xx - t28),
-           inertia.m1 + (inertia.m2 + t26) };
+           Scalar(2) * g.l2,
+           t28 - t32,
+           inertia.I4yz - inertia.c4z * t12,
+           inertia.I4xy - inertia.c4y * t21,
+           (inertia.I3xy - inertia.c3y * t24) + g.d4 * t24,
+           inertia.c2x * t33 - (inertia.I2xx - t27),
+           inertia.m1 + (inertia.m2 + t30),
+           t4 - t6,
+           g.l2,
+           t14 - t18,
+           t24,
+           inertia.I3xz - inertia.c3z * t24,
+           g.d4 * t29 + (inertia.I3yz - inertia.c3z * t17),
+           t26 + t31,
+           t33 };
 }
 
 namespace detail {
@@ -1571,74 +1560,74 @@ inline Scalar kinetic_energy([[maybe_unused]] const JointVector<Scalar>& q, cons
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
   const Scalar t0 = k[0] * s6 - k[1] * c6;
-  const Scalar t1 = k[4] * c6 - k[5] * s6;
-  const Scalar t2 = k[9] - c6 * t1;
-  const Scalar t3 = k[10] - (k[2] + t2);
-  const Scalar t4 = k[11] - t3;
-  const Scalar t5 = k[16] * c6 + k[15] * s6;
-  const Scalar t6 = k[17] + t5;
-  const Scalar t7 = s5 * t6 + k[14] * c5;
-  const Scalar t8 = k[29] * t7;
-  const Scalar t9 = t4 + Scalar(0.5) * t8;
-  const Scalar t10 = k[7] + (k[6] + s6 * t1);
-  const Scalar t11 = k[3] - t0;
-  const Scalar t12 = c5 * t10 - s5 * t11;
-  const Scalar t13 = s5 * t10 + c5 * t11;
-  const Scalar t14 = k[13] + t13;
-  const Scalar t15 = k[0] * c6 + k[1] * s6;
-  const Scalar t16 = k[8] + t15;
-  const Scalar t17 = c5 * t16;
-  const Scalar t18 = (t17 + t17) - s5 * (k[11] + t3);
-  const Scalar t19 = k[12] - (t16 - c5 * t18);
-  const Scalar t20 = c5 * t6 - k[14] * s5;
-  const Scalar t21 = k[18] + t20;
-  const Scalar t22 = k[16] * s6 - k[15] * c6;
-  const Scalar t23 = k[19] - t22;
-  const Scalar t24 = c4 * t21 + s4 * t23;
-  const Scalar t25 = (s4 * t14 + c4 * t19) + k[20] * t24;
-  const Scalar t26 = qd[4] * (s4 * t9 - c4 * t12) - qd[3] * t25;
-  const Scalar t27 = c5 * t15 + k[2] * s5;
-  const Scalar t28 = c5 * t22;
-  const Scalar t29 = c4 * t5 - s4 * t28;
-  const Scalar t30 = (s4 * t0 - c4 * t27) - k[20] * t29;
-  const Scalar t31 = c3 * s4 * t7 - s3 * t20;
-  const Scalar t32 = qd[4] * (s2 * t31 + c2 * c4 * t7);
-  const Scalar t33 = c4 * t23 - s4 * t21;
-  const Scalar t34 = k[27] + t33;
-  const Scalar t35 = k[26] + t7;
-  const Scalar t36 = c2 * (k[30] + (c3 * t34 - s3 * t35));
-  const Scalar t37 = c3 * t35 + s3 * t34;
-  const Scalar t38 = qd[1] * (s2 * (k[31] + t24) + t36) - qd[2] * s2 * t37;
-  const Scalar t39 = qd[3] * (s2 * c3 * t24 + c2 * t33);
-  const Scalar t40 = s3 * s5 * t22 - c3 * t29;
-  const Scalar t41 = s4 * t5 + c4 * t28;
-  const Scalar t42 = (t32 + (t38 - t39)) + qd[5] * (s2 * t40 + c2 * t41);
-  const Scalar t43 = c3 * t13 - s3 * (s4 * t12 + c4 * t9);
-  const Scalar t44 = k[28] * t24;
-  const Scalar t45 = s5 * t18 + t3;
-  const Scalar t46 = k[22] - t45;
-  const Scalar t47 = k[23] + t2;
-  const Scalar t48 = t46 - t47;
-  const Scalar t49 = (c4 * t14 - s4 * t19) + k[20] * t33;
-  const Scalar t50 = qd[3] * (c3 * (t44 - t48) + s3 * t49);
-  const Scalar t51 = k[24] + t12;
-  const Scalar t52 = Scalar(2) * s4 * t51 + c4 * (t46 + t47);
-  const Scalar t53 = s3 * (k[25] - (s4 * t52 - t51)) + c3 * (k[21] + t25);
-  const Scalar t54 = qd[4] * (k[28] * t31 - t43) - (t50 - qd[2] * (t53 - k[28] * t37));
-  const Scalar t55 = k[2] * c5 - s5 * t15;
-  const Scalar t56 = (s4 * t27 + c4 * t0) + k[20] * t41;
-  const Scalar t57 = k[28] * t40 + (c3 * t55 + s3 * t56);
-  const Scalar t58 = qd[0] * t42 - qd[1] * (t54 + qd[5] * t57);
-  const Scalar t59 = (qd[2] * (t26 + qd[5] * t30) - t58) + qd[3] * (qd[4] * t13 - qd[5] * t55);
-  const Scalar t60 = c4 * t52 - t46;
-  const Scalar t61 = k[35] + t60;
-  const Scalar t62 = k[34] + (t8 + (t45 + t4));
-  const Scalar t63 = Scalar(2) * c3 * (k[33] + t49) - s3 * (t61 + t62);
-  const Scalar t64 = (k[32] + ((t44 + t44) - (t48 + t60))) + (k[36] + (t61 + s3 * t63));
-  const Scalar t65 = qd[1] * qd[1] * t64 + qd[0] * k[37] * qd[0];
-  const Scalar t66 = (qd[2] * qd[2] * (t61 - t62) + t65) - qd[3] * qd[3] * t48;
-  const Scalar t67 = (qd[4] * qd[4] * t4 - t66) + qd[5] * k[2] * qd[5];
-  const Scalar t68 = (qd[4] * qd[5] * t0 - t59) + Scalar(0.5) * t67;
+  const Scalar t1 = k[0] * c6 + k[1] * s6;
+  const Scalar t2 = k[2] + t1;
+  const Scalar t3 = k[3] * c6 - k[4] * s6;
+  const Scalar t4 = c6 * t3;
+  const Scalar t5 = k[6] - (k[5] - t4);
+  const Scalar t6 = Scalar(2) * c5 * t2 - s5 * (k[7] + t5);
+  const Scalar t7 = k[8] * c6 + k[9] * s6;
+  const Scalar t8 = k[10] + t7;
+  const Scalar t9 = c5 * t8 - k[11] * s5;
+  const Scalar t10 = k[23] + t9;
+  const Scalar t11 = (k[26] - (t2 - c5 * t6)) + k[12] * t10;
+  const Scalar t12 = k[9] * c6 - k[8] * s6;
+  const Scalar t13 = k[22] + t12;
+  const Scalar t14 = k[18] + (k[17] + s6 * t3);
+  const Scalar t15 = k[19] - t0;
+  const Scalar t16 = s5 * t14 + c5 * t15;
+  const Scalar t17 = k[12] * t13 + (k[27] + t16);
+  const Scalar t18 = s4 * t11 - c4 * t17;
+  const Scalar t19 = k[15] + (k[14] - t4);
+  const Scalar t20 = t5 + s5 * t6;
+  const Scalar t21 = k[16] - t20;
+  const Scalar t22 = c5 * t14 - s5 * t15;
+  const Scalar t23 = k[20] + t22;
+  const Scalar t24 = s4 * t23;
+  const Scalar t25 = c4 * (t19 + t21) + (t24 + t24);
+  const Scalar t26 = c4 * t25;
+  const Scalar t27 = t19 - t26;
+  const Scalar t28 = t26 - t21;
+  const Scalar t29 = t27 + t28;
+  const Scalar t30 = c4 * t10 + s4 * t13;
+  const Scalar t31 = s3 * t18 - c3 * (t29 + k[32] * t30);
+  const Scalar t32 = s5 * t8 + k[11] * c5;
+  const Scalar t33 = k[33] + t32;
+  const Scalar t34 = s4 * t10 - c4 * t13;
+  const Scalar t35 = k[34] - t34;
+  const Scalar t36 = c3 * t33 + s3 * t35;
+  const Scalar t37 = c4 * t11 + s4 * t17;
+  const Scalar t38 = c3 * (k[36] + t37) + s3 * (k[35] - (s4 * t25 - t23));
+  const Scalar t39 = qd[3] * t31 - qd[2] * (k[32] * t36 - t38);
+  const Scalar t40 = k[7] - t5;
+  const Scalar t41 = k[12] * t32;
+  const Scalar t42 = t40 + t41;
+  const Scalar t43 = s3 * (s4 * t22 + c4 * t42) - c3 * t16;
+  const Scalar t44 = s3 * t9 - c3 * s4 * t32;
+  const Scalar t45 = c5 * t12;
+  const Scalar t46 = c3 * (c4 * t7 + s4 * t45) + s3 * s5 * t12;
+  const Scalar t47 = s5 * t1 - k[31] * c5;
+  const Scalar t48 = t0 - k[12] * t45;
+  const Scalar t49 = (k[31] * s5 + c5 * t1) + k[12] * t7;
+  const Scalar t50 = c3 * t47 - s3 * (c4 * t48 + s4 * t49);
+  const Scalar t51 = (t39 + qd[4] * (t43 - k[32] * t44)) - qd[5] * (k[32] * t46 + t50);
+  const Scalar t52 = c2 * (k[38] + (c3 * t35 - s3 * t33));
+  const Scalar t53 = qd[1] * (t52 + s2 * (k[37] + t30)) - qd[2] * s2 * t36;
+  const Scalar t54 = qd[3] * (c2 * t34 - s2 * c3 * t30);
+  const Scalar t55 = qd[4] * (c2 * c4 * t32 - s2 * t44);
+  const Scalar t56 = c2 * (s4 * t7 - c4 * t45) - s2 * t46;
+  const Scalar t57 = qd[0] * (((t53 + t54) + t55) + qd[5] * t56);
+  const Scalar t58 = qd[4] * (s4 * t42 - c4 * t22) - qd[3] * t37;
+  const Scalar t59 = qd[5] * (c4 * t49 - s4 * t48) - t58;
+  const Scalar t60 = ((qd[1] * t51 - t57) - qd[2] * t59) + qd[3] * (qd[5] * t47 + qd[4] * t16);
+  const Scalar t61 = k[21] + t28;
+  const Scalar t62 = k[13] + ((t20 + t40) + Scalar(2) * t41);
+  const Scalar t63 = s3 * (t61 + t62) - Scalar(2) * c3 * (k[28] - t18);
+  const Scalar t64 = (k[29] - (s3 * t63 - t61)) + (k[25] + (k[24] * t30 + t27));
+  const Scalar t65 = qd[1] * qd[1] * t64 + qd[0] * k[30] * qd[0];
+  const Scalar t66 = qd[3] * qd[3] * t29 + (t65 + qd[2] * qd[2] * (t61 - t62));
+  const Scalar t67 = qd[5] * k[31] * qd[5] + (qd[4] * qd[4] * t40 - t66);
+  const Scalar t68 = (qd[4] * qd[5] * t0 - t60) + Scalar(0.5) * t67;
   Scalar result;
   result = -t68;
   return result;

@@ -28,75 +28,75 @@ InverseDynamicsWithGravityVectorConstants<Scalar> inverse_dynamics_with_gravity_
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c4z * inertia.m4;
-  const Scalar t1 = inertia.c4x * inertia.m4;
-  const Scalar t2 = inertia.c5x * inertia.m5;
+  const Scalar t0 = inertia.c4x * inertia.m4;
+  const Scalar t1 = inertia.c5x * inertia.m5;
+  const Scalar t2 = inertia.c4z * inertia.m4;
   const Scalar t3 = inertia.c6z * inertia.m6;
   const Scalar t4 = inertia.c6x * inertia.m6;
-  const Scalar t5 = inertia.c6y * inertia.m6;
-  const Scalar t6 = inertia.c5y * inertia.m5;
-  const Scalar t7 = inertia.c5z * inertia.m5;
+  const Scalar t5 = inertia.c5z * inertia.m5;
+  const Scalar t6 = inertia.c6y * inertia.m6;
+  const Scalar t7 = inertia.c5y * inertia.m5;
   const Scalar t8 = inertia.m4 + (inertia.m5 + inertia.m6);
   const Scalar t9 = inertia.m3 + t8;
-  const Scalar t10 = g.l2 * t9;
-  const Scalar t11 = inertia.c2x * inertia.m2;
-  const Scalar t12 = g.l2 * inertia.m2 + t11;
-  const Scalar t13 = inertia.c2y * inertia.m2;
-  const Scalar t14 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t15 = (inertia.c2x * t11 - (inertia.I2xx - t14)) + g.l2 * (t11 + t12);
-  const Scalar t16 = ((inertia.I2yy - t14) - inertia.c2y * t13) - (t15 + g.l2 * t10);
-  const Scalar t17 = inertia.c4y * inertia.m4;
-  const Scalar t18 = t17 - g.d4 * t8;
-  const Scalar t19 = inertia.c3y * inertia.m3;
-  const Scalar t20 = g.d4 * inertia.m3 - t19;
-  const Scalar t21 = inertia.c3x * inertia.m3;
-  const Scalar t22 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t23 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t24 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t25 = ((inertia.I6yy - t24) - inertia.c6y * t5) - (inertia.c5y * t6 - (inertia.I5yy - t23));
-  const Scalar t26 = (inertia.I6xx - t24) - inertia.c6x * t4;
-  const Scalar t27 = inertia.c6z * t3 - (inertia.I6zz - t24);
-  const Scalar t28 = inertia.I6xz - inertia.c6z * t4;
-  const Scalar t29 = (inertia.c5x * t2 - (inertia.I5xx - t23)) - ((inertia.I4xx - t22) - inertia.c4x * t1);
-  const Scalar t30 = ((inertia.I4yy - t22) - inertia.c4y * t17) + g.d4 * (t17 + t18);
-  const Scalar t31 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t32 = ((inertia.I3yy - t31) - inertia.c3y * t19) - g.d4 * (t20 - t19);
-  const Scalar t33 = (t30 + t32) - (inertia.c3x * t21 - (inertia.I3xx - t31));
-  return { g.l2 * t0,
-           g.l2 * (t1 + t2),
-           g.l2 * t3,
-           g.l2 * t4,
-           g.l2 * (t5 + t6),
-           g.l2 * t7,
-           Scalar(1) / g.l2,
-           gravity[2] / g.l2,
-           g.l2 * g.l2 * (inertia.m1 + (inertia.m2 + t9)),
-           gravity[0] / g.l2,
-           gravity[1] / g.l2,
-           g.l2 * (t10 + t12),
-           g.l2 * t13,
+  const Scalar t10 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t11 = inertia.c2y * inertia.m2;
+  const Scalar t12 = inertia.c2x * inertia.m2;
+  const Scalar t13 = g.l2 * inertia.m2 + t12;
+  const Scalar t14 = (inertia.c2x * t12 - (inertia.I2xx - t10)) + g.l2 * (t12 + t13);
+  const Scalar t15 = g.l2 * t9;
+  const Scalar t16 = ((inertia.I2yy - t10) - inertia.c2y * t11) - (t14 + g.l2 * t15);
+  const Scalar t17 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t18 = inertia.c4y * inertia.m4;
+  const Scalar t19 = t18 - g.d4 * t8;
+  const Scalar t20 = ((inertia.I4yy - t17) - inertia.c4y * t18) + g.d4 * (t18 + t19);
+  const Scalar t21 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t22 = inertia.c3y * inertia.m3;
+  const Scalar t23 = g.d4 * inertia.m3 - t22;
+  const Scalar t24 = ((inertia.I3yy - t21) - inertia.c3y * t22) - g.d4 * (t23 - t22);
+  const Scalar t25 = inertia.c3x * inertia.m3;
+  const Scalar t26 = (t20 + t24) - (inertia.c3x * t25 - (inertia.I3xx - t21));
+  const Scalar t27 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t28 = (inertia.I6xx - t27) - inertia.c6x * t4;
+  const Scalar t29 = inertia.c6z * t3 - (inertia.I6zz - t27);
+  const Scalar t30 = inertia.I6xz - inertia.c6z * t4;
+  const Scalar t31 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t32 = ((inertia.I6yy - t27) - inertia.c6y * t6) - (inertia.c5y * t7 - (inertia.I5yy - t31));
+  const Scalar t33 = (inertia.c5x * t1 - (inertia.I5xx - t31)) - ((inertia.I4xx - t17) - inertia.c4x * t0);
+  return { g.d4 * (t0 + t1),
+           g.d4 * t2,
+           g.d4 * t3,
+           g.d4 * t4,
+           g.d4 * t5,
+           g.d4 * (t6 + t7),
+           Scalar(1) / g.d4,
+           gravity[2] / g.d4,
+           g.d4 * g.d4 * (inertia.m1 + (inertia.m2 + t9)),
            t16,
-           g.l2 * (t18 - t20),
-           g.l2 * t21,
-           g.d4 / g.l2,
-           inertia.I4xy - inertia.c4y * t1,
-           inertia.I4yz - inertia.c4z * t17,
-           inertia.I4xz - inertia.c4z * t1,
-           (inertia.I4zz - t22) - inertia.c4z * t0,
-           inertia.I5xy - inertia.c5y * t2,
-           inertia.I5xz - inertia.c5z * t2,
-           inertia.I5yz - inertia.c5z * t6,
-           inertia.c5z * t7 - (inertia.I5zz - t23),
-           t25,
-           t26 + t27,
-           Scalar(2) * t28,
-           t28,
+           gravity[0] / g.d4,
+           gravity[1] / g.d4,
+           g.d4 * (t15 + t13),
+           g.d4 * t11,
            t26,
+           g.l2 / g.d4,
+           g.d4 * (t19 - t23),
+           g.d4 * t25,
+           inertia.I4xz - inertia.c4z * t0,
+           (inertia.I4zz - t17) - inertia.c4z * t2,
+           inertia.I4yz - inertia.c4z * t18,
+           inertia.I4xy - inertia.c4y * t0,
+           inertia.I6yz - inertia.c6z * t6,
            inertia.I6xy - inertia.c6y * t4,
-           inertia.I6yz - inertia.c6z * t5,
-           t27,
-           t29,
-           t33 };
+           t28 + t29,
+           Scalar(2) * t30,
+           t28,
+           t30,
+           inertia.I5xz - inertia.c5z * t1,
+           inertia.I5xy - inertia.c5y * t1,
+           inertia.I5yz - inertia.c5z * t7,
+           t32,
+           inertia.c5z * t5 - (inertia.I5zz - t31),
+           t33,
+           t29 };
 }
 
 namespace detail {
@@ -115,114 +115,113 @@ inline JointVector<Scalar> inverse_dynamics_with_gravity_vector([[maybe_unused]]
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[2] * c6 + k[3] * s6;
-  const Scalar t1 = qd[1] + qd[2];
-  const Scalar t2 = s4 * t1;
-  const Scalar t3 = qd[4] + t2;
-  const Scalar t4 = c4 * t1;
-  const Scalar t5 = qd[3] * s5 + c5 * t4;
-  const Scalar t6 = t3 * t5;
-  const Scalar t7 = qdd[1] + qdd[2];
-  const Scalar t8 = c4 * t7;
-  const Scalar t9 = qd[3] * t2;
-  const Scalar t10 = (t8 - t9) - t9;
-  const Scalar t11 = t2 * t4;
-  const Scalar t12 = qdd[3] + t11;
-  const Scalar t13 = s5 * t10 - c5 * t12;
-  const Scalar t14 = (t6 + t6) + t13;
-  const Scalar t15 = qdd[5] - t14;
-  const Scalar t16 = s5 * t4 - qd[3] * c5;
-  const Scalar t17 = qd[5] - t16;
-  const Scalar t18 = t17 * t17;
-  const Scalar t19 = t18 + t5 * t5;
-  const Scalar t20 = k[2] * s6 - k[3] * c6;
-  const Scalar t21 = t3 * t16;
-  const Scalar t22 = s5 * t12 + c5 * t10;
-  const Scalar t23 = (t21 + t21) - t22;
-  const Scalar t24 = (t0 * t15 - t19 * t20) - (k[5] * t14 + k[4] * t23);
-  const Scalar t25 = qd[3] * qd[3];
-  const Scalar t26 = t2 * t2;
-  const Scalar t27 = t25 - t26;
-  const Scalar t28 = t1 * t1;
-  const Scalar t29 = t27 + t28;
-  const Scalar t30 = qdd[3] - t11;
-  const Scalar t31 = t24 + (k[1] * t29 + k[0] * t30);
-  const Scalar t32 = t25 + t26;
-  const Scalar t33 = t3 * t3;
-  const Scalar t34 = t33 + t18;
-  const Scalar t35 = t19 - t34;
-  const Scalar t36 = t33 - t18;
-  const Scalar t37 = t35 + t36;
-  const Scalar t38 = t37 + t34;
-  const Scalar t39 = qd[3] * t4;
-  const Scalar t40 = s4 * t7;
-  const Scalar t41 = t39 + t40;
-  const Scalar t42 = qdd[4] + t41;
-  const Scalar t43 = t16 * t5;
-  const Scalar t44 = t42 - t43;
-  const Scalar t45 = t42 + t43;
-  const Scalar t46 = t17 * t5;
-  const Scalar t47 = t45 + (t46 + t46);
-  const Scalar t48 = t3 * t17;
-  const Scalar t49 = (t23 + t48) + t48;
-  const Scalar t50 = (k[4] * t38 + k[5] * t44) + (t0 * t47 - t49 * t20);
-  const Scalar t51 = qdd[5] - t13;
-  const Scalar t52 = (k[5] * (t35 - t29) + k[4] * t45) - (t51 * t20 + t0 * t34);
-  const Scalar t53 = (k[1] * t12 - k[0] * t32) - (s5 * t50 - c5 * t52);
+  const Scalar t0 = qd[1] + qd[2];
+  const Scalar t1 = s4 * t0;
+  const Scalar t2 = qd[4] + t1;
+  const Scalar t3 = t2 * t2;
+  const Scalar t4 = c4 * t0;
+  const Scalar t5 = s5 * t4 - qd[3] * c5;
+  const Scalar t6 = t3 - t5 * t5;
+  const Scalar t7 = t4 * t4;
+  const Scalar t8 = qd[3] * qd[3];
+  const Scalar t9 = t7 + t8;
+  const Scalar t10 = t6 + t9;
+  const Scalar t11 = qd[5] - t5;
+  const Scalar t12 = t11 * t11;
+  const Scalar t13 = t3 - t12;
+  const Scalar t14 = t3 + t12;
+  const Scalar t15 = t10 - t14;
+  const Scalar t16 = t13 - t15;
+  const Scalar t17 = t6 - t16;
+  const Scalar t18 = qd[3] * t4;
+  const Scalar t19 = qdd[1] + qdd[2];
+  const Scalar t20 = s4 * t19;
+  const Scalar t21 = t18 + t20;
+  const Scalar t22 = qdd[4] + t21;
+  const Scalar t23 = qd[3] * s5 + c5 * t4;
+  const Scalar t24 = t5 * t23;
+  const Scalar t25 = t22 + t24;
+  const Scalar t26 = c4 * t19;
+  const Scalar t27 = t26 - Scalar(2) * qd[3] * t1;
+  const Scalar t28 = t1 * t4;
+  const Scalar t29 = qdd[3] + t28;
+  const Scalar t30 = s5 * t27 - c5 * t29;
+  const Scalar t31 = qdd[5] - t30;
+  const Scalar t32 = k[2] * s6 - k[3] * c6;
+  const Scalar t33 = k[2] * c6 + k[3] * s6;
+  const Scalar t34 = (k[4] * (t10 - t17) - k[5] * t25) + (t31 * t32 + t33 * t14);
+  const Scalar t35 = t22 - t24;
+  const Scalar t36 = s5 * t29 + c5 * t27;
+  const Scalar t37 = t2 * t5;
+  const Scalar t38 = (t36 - t37) - t37;
+  const Scalar t39 = t2 * t11;
+  const Scalar t40 = t38 - (t39 + t39);
+  const Scalar t41 = t11 * t23;
+  const Scalar t42 = t25 + (t41 + t41);
+  const Scalar t43 = (k[4] * t35 + k[5] * t10) + (t40 * t32 + t33 * t42);
+  const Scalar t44 = t7 - t8;
+  const Scalar t45 = t0 * t0;
+  const Scalar t46 = t44 - t45;
+  const Scalar t47 = (c5 * t34 + s5 * t43) - (k[0] * t29 + k[1] * t46);
+  const Scalar t48 = qdd[3] - t28;
+  const Scalar t49 = t2 * t23;
+  const Scalar t50 = (t49 + t49) + t30;
+  const Scalar t51 = qdd[5] - t50;
+  const Scalar t52 = (t51 * t33 - (t10 - t13) * t32) + (k[5] * t38 - k[4] * t50);
+  const Scalar t53 = (k[0] * t9 + k[1] * t48) + t52;
   const Scalar t54 = k[7] - k[6] * qdd[0];
-  const Scalar t55 = (s4 * t31 - c4 * t53) + k[8] * t54;
-  const Scalar t56 = k[10] * c2 - k[9] * s2;
-  const Scalar t57 = k[9] * c2 + k[10] * s2;
-  const Scalar t58 = (k[11] * t56 - k[12] * t57) + k[13] * qdd[1];
-  const Scalar t59 = qd[1] * qd[1] + t57;
-  const Scalar t60 = qdd[1] - t56;
-  const Scalar t61 = c3 * t59 - s3 * t60;
-  const Scalar t62 = s3 * t59 + c3 * t60;
-  const Scalar t63 = (k[14] * t61 + k[15] * t62) - k[34] * t7;
-  const Scalar t64 = c4 * t31 + s4 * t53;
-  const Scalar t65 = t39 + t41;
-  const Scalar t66 = (k[33] * t10 + k[19] * t65) - k[17] * t27;
-  const Scalar t67 = k[16] * t28 + t62;
-  const Scalar t68 = (k[24] * t14 - k[23] * t23) + (k[21] * t45 + k[22] * t35);
-  const Scalar t69 = t61 - k[16] * t7;
-  const Scalar t70 = s4 * t54 + c4 * t69;
-  const Scalar t71 = k[26] * c6 - k[27] * s6;
-  const Scalar t72 = c6 * t71;
-  const Scalar t73 = k[29] - t72;
-  const Scalar t74 = k[32] - t72;
-  const Scalar t75 = k[28] + s6 * t71;
-  const Scalar t76 = (t15 * t73 - t51 * t74) + t75 * t35;
-  const Scalar t77 = k[30] * s6 + k[31] * c6;
-  const Scalar t78 = k[31] * s6 - k[30] * c6;
-  const Scalar t79 = c4 * t54 - s4 * t69;
-  const Scalar t80 = c5 * t79 + s5 * t67;
-  const Scalar t81 = (t76 - (t23 * t77 + t45 * t78)) - (t80 * t20 + t0 * t70);
-  const Scalar t82 = (t68 - k[5] * t70) + t81;
-  const Scalar t83 = t38 - t29;
-  const Scalar t84 = k[21] * t83 + (k[25] * t23 + k[23] * t14);
-  const Scalar t85 = s5 * t79 - c5 * t67;
-  const Scalar t86 = t36 * t78 + (t49 * t74 - t75 * t47);
-  const Scalar t87 = (k[4] * t70 + (t84 + k[22] * t44)) + (t85 * t20 - (t15 * t77 + t86));
-  const Scalar t88 = ((t66 - k[18] * t30) + k[1] * t67) + (s5 * t82 + c5 * t87);
-  const Scalar t89 = (k[20] * t65 - k[19] * t10) - (k[18] * (t32 - t28) - k[17] * t12);
-  const Scalar t90 = k[23] * (t35 + t83) + (k[25] * t45 - k[24] * t44);
-  const Scalar t91 = (t90 - (k[21] * t13 + k[22] * t22)) - (k[5] * t85 - k[4] * t80);
-  const Scalar t92 = (t37 * t77 - t51 * t78) + (t49 * t75 + t47 * t73);
-  const Scalar t93 = t91 + (t92 - t0 * t85);
-  const Scalar t94 = c4 * t88 - s4 * ((k[0] * t67 + t89) + t93);
-  const Scalar t95 = t63 - (k[16] * t64 - t94);
-  const Scalar t96 = (k[1] * t10 - k[0] * t65) - (c5 * t50 + s5 * t52);
-  const Scalar t97 = c3 * (t96 + (k[15] * t7 - k[14] * t28));
-  const Scalar t98 = s3 * (t64 + (k[14] * t7 + k[15] * t28));
-  const Scalar t99 = (k[20] * t30 - k[33] * t12) - k[19] * (t32 - t29);
-  const Scalar t100 = ((k[18] * t8 + k[17] * t40) + t99) - (k[0] * t70 - k[1] * t79);
+  const Scalar t55 = (c4 * t47 + s4 * t53) + k[8] * t54;
+  const Scalar t56 = k[11] * s2 + k[10] * c2;
+  const Scalar t57 = k[11] * c2 - k[10] * s2;
+  const Scalar t58 = k[9] * qdd[1] - (k[13] * t56 - k[12] * t57);
+  const Scalar t59 = t56 + k[15] * qd[1] * qd[1];
+  const Scalar t60 = k[15] * qdd[1] - t57;
+  const Scalar t61 = s3 * t59 + c3 * t60;
+  const Scalar t62 = s3 * t60 - c3 * t59;
+  const Scalar t63 = (k[17] * t61 - k[16] * t62) - k[14] * t19;
+  const Scalar t64 = c4 * t53 - s4 * t47;
+  const Scalar t65 = t61 + t45;
+  const Scalar t66 = t62 + t19;
+  const Scalar t67 = c4 * t54 + s4 * t66;
+  const Scalar t68 = c5 * t65 - s5 * t67;
+  const Scalar t69 = c5 * t67 + s5 * t65;
+  const Scalar t70 = k[30] * t17 - (k[32] * t35 - k[31] * t25);
+  const Scalar t71 = (k[4] * t68 + k[5] * t69) - ((k[29] * t30 + k[28] * t36) - t70);
+  const Scalar t72 = k[25] * s6 - k[24] * c6;
+  const Scalar t73 = k[27] - s6 * t72;
+  const Scalar t74 = c6 * t72;
+  const Scalar t75 = k[26] + t74;
+  const Scalar t76 = k[23] * c6 - k[22] * s6;
+  const Scalar t77 = k[22] * c6 + k[23] * s6;
+  const Scalar t78 = (t73 * t40 - t75 * t42) - (t31 * t76 + t77 * t15);
+  const Scalar t79 = t71 + (t33 * t68 - t78);
+  const Scalar t80 = t18 + t21;
+  const Scalar t81 = (k[21] * t29 + k[20] * t44) - (k[18] * t27 - k[19] * t80);
+  const Scalar t82 = s4 * t54 - c4 * t66;
+  const Scalar t83 = (k[30] * t50 - k[31] * t38) + k[29] * t6;
+  const Scalar t84 = k[34] + t74;
+  const Scalar t85 = t13 * t76 + (t84 * t40 + t73 * t42);
+  const Scalar t86 = (k[5] * t82 + (k[28] * t35 + t83)) - ((t51 * t77 - t85) + t68 * t32);
+  const Scalar t87 = (t31 * t84 - t51 * t75) + t73 * t16;
+  const Scalar t88 = ((t38 * t77 + t25 * t76) - t87) - (t33 * t82 + t69 * t32);
+  const Scalar t89 = (k[29] * t25 - k[28] * t16) + (k[30] * t38 + k[32] * t50);
+  const Scalar t90 = t88 + (t89 - k[4] * t82);
+  const Scalar t91 = k[21] * (t9 - t45) - (k[33] * t27 + k[18] * t80);
+  const Scalar t92 = (c5 * t86 + s5 * t90) + (k[0] * t65 - (k[20] * t48 + t91));
+  const Scalar t93 = s4 * (t79 + (k[1] * t65 + t81)) - c4 * t92;
+  const Scalar t94 = t63 - (t64 + t93);
+  const Scalar t95 = s3 * (t64 + (k[17] * t45 + k[16] * t19));
+  const Scalar t96 = (k[1] * t80 - k[0] * t27) + (c5 * t43 - s5 * t34);
+  const Scalar t97 = c3 * (t96 - (k[17] * t19 - k[16] * t45));
+  const Scalar t98 = k[18] * (t46 + t9) + (k[19] * t48 - k[33] * t29);
+  const Scalar t99 = (k[1] * t82 - k[0] * t67) - ((k[20] * t26 + k[21] * t20) + t98);
   JointVector<Scalar> result;
   result[0] = -k[6] * t55;
-  result[1] = (t95 + (t97 - t98)) - t58;
-  result[2] = t95;
-  result[3] = -(c5 * t82 - s5 * t87) - t100;
-  result[4] = -t93;
-  result[5] = -t81;
+  result[1] = (t94 - k[15] * (t95 + t97)) - t58;
+  result[2] = t94;
+  result[3] = t99 - (c5 * t90 - s5 * t86);
+  result[4] = -t79;
+  result[5] = -t88;
   return result;
 }
 
@@ -251,78 +250,78 @@ InverseDynamicsWithWrenchConstants<Scalar> inverse_dynamics_with_wrench_constant
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = Scalar(1) / g.l2;
+  const Scalar t0 = Scalar(1) / g.d4;
   const Scalar t1 = inertia.m4 + (inertia.m5 + inertia.m6);
   const Scalar t2 = inertia.m3 + t1;
-  const Scalar t3 = g.l2 * g.l2 * (inertia.m1 + (inertia.m2 + t2)) * t0;
-  const Scalar t4 = inertia.c6y * inertia.m6;
-  const Scalar t5 = inertia.c5y * inertia.m5;
-  const Scalar t6 = inertia.c5z * inertia.m5;
-  const Scalar t7 = inertia.c6x * inertia.m6;
-  const Scalar t8 = inertia.c6z * inertia.m6;
-  const Scalar t9 = inertia.c4x * inertia.m4;
-  const Scalar t10 = inertia.c5x * inertia.m5;
-  const Scalar t11 = inertia.c4z * inertia.m4;
-  const Scalar t12 = inertia.c4y * inertia.m4;
-  const Scalar t13 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t14 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t15 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t16 = ((inertia.I6yy - t15) - inertia.c6y * t4) - (inertia.c5y * t5 - (inertia.I5yy - t14));
-  const Scalar t17 = (inertia.I6xx - t15) - inertia.c6x * t7;
-  const Scalar t18 = inertia.c6z * t8 - (inertia.I6zz - t15);
-  const Scalar t19 = inertia.I6xz - inertia.c6z * t7;
-  const Scalar t20 = (inertia.c5x * t10 - (inertia.I5xx - t14)) - ((inertia.I4xx - t13) - inertia.c4x * t9);
-  const Scalar t21 = inertia.c3x * inertia.m3;
-  const Scalar t22 = t12 - g.d4 * t1;
-  const Scalar t23 = inertia.c3y * inertia.m3;
-  const Scalar t24 = g.d4 * inertia.m3 - t23;
-  const Scalar t25 = ((inertia.I4yy - t13) - inertia.c4y * t12) + g.d4 * (t12 + t22);
-  const Scalar t26 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t27 = ((inertia.I3yy - t26) - inertia.c3y * t23) - g.d4 * (t24 - t23);
-  const Scalar t28 = (t25 + t27) - (inertia.c3x * t21 - (inertia.I3xx - t26));
-  const Scalar t29 = g.l2 * t2;
-  const Scalar t30 = inertia.c2x * inertia.m2;
-  const Scalar t31 = g.l2 * inertia.m2 + t30;
-  const Scalar t32 = inertia.c2y * inertia.m2;
-  const Scalar t33 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t34 = (inertia.c2x * t30 - (inertia.I2xx - t33)) + g.l2 * (t30 + t31);
-  const Scalar t35 = ((inertia.I2yy - t33) - inertia.c2y * t32) - (t34 + g.l2 * t29);
+  const Scalar t3 = g.d4 * g.d4 * (inertia.m1 + (inertia.m2 + t2)) * t0;
+  const Scalar t4 = inertia.c4x * inertia.m4;
+  const Scalar t5 = inertia.c5x * inertia.m5;
+  const Scalar t6 = inertia.c4z * inertia.m4;
+  const Scalar t7 = inertia.c6y * inertia.m6;
+  const Scalar t8 = inertia.c5y * inertia.m5;
+  const Scalar t9 = inertia.c5z * inertia.m5;
+  const Scalar t10 = inertia.c6z * inertia.m6;
+  const Scalar t11 = inertia.c6x * inertia.m6;
+  const Scalar t12 = inertia.c3x * inertia.m3;
+  const Scalar t13 = inertia.c4y * inertia.m4;
+  const Scalar t14 = t13 - g.d4 * t1;
+  const Scalar t15 = inertia.c3y * inertia.m3;
+  const Scalar t16 = g.d4 * inertia.m3 - t15;
+  const Scalar t17 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t18 = ((inertia.I4yy - t17) - inertia.c4y * t13) + g.d4 * (t13 + t14);
+  const Scalar t19 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t20 = ((inertia.I3yy - t19) - inertia.c3y * t15) - g.d4 * (t16 - t15);
+  const Scalar t21 = (t18 + t20) - (inertia.c3x * t12 - (inertia.I3xx - t19));
+  const Scalar t22 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t23 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t24 = ((inertia.I6yy - t22) - inertia.c6y * t7) - (inertia.c5y * t8 - (inertia.I5yy - t23));
+  const Scalar t25 = (inertia.I6xx - t22) - inertia.c6x * t11;
+  const Scalar t26 = inertia.c6z * t10 - (inertia.I6zz - t22);
+  const Scalar t27 = inertia.I6xz - inertia.c6z * t11;
+  const Scalar t28 = (inertia.c5x * t5 - (inertia.I5xx - t23)) - ((inertia.I4xx - t17) - inertia.c4x * t4);
+  const Scalar t29 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t30 = inertia.c2y * inertia.m2;
+  const Scalar t31 = inertia.c2x * inertia.m2;
+  const Scalar t32 = g.l2 * inertia.m2 + t31;
+  const Scalar t33 = (inertia.c2x * t31 - (inertia.I2xx - t29)) + g.l2 * (t31 + t32);
+  const Scalar t34 = g.l2 * t2;
+  const Scalar t35 = ((inertia.I2yy - t29) - inertia.c2y * t30) - (t33 + g.l2 * t34);
   return { t0,
-           gravity[2] / g.l2,
+           gravity[2] / g.d4,
            t3,
-           g.l2 * (t4 + t5),
-           g.l2 * t6,
-           g.l2,
-           g.l2 * t7,
-           g.l2 * t8,
-           g.l2 * (t9 + t10),
-           g.l2 * t11,
-           g.d4 / g.l2,
-           gravity[0] / g.l2,
-           gravity[1] / g.l2,
-           inertia.I4xy - inertia.c4y * t9,
-           inertia.I4yz - inertia.c4z * t12,
-           inertia.I4xz - inertia.c4z * t9,
-           (inertia.I4zz - t13) - inertia.c4z * t11,
-           inertia.I5xy - inertia.c5y * t10,
-           inertia.I5xz - inertia.c5z * t10,
-           inertia.c5z * t6 - (inertia.I5zz - t14),
-           t16,
-           inertia.I5yz - inertia.c5z * t5,
-           t17 + t18,
-           Scalar(2) * t19,
-           t19,
-           t17,
-           inertia.I6xy - inertia.c6y * t7,
-           inertia.I6yz - inertia.c6z * t4,
-           t20,
-           t18,
-           g.l2 * t21,
-           g.l2 * (t22 - t24),
+           g.d4 * (t4 + t5),
+           g.d4 * t6,
+           g.d4 * (t7 + t8),
+           g.d4 * t9,
+           g.d4,
+           g.d4 * t10,
+           g.d4 * t11,
+           g.d4 * t12,
+           g.d4 * (t14 - t16),
+           g.l2 / g.d4,
+           t21,
+           gravity[0] / g.d4,
+           gravity[1] / g.d4,
+           inertia.I5xy - inertia.c5y * t5,
+           inertia.I5xz - inertia.c5z * t5,
+           inertia.I5yz - inertia.c5z * t8,
+           t24,
+           inertia.c5z * t9 - (inertia.I5zz - t23),
+           t25 + t26,
+           Scalar(2) * t27,
+           t27,
+           t25,
+           inertia.I6yz - inertia.c6z * t7,
+           inertia.I6xy - inertia.c6y * t11,
+           inertia.I4yz - inertia.c4z * t13,
+           inertia.I4xy - inertia.c4y * t4,
+           (inertia.I4zz - t17) - inertia.c4z * t6,
+           inertia.I4xz - inertia.c4z * t4,
            t28,
-           g.l2 * (t29 + t31),
-           g.l2 * t32,
-           t35 };
+           t26,
+           t35,
+           g.d4 * (t34 + t32),
+           g.d4 * t30 };
 }
 
 namespace detail {
@@ -341,127 +340,125 @@ inline JointVector<Scalar> inverse_dynamics_with_wrench([[maybe_unused]] const J
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = qd[1] + qd[2];
-  const Scalar t1 = s4 * t0;
-  const Scalar t2 = qd[4] + t1;
-  const Scalar t3 = t2 * t2;
-  const Scalar t4 = c4 * t0;
-  const Scalar t5 = qd[3] * s5 + c5 * t4;
-  const Scalar t6 = t3 + t5 * t5;
-  const Scalar t7 = s5 * t4 - qd[3] * c5;
-  const Scalar t8 = qd[5] - t7;
-  const Scalar t9 = t8 * t8;
-  const Scalar t10 = t3 + t9;
-  const Scalar t11 = t6 - t10;
-  const Scalar t12 = t3 - t9;
-  const Scalar t13 = t11 - t12;
-  const Scalar t14 = t4 * t4;
-  const Scalar t15 = qd[3] * qd[3];
-  const Scalar t16 = t14 + t15;
-  const Scalar t17 = qd[3] * t4;
-  const Scalar t18 = qdd[1] + qdd[2];
-  const Scalar t19 = s4 * t18;
-  const Scalar t20 = t17 + t19;
-  const Scalar t21 = qdd[4] + t20;
-  const Scalar t22 = t7 * t5;
-  const Scalar t23 = t21 + t22;
+  const Scalar t0 = k[1] - k[0] * qdd[0];
+  const Scalar t1 = qd[1] + qd[2];
+  const Scalar t2 = s4 * t1;
+  const Scalar t3 = c4 * t1;
+  const Scalar t4 = t2 * t3;
+  const Scalar t5 = qdd[3] - t4;
+  const Scalar t6 = qd[3] * qd[3];
+  const Scalar t7 = t2 * t2;
+  const Scalar t8 = t6 - t7;
+  const Scalar t9 = t1 * t1;
+  const Scalar t10 = t8 + t9;
+  const Scalar t11 = qd[3] * t2;
+  const Scalar t12 = qdd[1] + qdd[2];
+  const Scalar t13 = c4 * t12;
+  const Scalar t14 = (t11 + t11) - t13;
+  const Scalar t15 = qdd[3] + t4;
+  const Scalar t16 = c5 * t14 - s5 * t15;
+  const Scalar t17 = qd[4] + t2;
+  const Scalar t18 = s5 * t3 - qd[3] * c5;
+  const Scalar t19 = t16 + Scalar(2) * t17 * t18;
+  const Scalar t20 = s5 * t14 + c5 * t15;
+  const Scalar t21 = qd[3] * s5 + c5 * t3;
+  const Scalar t22 = Scalar(2) * t17 * t21;
+  const Scalar t23 = t20 - t22;
   const Scalar t24 = c3 * s2 + c2 * s3;
   const Scalar t25 = s2 * s3 - c2 * c3;
-  const Scalar t26 = wrench[0] * t24 + wrench[1] * t25;
-  const Scalar t27 = wrench[1] * t24 - wrench[0] * t25;
-  const Scalar t28 = wrench[2] * c4 - s4 * t27;
-  const Scalar t29 = t2 * t5;
-  const Scalar t30 = t29 + t29;
-  const Scalar t31 = c4 * t18;
-  const Scalar t32 = qd[3] * t1;
-  const Scalar t33 = (t31 - t32) - t32;
-  const Scalar t34 = t1 * t4;
-  const Scalar t35 = qdd[3] + t34;
-  const Scalar t36 = s5 * t33 - c5 * t35;
-  const Scalar t37 = t30 + t36;
-  const Scalar t38 = qdd[5] - t37;
-  const Scalar t39 = t30 + t38;
-  const Scalar t40 = k[6] * c6 - k[7] * s6;
-  const Scalar t41 = k[7] * c6 + k[6] * s6;
-  const Scalar t42 = k[5] * (s5 * t26 + c5 * t28) - (t39 * t40 - t41 * t10);
-  const Scalar t43 = (k[4] * (t13 - t16) + k[3] * t23) - t42;
-  const Scalar t44 = t2 * t7;
-  const Scalar t45 = s5 * t35 + c5 * t33;
-  const Scalar t46 = (t44 + t44) - t45;
-  const Scalar t47 = t2 * t8;
-  const Scalar t48 = (t46 + t47) + t47;
-  const Scalar t49 = Scalar(2) * t8 * t5 + t23;
-  const Scalar t50 = (t48 * t40 + t49 * t41) - k[5] * (c5 * t26 - s5 * t28);
-  const Scalar t51 = t21 - t22;
-  const Scalar t52 = t50 + (k[4] * t51 + k[3] * t6);
-  const Scalar t53 = t0 * t0;
-  const Scalar t54 = t16 - t53;
-  const Scalar t55 = t14 - t15;
-  const Scalar t56 = t54 + t55;
-  const Scalar t57 = (c5 * t43 - s5 * t52) + (k[8] * t35 + k[9] * (t56 - t16));
-  const Scalar t58 = (t41 * t38 + t40 * (t6 - t12)) + k[5] * (c4 * t27 + wrench[2] * s4);
-  const Scalar t59 = qdd[3] - t34;
-  const Scalar t60 = ((k[4] * t37 + k[3] * t46) - t58) - (k[9] * t59 + k[8] * t16);
-  const Scalar t61 = k[1] - k[0] * qdd[0];
-  const Scalar t62 = k[0] * (c4 * t57 + s4 * t60) - k[2] * t61;
-  const Scalar t63 = c4 * t60 - s4 * t57;
-  const Scalar t64 = s3 * ((k[30] * t53 + k[31] * t18) - t63);
-  const Scalar t65 = t17 + t20;
-  const Scalar t66 = (s5 * t43 + c5 * t52) + (k[9] * t65 - k[8] * t33);
-  const Scalar t67 = c3 * (t66 + (k[31] * t53 - k[30] * t18));
-  const Scalar t68 = k[11] * s2 - k[12] * c2;
-  const Scalar t69 = qdd[1] + t68;
-  const Scalar t70 = k[12] * s2 + k[11] * c2;
-  const Scalar t71 = qd[1] * qd[1] + t70;
-  const Scalar t72 = s3 * t69 - c3 * t71;
-  const Scalar t73 = c3 * t69 + s3 * t71;
-  const Scalar t74 = k[32] * t18 + (k[31] * t72 - k[30] * t73);
-  const Scalar t75 = k[27] * c6 + k[26] * s6;
-  const Scalar t76 = k[26] * c6 - k[27] * s6;
-  const Scalar t77 = k[22] * c6 - k[23] * s6;
-  const Scalar t78 = k[24] + s6 * t77;
-  const Scalar t79 = c6 * t77;
-  const Scalar t80 = k[25] - t79;
-  const Scalar t81 = (t11 * t75 + t39 * t76) + (t48 * t78 + t49 * t80);
-  const Scalar t82 = t72 + k[10] * t18;
-  const Scalar t83 = s4 * t82 + c4 * t61;
-  const Scalar t84 = t73 + k[10] * t53;
-  const Scalar t85 = s5 * t83 - c5 * t84;
-  const Scalar t86 = wrench[4] * t24 - wrench[3] * t25;
-  const Scalar t87 = (t81 - t41 * t85) + (c4 * t86 + wrench[5] * s4);
-  const Scalar t88 = t6 - t16;
-  const Scalar t89 = k[21] * (t88 + t13) - (k[19] * t51 - k[20] * t23);
-  const Scalar t90 = s5 * t84 + c5 * t83;
-  const Scalar t91 = (t89 - (k[18] * t45 + k[17] * t36)) + (k[3] * t90 - k[4] * t85);
-  const Scalar t92 = t87 + t91;
-  const Scalar t93 = (k[15] * t33 - k[16] * t65) - (k[14] * t55 + k[13] * t35);
-  const Scalar t94 = k[13] * t54 - (k[28] * t33 + k[15] * t65);
-  const Scalar t95 = (k[17] * t23 + k[18] * t13) + (k[19] * t37 - k[21] * t46);
-  const Scalar t96 = s4 * t61 - c4 * t82;
-  const Scalar t97 = k[29] - t79;
-  const Scalar t98 = t13 * t78 + (t80 * t38 - t97 * t39);
-  const Scalar t99 = (t90 * t40 - t41 * t96) + ((t23 * t76 - t46 * t75) + t98);
-  const Scalar t100 = wrench[4] * t25 + wrench[3] * t24;
-  const Scalar t101 = wrench[5] * c4 - s4 * t86;
-  const Scalar t102 = t99 + (c5 * t100 - s5 * t101);
-  const Scalar t103 = (t95 - k[4] * t96) + t102;
-  const Scalar t104 = (k[21] * t37 + k[20] * t46) + k[17] * t88;
-  const Scalar t105 = (t49 * t78 - t97 * t48) + t12 * t76;
-  const Scalar t106 = (t85 * t40 - (t105 - t38 * t75)) + (s5 * t100 + c5 * t101);
-  const Scalar t107 = ((k[18] * t51 + t104) + k[3] * t96) - t106;
-  const Scalar t108 = (k[8] * t84 - (k[14] * t59 + t94)) + (s5 * t103 + c5 * t107);
-  const Scalar t109 = s4 * (t92 + (k[9] * t84 - t93)) - c4 * t108;
-  const Scalar t110 = t74 - (k[10] * t63 - t109);
-  const Scalar t111 = (k[33] * t68 + k[34] * t70) - k[35] * qdd[1];
-  const Scalar t112 = (k[28] * t35 - k[16] * t59) - k[15] * t56;
-  const Scalar t113 = (k[9] * t96 - k[8] * t83) + (t112 - (k[13] * t19 + k[14] * t31));
+  const Scalar t26 = wrench[1] * t24 - wrench[0] * t25;
+  const Scalar t27 = k[9] * c6 - k[8] * s6;
+  const Scalar t28 = t17 * t17;
+  const Scalar t29 = t21 * t21;
+  const Scalar t30 = t28 - t29;
+  const Scalar t31 = t28 + t29;
+  const Scalar t32 = qd[5] - t18;
+  const Scalar t33 = t32 * t32 - t29;
+  const Scalar t34 = t31 + t33;
+  const Scalar t35 = t30 - t34;
+  const Scalar t36 = qdd[5] + t20;
+  const Scalar t37 = t36 - t22;
+  const Scalar t38 = k[8] * c6 + k[9] * s6;
+  const Scalar t39 = k[7] * (c4 * t26 + wrench[2] * s4) - (t27 * t35 - t37 * t38);
+  const Scalar t40 = (k[4] * t5 + k[3] * t10) - ((k[5] * t19 - k[6] * t23) - t39);
+  const Scalar t41 = t17 * t32;
+  const Scalar t42 = (t41 + t19) + t41;
+  const Scalar t43 = qd[3] * t3;
+  const Scalar t44 = s4 * t12;
+  const Scalar t45 = t43 + t44;
+  const Scalar t46 = qdd[4] + t45;
+  const Scalar t47 = t18 * t21;
+  const Scalar t48 = t46 + t47;
+  const Scalar t49 = Scalar(2) * t32 * t21 + t48;
+  const Scalar t50 = wrench[0] * t24 + wrench[1] * t25;
+  const Scalar t51 = wrench[2] * c4 - s4 * t26;
+  const Scalar t52 = (t27 * t42 + t49 * t38) - k[7] * (c5 * t50 - s5 * t51);
+  const Scalar t53 = t46 - t47;
+  const Scalar t54 = t52 + (k[6] * t53 + k[5] * t31);
+  const Scalar t55 = t30 + t10;
+  const Scalar t56 = k[7] * (s5 * t50 + c5 * t51) + (t38 * t34 - t27 * t36);
+  const Scalar t57 = (k[6] * t55 - k[5] * t48) + t56;
+  const Scalar t58 = t6 + t7;
+  const Scalar t59 = (s5 * t54 + c5 * t57) + (k[4] * t58 - k[3] * t15);
+  const Scalar t60 = k[2] * t0 + k[0] * (s4 * t40 + c4 * t59);
+  const Scalar t61 = k[14] * s2 - k[15] * c2;
+  const Scalar t62 = k[15] * s2 + k[14] * c2;
+  const Scalar t63 = k[33] * qdd[1] - (k[34] * t61 + k[35] * t62);
+  const Scalar t64 = k[12] * qd[1] * qd[1] + t62;
+  const Scalar t65 = t61 + k[12] * qdd[1];
+  const Scalar t66 = s3 * t64 + c3 * t65;
+  const Scalar t67 = s3 * t65 - c3 * t64;
+  const Scalar t68 = (k[10] * t66 - k[11] * t67) - k[13] * t12;
+  const Scalar t69 = c4 * t40 - s4 * t59;
+  const Scalar t70 = t66 + t9;
+  const Scalar t71 = t43 + t45;
+  const Scalar t72 = (k[28] * t15 - k[27] * (t58 - t9)) + (k[30] * t14 + k[29] * t71);
+  const Scalar t73 = wrench[4] * t24 - wrench[3] * t25;
+  const Scalar t74 = k[21] * c6 - k[22] * s6;
+  const Scalar t75 = k[23] + s6 * t74;
+  const Scalar t76 = c6 * t74;
+  const Scalar t77 = k[24] - t76;
+  const Scalar t78 = k[25] * s6 - k[26] * c6;
+  const Scalar t79 = k[25] * c6 + k[26] * s6;
+  const Scalar t80 = (t42 * t75 + t49 * t77) - (t78 * t36 + t79 * t33);
+  const Scalar t81 = t67 + t12;
+  const Scalar t82 = s4 * t81 + c4 * t0;
+  const Scalar t83 = c5 * t70 - s5 * t82;
+  const Scalar t84 = (c4 * t73 + wrench[5] * s4) + (t80 + t83 * t38);
+  const Scalar t85 = c5 * t82 + s5 * t70;
+  const Scalar t86 = t31 - t55;
+  const Scalar t87 = k[18] * t86 - (k[20] * t53 - k[19] * t48);
+  const Scalar t88 = (k[6] * t83 + k[5] * t85) + ((k[16] * t20 + k[17] * t16) + t87);
+  const Scalar t89 = t84 + t88;
+  const Scalar t90 = k[28] * t8 + (k[31] * t14 - k[30] * t71);
+  const Scalar t91 = c4 * t81 - s4 * t0;
+  const Scalar t92 = (k[16] * t48 - k[17] * t30) - (k[20] * t23 + k[18] * t19);
+  const Scalar t93 = wrench[4] * t25 + wrench[3] * t24;
+  const Scalar t94 = wrench[5] * c4 - s4 * t73;
+  const Scalar t95 = k[32] - t76;
+  const Scalar t96 = (t36 * t95 - t37 * t77) + t75 * t30;
+  const Scalar t97 = (t85 * t27 + t38 * t91) - (t96 + (t79 * t19 + t78 * t48));
+  const Scalar t98 = (c5 * t93 - s5 * t94) + t97;
+  const Scalar t99 = (k[6] * t91 + t92) + t98;
+  const Scalar t100 = t78 * (t31 + t35) + (t42 * t95 - t49 * t75);
+  const Scalar t101 = ((t100 + t79 * t37) - t27 * t83) + (s5 * t93 + c5 * t94);
+  const Scalar t102 = (k[19] * t19 - k[18] * t23) + k[16] * (t86 + t30);
+  const Scalar t103 = t101 + (k[5] * t91 - (k[17] * t53 + t102));
+  const Scalar t104 = (k[3] * t70 - (k[27] * t5 + t90)) + (s5 * t99 - c5 * t103);
+  const Scalar t105 = s4 * ((k[4] * t70 + t72) + t89) - c4 * t104;
+  const Scalar t106 = t68 - (t69 + t105);
+  const Scalar t107 = s3 * (t69 + (k[11] * t12 + k[10] * t9));
+  const Scalar t108 = (k[3] * t14 + k[4] * t71) - (s5 * t57 - c5 * t54);
+  const Scalar t109 = c3 * (t108 - (k[10] * t12 - k[11] * t9));
+  const Scalar t110 = (k[31] * t15 - k[29] * t5) + k[30] * (t58 - t10);
+  const Scalar t111 = ((k[28] * t44 + k[27] * t13) - t110) + (k[3] * t82 + k[4] * t91);
   JointVector<Scalar> result;
-  result[0] = t62;
-  result[1] = t111 - ((t64 + t67) + t110);
-  result[2] = -t110;
-  result[3] = (s5 * t107 - c5 * t103) + t113;
-  result[4] = -t92;
-  result[5] = -t102;
+  result[0] = -t60;
+  result[1] = (t106 - k[12] * (t107 + t109)) - t63;
+  result[2] = t106;
+  result[3] = -t111 - (c5 * t99 + s5 * t103);
+  result[4] = -t89;
+  result[5] = -t98;
   return result;
 }
 
@@ -492,23 +489,23 @@ GravityTorqueWithGravityVectorConstants<Scalar> gravity_torque_with_gravity_vect
   using std::cos;
   using std::sin;
   const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t1 = (inertia.c4y * inertia.m4 - g.d4 * t0) - (g.d4 * inertia.m3 - inertia.c3y * inertia.m3);
-  const Scalar t2 = inertia.m3 + t0;
-  const Scalar t3 = g.l2 * t2 + (g.l2 * inertia.m2 + inertia.c2x * inertia.m2);
-  return { gravity[0],
-           gravity[1],
+  const Scalar t1 = inertia.m3 + t0;
+  const Scalar t2 = g.l2 * t1 + (g.l2 * inertia.m2 + inertia.c2x * inertia.m2);
+  const Scalar t3 = (inertia.c4y * inertia.m4 - g.d4 * t0) - (g.d4 * inertia.m3 - inertia.c3y * inertia.m3);
+  return { gravity[1],
+           gravity[0],
+           inertia.c2y * inertia.m2,
+           t2,
            inertia.c3x * inertia.m3,
-           t1,
+           t3,
            inertia.c4z * inertia.m4,
+           inertia.c6z * inertia.m6,
+           inertia.c6x * inertia.m6,
            gravity[2],
            inertia.c5z * inertia.m5,
            inertia.c6y * inertia.m6 + inertia.c5y * inertia.m5,
-           inertia.c6x * inertia.m6,
-           inertia.c6z * inertia.m6,
            inertia.c4x * inertia.m4 + inertia.c5x * inertia.m5,
-           inertia.c2y * inertia.m2,
-           t3,
-           gravity[2] * (inertia.m1 + (inertia.m2 + t2)) };
+           gravity[2] * (inertia.m1 + (inertia.m2 + t1)) };
 }
 
 namespace detail {
@@ -527,31 +524,31 @@ inline JointVector<Scalar> gravity_torque_with_gravity_vector([[maybe_unused]] c
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[0] * s2 - k[1] * c2;
-  const Scalar t1 = k[1] * s2 + k[0] * c2;
-  const Scalar t2 = c3 * t0 + s3 * t1;
-  const Scalar t3 = c3 * t1 - s3 * t0;
-  const Scalar t4 = k[5] * c4 - s4 * t3;
-  const Scalar t5 = s5 * t2 + c5 * t4;
-  const Scalar t6 = c5 * t2 - s5 * t4;
-  const Scalar t7 = k[9] * c6 + k[8] * s6;
-  const Scalar t8 = (k[7] * t5 + k[6] * t6) + t6 * t7;
-  const Scalar t9 = k[8] * c6 - k[9] * s6;
-  const Scalar t10 = c4 * t3 + k[5] * s4;
-  const Scalar t11 = t6 * t9 + k[7] * t10;
-  const Scalar t12 = t10 * t7 - t5 * t9;
-  const Scalar t13 = t12 + k[6] * t10;
-  const Scalar t14 = k[10] * t2 + (c5 * t11 - s5 * t13);
-  const Scalar t15 = s4 * (k[4] * t2 + t8) - c4 * t14;
-  const Scalar t16 = t15 - (k[3] * t3 + k[2] * t2);
-  const Scalar t17 = (k[10] * t4 - k[4] * t10) - (c5 * t13 + s5 * t11);
+  const Scalar t0 = k[0] * s2 + k[1] * c2;
+  const Scalar t1 = k[1] * s2 - k[0] * c2;
+  const Scalar t2 = s3 * t0 + c3 * t1;
+  const Scalar t3 = c3 * t0 - s3 * t1;
+  const Scalar t4 = s4 * t3 - k[9] * c4;
+  const Scalar t5 = s5 * t4 + c5 * t2;
+  const Scalar t6 = s5 * t2 - c5 * t4;
+  const Scalar t7 = k[7] * c6 + k[8] * s6;
+  const Scalar t8 = (k[10] * t5 + k[11] * t6) + t7 * t5;
+  const Scalar t9 = k[8] * c6 - k[7] * s6;
+  const Scalar t10 = c4 * t3 + k[9] * s4;
+  const Scalar t11 = t5 * t9 + k[11] * t10;
+  const Scalar t12 = t6 * t9 - t7 * t10;
+  const Scalar t13 = k[10] * t10 - t12;
+  const Scalar t14 = k[12] * t2 + (c5 * t11 - s5 * t13);
+  const Scalar t15 = s4 * (k[6] * t2 + t8) - c4 * t14;
+  const Scalar t16 = t15 - (k[4] * t2 + k[5] * t3);
+  const Scalar t17 = (k[6] * t10 + k[12] * t4) + (s5 * t11 + c5 * t13);
   JointVector<Scalar> result;
   result[0] = -k[13];
-  result[1] = (k[12] * t0 + k[11] * t1) - t16;
+  result[1] = (k[2] * t0 + k[3] * t1) - t16;
   result[2] = -t16;
-  result[3] = -t17;
+  result[3] = t17;
   result[4] = -t8;
-  result[5] = t12;
+  result[5] = -t12;
   return result;
 }
 
@@ -578,95 +575,92 @@ ForwardDynamicsWithGravityVectorConstants<Scalar> forward_dynamics_with_gravity_
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6x * inertia.m6;
-  const Scalar t1 = inertia.c6y * inertia.m6;
-  const Scalar t2 = inertia.c5y * inertia.m5;
-  const Scalar t3 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t4 = (inertia.I6xx - t3) - inertia.c6x * t0;
-  const Scalar t5 = inertia.c6z * inertia.m6;
-  const Scalar t6 = inertia.c6z * t5 - (inertia.I6zz - t3);
-  const Scalar t7 = inertia.I6xz - inertia.c6z * t0;
-  const Scalar t8 = t4 - t6;
-  const Scalar t9 = inertia.c5z * inertia.m5;
-  const Scalar t10 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t11 = ((inertia.I6yy - t3) - inertia.c6y * t1) - (inertia.c5y * t2 - (inertia.I5yy - t10));
-  const Scalar t12 = inertia.c4y * inertia.m4;
-  const Scalar t13 = inertia.c5x * inertia.m5;
-  const Scalar t14 = inertia.c4x * inertia.m4;
-  const Scalar t15 = inertia.c4z * inertia.m4;
-  const Scalar t16 = g.d4 * t15;
-  const Scalar t17 = Scalar(1) / t8;
-  const Scalar t18 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t19 = (inertia.c5x * t13 - (inertia.I5xx - t10)) - ((inertia.I4xx - t18) - inertia.c4x * t14);
-  const Scalar t20 = (inertia.I4zz - t18) - inertia.c4z * t15;
+  const Scalar t0 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t1 = inertia.c6x * inertia.m6;
+  const Scalar t2 = (inertia.I6xx - t0) - inertia.c6x * t1;
+  const Scalar t3 = inertia.c6z * inertia.m6;
+  const Scalar t4 = inertia.c6z * t3 - (inertia.I6zz - t0);
+  const Scalar t5 = inertia.I6xz - inertia.c6z * t1;
+  const Scalar t6 = inertia.c5z * inertia.m5;
+  const Scalar t7 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t8 = inertia.c6y * inertia.m6;
+  const Scalar t9 = inertia.c5y * inertia.m5;
+  const Scalar t10 = ((inertia.I6yy - t0) - inertia.c6y * t8) - (inertia.c5y * t9 - (inertia.I5yy - t7));
+  const Scalar t11 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t12 = inertia.c4z * inertia.m4;
+  const Scalar t13 = (inertia.I4zz - t11) - inertia.c4z * t12;
+  const Scalar t14 = inertia.c5x * inertia.m5;
+  const Scalar t15 = inertia.c4x * inertia.m4;
+  const Scalar t16 = (inertia.c5x * t14 - (inertia.I5xx - t7)) - ((inertia.I4xx - t11) - inertia.c4x * t15);
+  const Scalar t17 = t2 - t4;
+  const Scalar t18 = Scalar(1) / t17;
+  const Scalar t19 = g.l2 * t12;
+  const Scalar t20 = inertia.c4y * inertia.m4;
   const Scalar t21 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t22 = t12 - g.d4 * t21;
-  const Scalar t23 = ((inertia.I4yy - t18) - inertia.c4y * t12) + g.d4 * (t12 + t22);
-  const Scalar t24 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t25 = inertia.c3y * inertia.m3;
-  const Scalar t26 = g.d4 * inertia.m3 - t25;
-  const Scalar t27 = ((inertia.I3yy - t24) - inertia.c3y * t25) - g.d4 * (t26 - t25);
-  const Scalar t28 = inertia.I4xz - inertia.c4z * t14;
-  const Scalar t29 = inertia.c3x * inertia.m3;
-  const Scalar t30 = gravity[2] / g.d4;
-  const Scalar t31 = g.l2 / g.d4;
-  const Scalar t32 = g.d4 * t29;
-  const Scalar t33 = Scalar(1) / g.d4;
+  const Scalar t22 = t20 - g.d4 * t21;
+  const Scalar t23 = inertia.c3y * inertia.m3;
+  const Scalar t24 = g.d4 * inertia.m3 - t23;
+  const Scalar t25 = inertia.c3x * inertia.m3;
+  const Scalar t26 = ((inertia.I4yy - t11) - inertia.c4y * t20) + g.d4 * (t20 + t22);
+  const Scalar t27 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t28 = ((inertia.I3yy - t27) - inertia.c3y * t23) - g.d4 * (t24 - t23);
+  const Scalar t29 = inertia.I4xz - inertia.c4z * t15;
+  const Scalar t30 = inertia.c2x * inertia.m2;
+  const Scalar t31 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t32 = g.l2 * inertia.m2 + t30;
+  const Scalar t33 = (inertia.c2x * t30 - (inertia.I2xx - t31)) + g.l2 * (t30 + t32);
   const Scalar t34 = inertia.m3 + t21;
-  const Scalar t35 = g.d4 * g.d4 * (inertia.m1 + (inertia.m2 + t34));
-  const Scalar t36 = g.l2 * t34;
-  const Scalar t37 = inertia.c2x * inertia.m2;
-  const Scalar t38 = g.l2 * inertia.m2 + t37;
-  const Scalar t39 = inertia.c2y * inertia.m2;
-  const Scalar t40 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t41 = (inertia.c2x * t37 - (inertia.I2xx - t40)) + g.l2 * (t37 + t38);
-  return { inertia.I6xy - inertia.c6y * t0,
-           inertia.I6yz - inertia.c6z * t1,
-           inertia.I5yz - inertia.c5z * t2,
-           t4 + t6,
-           Scalar(2) * t7,
-           t6,
-           t8,
-           inertia.c5z * t9 - (inertia.I5zz - t10),
-           t11,
-           inertia.I4yz - inertia.c4z * t12,
-           inertia.I5xy - inertia.c5y * t13,
-           t7,
-           inertia.I5xz - inertia.c5z * t13,
-           inertia.I4xy - inertia.c4y * t14,
-           g.d4 * t5,
-           g.d4 * t0,
-           g.d4 * (t14 + t13),
-           g.d4 * t9,
-           g.d4 * (t1 + t2),
+  const Scalar t35 = g.l2 * t34;
+  const Scalar t36 = inertia.c2y * inertia.m2;
+  const Scalar t37 = gravity[2] / g.l2;
+  const Scalar t38 = Scalar(1) / g.l2;
+  const Scalar t39 = g.l2 * g.l2 * (inertia.m1 + (inertia.m2 + t34));
+  return { t2 + t4,
+           Scalar(2) * t5,
+           t2,
+           inertia.c5z * t6 - (inertia.I5zz - t7),
+           t10,
+           inertia.I6yz - inertia.c6z * t8,
+           inertia.I6xy - inertia.c6y * t1,
+           inertia.I5yz - inertia.c5z * t9,
+           t13,
+           t4,
            t16,
+           t18,
            t17,
+           inertia.I5xy - inertia.c5y * t14,
+           t5,
+           inertia.I5xz - inertia.c5z * t14,
+           g.l2 * (t8 + t9),
+           g.l2 * t1,
+           g.l2 * t3,
+           g.l2 * t6,
+           g.d4 / g.l2,
            t19,
-           t20,
-           t23 + t27,
-           t28,
-           inertia.c3x * t29 - (inertia.I3xx - t24),
-           t30,
-           gravity[1] / g.d4,
-           gravity[0] / g.d4,
-           t31,
-           t20 + t19,
-           t32,
-           g.d4 * (t22 - t26),
-           Scalar(2) * t20,
-           Scalar(2) * t28,
-           t33,
-           t17 * t33,
-           t33 * t30 * t35,
-           t17 * t31,
-           g.d4 * (t36 + t38),
-           g.d4 * t39,
-           Scalar(2) * t16,
-           (inertia.I3xy - inertia.c3y * t29) + t32,
-           (inertia.I2yy - t40) - inertia.c2y * t39,
-           Scalar(2) * t31,
-           t41 + g.l2 * t36,
-           t35 * t33 * t33 };
+           g.l2 * (t15 + t14),
+           inertia.I4yz - inertia.c4z * t20,
+           inertia.I4xy - inertia.c4y * t15,
+           g.l2 * (t22 - t24),
+           g.l2 * t25,
+           (inertia.I3xy - inertia.c3y * t25) + g.d4 * t25,
+           t26 + t28,
+           t29,
+           inertia.c3x * t25 - (inertia.I3xx - t27),
+           t33 + g.l2 * t35,
+           (inertia.I2yy - t31) - inertia.c2y * t36,
+           gravity[0] / g.l2,
+           gravity[1] / g.l2,
+           t37,
+           g.l2 * (t35 + t32),
+           g.l2 * t36,
+           Scalar(2) * t19,
+           Scalar(2) * t29,
+           Scalar(2) * t13,
+           t13 + t16,
+           t38,
+           t18 * t38,
+           t39 * t37,
+           t39 * t38 * t38 };
 }
 
 namespace detail {
@@ -685,195 +679,196 @@ inline JointVector<Scalar> forward_dynamics_with_gravity_vector([[maybe_unused]]
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[14] * c6 + k[15] * s6;
-  const Scalar t1 = k[14] * s6 - k[15] * c6;
-  const Scalar t2 = c5 * t1;
-  const Scalar t3 = s4 * t0 + c4 * t2;
-  const Scalar t4 = k[36] * t3;
-  const Scalar t5 = c4 * t0 - s4 * t2;
-  const Scalar t6 = k[0] * c6 - k[1] * s6;
-  const Scalar t7 = k[0] * s6 + k[1] * c6;
-  const Scalar t8 = s4 * t6 - c4 * (k[6] * s5 - c5 * t7);
-  const Scalar t9 = t5 + t8;
-  const Scalar t10 = k[20] * t9;
-  const Scalar t11 = k[3] * c6 - k[4] * s6;
-  const Scalar t12 = k[11] + s6 * t11;
-  const Scalar t13 = k[12] + t12;
-  const Scalar t14 = k[10] + t6;
-  const Scalar t15 = c5 * t13 + s5 * t14;
-  const Scalar t16 = k[17] + t0;
-  const Scalar t17 = s5 * t16 - k[18] * c5;
-  const Scalar t18 = k[5] - c6 * t11;
-  const Scalar t19 = k[6] + t18;
-  const Scalar t20 = k[7] - t19;
-  const Scalar t21 = k[8] - t20;
-  const Scalar t22 = c4 * t15 + s4 * (t17 - t21);
-  const Scalar t23 = t10 * t6 + t22;
-  const Scalar t24 = k[20] * t6;
-  const Scalar t25 = Scalar(1) / (t24 * t6 - t21);
-  const Scalar t26 = k[35] * c4 * t17 - t4 * t6;
-  const Scalar t27 = t25 * t26;
-  const Scalar t28 = k[16] - t1;
-  const Scalar t29 = c5 * t16 + k[18] * s5;
-  const Scalar t30 = k[19] + t29;
-  const Scalar t31 = c4 * t28 - s4 * t30;
-  const Scalar t32 = c5 + k[20] * s5 * t7;
-  const Scalar t33 = k[6] * t32;
-  const Scalar t34 = c5 * t14 - s5 * t13;
-  const Scalar t35 = t34 - t32 * t6;
-  const Scalar t36 = (k[35] * t31 + t33 * t4) - t27 * t35;
-  const Scalar t37 = t25 * t35;
-  const Scalar t38 = k[2] + t7;
+  const Scalar t0 = k[0] * c6 - k[1] * s6;
+  const Scalar t1 = c6 * t0;
+  const Scalar t2 = k[2] - t1;
+  const Scalar t3 = k[3] - t2;
+  const Scalar t4 = k[4] - t3;
+  const Scalar t5 = k[6] * c6 - k[5] * s6;
+  const Scalar t6 = k[11] * t5;
+  const Scalar t7 = Scalar(1) / (t4 - t6 * t5);
+  const Scalar t8 = k[17] * c6 - k[18] * s6;
+  const Scalar t9 = c5 * t8;
+  const Scalar t10 = k[17] * s6 + k[18] * c6;
+  const Scalar t11 = c4 * t9 - s4 * t10;
+  const Scalar t12 = k[42] * t11;
+  const Scalar t13 = k[19] + t10;
+  const Scalar t14 = k[16] * c5 - s5 * t13;
+  const Scalar t15 = t6 * t12 - k[42] * c4 * t14;
+  const Scalar t16 = t7 * t15;
+  const Scalar t17 = s4 * t9 + c4 * t10;
+  const Scalar t18 = k[6] * s6 + k[5] * c6;
+  const Scalar t19 = s4 * t5 - c4 * (k[12] * s5 - c5 * t18);
+  const Scalar t20 = k[20] * t17 + t19;
+  const Scalar t21 = k[14] + s6 * t0;
+  const Scalar t22 = k[15] + t21;
+  const Scalar t23 = k[13] + t5;
+  const Scalar t24 = c5 * t22 + s5 * t23;
+  const Scalar t25 = k[20] * t14;
+  const Scalar t26 = c4 * t24 - s4 * (t4 + t25);
+  const Scalar t27 = t6 * t20 + t26;
+  const Scalar t28 = k[43] * t11;
+  const Scalar t29 = c5 + k[11] * s5 * t18;
+  const Scalar t30 = k[12] * t29;
+  const Scalar t31 = c5 * t23 - s5 * t22;
+  const Scalar t32 = t6 * t30 - t31;
+  const Scalar t33 = t7 * t27;
+  const Scalar t34 = k[22] + t8;
+  const Scalar t35 = (k[24] + t31) + k[20] * t34;
+  const Scalar t36 = k[16] * s5 + c5 * t13;
+  const Scalar t37 = k[21] + t36;
+  const Scalar t38 = k[7] + t18;
   const Scalar t39 = c5 * t38;
-  const Scalar t40 = s5 * (k[8] + t20) + (t39 + t39);
-  const Scalar t41 = s5 * t40;
-  const Scalar t42 = k[22] - (t20 - t41);
-  const Scalar t43 = k[21] + t18;
-  const Scalar t44 = t37 * t35 + ((t42 - t43) - t32 * t33);
-  const Scalar t45 = Scalar(1) / t44;
-  const Scalar t46 = t36 * t45;
-  const Scalar t47 = t23 * t25;
-  const Scalar t48 = c4 * t30 + s4 * t28;
-  const Scalar t49 = k[13] + t34;
-  const Scalar t50 = k[9] + (c5 * t40 - t38);
-  const Scalar t51 = t48 + (s4 * t49 + c4 * t50);
-  const Scalar t52 = t47 * t35 - (t51 - t32 * t9);
-  const Scalar t53 = (t4 * t9 + t23 * t27) + t46 * t52;
-  const Scalar t54 = k[38] * (s3 * t5 - c3 * s5 * t1);
-  const Scalar t55 = t54 + t10;
-  const Scalar t56 = k[29] * (s3 * s4 * t17 - c3 * t29);
-  const Scalar t57 = t6 * t55 + (t56 + t22);
-  const Scalar t58 = t33 * t55 - (t51 + s3 * k[29] * t48);
-  const Scalar t59 = t57 * t37 + t58;
-  const Scalar t60 = t52 * t45;
-  const Scalar t61 = t57 * t25;
-  const Scalar t62 = k[6] * t55;
-  const Scalar t63 = s3 * (k[32] - t17) - c3 * (k[31] + t31);
-  const Scalar t64 = s4 * (k[24] + t15);
-  const Scalar t65 = c4 * ((t64 + t64) + c4 * (t42 + t43));
-  const Scalar t66 = k[25] - (t42 - t65);
-  const Scalar t67 = k[23] - (Scalar(2) * t17 - (k[8] - t41));
-  const Scalar t68 = t66 - t67;
-  const Scalar t69 = t23 * t61 - (t10 * t62 - (k[29] * t63 - t68));
-  const Scalar t70 = t59 * t60 - t69;
-  const Scalar t71 = ((t68 + t10 * t9) - t47 * t23) + t52 * t60;
-  const Scalar t72 = Scalar(1) / t71;
-  const Scalar t73 = t70 * t72;
-  const Scalar t74 = (t4 * t62 + t57 * t27) + t46 * t59;
-  const Scalar t75 = t53 * t73 - t74;
-  const Scalar t76 = t59 * t45;
-  const Scalar t77 = k[42] + (t31 - (s4 * t50 - c4 * t49));
-  const Scalar t78 = s3 * (t66 + t67) - Scalar(2) * c3 * t77;
-  const Scalar t79 = t66 - s3 * t78;
-  const Scalar t80 = (k[45] + (t79 - k[44] * t63)) - (k[43] + (t79 - t68));
-  const Scalar t81 = t59 * t76 + ((t62 * t55 + t80) - t57 * t61);
-  const Scalar t82 = Scalar(1) / (t81 - t70 * t73);
-  const Scalar t83 = t75 * t82;
-  const Scalar t84 = k[28] * c2 + k[27] * s2;
-  const Scalar t85 = k[29] * qd[1] * qd[1] + t84;
-  const Scalar t86 = k[27] * c2 - k[28] * s2;
-  const Scalar t87 = c3 * t85 + s3 * t86;
-  const Scalar t88 = k[26] * c4 - s4 * t87;
-  const Scalar t89 = s3 * t85 - c3 * t86;
-  const Scalar t90 = qd[1] + qd[2];
-  const Scalar t91 = t90 * t90;
-  const Scalar t92 = t89 + t91;
-  const Scalar t93 = c5 * t88 + s5 * t92;
-  const Scalar t94 = c4 * t87 + k[26] * s4;
-  const Scalar t95 = c4 * t90;
-  const Scalar t96 = s5 * t95;
-  const Scalar t97 = s4 * t90;
-  const Scalar t98 = qd[3] * t97;
-  const Scalar t99 = t98 + t98;
-  const Scalar t100 = t96 * t97 - c5 * t99;
-  const Scalar t101 = qd[4] + t97;
-  const Scalar t102 = t96 - qd[3] * c5;
-  const Scalar t103 = t100 - Scalar(2) * t101 * t102;
-  const Scalar t104 = qd[3] * t95;
-  const Scalar t105 = qd[3] * s5 + c5 * t95;
-  const Scalar t106 = t102 * t105;
-  const Scalar t107 = t104 + t106;
-  const Scalar t108 = t101 * t101;
-  const Scalar t109 = t102 * t102;
-  const Scalar t110 = t108 + t109;
-  const Scalar t111 = qd[3] * qd[3];
-  const Scalar t112 = t97 * t97;
-  const Scalar t113 = t111 - t112;
-  const Scalar t114 = t113 + t91;
-  const Scalar t115 = t110 - t114;
-  const Scalar t116 = t97 * t95;
-  const Scalar t117 = c5 * t116 + s5 * t99;
-  const Scalar t118 = Scalar(2) * t101 * t105 - t117;
-  const Scalar t119 = t115 * t12 + (t18 * t117 + t19 * t118);
-  const Scalar t120 = (t1 * t93 + t0 * t94) - ((t103 * t7 + t107 * t6) - t119);
-  const Scalar t121 = torque[5] - t120;
-  const Scalar t122 = t104 - t106;
-  const Scalar t123 = t108 - t109;
-  const Scalar t124 = (k[7] * t122 - k[8] * t107) + k[2] * (t115 - t123);
-  const Scalar t125 = c5 * t92 - s5 * t88;
-  const Scalar t126 = (t124 - (k[10] * t117 - k[12] * t100)) - (k[17] * t125 + k[18] * t93);
-  const Scalar t127 = qd[5] - t102;
-  const Scalar t128 = Scalar(2) * t127 * t105 + t107;
-  const Scalar t129 = t101 * t127;
-  const Scalar t130 = (t103 - t129) - t129;
-  const Scalar t131 = t123 + t114;
-  const Scalar t132 = t108 + t127 * t127;
-  const Scalar t133 = t115 - t132;
-  const Scalar t134 = t131 + t133;
-  const Scalar t135 = (t19 * t128 - t130 * t12) - (t7 * (t115 - t134) - t117 * t6);
-  const Scalar t136 = t126 - (t0 * t125 + t135);
-  const Scalar t137 = t121 * t24 - (torque[4] - t136);
-  const Scalar t138 = t137 * t25;
-  const Scalar t139 = (k[18] * t103 - k[17] * t118) - (t0 * t118 - t1 * t133);
-  const Scalar t140 = (k[19] * t116 - k[16] * t114) - t139;
-  const Scalar t141 = t111 + t112;
-  const Scalar t142 = (t0 * t128 + t1 * t130) + (k[18] * t131 + k[17] * t122);
-  const Scalar t143 = (t1 * t117 + t0 * t132) + (k[17] * t110 - k[18] * t107);
-  const Scalar t144 = (k[16] * t116 - k[19] * t141) - (s5 * t142 + c5 * t143);
-  const Scalar t145 = c4 * t140 - s4 * t144;
-  const Scalar t146 = t141 - t91;
-  const Scalar t147 = (k[33] * t104 + k[24] * t99) - (k[9] * t146 - k[13] * t116);
-  const Scalar t148 = (k[21] * t99 - k[34] * t104) + k[13] * t113;
-  const Scalar t149 = (t18 * t130 + t12 * t128) + t134 * t6;
-  const Scalar t150 = k[10] * t123 + (k[2] * t118 - k[8] * t103);
-  const Scalar t151 = (t1 * t125 - (t149 + t7 * t118)) - (k[18] * t94 + (t150 + k[12] * t122));
-  const Scalar t152 = (k[2] * t103 + k[7] * t118) + (k[10] * t107 - k[12] * t115);
-  const Scalar t153 = t120 - (t152 - k[17] * t94);
-  const Scalar t154 = ((t148 - k[9] * t116) - k[16] * t92) + (c5 * t151 + s5 * t153);
-  const Scalar t155 = s4 * (t136 - (t147 + k[19] * t92)) - c4 * t154;
-  const Scalar t156 = (t145 + t155) + (k[31] * t89 + k[32] * t87);
-  const Scalar t157 = (c5 * t142 - s5 * t143) + (k[16] * t99 + k[41] * t104);
-  const Scalar t158 = s3 * (t145 - k[31] * t91) - c3 * (t157 + k[32] * t91);
-  const Scalar t159 = (k[39] * t86 - k[40] * t84) - (t156 + k[29] * t158);
-  const Scalar t160 = t57 * t138 - (t121 * t55 - (torque[1] + t159));
-  const Scalar t161 = (k[30] * t116 + k[24] * (t146 - t113)) - (k[16] * t88 - k[19] * t94);
-  const Scalar t162 = torque[3] - (t161 + (c5 * t153 - s5 * t151));
-  const Scalar t163 = k[20] * t121;
-  const Scalar t164 = t137 * t37 - (t162 - t33 * t163);
-  const Scalar t165 = ((torque[2] - t156) - t9 * t163) + t23 * t138;
-  const Scalar t166 = (t165 - t164 * t60) * t72;
-  const Scalar t167 = (t160 - t164 * t76) - t166 * t70;
-  const Scalar t168 = k[37] - k[35] * (c4 * t144 + s4 * t140);
-  const Scalar t169 = t137 * t27 - ((torque[0] + t168) - t4 * t121);
-  const Scalar t170 = t83 * t167 - ((t169 + t46 * t164) + t53 * t166);
-  const Scalar t171 = t53 * t72;
-  const Scalar t172 = (k[46] + t4 * k[35] * t3) - t27 * t26;
-  const Scalar t173 = (t53 * t171 - (t46 * t36 + t172)) + t83 * t75;
-  const Scalar t174 = t170 * Scalar(1) / t173;
-  const Scalar t175 = t167 * t82 - t174 * t83;
-  const Scalar t176 = (t174 * t171 + t166) - t175 * t73;
-  const Scalar t177 = t175 * t76 + (t164 * t45 - t174 * t46);
-  const Scalar t178 = t177 + t60 * t176;
-  const Scalar t179 = ((t138 + t174 * t27) + t175 * t61) + t47 * t176;
-  const Scalar t180 = t179 - t178 * t37;
-  const Scalar t181 = (t175 * t55 + (t163 - t174 * t4)) + t10 * t176;
+  const Scalar t40 = (t39 + t39) + s5 * (k[4] + t3);
+  const Scalar t41 = k[20] * t37 + (k[23] + (c5 * t40 - t38));
+  const Scalar t42 = s4 * t35 + c4 * t41;
+  const Scalar t43 = t32 * t33 - (t42 - t29 * t20);
+  const Scalar t44 = k[9] - t1;
+  const Scalar t45 = k[10] + t44;
+  const Scalar t46 = k[4] - s5 * t40;
+  const Scalar t47 = k[8] - (t46 - t4);
+  const Scalar t48 = t7 * t32;
+  const Scalar t49 = (t29 * t30 + (t45 - t47)) + t32 * t48;
+  const Scalar t50 = Scalar(1) / t49;
+  const Scalar t51 = t43 * t50;
+  const Scalar t52 = s4 * t37 - c4 * t34;
+  const Scalar t53 = t16 * t32 + (t29 * t12 + k[42] * t52);
+  const Scalar t54 = (t16 * t27 + t28 * t20) - t51 * t53;
+  const Scalar t55 = qd[1] + qd[2];
+  const Scalar t56 = c4 * t55;
+  const Scalar t57 = qd[3] * t56;
+  const Scalar t58 = s5 * t56;
+  const Scalar t59 = t58 - qd[3] * c5;
+  const Scalar t60 = qd[3] * s5 + c5 * t56;
+  const Scalar t61 = t59 * t60;
+  const Scalar t62 = t57 + t61;
+  const Scalar t63 = s4 * t55;
+  const Scalar t64 = qd[4] + t63;
+  const Scalar t65 = Scalar(2) * qd[3] * t63;
+  const Scalar t66 = c5 * t65 - t58 * t63;
+  const Scalar t67 = Scalar(2) * t64 * t59 + t66;
+  const Scalar t68 = t64 * t60;
+  const Scalar t69 = t63 * t56;
+  const Scalar t70 = c5 * t69 + s5 * t65;
+  const Scalar t71 = t68 - (t70 - t68);
+  const Scalar t72 = t64 * t64;
+  const Scalar t73 = qd[5] - t59;
+  const Scalar t74 = t73 * t73;
+  const Scalar t75 = t72 + t74;
+  const Scalar t76 = t60 * t60;
+  const Scalar t77 = t72 + t76;
+  const Scalar t78 = t72 - t74;
+  const Scalar t79 = t77 - t78;
+  const Scalar t80 = t75 - t79;
+  const Scalar t81 = (t71 * t2 + t44 * t70) + t21 * t80;
+  const Scalar t82 = k[34] * s2 + k[33] * c2;
+  const Scalar t83 = qd[1] * qd[1] + t82;
+  const Scalar t84 = k[33] * s2 - k[34] * c2;
+  const Scalar t85 = c3 * t83 - s3 * t84;
+  const Scalar t86 = c4 * t85 + k[35] * s4;
+  const Scalar t87 = s4 * t85 - k[35] * c4;
+  const Scalar t88 = c3 * t84 + s3 * t83;
+  const Scalar t89 = t55 * t55;
+  const Scalar t90 = t88 + k[20] * t89;
+  const Scalar t91 = c5 * t87 - s5 * t90;
+  const Scalar t92 = ((t62 * t5 - t67 * t18) - t81) - (t10 * t86 + t8 * t91);
+  const Scalar t93 = torque[5] + t92;
+  const Scalar t94 = k[11] * t93;
+  const Scalar t95 = s5 * t87 + c5 * t90;
+  const Scalar t96 = t57 - t61;
+  const Scalar t97 = t56 * t56;
+  const Scalar t98 = qd[3] * qd[3];
+  const Scalar t99 = t97 + t98;
+  const Scalar t100 = t77 - t99;
+  const Scalar t101 = (k[3] * t96 - k[4] * t62) - k[7] * (t100 - t80);
+  const Scalar t102 = (k[16] * t91 - k[19] * t95) + (t101 - (k[15] * t66 + k[13] * t70));
+  const Scalar t103 = t73 * t60;
+  const Scalar t104 = t62 + (t103 + t103);
+  const Scalar t105 = t64 * t73;
+  const Scalar t106 = t105 + (t67 + t105);
+  const Scalar t107 = (t70 * t5 - t18 * (t74 - t76)) + (t104 * t2 + t106 * t21);
+  const Scalar t108 = t102 - (t10 * t95 + t107);
+  const Scalar t109 = t5 * t94 - (torque[4] - t108);
+  const Scalar t110 = t99 - t89;
+  const Scalar t111 = t97 - t98;
+  const Scalar t112 = t110 + t111;
+  const Scalar t113 = (k[22] * t87 + k[21] * t86) + (k[41] * t69 - k[29] * t112);
+  const Scalar t114 = (t104 * t21 - t106 * t44) + t78 * t5;
+  const Scalar t115 = k[13] * t100 + (k[7] * t71 + k[4] * t67);
+  const Scalar t116 = (t8 * t95 + (t114 + t71 * t18)) + ((t115 + k[15] * t96) + k[16] * t86);
+  const Scalar t117 = (k[13] * t62 - k[15] * t80) - (k[7] * t67 - k[3] * t71);
+  const Scalar t118 = (k[19] * t86 - t117) - t92;
+  const Scalar t119 = torque[3] - (t113 + (s5 * t116 + c5 * t118));
+  const Scalar t120 = t48 * t109 + (t29 * t93 - t119);
+  const Scalar t121 = k[11] * t20;
+  const Scalar t122 = (k[23] * t111 + k[24] * t69) + (k[40] * t57 + k[29] * t65);
+  const Scalar t123 = (k[10] * t65 - k[39] * t57) + k[24] * t110;
+  const Scalar t124 = (c5 * t116 - s5 * t118) + (k[22] * t90 + (k[23] * t69 - t123));
+  const Scalar t125 = s4 * (t108 - (t122 + k[21] * t90)) + c4 * t124;
+  const Scalar t126 = (t104 * t10 + t106 * t8) + (k[19] * t96 + k[16] * t77);
+  const Scalar t127 = (k[16] * t62 - k[19] * (t80 + t99)) + (t8 * t70 - t10 * t75);
+  const Scalar t128 = (k[22] * t69 + k[21] * (t112 - t99)) - (s5 * t126 - c5 * t127);
+  const Scalar t129 = (k[19] * t71 + k[16] * t67) + (t71 * t10 - t8 * t79);
+  const Scalar t130 = t129 + (k[21] * t69 - k[22] * t99);
+  const Scalar t131 = s4 * t128 - c4 * t130;
+  const Scalar t132 = (t125 - k[20] * t131) + (k[26] * t88 + k[25] * t85);
+  const Scalar t133 = t7 * t109;
+  const Scalar t134 = (t121 * t93 - (torque[2] - t132)) + t133 * t27;
+  const Scalar t135 = t120 * t51 - t134;
+  const Scalar t136 = c4 * (t45 + t47) + Scalar(2) * s4 * (k[29] + t24);
+  const Scalar t137 = k[30] + (c4 * t136 - t47);
+  const Scalar t138 = k[28] + (t46 + (t25 + t25));
+  const Scalar t139 = t137 - t138;
+  const Scalar t140 = ((t139 + t121 * t20) + t27 * t33) - t43 * t51;
+  const Scalar t141 = Scalar(1) / t140;
+  const Scalar t142 = t135 * t141;
+  const Scalar t143 = k[42] * (k[44] - (c4 * t128 + s4 * t130));
+  const Scalar t144 = t16 * t109 + ((torque[0] + t143) + t12 * t94);
+  const Scalar t145 = t50 * t53;
+  const Scalar t146 = t20 + (s3 * t17 + c3 * s5 * t8);
+  const Scalar t147 = k[11] * t146;
+  const Scalar t148 = (s3 * s4 * t14 + c3 * t36) - t26;
+  const Scalar t149 = t147 * t5 - t148;
+  const Scalar t150 = t42 + s3 * (s4 * t34 + c4 * t37);
+  const Scalar t151 = t149 * t48 + (t29 * t146 - t150);
+  const Scalar t152 = c3 * (k[26] - t52) - s3 * (k[25] + t14);
+  const Scalar t153 = ((t139 + t152) + t20 * t147) + t149 * t33;
+  const Scalar t154 = t51 * t151 - t153;
+  const Scalar t155 = t54 * t141;
+  const Scalar t156 = t50 * t151;
+  const Scalar t157 = t7 * t149;
+  const Scalar t158 = t156 * t53 - (t12 * t147 + t15 * t157);
+  const Scalar t159 = t154 * t155 - t158;
+  const Scalar t160 = t154 * t141;
+  const Scalar t161 = c3 * (k[27] - (s4 * t41 - c4 * t35));
+  const Scalar t162 = s3 * (Scalar(2) * t161 - s3 * (t137 + t138));
+  const Scalar t163 = (k[32] + (t162 + t138)) - (k[31] + ((t152 + t152) + (t137 + t162)));
+  const Scalar t164 = ((t147 * t146 - t163) + t149 * t157) - t151 * t156;
+  const Scalar t165 = Scalar(1) / (t160 * t154 - t164);
+  const Scalar t166 = (s5 * t127 + c5 * t126) + (k[38] * t57 + k[22] * t65);
+  const Scalar t167 = c3 * (k[25] * t89 + t166) + s3 * (t131 + k[26] * t89);
+  const Scalar t168 = (k[36] * t84 + k[37] * t82) + (t132 - t167);
+  const Scalar t169 = (t146 * t94 - (torque[1] - t168)) + t149 * t133;
+  const Scalar t170 = t165 * (t135 * t160 - (t169 - t120 * t156));
+  const Scalar t171 = (t54 * t142 + (t144 - t120 * t145)) - t159 * t170;
+  const Scalar t172 = (t16 * t15 + (k[45] + t28 * t12)) - t53 * t145;
+  const Scalar t173 = t159 * t165;
+  const Scalar t174 = Scalar(1) / ((t54 * t155 - t172) - t159 * t173);
+  const Scalar t175 = t171 * t174;
+  const Scalar t176 = t170 - t173 * t175;
+  const Scalar t177 = t176 * t160 - (t142 - t175 * t155);
+  const Scalar t178 = t176 * t156 - (t175 * t145 + t120 * t50);
+  const Scalar t179 = t51 * t177 + t178;
+  const Scalar t180 = (t176 * t157 - (t16 * t175 + t133)) + t177 * t33;
+  const Scalar t181 = t180 - t179 * t48;
+  const Scalar t182 = t121 * t177 + (t176 * t147 - (t175 * t28 + t94));
   JointVector<Scalar> result;
-  result[0] = -t174;
-  result[1] = t175;
-  result[2] = t176;
-  result[3] = t178;
-  result[4] = -t180;
-  result[5] = t180 * t24 - (t32 * t178 + t181);
+  result[0] = -t175;
+  result[1] = -t176;
+  result[2] = -t177;
+  result[3] = t179;
+  result[4] = -t181;
+  result[5] = t6 * t181 - (t29 * t179 - t182);
   return result;
 }
 
@@ -902,94 +897,91 @@ ForwardDynamicsWithWrenchConstants<Scalar> forward_dynamics_with_wrench_constant
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6x * inertia.m6;
-  const Scalar t1 = inertia.c6z * inertia.m6;
-  const Scalar t2 = g.l2 / g.d4;
-  const Scalar t3 = inertia.c6y * inertia.m6;
-  const Scalar t4 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t5 = (inertia.I6xx - t4) - inertia.c6x * t0;
-  const Scalar t6 = inertia.c6z * t1 - (inertia.I6zz - t4);
-  const Scalar t7 = t5 - t6;
-  const Scalar t8 = inertia.c4x * inertia.m4;
-  const Scalar t9 = inertia.c5x * inertia.m5;
-  const Scalar t10 = inertia.c5z * inertia.m5;
-  const Scalar t11 = inertia.c5y * inertia.m5;
-  const Scalar t12 = inertia.c4z * inertia.m4;
-  const Scalar t13 = g.d4 * t12;
-  const Scalar t14 = inertia.c3x * inertia.m3;
-  const Scalar t15 = g.d4 * t14;
-  const Scalar t16 = inertia.c4y * inertia.m4;
-  const Scalar t17 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t18 = t16 - g.d4 * t17;
-  const Scalar t19 = inertia.c3y * inertia.m3;
-  const Scalar t20 = g.d4 * inertia.m3 - t19;
-  const Scalar t21 = inertia.I6xz - inertia.c6z * t0;
-  const Scalar t22 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t23 = ((inertia.I6yy - t4) - inertia.c6y * t3) - (inertia.c5y * t11 - (inertia.I5yy - t22));
-  const Scalar t24 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t25 = ((inertia.I4yy - t24) - inertia.c4y * t16) + g.d4 * (t16 + t18);
-  const Scalar t26 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t27 = ((inertia.I3yy - t26) - inertia.c3y * t19) - g.d4 * (t20 - t19);
-  const Scalar t28 = inertia.I4xz - inertia.c4z * t8;
-  const Scalar t29 = (inertia.c5x * t9 - (inertia.I5xx - t22)) - ((inertia.I4xx - t24) - inertia.c4x * t8);
-  const Scalar t30 = (inertia.I4zz - t24) - inertia.c4z * t12;
-  const Scalar t31 = inertia.c2x * inertia.m2;
-  const Scalar t32 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t33 = g.l2 * inertia.m2 + t31;
-  const Scalar t34 = (inertia.c2x * t31 - (inertia.I2xx - t32)) + g.l2 * (t31 + t33);
-  const Scalar t35 = inertia.m3 + t17;
-  const Scalar t36 = g.l2 * t35;
-  const Scalar t37 = inertia.c2y * inertia.m2;
-  const Scalar t38 = Scalar(1) / g.d4;
-  const Scalar t39 = g.d4 * g.d4 * (inertia.m1 + (inertia.m2 + t35));
-  const Scalar t40 = gravity[2] / g.d4;
-  return { g.d4 * t0,
-           g.d4 * t1,
-           t2,
-           inertia.I6xy - inertia.c6y * t0,
-           inertia.I6yz - inertia.c6z * t3,
-           t7,
-           Scalar(1) / t7,
-           g.d4 * (t8 + t9),
-           g.d4 * t10,
-           g.d4 * (t3 + t11),
+  const Scalar t0 = inertia.c6y * inertia.m6;
+  const Scalar t1 = inertia.c6x * inertia.m6;
+  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t1;
+  const Scalar t4 = inertia.c6z * inertia.m6;
+  const Scalar t5 = inertia.c6z * t4 - (inertia.I6zz - t2);
+  const Scalar t6 = t3 - t5;
+  const Scalar t7 = inertia.c5x * inertia.m5;
+  const Scalar t8 = inertia.I6xz - inertia.c6z * t1;
+  const Scalar t9 = inertia.c5z * inertia.m5;
+  const Scalar t10 = inertia.c5y * inertia.m5;
+  const Scalar t11 = Scalar(1) / g.l2;
+  const Scalar t12 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t13 = ((inertia.I6yy - t2) - inertia.c6y * t0) - (inertia.c5y * t10 - (inertia.I5yy - t12));
+  const Scalar t14 = inertia.c4x * inertia.m4;
+  const Scalar t15 = inertia.c4z * inertia.m4;
+  const Scalar t16 = g.l2 * t15;
+  const Scalar t17 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t18 = (inertia.c5x * t7 - (inertia.I5xx - t12)) - ((inertia.I4xx - t17) - inertia.c4x * t14);
+  const Scalar t19 = (inertia.I4zz - t17) - inertia.c4z * t15;
+  const Scalar t20 = inertia.c4y * inertia.m4;
+  const Scalar t21 = inertia.I4xz - inertia.c4z * t14;
+  const Scalar t22 = inertia.c3x * inertia.m3;
+  const Scalar t23 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t24 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t25 = t20 - g.d4 * t24;
+  const Scalar t26 = ((inertia.I4yy - t17) - inertia.c4y * t20) + g.d4 * (t20 + t25);
+  const Scalar t27 = inertia.c3y * inertia.m3;
+  const Scalar t28 = g.d4 * inertia.m3 - t27;
+  const Scalar t29 = ((inertia.I3yy - t23) - inertia.c3y * t27) - g.d4 * (t28 - t27);
+  const Scalar t30 = inertia.c2x * inertia.m2;
+  const Scalar t31 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t32 = g.l2 * inertia.m2 + t30;
+  const Scalar t33 = (inertia.c2x * t30 - (inertia.I2xx - t31)) + g.l2 * (t30 + t32);
+  const Scalar t34 = inertia.m3 + t24;
+  const Scalar t35 = g.l2 * t34;
+  const Scalar t36 = inertia.c2y * inertia.m2;
+  const Scalar t37 = gravity[2] / g.l2;
+  const Scalar t38 = g.l2 * g.l2 * (inertia.m1 + (inertia.m2 + t34)) * t11;
+  return { inertia.I6yz - inertia.c6z * t0,
+           inertia.I6xy - inertia.c6y * t1,
+           t6,
+           Scalar(1) / t6,
+           inertia.I5xy - inertia.c5y * t7,
+           t3 + t5,
+           Scalar(2) * t8,
+           t8,
+           inertia.I5xz - inertia.c5z * t7,
+           g.l2 * t1,
+           g.l2 * t4,
+           g.l2 * t9,
+           g.l2 * (t0 + t10),
+           t11,
+           t3,
+           inertia.c5z * t9 - (inertia.I5zz - t12),
            t13,
-           t15,
-           g.d4 * (t18 - t20),
-           Scalar(2) * t2,
-           inertia.I5yz - inertia.c5z * t11,
-           t5 + t6,
-           Scalar(2) * t21,
+           g.l2 * (t14 + t7),
+           t16,
            t5,
-           inertia.c5z * t10 - (inertia.I5zz - t22),
-           t23,
-           t25 + t27,
+           t18,
+           inertia.I5yz - inertia.c5z * t10,
+           t19,
+           g.d4 / g.l2,
+           inertia.I4yz - inertia.c4z * t20,
+           inertia.I4xy - inertia.c4y * t14,
            t21,
-           inertia.I5xz - inertia.c5z * t9,
-           inertia.I5xy - inertia.c5y * t9,
-           t28,
-           t29,
-           t30,
-           inertia.c3x * t14 - (inertia.I3xx - t26),
-           inertia.I4xy - inertia.c4y * t8,
-           inertia.I4yz - inertia.c4z * t16,
-           (inertia.I3xy - inertia.c3y * t14) + t15,
-           t34 + g.l2 * t36,
-           (inertia.I2yy - t32) - inertia.c2y * t37,
-           t38,
-           t39 * t38 * t38,
-           t40,
-           gravity[1] / g.d4,
-           gravity[0] / g.d4,
-           g.d4,
-           Scalar(2) * t30,
-           Scalar(2) * t28,
-           Scalar(2) * t29,
-           Scalar(2) * t13,
-           g.d4 * (t36 + t33),
-           g.d4 * t37,
-           t30 + t29,
-           t39 * t40 };
+           inertia.c3x * t22 - (inertia.I3xx - t23),
+           t26 + t29,
+           g.l2 * (t25 - t28),
+           g.l2 * t22,
+           (inertia.I3xy - inertia.c3y * t22) + g.d4 * t22,
+           t33 + g.l2 * t35,
+           (inertia.I2yy - t31) - inertia.c2y * t36,
+           gravity[0] / g.l2,
+           gravity[1] / g.l2,
+           t37,
+           t19 + t18,
+           g.l2,
+           Scalar(2) * t16,
+           Scalar(2) * t19,
+           Scalar(2) * t21,
+           g.l2 * (t35 + t32),
+           g.l2 * t36,
+           t37 * t38,
+           t38 * t11 };
 }
 
 namespace detail {
@@ -1009,207 +1001,208 @@ inline JointVector<Scalar> forward_dynamics_with_wrench([[maybe_unused]] const J
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[0] * c6 - k[1] * s6;
-  const Scalar t1 = c5 * t0;
-  const Scalar t2 = k[0] * s6 + k[1] * c6;
-  const Scalar t3 = k[33] * (c4 * t1 - s4 * t2);
-  const Scalar t4 = k[6] * t3;
-  const Scalar t5 = k[3] * c6 - k[4] * s6;
-  const Scalar t6 = k[6] * t5;
-  const Scalar t7 = k[16] * s6 - k[15] * c6;
-  const Scalar t8 = k[17] + c6 * t7;
-  const Scalar t9 = k[18] - t8;
-  const Scalar t10 = k[19] - t9;
-  const Scalar t11 = Scalar(1) / (t6 * t5 - t10);
-  const Scalar t12 = k[8] + t2;
-  const Scalar t13 = k[9] * c5 - s5 * t12;
-  const Scalar t14 = t3 * t6 - k[33] * c4 * t13;
-  const Scalar t15 = t11 * t14;
-  const Scalar t16 = k[4] * c6 + k[3] * s6;
-  const Scalar t17 = k[5] * c5 + s5 * t16;
-  const Scalar t18 = k[6] * t17;
-  const Scalar t19 = k[5] - t8;
-  const Scalar t20 = k[25] - t19;
-  const Scalar t21 = k[14] + t16;
-  const Scalar t22 = s5 * (k[19] + t9) + Scalar(2) * c5 * t21;
-  const Scalar t23 = s5 * t22;
-  const Scalar t24 = k[26] - (t9 - t23);
-  const Scalar t25 = k[21] - s6 * t7;
-  const Scalar t26 = k[22] + t25;
-  const Scalar t27 = k[23] + t5;
-  const Scalar t28 = s5 * t26 - c5 * t27;
-  const Scalar t29 = t28 + t17 * t6;
-  const Scalar t30 = t11 * t29;
-  const Scalar t31 = (t17 * t18 + (t20 - t24)) - t30 * t29;
-  const Scalar t32 = Scalar(1) / t31;
-  const Scalar t33 = k[7] + t0;
-  const Scalar t34 = c5 * t12 + k[9] * s5;
-  const Scalar t35 = k[10] + t34;
-  const Scalar t36 = c4 * t33 - s4 * t35;
-  const Scalar t37 = t30 * t14 + (k[33] * t36 - t17 * t4);
-  const Scalar t38 = t32 * t37;
-  const Scalar t39 = ((k[34] + t4 * t3) - t15 * t14) - t38 * t37;
-  const Scalar t40 = s4 * t5 - c4 * (k[5] * s5 - c5 * t16);
-  const Scalar t41 = c4 * t2 + s4 * t1;
-  const Scalar t42 = t40 + t41;
-  const Scalar t43 = c5 * t26 + s5 * t27;
-  const Scalar t44 = s4 * (t10 + t13) - c4 * t43;
-  const Scalar t45 = t6 * t42 - t44;
-  const Scalar t46 = k[29] - (t21 - c5 * t22);
-  const Scalar t47 = k[28] - t28;
-  const Scalar t48 = s4 * t33 + c4 * t35;
-  const Scalar t49 = (c4 * t46 + s4 * t47) + t48;
-  const Scalar t50 = t45 * t30 - (t18 * t42 - t49);
-  const Scalar t51 = t32 * t50;
-  const Scalar t52 = t45 * t11;
-  const Scalar t53 = k[6] * t42;
-  const Scalar t54 = t51 * t37 + (t52 * t14 - t3 * t53);
-  const Scalar t55 = s4 * (k[24] + t43);
-  const Scalar t56 = c4 * (c4 * (t20 + t24) + (t55 + t55));
-  const Scalar t57 = k[27] + (t56 - t24);
-  const Scalar t58 = k[20] + ((k[19] - t23) + Scalar(2) * t13);
-  const Scalar t59 = t57 - t58;
-  const Scalar t60 = t51 * t50 - ((t42 * t53 + t59) - t52 * t45);
+  const Scalar t0 = k[10] * c6 + k[9] * s6;
+  const Scalar t1 = k[11] + t0;
+  const Scalar t2 = c5 * t1 + k[12] * s5;
+  const Scalar t3 = k[18] + t2;
+  const Scalar t4 = k[9] * c6 - k[10] * s6;
+  const Scalar t5 = k[17] + t4;
+  const Scalar t6 = s4 * t3 - c4 * t5;
+  const Scalar t7 = k[0] * c6 + k[1] * s6;
+  const Scalar t8 = k[2] * c5 + s5 * t7;
+  const Scalar t9 = c5 * t4;
+  const Scalar t10 = k[13] * (s4 * t0 - c4 * t9);
+  const Scalar t11 = k[3] * t10;
+  const Scalar t12 = k[0] * s6 - k[1] * c6;
+  const Scalar t13 = k[3] * t12;
+  const Scalar t14 = k[6] * s6 - k[5] * c6;
+  const Scalar t15 = c6 * t14;
+  const Scalar t16 = k[14] + t15;
+  const Scalar t17 = k[15] - t16;
+  const Scalar t18 = k[16] - t17;
+  const Scalar t19 = Scalar(1) / (t12 * t13 - t18);
+  const Scalar t20 = s5 * t1 - k[12] * c5;
+  const Scalar t21 = t10 * t13 + k[13] * c4 * t20;
+  const Scalar t22 = t19 * t21;
+  const Scalar t23 = k[4] - t12;
+  const Scalar t24 = k[7] - s6 * t14;
+  const Scalar t25 = k[8] + t24;
+  const Scalar t26 = c5 * t23 - s5 * t25;
+  const Scalar t27 = k[3] * t8;
+  const Scalar t28 = t26 + t12 * t27;
+  const Scalar t29 = (k[13] * t6 - t8 * t11) + t22 * t28;
+  const Scalar t30 = t19 * t28;
+  const Scalar t31 = k[21] + t7;
+  const Scalar t32 = c5 * t31;
+  const Scalar t33 = s5 * (k[16] + t17) + (t32 + t32);
+  const Scalar t34 = s5 * t33 - t17;
+  const Scalar t35 = k[22] + t34;
+  const Scalar t36 = k[19] + t15;
+  const Scalar t37 = k[20] + t36;
+  const Scalar t38 = t28 * t30 - (t8 * t27 - (t35 - t37));
+  const Scalar t39 = Scalar(1) / t38;
+  const Scalar t40 = t29 * t39;
+  const Scalar t41 = c4 * t0 + s4 * t9;
+  const Scalar t42 = s4 * t12 - c4 * (c5 * t7 - k[2] * s5);
+  const Scalar t43 = k[23] * t41 - t42;
+  const Scalar t44 = k[3] * t43;
+  const Scalar t45 = k[23] * t3 + (k[24] - (t31 - c5 * t33));
+  const Scalar t46 = (k[25] + t26) + k[23] * t5;
+  const Scalar t47 = c4 * t45 + s4 * t46;
+  const Scalar t48 = k[23] * t20;
+  const Scalar t49 = s5 * t23 + c5 * t25;
+  const Scalar t50 = s4 * (t48 - t18) + c4 * t49;
+  const Scalar t51 = t12 * t44 - t50;
+  const Scalar t52 = t19 * t51;
+  const Scalar t53 = (t44 * t8 - t47) - t52 * t28;
+  const Scalar t54 = t40 * t53 - (t43 * t11 - t52 * t21);
+  const Scalar t55 = k[28] - ((t48 + t48) + (t34 - t18));
+  const Scalar t56 = c4 * (t35 + t37) + Scalar(2) * s4 * (k[26] + t49);
+  const Scalar t57 = k[27] - (t35 - c4 * t56);
+  const Scalar t58 = t55 - t57;
+  const Scalar t59 = t39 * t53;
+  const Scalar t60 = ((t58 - t43 * t44) + t52 * t51) - t59 * t53;
   const Scalar t61 = Scalar(1) / t60;
-  const Scalar t62 = t54 * t61;
-  const Scalar t63 = k[2] * (c3 * s5 * t0 + s3 * t41);
-  const Scalar t64 = t63 + t42;
-  const Scalar t65 = k[6] * t64;
-  const Scalar t66 = t17 * t65 - (t49 + k[2] * s3 * t48);
-  const Scalar t67 = k[2] * (c3 * t34 + s3 * s4 * t13);
-  const Scalar t68 = (t67 + t44) - t65 * t5;
-  const Scalar t69 = t66 + t68 * t30;
-  const Scalar t70 = t69 * t32;
-  const Scalar t71 = t68 * t11;
-  const Scalar t72 = c3 * (k[11] + t36) - s3 * (k[12] + t13);
-  const Scalar t73 = t45 * t71 + (t64 * t53 + (t59 + k[2] * t72));
-  const Scalar t74 = t70 * t50 + t73;
-  const Scalar t75 = t69 * t38 + (t64 * t4 + t68 * t15);
-  const Scalar t76 = t62 * t74 - t75;
-  const Scalar t77 = t61 * t74;
-  const Scalar t78 = k[30] + (t36 - (s4 * t46 - c4 * t47));
-  const Scalar t79 = c3 * t78;
-  const Scalar t80 = s3 * (s3 * (t57 + t58) - (t79 + t79));
-  const Scalar t81 = t80 - t58;
-  const Scalar t82 = (k[32] - t81) - (k[31] + ((t59 - t81) + k[13] * t72));
-  const Scalar t83 = ((t82 - t64 * t65) + t68 * t71) + t69 * t70;
-  const Scalar t84 = Scalar(1) / (t74 * t77 - t83);
-  const Scalar t85 = t76 * t84;
-  const Scalar t86 = Scalar(1) / ((t39 + t54 * t62) - t76 * t85);
-  const Scalar t87 = k[37] * s2 - k[36] * c2;
-  const Scalar t88 = k[36] * s2 + k[37] * c2;
-  const Scalar t89 = k[2] * qd[1] * qd[1] + t88;
-  const Scalar t90 = c3 * t87 + s3 * t89;
-  const Scalar t91 = s3 * t87 - c3 * t89;
-  const Scalar t92 = qd[1] + qd[2];
-  const Scalar t93 = s4 * t92;
-  const Scalar t94 = qd[4] + t93;
-  const Scalar t95 = c4 * t92;
-  const Scalar t96 = qd[3] * s5 + c5 * t95;
-  const Scalar t97 = t96 * t96;
-  const Scalar t98 = t94 * t94 + t97;
-  const Scalar t99 = s5 * t95 - qd[3] * c5;
-  const Scalar t100 = qd[5] - t99;
-  const Scalar t101 = t100 * t100;
-  const Scalar t102 = t101 + t97;
-  const Scalar t103 = t98 - t102;
-  const Scalar t104 = t101 - t97;
-  const Scalar t105 = t103 + t104;
-  const Scalar t106 = qd[3] * t95;
-  const Scalar t107 = t99 * t96;
-  const Scalar t108 = t106 + t107;
-  const Scalar t109 = t93 * t95;
-  const Scalar t110 = qd[3] * t93;
-  const Scalar t111 = Scalar(2) * t110;
-  const Scalar t112 = c5 * t109 + s5 * t111;
-  const Scalar t113 = Scalar(2) * t94 * t96 - t112;
-  const Scalar t114 = t94 * t99;
-  const Scalar t115 = c5 * t111 - s5 * t109;
-  const Scalar t116 = (t114 + t114) + t115;
-  const Scalar t117 = (k[22] * t105 - k[23] * t108) - (k[18] * t113 - k[14] * t116);
-  const Scalar t118 = c4 * t91 - k[35] * s4;
-  const Scalar t119 = s2 * s3 - c2 * c3;
-  const Scalar t120 = c3 * s2 + c2 * s3;
-  const Scalar t121 = wrench[4] * t119 + wrench[3] * t120;
-  const Scalar t122 = wrench[4] * t120 - wrench[3] * t119;
-  const Scalar t123 = wrench[5] * c4 - s4 * t122;
-  const Scalar t124 = t25 * t105 - (t19 * t112 - t113 * t8);
-  const Scalar t125 = s4 * t91 + k[35] * c4;
-  const Scalar t126 = t92 * t92;
-  const Scalar t127 = t126 + t90;
-  const Scalar t128 = c5 * t125 + s5 * t127;
-  const Scalar t129 = ((t108 * t5 - t116 * t16) - t124) + (t128 * t0 + t2 * t118);
-  const Scalar t130 = (c5 * t121 - s5 * t123) + t129;
-  const Scalar t131 = (t117 - k[8] * t118) - t130;
-  const Scalar t132 = t100 * t96;
-  const Scalar t133 = t108 + (t132 + t132);
-  const Scalar t134 = t116 + Scalar(2) * t94 * t100;
-  const Scalar t135 = t103 * t5 + (t133 * t25 + t134 * t19);
-  const Scalar t136 = c5 * t127 - s5 * t125;
-  const Scalar t137 = ((t113 * t16 + t135) + t136 * t0) - (s5 * t121 + c5 * t123);
-  const Scalar t138 = t106 - t107;
-  const Scalar t139 = t95 * t95;
-  const Scalar t140 = qd[3] * qd[3];
-  const Scalar t141 = t139 + t140;
-  const Scalar t142 = t98 - t141;
-  const Scalar t143 = k[23] * t142 + (k[19] * t116 + k[14] * t113);
-  const Scalar t144 = t137 - (k[9] * t118 - (k[22] * t138 + t143));
-  const Scalar t145 = k[28] * (t141 - t126) - (k[40] * t106 - k[41] * t110);
-  const Scalar t146 = (s5 * t131 - c5 * t144) - (k[7] * t127 - (t145 - k[29] * t109));
-  const Scalar t147 = t139 - t140;
-  const Scalar t148 = (k[29] * t147 + k[28] * t109) + (k[40] * t110 + k[39] * t106);
-  const Scalar t149 = t142 - t105;
-  const Scalar t150 = (k[19] * t108 - k[18] * t138) + k[14] * t149;
-  const Scalar t151 = (k[8] * t136 + k[9] * t128) + (t150 + (k[22] * t115 + k[23] * t112));
-  const Scalar t152 = (t16 * t104 - t112 * t5) - (t133 * t8 + t25 * t134);
-  const Scalar t153 = (t2 * t136 - t152) + (c4 * t122 + wrench[5] * s4);
-  const Scalar t154 = t151 + t153;
-  const Scalar t155 = c4 * t146 + s4 * ((k[10] * t127 + t148) + t154);
-  const Scalar t156 = wrench[0] * t120 + wrench[1] * t119;
-  const Scalar t157 = wrench[1] * t120 - wrench[0] * t119;
-  const Scalar t158 = wrench[2] * c4 - s4 * t157;
-  const Scalar t159 = (t134 * t0 + t133 * t2) - k[38] * (c5 * t156 - s5 * t158);
-  const Scalar t160 = t159 + (k[8] * t138 + k[9] * t98);
-  const Scalar t161 = k[38] * (s5 * t156 + c5 * t158) - (t112 * t0 - t2 * (t102 + t105));
-  const Scalar t162 = (k[8] * (t149 - t98) + k[9] * t108) - t161;
-  const Scalar t163 = t147 - t126;
-  const Scalar t164 = (s5 * t160 - c5 * t162) - (k[10] * t163 + k[7] * t109);
-  const Scalar t165 = k[38] * (c4 * t157 + wrench[2] * s4) + (t102 * t0 - t113 * t2);
-  const Scalar t166 = (k[7] * t141 - k[10] * t109) - ((k[8] * t113 + k[9] * t116) - t165);
-  const Scalar t167 = s4 * t164 - c4 * t166;
-  const Scalar t168 = (k[11] * t90 - k[12] * t91) - (t155 - t167);
-  const Scalar t169 = (s5 * t162 + c5 * t160) + (k[42] * t106 + k[7] * t111);
-  const Scalar t170 = s3 * (t167 - k[11] * t126) - c3 * (k[12] * t126 + t169);
-  const Scalar t171 = (t168 + k[2] * t170) + (k[43] * t87 + k[44] * t88);
-  const Scalar t172 = torque[5] + t130;
-  const Scalar t173 = k[6] * t172;
-  const Scalar t174 = t173 * t5 - (torque[4] + t154);
-  const Scalar t175 = ((torque[1] - t171) - t172 * t65) - t71 * t174;
-  const Scalar t176 = (k[45] * t109 - k[24] * (t163 + t141)) - (k[10] * t118 + k[7] * t125);
-  const Scalar t177 = torque[3] - (t176 + (c5 * t131 + s5 * t144));
-  const Scalar t178 = t11 * t174;
-  const Scalar t179 = (t177 - t172 * t18) + t178 * t29;
-  const Scalar t180 = ((torque[2] - t168) - t172 * t53) + t45 * t178;
-  const Scalar t181 = t180 + t51 * t179;
-  const Scalar t182 = (t175 - t70 * t179) + t77 * t181;
-  const Scalar t183 = k[33] * (k[46] + (c4 * t164 + s4 * t166));
-  const Scalar t184 = t178 * t14 - ((torque[0] + t183) + t172 * t4);
-  const Scalar t185 = t182 * t85 - (t62 * t181 - (t179 * t38 + t184));
-  const Scalar t186 = t86 * t185;
-  const Scalar t187 = t84 * t182 + t186 * t85;
-  const Scalar t188 = (t62 * t186 + t61 * t181) - t187 * t77;
-  const Scalar t189 = t187 * t70 - (t32 * t179 + t186 * t38);
-  const Scalar t190 = t188 * t51 + t189;
-  const Scalar t191 = t188 * t52 - ((t186 * t15 + t178) - t187 * t71);
-  const Scalar t192 = t30 * t190 + t191;
-  const Scalar t193 = ((t4 * t186 + t173) + t187 * t65) - t188 * t53;
+  const Scalar t62 = t43 + (c3 * s5 * t4 + s3 * t41);
+  const Scalar t63 = k[3] * t62;
+  const Scalar t64 = (c3 * t2 - s3 * s4 * t20) - t50;
+  const Scalar t65 = t12 * t63 + t64;
+  const Scalar t66 = t19 * t65;
+  const Scalar t67 = s3 * (s4 * t5 + c4 * t3) + t47;
+  const Scalar t68 = t28 * t66 + (t67 - t27 * t62);
+  const Scalar t69 = c3 * (k[30] - t6) - s3 * (k[29] - t20);
+  const Scalar t70 = t65 * t52 - (t43 * t63 + (t69 - t58));
+  const Scalar t71 = t59 * t68 + t70;
+  const Scalar t72 = t61 * t71;
+  const Scalar t73 = t39 * t68;
+  const Scalar t74 = t73 * t29 - (t22 * t65 - t11 * t62);
+  const Scalar t75 = t54 * t72 + t74;
+  const Scalar t76 = c3 * (k[31] + (c4 * t46 - s4 * t45));
+  const Scalar t77 = s3 * (s3 * (t55 + t57) - (t76 + t76));
+  const Scalar t78 = (k[33] + (t55 - t77)) - (k[32] - ((t77 - t57) - (t69 + t69)));
+  const Scalar t79 = (t65 * t66 - (t63 * t62 - t78)) - t73 * t68;
+  const Scalar t80 = Scalar(1) / (t71 * t72 - t79);
+  const Scalar t81 = t80 * t75;
+  const Scalar t82 = t61 * t54;
+  const Scalar t83 = ((k[45] + t11 * t10) - t22 * t21) + t29 * t40;
+  const Scalar t84 = Scalar(1) / (t75 * t81 - (t82 * t54 + t83));
+  const Scalar t85 = s2 * s3 - c2 * c3;
+  const Scalar t86 = c3 * s2 + c2 * s3;
+  const Scalar t87 = wrench[4] * t85 + wrench[3] * t86;
+  const Scalar t88 = wrench[4] * t86 - wrench[3] * t85;
+  const Scalar t89 = wrench[5] * c4 - s4 * t88;
+  const Scalar t90 = k[35] * s2 + k[34] * c2;
+  const Scalar t91 = qd[1] * qd[1] + t90;
+  const Scalar t92 = k[35] * c2 - k[34] * s2;
+  const Scalar t93 = c3 * t91 + s3 * t92;
+  const Scalar t94 = c4 * t93 + k[36] * s4;
+  const Scalar t95 = s4 * t93 - k[36] * c4;
+  const Scalar t96 = c3 * t92 - s3 * t91;
+  const Scalar t97 = qd[1] + qd[2];
+  const Scalar t98 = t97 * t97;
+  const Scalar t99 = t96 - k[23] * t98;
+  const Scalar t100 = c5 * t95 + s5 * t99;
+  const Scalar t101 = s4 * t97;
+  const Scalar t102 = c4 * t97;
+  const Scalar t103 = t101 * t102;
+  const Scalar t104 = qd[3] * t101;
+  const Scalar t105 = t104 + t104;
+  const Scalar t106 = s5 * t103 - c5 * t105;
+  const Scalar t107 = qd[4] + t101;
+  const Scalar t108 = s5 * t102 - qd[3] * c5;
+  const Scalar t109 = t107 * t108;
+  const Scalar t110 = t106 - (t109 + t109);
+  const Scalar t111 = qd[3] * t102;
+  const Scalar t112 = c5 * t102;
+  const Scalar t113 = qd[3] * s5 + t112;
+  const Scalar t114 = t108 * t113;
+  const Scalar t115 = t111 + t114;
+  const Scalar t116 = t107 * t107;
+  const Scalar t117 = t108 * t108;
+  const Scalar t118 = t116 + t117;
+  const Scalar t119 = t102 * t102;
+  const Scalar t120 = qd[3] * qd[3];
+  const Scalar t121 = t119 + t120;
+  const Scalar t122 = t118 - t121;
+  const Scalar t123 = t101 * t112 + s5 * t105;
+  const Scalar t124 = t107 * t113;
+  const Scalar t125 = (t123 - t124) - t124;
+  const Scalar t126 = t24 * t122 - (t16 * t125 - t123 * t36);
+  const Scalar t127 = (t0 * t94 + t4 * t100) - ((t7 * t110 - t12 * t115) - t126);
+  const Scalar t128 = (c5 * t87 - s5 * t89) - t127;
+  const Scalar t129 = torque[5] + t128;
+  const Scalar t130 = k[3] * t129;
+  const Scalar t131 = wrench[1] * t86 - wrench[0] * t85;
+  const Scalar t132 = qd[5] - t108;
+  const Scalar t133 = t132 * t132;
+  const Scalar t134 = t116 + t133;
+  const Scalar t135 = k[38] * (c4 * t131 + wrench[2] * s4) + (t4 * (t134 - t122) + t0 * t125);
+  const Scalar t136 = (k[17] * t121 - k[18] * t103) + (t135 + (k[11] * t125 + k[12] * t110));
+  const Scalar t137 = wrench[0] * t86 + wrench[1] * t85;
+  const Scalar t138 = wrench[2] * c4 - s4 * t131;
+  const Scalar t139 = k[38] * (s5 * t137 + c5 * t138) + (t0 * t134 - t123 * t4);
+  const Scalar t140 = t139 + (k[11] * t118 - k[12] * t115);
+  const Scalar t141 = t116 - t117;
+  const Scalar t142 = t141 - t122;
+  const Scalar t143 = t111 - t114;
+  const Scalar t144 = t107 * t132;
+  const Scalar t145 = (t144 + t144) - t110;
+  const Scalar t146 = Scalar(2) * t132 * t113 + t115;
+  const Scalar t147 = k[38] * (c5 * t137 - s5 * t138) - (t145 * t4 + t0 * t146);
+  const Scalar t148 = (k[12] * (t142 + t118) + k[11] * t143) - t147;
+  const Scalar t149 = t121 - t98;
+  const Scalar t150 = t119 - t120;
+  const Scalar t151 = t149 + t150;
+  const Scalar t152 = (c5 * t140 + s5 * t148) - (k[18] * (t151 - t121) + k[17] * t103);
+  const Scalar t153 = c4 * t136 - s4 * t152;
+  const Scalar t154 = (k[40] * t111 + k[26] * t105) + (k[24] * t150 + k[25] * t103);
+  const Scalar t155 = t116 - t133;
+  const Scalar t156 = (t145 * t24 + t16 * t146) - (t12 * t123 - (t155 - t122) * t7);
+  const Scalar t157 = s5 * t95 - c5 * t99;
+  const Scalar t158 = (t156 + t0 * t157) + (c4 * t88 + wrench[5] * s4);
+  const Scalar t159 = k[21] * t142 - (k[15] * t143 - k[16] * t115);
+  const Scalar t160 = (k[11] * t157 - k[12] * t100) - ((k[8] * t106 - k[4] * t123) - t159);
+  const Scalar t161 = t158 + t160;
+  const Scalar t162 = (k[4] * t115 - k[8] * t122) + (k[21] * t110 - k[15] * t125);
+  const Scalar t163 = (k[11] * t94 - t162) - t128;
+  const Scalar t164 = (t145 * t36 - t24 * t146) + t12 * t155;
+  const Scalar t165 = (t4 * t157 - (t7 * t125 + t164)) - (s5 * t87 + c5 * t89);
+  const Scalar t166 = k[4] * t141 - (k[16] * t110 + k[21] * t125);
+  const Scalar t167 = t165 + (k[12] * t94 + (k[8] * t143 + t166));
+  const Scalar t168 = (k[41] * t111 - k[20] * t105) - k[25] * t149;
+  const Scalar t169 = (s5 * t163 - c5 * t167) - ((t168 + k[24] * t103) - k[17] * t99);
+  const Scalar t170 = s4 * ((k[18] * t99 - t154) - t161) - c4 * t169;
+  const Scalar t171 = (k[30] * t96 - k[29] * t93) + (k[23] * t153 - t170);
+  const Scalar t172 = (c5 * t148 - s5 * t140) + (k[39] * t111 + k[17] * t105);
+  const Scalar t173 = s3 * (k[30] * t98 + t153) + c3 * (k[29] * t98 + t172);
+  const Scalar t174 = (t171 + t173) - (k[43] * t90 - k[42] * t92);
+  const Scalar t175 = (torque[4] + t161) + t129 * t13;
+  const Scalar t176 = (t130 * t62 - (torque[1] + t174)) - t175 * t66;
+  const Scalar t177 = (k[18] * t94 + k[17] * t95) - (k[26] * t151 - k[37] * t103);
+  const Scalar t178 = torque[3] - (t177 + (s5 * t167 + c5 * t163));
+  const Scalar t179 = t175 * t30 - (t129 * t27 - t178);
+  const Scalar t180 = (t43 * t130 - (torque[2] + t171)) - t175 * t52;
+  const Scalar t181 = t179 * t39;
+  const Scalar t182 = t180 - t53 * t181;
+  const Scalar t183 = (t176 + t73 * t179) - t182 * t72;
+  const Scalar t184 = t182 * t61;
+  const Scalar t185 = k[44] + k[13] * (s4 * t136 + c4 * t152);
+  const Scalar t186 = ((torque[0] + t185) - t10 * t130) + t175 * t22;
+  const Scalar t187 = t183 * t81 + (t54 * t184 - (t29 * t181 - t186));
+  const Scalar t188 = t84 * t187;
+  const Scalar t189 = t188 * t81 - t80 * t183;
+  const Scalar t190 = (t82 * t188 + t184) - t189 * t72;
+  const Scalar t191 = ((t188 * t40 - t181) - t189 * t73) + t190 * t59;
+  const Scalar t192 = t189 * t66 - (t188 * t22 - t19 * t175);
+  const Scalar t193 = (t52 * t190 + t192) + t30 * t191;
+  const Scalar t194 = t44 * t190 + ((t130 - t188 * t11) + t189 * t63);
   JointVector<Scalar> result;
-  result[0] = -t186;
-  result[1] = t187;
-  result[2] = -t188;
-  result[3] = -t190;
-  result[4] = t192;
-  result[5] = -t6 * t192 - (t193 - t190 * t18);
+  result[0] = -t188;
+  result[1] = t189;
+  result[2] = t190;
+  result[3] = t191;
+  result[4] = t193;
+  result[5] = t193 * t13 - (t27 * t191 + t194);
   return result;
 }
 

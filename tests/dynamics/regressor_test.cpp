@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+// The base parameters are as few as possible: over many motions no column of the regressor follows from the
+// others.
+#include "derive/dynamics/regressor.h"
+
+#include <cmath>
+#include <map>
+#include <random>
+#include <string>
+
+#include <Eigen/QR>
+#include <gtest/gtest.h>
+
+#include "dag/evaluate.h"
+#include "description/reader.h"
+#include "random_robot.h"
+
+namespace qvgen::test {
+namespace {
+
+using derive::dynamics::Regressor;
+
+/// Random values for symbols that have none yet: one geometry stays while motions change.
+class Leaves {
+ public:
+  Leaves(std::map<std::string, double> known, std::mt19937& random)
+      : values_(std::move(known)), random_(random) {}
+
+  double constant(const exact::Number& value) const { return value.to_double(); }
+  double symbol(const std::string& name) {
+    return values_.try_emplace(name, std::uniform_real_distribution(0.5, 2.0)(random_)).first->second;
+  }
+  double sine(const exact::Angle& angle) { return std::sin(radians(angle)); }
+  double cosine(const exact::Angle& angle) { return std::cos(radians(angle)); }
+  double root(double value) const { return std::sqrt(value); }
+  double arctangent(double y, double x) const { return std::atan2(y, x); }
+
+ private:
+  double radians(const exact::Angle& angle) {
+    double sum = exact::Number(angle.pi).to_double() * 3.14159265358979323846;
+    for (const auto& [name, factor] : angle.terms) sum += exact::Number(factor).to_double() * symbol(name);
+    return sum;
+  }
+
+  std::map<std::string, double> values_;
+  std::mt19937& random_;
+};
+
+std::map<std::string, double> geometry(const Regressor& regressor, std::mt19937& random) {
+  const auto& constants = regressor.formulation.constants;
+  const auto values = dag::evaluate<double>(constants, Leaves({}, random));
+  std::map<std::string, double> result;
+  for (std::size_t i = 0; i < values.size(); ++i) result[constants.outputs[i].name] = values[i];
+  return result;
+}
+
+/// Y at so many random motions, one below the other, all columns of length one.
+Eigen::MatrixXd columns_of(const Regressor& regressor, Eigen::Index joints, int motions) {
+  std::mt19937 random(5);
+  const auto known = geometry(regressor, random);
+  const auto& y = regressor.formulation.function;
+  const Eigen::Index columns = static_cast<Eigen::Index>(y.outputs.size()) / joints;
+  Eigen::MatrixXd all(motions * joints, columns);
+  for (int k = 0; k < motions; ++k) {
+    const auto values = dag::evaluate<double>(y, Leaves(known, random));
+    all.middleRows(k * joints, joints) = Eigen::Map<const Eigen::MatrixXd>(values.data(), joints, columns);
+  }
+  all.colwise().normalize();
+  return all;
+}
+
+model::Robot read(const std::string& text) {
+  const description::ReadResult result = description::read_text(text, "arm.toml");
+  if (!result.robot) throw std::runtime_error("not read:\n" + text);
+  return *result.robot;
+}
+
+void expect_independent_columns(const std::string& text) {
+  const model::Robot robot = read(text);
+  const Regressor regressor = derive::dynamics::regressor(robot);
+  const auto joints = static_cast<Eigen::Index>(robot.joints.size());
+  ASSERT_FALSE(regressor.names.empty()) << text;
+  const Eigen::MatrixXd all = columns_of(regressor, joints, 30);
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> decomposed(all);
+  decomposed.setThreshold(1e-9);
+  EXPECT_EQ(decomposed.rank(), all.cols()) << text;
+}
+
+TEST(Regressor, OfRandomArmsHasIndependentColumns) {
+  for (std::uint32_t seed = 1; seed <= 120; ++seed) expect_independent_columns(random_description(seed));
+}
+
+/// While the arm turns about one direction only, slides at any angle to it leave fewer parameters.
+TEST(Regressor, OfTurnsAboutOneDirectionWithSlidesHasIndependentColumns) {
+  const std::string turn = "[[joint]]\ntype = \"revolute\"\naxis = \"+z\"\nlink = [\"l\", \"m\", \"1/3\"]\n";
+  for (const char* slide : {"\"+z\"", "\"+x\"", "[0, \"3/5\", \"4/5\"]", "[\"2/7\", \"-3/7\", \"6/7\"]"})
+    for (const char* kinds : {"RP", "PR", "RPP", "RRP", "PRPR", "RPRP", "PRRPP"}) {
+      std::string text = "name = \"arm\"\ntitle = \"arm\"\n[defaults]\nl = 0.3\nm = 0.2\n";
+      int number = 0;
+      for (const char kind : std::string(kinds)) {
+        const std::string joint =
+            kind == 'R' ? turn : "[[joint]]\ntype = \"prismatic\"\naxis = " + std::string(slide) + "\n";
+        text += joint + "variable = \"q" + std::to_string(++number) + "\"\n";
+      }
+      expect_independent_columns(text);
+    }
+}
+
+}  // namespace
+}  // namespace qvgen::test
