@@ -18,6 +18,7 @@ const char* const examples = R"(
   qvgen show ns                               the closed form of the forward kinematics
   qvgen show my_arm.toml --latex              the same typeset
   qvgen show puma560 --singularities          where the arm is singular, factor by factor
+  qvgen show nn --dynamics --joints 3 --masses end   joint forces of its first three joints, written out
   qvgen counts --format markdown              operation counts of everything generated
   qvgen counts ur5 --functions jacobian       of one function of one robot
   qvgen counts --against before.json          what a change has made cheaper or dearer
@@ -153,7 +154,16 @@ void add_show(CommandLine& line) {
                    "the homogeneous matrices, link by link, and the entries of their product");
   command.add_flag("--jacobian", line.show.jacobian,
                    "the Jacobian by three methods, velocities of the links, determinant, inverse");
+  command.add_option("--joints", line.show.joints, "the first ones alone, without what they carry")
+      ->type_name("COUNT")
+      ->check(CLI::PositiveNumber);
+  command
+      .add_option(
+          "--masses", line.show.masses,
+          "for --dynamics: a mass in the middle or at the end of each link, in place of the described ones")
+      ->check(CLI::IsMember({"middle", "end"}));
   command.add_flag("--latex", line.show.latex, "as LaTeX");
+  command.add_flag("--exact", line.show.exact, "exact fractions in place of decimals");
   command.add_flag("--singularities", line.show.singularities,
                    "the factored determinant of the Jacobian instead");
   command.add_flag("--inverse", line.show.inverse, "the derivation of inverse kinematics");

@@ -17,6 +17,7 @@
 #include "emit/math/singularities.h"
 #include "emit/math/transforms.h"
 #include "model/followers.h"
+#include "model/links.h"
 #include "optimise/dynamics.h"
 #include "pipeline/files.h"
 #include "pipeline/output_folder.h"
@@ -99,14 +100,35 @@ int run_new(const std::string& code, const std::string& name, bool euler_wrist, 
 
 namespace {
 
-int show_dynamics(const model::Robot& robot) {
-  if (!optimise::has_inertia(robot) || robot.joints.size() > 3) {
-    fmt::print(stderr, "qvgen: {} has {}\n", robot.name,
-               optimise::has_inertia(robot) ? "more than three joints: its closed form is too long to read"
-                                            : "no inertia");
+model::Robot part_to_show(model::Robot robot, const ShowArguments& arguments) {
+  if (arguments.joints > 0) robot = model::first_joints(robot, arguments.joints);
+  if (!arguments.masses.empty())
+    robot = model::with_masses(robot,
+                               arguments.masses == "end" ? model::MassPlace::end : model::MassPlace::middle);
+  return robot;
+}
+
+/// What with_masses has put in place of the description's inertia.
+std::string masses_sentence(const std::string& place) {
+  if (place.empty()) return "";
+  if (place == "end") return "m1, m2, ...: the mass of each link, all of it at the link's end.\n";
+  return "m1, m2, ...: the mass of each link, in the middle of it; Ixx1, Iyy1, Izz1, ...: moments about that "
+         "in the "
+         "link's frame;\nlength1, ...: of a link that slides, a rod along its axis.\n";
+}
+
+int show_dynamics(const model::Robot& robot, const std::string& masses, emit::Notation notation) {
+  std::string missing;
+  if (robot.joints.size() > 3)
+    missing = "more than three joints: its closed form is too long to read; --joints 3 has its first three";
+  else if (!optimise::has_inertia(robot))
+    missing = "no inertia; --masses gives its links a mass each";
+  if (!missing.empty()) {
+    fmt::print(stderr, "qvgen: {} has {}\n", robot.name, missing);
     return failure;
   }
-  for (const std::string& line : emit::dynamics_closed_form_lines(robot)) fmt::print("{}\n", line);
+  fmt::print("{}", masses_sentence(masses));
+  for (const std::string& line : emit::dynamics_closed_form_lines(robot, notation)) fmt::print("{}\n", line);
   return success;
 }
 
@@ -164,29 +186,30 @@ int show_inverse(const model::Robot& described, emit::Notation notation) {
 int run_show(const ShowArguments& arguments) {
   const auto robots = read_robots({arguments.description}, arguments.read);
   if (!robots) return bad_description;
-  if (arguments.dynamics) return show_dynamics(robots->front());
-  if (arguments.structure) return show_class(robots->front());
-  const auto notation = arguments.latex ? emit::Notation::latex : emit::Notation::text;
+  const model::Robot robot = part_to_show(robots->front(), arguments);
+  const emit::Notation notation{arguments.latex,
+                                arguments.exact ? emit::Numbers::exact : emit::Numbers::decimal};
+  if (arguments.dynamics) return show_dynamics(robot, arguments.masses, notation);
+  if (arguments.structure) return show_class(robot);
   if (arguments.singularities) {
-    for (const std::string& line : emit::singularity_lines(robots->front(), notation))
-      fmt::print("{}\n", line);
+    for (const std::string& line : emit::singularity_lines(robot, notation)) fmt::print("{}\n", line);
     return success;
   }
   if (arguments.transform) {
-    for (const std::string& line : emit::transform_lines(robots->front(), notation)) fmt::print("{}\n", line);
+    for (const std::string& line : emit::transform_lines(robot, notation)) fmt::print("{}\n", line);
     return success;
   }
   if (arguments.jacobian) {
-    for (const std::string& line : emit::jacobian_lines(robots->front(), notation)) fmt::print("{}\n", line);
+    for (const std::string& line : emit::jacobian_lines(robot, notation)) fmt::print("{}\n", line);
     return success;
   }
-  if (arguments.workspace) return show_workspace(robots->front(), notation);
-  if (arguments.inverse) return show_inverse(robots->front(), notation);
-  const auto lines = emit::closed_form_lines(robots->front(), notation);
+  if (arguments.workspace) return show_workspace(robot, notation);
+  if (arguments.inverse) return show_inverse(robot, notation);
+  const auto lines = emit::closed_form_lines(robot, notation);
   if (lines.empty()) {
     fmt::print(stderr,
                "qvgen: {} has a constant rotation by a symbolic angle: no closed form in half-angle sums\n",
-               robots->front().name);
+               robot.name);
     return failure;
   }
   if (arguments.latex) {

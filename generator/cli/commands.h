@@ -46,7 +46,10 @@ struct GenerateArguments {
 struct ShowArguments {
   std::filesystem::path description;
   description::ReadOptions read;
+  std::size_t joints = 0;  ///< the first ones alone; 0: all
+  std::string masses;      ///< "middle" or "end" of the links in place of the described inertia
   bool latex = false;
+  bool exact = false;  ///< fractions in place of decimals
   bool singularities = false;
   bool dynamics = false;   ///< the joint forces in place of the pose
   bool transform = false;  ///< the homogeneous matrices instead

@@ -146,23 +146,6 @@ std::string singularities_html(const model::Robot& robot) {
   return text;
 }
 
-/// "theta1''" -> \ddot{\theta_{1}}, "theta1'*theta2'", "theta2'^2"
-std::string motion_latex(const std::string& motion) {
-  std::string result;
-  std::size_t start = 0;
-  while (start < motion.size()) {
-    const std::size_t end = std::min(motion.find('*', start), motion.size());
-    const std::string part = motion.substr(start, end - start);
-    const std::size_t prime = part.find('\'');
-    const bool second = part.compare(prime, 2, "''") == 0;
-    result += std::string(result.empty() ? "" : " ") + (second ? "\\ddot{" : "\\dot{") +
-              emit::formula(part.substr(0, prime), Notation::latex) + "}" +
-              (part.find("^2") == std::string::npos ? "" : "^2");
-    start = end + 1;
-  }
-  return result;
-}
-
 }  // namespace
 
 Section forward_section(const model::Robot& robot) {
@@ -204,7 +187,7 @@ Section dynamics_section(const model::Robot& robot) {
   for (const emit::ForceTerm& term : emit::dynamics_closed_form(robot)) {
     const std::string coefficient =
         emit::formula(term.coefficient.graph, term.coefficient.outputs.front().value, Notation::latex);
-    const std::string value = "(" + coefficient + ") " + motion_latex(term.motion);
+    const std::string value = "(" + coefficient + ") " + emit::motion_formula(term.motion, Notation::latex);
     if (term.joint != joint)
       lines.push_back("\\tau_{" + std::to_string(term.joint + 1) + "} = " + value);
     else

@@ -247,7 +247,7 @@ std::vector<std::string> number_lines(WorkspaceNumbers n, bool latex) {
 
 std::string text_of(const dag::Graph& graph, dag::Edge value, emit::Notation notation) {
   const auto name = [notation](const std::string& symbol) { return emit::formula(symbol, notation); };
-  return emit::formula(graph, value, notation, name, emit::Numbers::decimal);
+  return emit::formula(graph, value, notation, name);
 }
 
 /// GiNaC's order of factors changes from run to run.
@@ -264,7 +264,7 @@ std::vector<std::string> equations(const dag::Function& factors, emit::Notation 
 }
 
 std::string displayed(const std::string& left, const std::string& right, emit::Notation notation) {
-  return notation == emit::Notation::latex ? "\\[" + left + " = " + right + "\\]" : left + " = " + right;
+  return notation.typeset ? "\\[" + left + " = " + right + "\\]" : left + " = " + right;
 }
 
 }  // namespace
@@ -272,7 +272,7 @@ std::string displayed(const std::string& left, const std::string& right, emit::N
 std::vector<std::string> workspace_lines(const model::Robot& described, emit::Notation notation) {
   const WorkspaceSection section = workspace_section(described);
   if (!section.missing.empty()) return {};
-  const bool latex = notation == emit::Notation::latex;
+  const bool latex = notation.typeset;
   std::vector<std::string> lines{
       "Section of the " + section.point +
           "'s workspace through the axis of joint 1, which turns it about that axis.",

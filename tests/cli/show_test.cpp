@@ -124,6 +124,18 @@ TEST_F(CommandLine, ShowsTheJacobian) {
       has(run("show rpp --jacobian --latex"), "\\[v_{2} = \\begin{bmatrix}\n0 \\\\\n0 \\\\\n\\dot{d_{2}}"));
 }
 
+TEST_F(CommandLine, ShowsTheDynamicsOfTheFirstJoints) {
+  const ToolRun whole = run("show nn --dynamics");
+  EXPECT_EQ(whole.code, 1);
+  EXPECT_TRUE(has(whole, "--joints 3 has its first three")) << whole.output;
+  const ToolRun part = run("show ns --dynamics --joints 3 --masses end");
+  EXPECT_EQ(part.code, 0);
+  EXPECT_TRUE(has(part, "tau3 = - [d2*m3*sin(theta2)] theta1''")) << part.output;
+  EXPECT_TRUE(has(run("show ns --dynamics --joints 3 --masses end --latex"), "\\ddot{\\theta_{1}} \\\\\n"));
+  EXPECT_TRUE(has(run("show ns --dynamics --joints 7"), "ns has 6 joints"));
+  EXPECT_TRUE(has(run("show puma560 --exact"), "2159/5000"));
+}
+
 TEST_F(CommandLine, ShowsTheWorkspace) {
   EXPECT_TRUE(has(run("show rrr --workspace"), "\nreach from the origin of joint 1: 0.2 to 1.217 m\n"));
   const ToolRun none = run("show ur5 --workspace");

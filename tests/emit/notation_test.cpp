@@ -32,7 +32,7 @@ TEST(Notation, FractionsThatEndAsDecimals) {
   const auto text = [&](int numerator, int denominator) {
     const auto edge = g.constant(exact::Number(cln::cl_RA(numerator) / denominator));
     const auto name = [](const std::string& symbol) { return symbol; };
-    return emit::formula(g, edge, Notation::text, name, emit::Numbers::decimal);
+    return emit::formula(g, edge, Notation::text, name);
   };
   EXPECT_EQ(text(2159, 5000), "0.4318");
   EXPECT_EQ(text(-3001, 20000), "-0.15005");

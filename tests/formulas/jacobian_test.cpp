@@ -26,8 +26,8 @@ std::string file_of(const std::string& robot) {
 /// Derived once.
 const std::vector<std::string>& lines_of(const std::string& robot,
                                          emit::Notation notation = emit::Notation::text) {
-  static std::map<std::pair<std::string, emit::Notation>, std::vector<std::string>> known;
-  auto& lines = known[{robot, notation}];
+  static std::map<std::pair<std::string, bool>, std::vector<std::string>> known;
+  auto& lines = known[{robot, notation.typeset}];
   if (lines.empty())
     lines = emit::jacobian_lines(description::read_file(file_of(robot)).robot.value(), notation);
   return lines;

@@ -53,9 +53,9 @@ std::vector<std::string> closed_form_lines(const model::Robot& described, Notati
   std::vector<std::string> lines;
   for (const dag::Output& output : function.outputs) {
     const std::string name =
-        output.name.size() == 2 && notation == Notation::latex ? "p_" + output.name.substr(1) : output.name;
+        output.name.size() == 2 && notation.typeset ? "p_" + output.name.substr(1) : output.name;
     const std::string line = name + " = " + formula(function.graph, output.value, notation);
-    if (notation == Notation::latex)
+    if (notation.typeset)
       lines.push_back(line);
     else
       for (const std::string& part : wrapped(line)) lines.push_back(part);

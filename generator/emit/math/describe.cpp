@@ -48,7 +48,7 @@ class Description {
       : plan_(plan),
         words_(plan.plan, variables, notation),
         notation_(notation),
-        latex_(notation == Notation::latex),
+        latex_(notation.typeset),
         count_(std::to_string(variables.size())) {}
 
   std::vector<Passage> write() {
@@ -168,7 +168,7 @@ std::vector<std::string> describe(const LoweredPlan& plan, const std::vector<std
                                   Notation notation) {
   std::vector<std::string> lines;
   for (const Passage& passage : passages(plan, variables, notation))
-    (notation == Notation::latex ? append_latex : append_text)(passage, lines);
+    (notation.typeset ? append_latex : append_text)(passage, lines);
   return lines;
 }
 

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "emit/math/dynamics_closed_form.h"
 
+#include <algorithm>
 #include <map>
 #include <stdexcept>
 
 #include "dag/import.h"
 #include "derive/dynamics/formulation.h"
-#include "emit/math/notation.h"
+#include "emit/math/collect.h"
+#include "emit/math/lines.h"
 #include "model/followers.h"
-#include "passes/pass.h"
 #include "symbolic/model.h"
+#include "verify/certificate.h"
 
 namespace qvgen::emit {
 namespace {
@@ -58,7 +60,9 @@ class Writer {
     if (flat.is_zero()) return;
     symbolic::Program program;
     program.output("coefficient", flat);
-    terms_.push_back({joint_, motion, passes::simplify(dag::import(program))});
+    const dag::Function written = collected(dag::import(program));
+    verify::certify(written, program, 2, "a joint force written otherwise");
+    terms_.push_back({joint_, motion, written});
   }
 
  private:
@@ -103,16 +107,66 @@ std::vector<ForceTerm> dynamics_closed_form(const model::Robot& robot) {
   return terms;
 }
 
-std::vector<std::string> dynamics_closed_form_lines(const model::Robot& robot) {
-  std::vector<std::string> lines;
-  std::size_t joint = robot.joints.size();
-  for (const ForceTerm& term : dynamics_closed_form(robot)) {
-    if (term.joint != joint) lines.push_back("tau" + std::to_string(term.joint + 1) + " =");
-    joint = term.joint;
-    const dag::Output& output = term.coefficient.outputs.front();
-    const std::string text = formula(term.coefficient.graph, output.value, Notation::text);
-    lines.push_back("  + [" + text + "]" + (term.motion.empty() ? "" : " " + term.motion));
+std::string motion_formula(const std::string& motion, Notation notation) {
+  if (!notation.typeset) return motion;
+  std::string result;
+  std::size_t start = 0;
+  while (start < motion.size()) {
+    const std::size_t end = std::min(motion.find('*', start), motion.size());
+    const std::string part = motion.substr(start, end - start);
+    const std::size_t prime = part.find('\'');
+    const bool second = part.compare(prime, 2, "''") == 0;
+    result += std::string(result.empty() ? "" : " ") + (second ? "\\ddot{" : "\\dot{") +
+              formula(part.substr(0, prime), notation) + "}" +
+              (part.find("^2") == std::string::npos ? "" : "^2");
+    start = end + 1;
   }
+  return result;
+}
+
+namespace {
+
+/// One term with its sign, in pieces that fit a line.
+std::vector<std::string> term_lines(const ForceTerm& term, bool first, Notation notation) {
+  const bool latex = notation.typeset;
+  const dag::Output& output = term.coefficient.outputs.front();
+  const bool negative = output.value.negative;
+  const auto name = [notation](const std::string& symbol) { return formula(symbol, notation); };
+  const std::string text =
+      formula(term.coefficient.graph, negative ? -output.value : output.value, notation, name);
+  std::vector<std::string> lines =
+      broken("[" + text + "]" +
+                 (term.motion.empty() ? "" : (latex ? "\\," : " ") + motion_formula(term.motion, notation)),
+             notation, 7);
+  lines.front().insert(0, negative ? "- " : first ? "" : "+ ");
+  return lines;
+}
+
+}  // namespace
+
+std::vector<std::string> dynamics_closed_form_lines(const model::Robot& robot, Notation notation) {
+  const bool latex = notation.typeset;
+  std::vector<std::string> lines{
+      latex ? "$\\tau_i$: the torque of joint $i$, the force of one that slides; $\\dot q$ is a rate, "
+              "$\\ddot q$ an "
+              "acceleration;\n$\\mathrm{gravity}$ acts along $-z$ of the world."
+            : "tau1, ...: the torque of each joint, the force of one that slides; ' is a rate, '' an "
+              "acceleration;\ngravity acts along -z of the world."};
+  std::size_t joint = robot.joints.size();
+  if (latex) lines.emplace_back("\\begin{align*}");
+  for (const ForceTerm& term : dynamics_closed_form(robot)) {
+    const bool first = term.joint != joint;
+    joint = term.joint;
+    const std::string number = std::to_string(joint + 1);
+    const std::string left = latex ? "\\tau_{" + number + "} &= " : "tau" + number + " = ";
+    const std::string blank = latex ? "&\\quad {}" : "     ";
+    bool begins = first;
+    for (const std::string& line : term_lines(term, first, notation)) {
+      lines.push_back((begins ? left : blank) + line + (latex ? " \\\\" : ""));
+      begins = false;
+    }
+  }
+  if (latex) lines.emplace_back("\\end{align*}");
   return lines;
 }
 

@@ -58,10 +58,10 @@ class Texts {
   }
 
  private:
-  [[nodiscard]] bool latex() const { return notation_ == Notation::latex; }
+  [[nodiscard]] bool latex() const { return notation_.typeset; }
   [[nodiscard]] std::string text_of(const dag::Graph& graph, dag::Edge value) const {
     const auto name = [this](const std::string& symbol) { return formula(symbol, notation_); };
-    return formula(graph, value, notation_, name, Numbers::decimal);
+    return formula(graph, value, notation_, name);
   }
   /// A factor's power without its sign.
   [[nodiscard]] std::string positive(const ex& value, int power, bool& negative) const {

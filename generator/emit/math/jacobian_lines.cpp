@@ -18,7 +18,7 @@ constexpr std::size_t widest = 110;
 
 class Writer {
  public:
-  explicit Writer(Notation notation) : latex_(notation == Notation::latex), notation_(notation) {}
+  explicit Writer(Notation notation) : latex_(notation.typeset), notation_(notation) {}
 
   void title(const std::string& text) {
     if (!lines_.empty()) lines_.emplace_back();

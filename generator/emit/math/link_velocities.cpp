@@ -63,8 +63,7 @@ class LinearText {
     const bool is_sum = function.graph.node(value).op == dag::Op::sum;
     const bool negative = !is_sum && value.negative;
     const auto name = [this](const std::string& symbol) { return formula(symbol, notation_); };
-    const std::string text =
-        formula(function.graph, negative ? -value : value, notation_, name, Numbers::decimal);
+    const std::string text = formula(function.graph, negative ? -value : value, notation_, name);
     const std::string factor = text == "1" ? "" : is_sum ? "(" + text + ")" : text;
     const auto same =
         std::find_if(terms_.begin(), terms_.end(), [&](const Term& term) { return term.factor == factor; });
@@ -80,7 +79,7 @@ class LinearText {
       const bool negative = term.motions.front().first;
       all += all.empty() ? (negative ? "-" : "") : (negative ? " - " : " + ");
       const std::string sum = sum_of(term, negative);
-      all += term.factor + (term.factor.empty() ? "" : notation_ == Notation::latex ? " " : "*");
+      all += term.factor + (term.factor.empty() ? "" : notation_.typeset ? " " : "*");
       all += term.motions.size() > 1 && (!term.factor.empty() || negative) ? "(" + sum + ")" : sum;
     }
     return all;
@@ -222,7 +221,7 @@ std::string component_name(const std::string& vector, const std::string& link, s
 
 std::string rate_text(const std::string& variable, Notation notation) {
   const std::string name = formula(variable, notation);
-  return notation == Notation::latex ? "\\dot{" + name + "}" : name + "'";
+  return notation.typeset ? "\\dot{" + name + "}" : name + "'";
 }
 
 std::vector<LinkVelocity> link_velocities(const model::Robot& described, Notation notation) {

@@ -27,7 +27,9 @@ std::string latex_name(const std::string& name) {
   const std::size_t end = name.find_first_of("0123456789_");
   const std::string word = name.substr(0, end);
   std::string index = end == std::string::npos ? "" : name.substr(end);
-  index.erase(std::remove(index.begin(), index.end(), '_'), index.end());
+  // link_1_2 is not link_12
+  if (!index.empty() && index.front() == '_') index.erase(0, 1);
+  std::replace(index.begin(), index.end(), '_', ',');
   if (word.empty()) return index;
   const std::string letters =
       is_greek(word) ? "\\" + word : (word.size() > 1 ? "\\mathrm{" + word + "}" : word);
@@ -84,12 +86,12 @@ std::string decimal(const cln::cl_RA& value) {
 class Formula {
  public:
   Formula(const dag::Graph& graph, Notation notation,
-          const std::function<std::string(const std::string&)>& name, Numbers numbers)
+          const std::function<std::string(const std::string&)>& name)
       : graph_(graph),
-        latex_(notation == Notation::latex),
+        latex_(notation.typeset),
         notation_(notation),
         name_(name),
-        numbers_(numbers) {}
+        numbers_(notation.numbers) {}
 
   std::string signed_text(Edge edge) const {
     if (!edge.negative) return text(edge.node);
@@ -159,11 +161,28 @@ class Formula {
     return result;
   }
 
+  /// Numbers, symbols, functions, sums.
+  int place(Edge edge) const {
+    switch (graph_.node(edge).op) {
+      case Op::constant:
+        return graph_.constant_of(graph_.node(edge)).terms().size() > 1 ? 3 : 0;
+      case Op::symbol:
+        return 1;
+      case Op::sum:
+        return 3;
+      default:
+        return 2;
+    }
+  }
+
   std::string product(const dag::Node& node) const {
+    std::vector<Edge> operands = node.operands;
+    std::stable_sort(operands.begin(), operands.end(),
+                     [this](Edge a, Edge b) { return place(a) < place(b); });
     std::string result;
-    for (std::size_t i = 0; i < node.operands.size(); ++i) {
-      const Edge& operand = node.operands[i];
-      const bool square = i + 1 < node.operands.size() && node.operands[i + 1] == operand;
+    for (std::size_t i = 0; i < operands.size(); ++i) {
+      const Edge& operand = operands[i];
+      const bool square = i + 1 < operands.size() && operands[i + 1] == operand;
       if (!result.empty()) result += latex_ ? " " : "*";
       result += (operand.negative ? "-" : "") + raised(operand.node, square);
       if (square) ++i;
@@ -198,13 +217,13 @@ std::string with_decimals(const dag::Angle& angle, Notation notation) {
 
 std::string formula(const std::string& name, Notation notation) {
   if (const auto value = exact::named_value(name)) return fmt::format("{:.6g}", cln::double_approx(*value));
-  return notation == Notation::latex ? latex_name(name) : name;
+  return notation.typeset ? latex_name(name) : name;
 }
 
 std::string formula(const dag::Angle& angle, Notation notation) {
   const auto is_named = [](const auto& term) { return exact::named_value(term.first).has_value(); };
   if (std::any_of(angle.terms.begin(), angle.terms.end(), is_named)) return with_decimals(angle, notation);
-  if (notation == Notation::text) return exact::to_string(angle);
+  if (!notation.typeset) return exact::to_string(angle);
   if (all_halves(angle)) return barred(angle);
   std::string text = exact::to_string(angle);
   for (const auto& [name, coefficient] : angle.terms) {
@@ -223,8 +242,8 @@ std::string formula(const dag::Graph& graph, Edge value, Notation notation) {
 }
 
 std::string formula(const dag::Graph& graph, Edge value, Notation notation,
-                    const std::function<std::string(const std::string&)>& name, Numbers numbers) {
-  return Formula(graph, notation, name, numbers).signed_text(value);
+                    const std::function<std::string(const std::string&)>& name) {
+  return Formula(graph, notation, name).signed_text(value);
 }
 
 }  // namespace qvgen::emit

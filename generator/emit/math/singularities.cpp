@@ -83,7 +83,7 @@ SingularityMeasures singularity_measures(const model::Robot& robot) {
   SingularityMeasures result;
   result.rows = all.rows;
   result.decoupled = all.decoupled;
-  result.constant = text_of(all.constant, Notation::text);
+  result.constant = text_of(all.constant, Notation::text.with(Numbers::exact));
   result.quantity.name = "singularity_measures";
   symbolic::Program program;
   for (const SingularFactor& factor : all.factors) {

@@ -80,7 +80,7 @@ std::optional<dag::Function> whole(const model::Robot& described) {
 
 class Lines {
  public:
-  explicit Lines(Notation notation) : latex_(notation == Notation::latex) {}
+  explicit Lines(Notation notation) : latex_(notation.typeset) {}
 
   /// A factor; 1 is not worth a line.
   void factor(const std::string& subscript, const Cells& cells) {

@@ -29,7 +29,7 @@ std::vector<std::string> parts_of(const std::string& name) {
 
 Vocabulary::Vocabulary(const derive::inverse::Plan& plan, std::vector<std::string> variables,
                        Notation notation)
-    : variables_(std::move(variables)), latex_(notation == Notation::latex), notation_(notation) {
+    : variables_(std::move(variables)), latex_(notation.typeset), notation_(notation) {
   for (const std::string& variable : variables_)
     for (const Step& step : plan.steps)
       for (const auto& output : step.after.outputs())

@@ -95,7 +95,8 @@ void generate_kinematics(const model::Robot& described, RobotOutput& output) {
   json values{{"name", robot.name}, {"scalars", {{{"scalar", "double"}}, {{"scalar", "float"}}}}};
   add_pose(robot, pose, values);
   add_transform(robot, transform, values);
-  values["closed_form"] = emit::lines_of(emit::closed_form_lines(described, emit::Notation::text));
+  values["closed_form"] =
+      emit::lines_of(emit::closed_form_lines(described, emit::Notation::text.with(emit::Numbers::exact)));
   const std::string headers = "include/qvgen/robots/" + robot.name + "/";
   output.files.push_back({headers + "kinematics.h", emit::render("kinematics.h", values)});
   output.files.push_back(
