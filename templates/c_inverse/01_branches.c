@@ -55,6 +55,7 @@ static Boundary chosen_boundary(double tolerance) {
 static Boundary stretched_boundary(double tolerance) {
   Boundary b = chosen_boundary(tolerance);
   b.accept = 1e3;
+  b.gap = 1e40;
   return b;
 }
 

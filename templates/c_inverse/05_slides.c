@@ -72,6 +72,20 @@ static double slide_on_line(Rotor along, Rotor rhs, double tiny, double choice, 
   return clamped(choice, middle - width, middle + width);
 }
 
+/// t with t along + s other = rhs in a plane, s the value of another slide, to be found later. Where the pose
+/// makes `other` vanish both components are for t.
+static double slide_beside(Rotor along, Rotor other, Rotor rhs, double tiny, double choice,
+                           const Boundary* boundary, Branch* branch) {
+  const double square = square_of(other);
+  const bool is_alone = square <= blind_square(boundary);
+  doubt_digits(square, boundary, branch);
+  if (is_alone) return slide_on_line(along, rhs, tiny, choice, boundary, branch);
+  const double scale = 1.0 / sqrt(square);
+  const Rotor across_along = {(along.cosine * other.sine - along.sine * other.cosine) * scale, 0.0};
+  const Rotor across_rhs = {(rhs.cosine * other.sine - rhs.sine * other.cosine) * scale, 0.0};
+  return slide_on_line(across_along, across_rhs, tiny, choice, boundary, branch);
+}
+
 /// The root t of a t^2 + 2 b t + c = 0, a length, at which a t + b has the sign given. Where a vanishes one
 /// root lies at infinity: there is no such branch. For sign 0 it is the root nearer to 0.
 static double quadratic_root(double a, double b, double c, double tiny, double size_square, double sign,

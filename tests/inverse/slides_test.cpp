@@ -64,6 +64,35 @@ TEST(SlideOnLine, FollowsTheChoiceAsFarAsRoundingAllows) {
   EXPECT_TRUE(branch.exists && branch.continuum);
 }
 
+TEST(SlideBeside, FindsOneOfTwo) {
+  Random random;
+  for (int i = 0; i < 1000; ++i) {
+    const Rotor<double> along = turn(random(-3, 3)), other = turn(random(-3, 3));
+    const double sine = along.cosine * other.sine - along.sine * other.cosine;
+    if (std::abs(sine) < 0.01) continue;
+    const double t = random(-3, 3), s = random(-3, 3);
+    const Rotor<double> rhs{t * along.cosine + s * other.cosine, t * along.sine + s * other.sine};
+    Branch<double> branch;
+    EXPECT_NEAR(slide_beside<double>(along, other, rhs, arm_noise, 7, plain, branch), t, 1e-12);
+    EXPECT_TRUE(branch.exists && !branch.doubtful && !branch.continuum);
+  }
+}
+
+/// Beside one that does not move in the plane a slide is told by both components; beside one that moves as it
+/// does it is free.
+TEST(SlideBeside, KnowsWhereTheOtherOneVanishesAndWhereItIsParallel) {
+  Branch<double> alone;
+  EXPECT_NEAR(slide_beside<double>({0.6, 0.8}, {1e-16, 0}, {1.2, 1.6}, arm_noise, 7, careful, alone), 2,
+              1e-14);
+  EXPECT_TRUE(alone.exists && !alone.continuum);
+  Branch<double> parallel;
+  EXPECT_EQ(slide_beside<double>({0.6, 0.8}, {0.3, 0.4}, {1.2, 1.6}, arm_noise, 7, careful, parallel), 7);
+  EXPECT_TRUE(parallel.exists && parallel.continuum && parallel.doubtful);
+  Branch<double> apart;
+  slide_beside<double>({0.6, 0.8}, {0.3, 0.4}, {1.2, -1.6}, arm_noise, 7, careful, apart);
+  EXPECT_FALSE(apart.exists);
+}
+
 double square_at(const Rotor<double>& point, const Rotor<double>& along, double t) {
   const double x = point.cosine + t * along.cosine;
   const double y = point.sine + t * along.sine;

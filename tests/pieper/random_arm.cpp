@@ -8,6 +8,7 @@
 #include "other_zeros.h"
 #include "seven_arms.h"
 #include "sliding_arms.h"
+#include "sliding_machines.h"
 #include "twisted_arms.h"
 #include "unstructured_arms.h"
 
@@ -73,6 +74,25 @@ class Writer {
         joints += three ? parallel_joint(i, common) : turning_joint(i, common);
     }
     return description("random arm of seven joints", joints, "given = \"q7\"\n");
+  }
+
+  /// Three slides and three turns in any order, no two turns in a row about parallel axes.
+  std::string three_slides() {
+    int slides = 3;
+    bool turned = false;
+    Axis before{};
+    std::string joints;
+    for (int i = 0; i < 6; ++i) {
+      const bool slide = below(6 - i) < slides;
+      slides -= slide ? 1 : 0;
+      Axis along = axis();
+      while (!slide && turned && parallel(along, before)) along = axis();
+      if (!slide) before = along;
+      turned = turned || !slide;
+      const std::string origin = offset();
+      joints += joint(i, !slide, along, origin, slide ? "" : offset());
+    }
+    return description("random arm with three slides", joints);
   }
 
   /// Six joints, five, or seven of which one is given; no two axes meet or are parallel but by chance.
@@ -272,6 +292,12 @@ std::string arm_description(const std::string& family, std::uint32_t seed) {
     return seed < unstructured_arms.size()
                ? "name = \"" + name + "\"\ntitle = \"without structure\"\n" + unstructured_arms[seed]
                : Writer(name, seed).unstructured();
+  }
+  if (family == "machines") {
+    const std::string name = arm_name(family, seed);
+    return seed < sliding_machines.size()
+               ? "name = \"" + name + "\"\ntitle = \"three slides\"\n" + sliding_machines[seed]
+               : Writer(name, seed).three_slides();
   }
   if (family == "slides") return sliding_arm(arm_name(family, seed), seed);
   if (family == "twists") return twisted_arm(arm_name(family, seed), seed);

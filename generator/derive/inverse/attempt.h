@@ -49,11 +49,17 @@ std::string in_plane(Attempt& attempt);
 /// Six revolute joints, k, k+1, k+2 parallel: directions and heights along their axes hold the angles of two
 /// others.
 std::string by_parallel_axes(Attempt& attempt, std::size_t k);
+/// Six joints, three of them slides: the others turn the tool, then the slides are linear equations.
+std::string by_three_slides(Attempt& attempt);
 
 /// All joints but joint k and those after it up to `count` bring a point on the axes of these to where the
 /// pose has it.
 std::string place_centre(Attempt& attempt, Target& target, std::size_t k, std::size_t count,
                          const symbolic::Vector& centre);
+
+/// Newton steps of all joints towards the whole pose: three points that stand off from each other by the size
+/// of the arm are carried to where the pose has them.
+void polish_pose(Attempt& attempt, const Target& target);
 
 /// The coordinates of a vector across a screw's axis.
 Flat in_frame(const Screw& screw, const symbolic::Vector& v, const Scope& scope);

@@ -287,6 +287,20 @@ void Builder::slide_by_line(const Screw& screw, const Flat& along, const Flat& r
   set_length(step, screw, result_length());
 }
 
+void Builder::slide_beside(const Screw& screw, const Flat& along, const Flat& other, const Flat& rhs,
+                           const std::string& equation) {
+  Step& step = add(kind::Beside{}, &screw, 1, equation);
+  const auto input = [&](const std::string& name, const Flat& v) {
+    step.before.output(name + "x", v.x);
+    step.before.output(name + "y", v.y);
+  };
+  input("", along);
+  input("other_", other);
+  input("rhs_", rhs);
+  step.degenerate = "(x, y) along (other_x, other_y): " + screw.variable + " is free";
+  set_length(step, screw, result_length());
+}
+
 void Builder::two_slides(const Screw& s, const Screw& t, const Slides& slides, const std::string& equation) {
   const bool equally_inclined = scope_.is_zero(slides.a * slides.a - slides.b * slides.b);
   Step& step = add(kind::Slides{}, &s, equally_inclined ? 1 : 2, equation);

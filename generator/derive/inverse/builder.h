@@ -77,6 +77,9 @@ class Builder {
   /// t along = rhs in a plane or, y = 0, on a line; `along`, a part of a unit vector, may depend on the pose.
   void slide_by_line(const Screw& screw, const Flat& along, const Flat& rhs,
                      const std::optional<Reach>& reach, const std::string& equation);
+  /// t along + s other = rhs in a plane, for another slide s that is found later.
+  void slide_beside(const Screw& screw, const Flat& along, const Flat& other, const Flat& rhs,
+                    const std::string& equation);
   void slide_by_value(const Screw& screw, const GiNaC::ex& value, const std::string& equation);
   /// a s - b t = k and s² + 2 g s - t² - 2 f t + gap = 0 for two slides, (a, b) parts of unit vectors.
   struct Slides {

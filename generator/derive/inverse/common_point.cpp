@@ -5,6 +5,7 @@
 #include "derive/inverse/orientation.h"
 #include "derive/inverse/position.h"
 #include "derive/inverse/wrist.h"
+#include "derive/inverse/wrist_axes.h"
 
 namespace qvgen::derive::inverse {
 
@@ -37,35 +38,27 @@ std::optional<Vector> meeting_point(const Screw& a, const Screw& b, const Scope&
 
 namespace {
 
-/// Three revolute joints about a point, their axes as numbers: in the base frame if they are that there, else
-/// in the first one's own frame.
+/// Three revolute joints about a point.
 struct Wrist {
-  std::array<Screw, 3> axes;
-  bool own_frame = false;
+  WristAxes turning;
   Vector centre;  ///< in the base frame
 };
 
 std::optional<Wrist> wrist_of(Attempt& attempt, std::size_t k) {
   const auto& screws = attempt.chain.screws;
   Scope& scope = attempt.scope;
-  const auto serves = [&](const std::array<Screw, 3>& axes) {
-    return is_wrist(axes[0], axes[1], axes[2], scope);
-  };
-  Wrist wrist{{screws[k], screws[k + 1], screws[k + 2]}, false, {}};
-  if (!serves(wrist.axes)) wrist = {in_own_frame(attempt.robot, k, scope), true, {}};
-  if (!serves(wrist.axes)) return std::nullopt;
+  const auto turning = wrist_axes(attempt, {k, k + 1, k + 2});
+  if (!turning) return std::nullopt;
   const auto point = meeting_point(screws[k], screws[k + 1], scope);
   if (!point || !scope.is_zero(cross(screws[k + 2].axis, *point - screws[k + 2].point))) return std::nullopt;
-  wrist.centre =
-      wrist.own_frame ? scope.define(attempt.plan.target, "centre", scope.settled(*point)) : *point;
-  return wrist;
+  return Wrist{*turning,
+               turning->frame ? scope.define(attempt.plan.target, "centre", scope.settled(*point)) : *point};
 }
 
 /// The wrist's angles from the rotation that its joints have to make, in the base frame.
-void turn_wrist(Attempt& attempt, std::size_t k, const Wrist& wrist, const symbolic::Quaternion& rotation) {
-  const symbolic::Quaternion& frame = attempt.chain.screws[k].frame;
-  solve_wrist(attempt.builder, wrist.axes[0], wrist.axes[1], wrist.axes[2],
-              wrist.own_frame ? symbolic::inverse(frame) * rotation * frame : rotation);
+void turn_wrist(Attempt& attempt, const WristAxes& turning, const symbolic::Quaternion& rotation) {
+  const auto& [first, middle, last] = turning.axes;
+  solve_wrist(attempt.builder, first, middle, last, turning.seen(rotation));
 }
 
 }  // namespace
@@ -105,7 +98,7 @@ namespace {
 /// joint's among them.
 struct AtZero {
   std::vector<Screw> pre, post;
-  Wrist wrist;
+  WristAxes turning;
   symbolic::Quaternion home;
 };
 
@@ -123,17 +116,17 @@ std::optional<AtZero> at_zero(Attempt& attempt, std::size_t k) {
     if (const auto joint = static_cast<std::size_t>(screw.joint); joint >= held)
       screw.joint = joint == held ? -1 : screw.joint - 1;
   const auto place = [&](std::size_t i) { return chain.screws.begin() + static_cast<std::ptrdiff_t>(i); };
-  const Wrist wrist{{*place(first), *place(first + 1), *place(first + 2)}, false, {}};
-  if (!is_wrist(wrist.axes[0], wrist.axes[1], wrist.axes[2], attempt.scope)) return std::nullopt;
+  const WristAxes turning{{*place(first), *place(first + 1), *place(first + 2)}, {}};
+  if (!is_wrist(turning.axes[0], turning.axes[1], turning.axes[2], attempt.scope)) return std::nullopt;
   return AtZero{
-      {chain.screws.begin(), place(first)}, {place(first + 3), chain.screws.end()}, wrist, chain.home.q};
+      {chain.screws.begin(), place(first)}, {place(first + 3), chain.screws.end()}, turning, chain.home.q};
 }
 
 /// The angles of joints k, k+1, k+2 from the tool's orientation and the other joints.
-void turn_tool(Attempt& attempt, Target& target, std::size_t k, const Wrist& wrist,
-               const std::vector<Screw>& pre, const std::vector<Screw>& post) {
+void turn_tool(Attempt& attempt, Target& target, const WristAxes& turning, const std::vector<Screw>& pre,
+               const std::vector<Screw>& post) {
   const symbolic::Quaternion first = without_first(attempt.builder, pre, target.orientation());
-  turn_wrist(attempt, k, wrist, without_last(attempt.builder, post, first));
+  turn_wrist(attempt, turning, without_last(attempt.builder, post, first));
 }
 
 }  // namespace
@@ -150,9 +143,9 @@ std::string by_common_point(Attempt& attempt, std::size_t k) {
     return "joints " + attempt.joints(k, 3) + " meet in a point, but the others cannot place it: " + reason;
   if (const auto zero = at_zero(attempt, k)) {
     target.orientation(zero->home);
-    turn_tool(attempt, target, k, zero->wrist, zero->pre, zero->post);
+    turn_tool(attempt, target, zero->turning, zero->pre, zero->post);
   } else {
-    turn_tool(attempt, target, k, *wrist, pre, post);
+    turn_tool(attempt, target, wrist->turning, pre, post);
   }
   attempt.plan.structure =
       "the axes of joints " + attempt.joints(k, 3) + " meet in one point: position and orientation decouple";
@@ -160,16 +153,11 @@ std::string by_common_point(Attempt& attempt, std::size_t k) {
 }
 
 std::string by_orientation(Attempt& attempt) {
-  const auto& screws = attempt.chain.screws;
-  const auto serves = [&](const std::array<Screw, 3>& axes) {
-    return is_wrist(axes[0], axes[1], axes[2], attempt.scope);
-  };
-  Wrist wrist{{screws[0], screws[1], screws[2]}, false, {}};
-  if (!serves(wrist.axes)) wrist = {in_own_frame(attempt.robot, 0, attempt.scope), true, {}};
-  if (!serves(wrist.axes))
+  const auto turning = wrist_axes(attempt, {0, 1, 2});
+  if (!turning)
     return "three turns make an orientation, but neighbouring axes are parallel or not all joints turn";
   Target target(attempt.builder, attempt.chain.home);
-  turn_wrist(attempt, 0, wrist, target.orientation());
+  turn_wrist(attempt, *turning, target.orientation());
   attempt.plan.structure = "three axes turn the tool; the position follows";
   return "";
 }

@@ -10,6 +10,7 @@
 #include "derive/inverse/range_test.h"
 #include "derive/inverse/results.h"
 #include "derive/inverse/schedule.h"
+#include "derive/inverse/size.h"
 #include "derive/inverse/target.h"
 
 namespace qvgen::derive::inverse {
@@ -59,6 +60,7 @@ Derivation derive_pose(const Problem& problem) {
       methods.push_back([k](Attempt& a) { return by_common_point(a, k); });
     for (const std::size_t k : {1U, 2U, 0U, 3U})
       methods.push_back([k](Attempt& a) { return by_parallel_axes(a, k); });
+    methods.emplace_back(by_three_slides);
   } else if (count == 4) {
     for (const std::size_t k : {3U, 0U, 2U, 1U})
       methods.push_back([k](Attempt& a) { return by_single_turn(a, k); });
@@ -80,7 +82,9 @@ Derivation in_canonical_frames(const Problem& problem,
   Derivation derivation = derived(of_canonical_arm(problem, canonical::for_kinematics(problem.robot)));
   if (!derivation.plan.has_oblique_wrist()) return derivation;
   Derivation other = derived(of_canonical_arm(problem, canonical::along_normals(problem.robot)));
-  return other.found && !other.plan.has_oblique_wrist() ? other : derivation;
+  // Frames of their own may also make directions long that were short.
+  const bool is_short = other.found && nodes(other.plan) <= 2 * nodes(derivation.plan);
+  return is_short && !other.plan.has_oblique_wrist() ? other : derivation;
 }
 
 }  // namespace qvgen::derive::inverse

@@ -73,7 +73,7 @@ class ParallelAxes {
       return reason;
     }
     links();
-    polish();
+    polish_pose(attempt_, target_);
     return "";
   }
 
@@ -246,19 +246,6 @@ class ParallelAxes {
     }
     builder_.turn_by_pair(three_[2], {rest.x, sense(three_[2]) * rest.y},
                           "what the sum of the three leaves for " + three_[2].variable);
-  }
-
-  /// Three points that stand off from each other by the size of the arm are carried to where the pose has
-  /// them.
-  void polish() {
-    const ex size = GiNaC::sqrt(symbolic::symbol(names::size_square));
-    std::vector<Vector> start;
-    std::vector<Vector> goal;
-    for (const Vector& away : {Vector{0, 0, 0}, Vector{1, 0, 0}, Vector{0, 1, 0}}) {
-      start.push_back(attempt_.chain.home.p + size * away);
-      goal.push_back(target_.image(start.back()));
-    }
-    builder_.polish(attempt_.chain.screws, start, goal);
   }
 
   Attempt& attempt_;

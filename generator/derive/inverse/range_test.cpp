@@ -7,6 +7,7 @@
 
 #include "derive/inverse/names.h"
 #include "derive/inverse/schedule.h"
+#include "derive/inverse/size.h"
 #include "symbolic/model.h"
 
 namespace qvgen::derive::inverse {
@@ -21,12 +22,6 @@ GiNaC::symbol k() { return symbolic::symbol("signed_root"); }
 
 /// What takes longer to write out tells no sooner than a branch does.
 constexpr std::size_t short_enough = 150;
-
-std::size_t nodes(const ex& value) {
-  std::size_t sum = 1;
-  for (std::size_t i = 0; i < value.nops(); ++i) sum += nodes(value.op(i));
-  return sum;
-}
 
 /// A branching step's results by k = ±√square.
 struct Signed {

@@ -108,18 +108,22 @@ Chain chain_of(const model::Robot& robot, Scope& scope, symbolic::Program& const
   return chain;
 }
 
-std::array<Screw, 3> in_own_frame(const model::Robot& robot, std::size_t first, const Scope& scope) {
+std::array<Screw, 3> in_own_frame(const model::Robot& robot, const std::array<std::size_t, 3>& joints,
+                                  const Scope& scope) {
   std::array<Screw, 3> screws;
   symbolic::Quaternion frame{1, 0, 0, 0};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const model::Joint& joint = robot.joints[first + i];
-    if (i > 0) frame = frame * symbolic::to_symbolic(joint.before).q;
-    Screw& screw = screws[i];
-    screw.revolute = joint.type == model::JointType::revolute;
-    screw.axis = scope.clean(symbolic::rotate(frame, symbolic::to_symbolic(joint.axis)));
-    screw.variable = joint.variable;
-    screw.joint = static_cast<int>(first + i);
-    complete_frame(screw, scope);
+  std::size_t found = 0;
+  for (std::size_t i = joints.front(); i <= joints.back(); ++i) {
+    const model::Joint& joint = robot.joints[i];
+    if (i > joints.front()) frame = frame * symbolic::to_symbolic(joint.before).q;
+    if (i == joints[found]) {
+      Screw& screw = screws[found++];
+      screw.revolute = joint.type == model::JointType::revolute;
+      screw.axis = scope.clean(symbolic::rotate(frame, symbolic::to_symbolic(joint.axis)));
+      screw.variable = joint.variable;
+      screw.joint = static_cast<int>(i);
+      complete_frame(screw, scope);
+    }
     frame = frame * symbolic::to_symbolic(joint.after).q;
   }
   return screws;

@@ -28,9 +28,10 @@ struct Chain {
 /// What depends on symbolic twists is named in `constants`.
 Chain chain_of(const model::Robot& robot, Scope& scope, symbolic::Program& constants);
 
-/// The directions of three neighbouring joints in the first one's own frame: numbers, whatever symbolic
-/// twists come before.
-std::array<Screw, 3> in_own_frame(const model::Robot& robot, std::size_t first, const Scope& scope);
+/// The directions of three joints in the first one's own frame, with those between them at zero: numbers,
+/// whatever symbolic twists come before.
+std::array<Screw, 3> in_own_frame(const model::Robot& robot, const std::array<std::size_t, 3>& joints,
+                                  const Scope& scope);
 
 /// The same joint read backwards: e(-axis, q) = e(axis, q)^-1.
 Screw reversed(const Screw& screw);

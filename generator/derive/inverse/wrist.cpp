@@ -2,6 +2,7 @@
 #include "derive/inverse/wrist.h"
 
 #include "derive/inverse/names.h"
+#include "derive/inverse/size.h"
 
 namespace qvgen::derive::inverse {
 
@@ -119,6 +120,9 @@ kind::ObliqueWrist oblique_wrist(Step& step, const kind::Wrist& wrist, const Sha
   return {wrist};
 }
 
+/// Directions of nested sines and roots: what is made of longer ones has no end.
+constexpr std::size_t longest_direction = 200;
+
 }  // namespace
 
 bool is_wrist(const Screw& first, const Screw& middle, const Screw& last, const Scope& scope) {
@@ -127,12 +131,15 @@ bool is_wrist(const Screw& first, const Screw& middle, const Screw& last, const 
   const Vector n2 = scope.clean(cross(middle.axis, last.axis));
   if (scope.is_zero(n1) || scope.is_zero(n2)) return false;
   for (const ex& entry : {n1.x, n1.y, n1.z, n2.x, n2.y, n2.z})
-    if (!Scope::is_known(entry)) return false;
+    if (!Scope::is_known(entry) || nodes(entry) > longest_direction) return false;
   return true;
 }
 
-void solve_wrist(Builder& builder, const Screw& first, const Screw& middle, const Screw& last,
-                 const Quaternion& rotation, const Scope::Turn* choice) {
+namespace {
+
+/// The step but for what follows it.
+Step wrist_step(Builder& builder, const Screw& first, const Screw& middle, const Screw& last,
+                const Quaternion& rotation, kind::Wrist wrist) {
   const Scope& scope = builder.scope();
   const Frame f4 = frame(cross(first.axis, middle.axis), first.axis, scope);
   const Frame f6 = frame(cross(middle.axis, last.axis), last.axis, scope);
@@ -140,8 +147,6 @@ void solve_wrist(Builder& builder, const Screw& first, const Screw& middle, cons
   const Quaternion u{scope.clean(product.w), scope.clean(product.x), scope.clean(product.y),
                      scope.clean(product.z)};
   const Shape shape = shape_of(first, middle, last, f4.normal, f6.normal, scope);
-  kind::Wrist wrist;
-  wrist.ends_the_plan = choice == nullptr;
   for (const Screw* screw : {&first, &middle, &last}) {
     name_joint(builder, *screw);
     wrist.variables.push_back(screw->variable);
@@ -156,11 +161,29 @@ void solve_wrist(Builder& builder, const Screw& first, const Screw& middle, cons
     step.kind = right_wrist(step, wrist, scope.sample(shape.cosine_delta) < 0, u);
   else
     step.kind = oblique_wrist(step, wrist, shape, u);
+  return step;
+}
+
+}  // namespace
+
+void solve_wrist(Builder& builder, const Screw& first, const Screw& middle, const Screw& last,
+                 const Quaternion& rotation, const Scope::Turn* choice) {
+  kind::Wrist wrist;
+  wrist.ends_the_plan = choice == nullptr;
+  Step step = wrist_step(builder, first, middle, last, rotation, std::move(wrist));
   if (choice != nullptr) {
     step.before.output("choice_x", choice->cosine);
     step.before.output("choice_y", choice->sine);
   }
   builder.plan().steps.push_back(std::move(step));
+}
+
+void solve_wrist_of_seed(Builder& builder, const Screw& first, const Screw& middle, const Screw& last,
+                         const Quaternion& rotation) {
+  kind::Wrist wrist;
+  wrist.ends_the_plan = false;
+  wrist.seeded = true;
+  builder.plan().steps.push_back(wrist_step(builder, first, middle, last, rotation, std::move(wrist)));
 }
 
 }  // namespace qvgen::derive::inverse

@@ -82,6 +82,26 @@ struct Line {
   }
 };
 
+/// t (x, y) + s (other_x, other_y) = (rhs_x, rhs_y) in a plane, s another slide that is found later. Inputs:
+/// x, y, other_x, other_y, rhs_x, rhs_y.
+struct Beside {
+  static constexpr const char* title = "linear, beside another slide";
+
+  [[nodiscard]] static std::vector<Formula> solution(const std::vector<std::string>& /*joints*/) {
+    return {{"r = (rhs_x*other_y - rhs_y*other_x)/(x*other_y - y*other_x)",
+             "r = \\frac{\\mathrm{rhs}_x\\,\\mathrm{other}_y - \\mathrm{rhs}_y\\,\\mathrm{other}_x}"
+             "{x\\,\\mathrm{other}_y - y\\,\\mathrm{other}_x}"}};
+  }
+
+  template <class Backend>
+  static auto apply(const Unknown& of, Backend& b) {
+    const auto solve = [](auto&&... a) { return qvgen::inverse::slide_beside(a...); };
+    return b.length(b.call("slide_beside", solve, b.pair("x", "y"), b.pair("other_x", "other_y"),
+                           b.pair("rhs_x", "rhs_y"), b.tiny(1), b.seed_slide(of.joint), b.boundary(),
+                           b.branch()));
+  }
+};
+
 /// a s - b t = k, s² + 2 g s - t² - 2 f t + gap = 0: gives result_1, the step's joint, and result_2. Inputs:
 /// a, b, k, g, f, gap.
 struct Slides {

@@ -12,9 +12,17 @@ struct Wrist {
   std::vector<std::string> variables;  ///< of the first, the middle and the last joint
   std::vector<int> joints;             ///< their indices; -1 of one that is held
   bool ends_the_plan = true;  ///< angles are the output; otherwise cosines and sines for further steps
+  bool seeded = false;        ///< before further steps: where the first angle is free, it is the seed's
+
+ protected:
+  template <class Backend>
+  auto choice(Backend& b) const {
+    return seeded ? b.seed_turn(joints[0]) : b.pair("choice_x", "choice_y");
+  }
 };
 
-/// Axes at right angles. Inputs: u_x, u_y, v_x, v_y; choice_x, choice_y if further steps follow.
+/// Axes at right angles. Inputs: u_x, u_y, v_x, v_y; choice_x, choice_y if further steps
+/// follow and the seed does not choose.
 struct RightWrist : Wrist {
   static constexpr const char* title = "wrist with right angles, half-angle form";
   bool middle_swapped = false;  ///< middle = 2 atan2(|u|, |v|) instead of 2 atan2(|v|, |u|)
@@ -38,15 +46,15 @@ struct RightWrist : Wrist {
                      "right_wrist", [](auto&&... a) { return qvgen::inverse::right_wrist(a...); }, u, v,
                      b.flag(middle_swapped), b.seed_angle(joints[0]), b.pi(), b.branch()));
     return b.wrist_turns(
-        *this,
-        b.call(
-            "right_wrist_turns", [](auto&&... a) { return qvgen::inverse::right_wrist_turns(a...); }, u, v,
-            b.flag(middle_swapped), b.pair("choice_x", "choice_y"), b.sign(), b.boundary(), b.branch()));
+        *this, b.call(
+                   "right_wrist_turns", [](auto&&... a) { return qvgen::inverse::right_wrist_turns(a...); },
+                   u, v, b.flag(middle_swapped), choice(b), b.sign(), b.boundary(), b.branch()));
   }
 };
 
 /// Any other axes. Inputs: u_x, u_y, v_x, v_y, cosine_sum, sine_sum, cosine_difference, sine_difference,
-/// product, cosine_delta, sine_delta; choice_x, choice_y if further steps follow.
+/// product, cosine_delta, sine_delta; choice_x, choice_y if further steps
+/// follow and the seed does not choose.
 struct ObliqueWrist : Wrist {
   static constexpr const char* title = "wrist with oblique axes, half-angle form";
 
@@ -70,11 +78,11 @@ struct ObliqueWrist : Wrist {
           *this, b.call(
                      "oblique_wrist", [](auto&&... a) { return qvgen::inverse::oblique_wrist(a...); }, u, v,
                      shape, b.sign(), b.seed_angle(joints[0]), b.boundary(), b.pi(), b.branch()));
-    return b.wrist_turns(*this, b.call(
-                                    "oblique_wrist_turns",
-                                    [](auto&&... a) { return qvgen::inverse::oblique_wrist_turns(a...); }, u,
-                                    v, shape, b.pair("cosine_delta", "sine_delta"),
-                                    b.pair("choice_x", "choice_y"), b.sign(), b.boundary(), b.branch()));
+    return b.wrist_turns(
+        *this,
+        b.call(
+            "oblique_wrist_turns", [](auto&&... a) { return qvgen::inverse::oblique_wrist_turns(a...); }, u,
+            v, shape, b.pair("cosine_delta", "sine_delta"), choice(b), b.sign(), b.boundary(), b.branch()));
   }
 };
 

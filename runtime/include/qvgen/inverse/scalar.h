@@ -146,6 +146,7 @@ struct Boundary {
   static constexpr Boundary stretched(double tolerance) {
     Boundary boundary = chosen(tolerance);
     boundary.accept = 1e3;
+    boundary.gap = 1e40;
     return boundary;
   }
 

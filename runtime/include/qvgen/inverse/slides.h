@@ -92,6 +92,24 @@ Scalar slide_on_line(const Rotor<Scalar>& along, const Rotor<Scalar>& rhs, const
   return select(is_free, choice, smaller(least, Scalar(middle + width)));
 }
 
+/// t with t along + s other = rhs in a plane, s the value of another slide, to be found later. Where the pose
+/// makes `other` vanish both components are for t.
+template <typename Scalar>
+Scalar slide_beside(const Rotor<Scalar>& along, const Rotor<Scalar>& other, const Rotor<Scalar>& rhs,
+                    const Scalar& tiny, const Scalar& choice, const Boundary& boundary,
+                    Branch<Scalar>& branch) {
+  using std::sqrt;
+  const Scalar square = other.cosine * other.cosine + other.sine * other.sine;
+  const Mask<Scalar> is_alone = square <= blind_square<Scalar>(boundary);
+  doubt_digits(square, boundary, branch);
+  const Scalar scale = Scalar(1) / sqrt(select(is_alone, Scalar(1), square));
+  const auto across = [&](const Rotor<Scalar>& v) {
+    const Scalar area = (v.cosine * other.sine - v.sine * other.cosine) * scale;
+    return Rotor<Scalar>{select(is_alone, v.cosine, area), select(is_alone, v.sine, Scalar(0))};
+  };
+  return slide_on_line<Scalar>(across(along), across(rhs), tiny, choice, boundary, branch);
+}
+
 /// The root t of a t² + 2 b t + c = 0, a length, at which a t + b has the sign given. What rounding may do to
 /// b is a root of `tiny`, what it may do to c is that times the size; less than a thousandfold of that it may
 /// decide. Where a vanishes one root lies at infinity: there is no such branch. For sign 0 it is the root
