@@ -14,6 +14,7 @@
 #include "emit/math/dynamics_closed_form.h"
 #include "emit/math/jacobian_lines.h"
 #include "emit/math/legend.h"
+#include "emit/math/lines.h"
 #include "emit/math/singularities.h"
 #include "emit/math/transforms.h"
 #include "model/followers.h"
@@ -155,14 +156,13 @@ int show_workspace(const model::Robot& robot, emit::Notation notation) {
 void show_closed_form(const model::Robot& described, const derive::inverse::Derivation& derivation,
                       const std::string& more, emit::Notation notation) {
   const derive::inverse::Problem& problem = derivation.problem;
-  fmt::print("{}\n\n", emit::ability(described, derivation));
-  if (!more.empty()) fmt::print("{}\n\n", more);
-  for (const std::string& line : emit::legend(described, {problem.moving, problem.phases}))
-    fmt::print("{}\n", line);
-  std::vector<std::string> variables;
-  for (const model::Joint& joint : problem.robot.joints) variables.push_back(joint.variable);
-  for (const std::string& line : describe(lower(derivation.plan), variables, notation))
-    fmt::print("{}\n", line);
+  const auto print = [&](const std::string& sentence, const char* end) {
+    fmt::print("{}{}", notation.typeset ? emit::latex_words(sentence) : sentence, end);
+  };
+  print(emit::ability(described, derivation), "\n\n");
+  if (!more.empty()) print(more, "\n\n");
+  for (const std::string& line : emit::legend(described, {problem.moving, problem.phases})) print(line, "\n");
+  for (const std::string& line : describe(derivation, notation)) fmt::print("{}\n", line);
 }
 
 int show_inverse(const model::Robot& described, emit::Notation notation) {
@@ -205,24 +205,13 @@ int run_show(const ShowArguments& arguments) {
   }
   if (arguments.workspace) return show_workspace(robot, notation);
   if (arguments.inverse) return show_inverse(robot, notation);
-  const auto lines = emit::closed_form_lines(robot, notation);
-  if (lines.empty()) {
-    fmt::print(stderr,
-               "qvgen: {} has a constant rotation by a symbolic angle: no closed form in half-angle sums\n",
-               robot.name);
-    return failure;
-  }
-  if (arguments.latex) {
-    fmt::print("\\begin{{align*}}\n");
-    for (const std::string& line : lines) {
-      const std::size_t equals = line.find(" = ");
-      fmt::print("{} &= {} \\\\\n", line.substr(0, equals), line.substr(equals + 3));
-    }
-    fmt::print("\\end{{align*}}\n");
-  } else {
-    for (const std::string& line : lines) fmt::print("{}\n", line);
-  }
-  return success;
+  const auto lines = emit::pose_lines(robot, notation);
+  for (const std::string& line : lines) fmt::print("{}\n", line);
+  if (!lines.empty()) return success;
+  fmt::print(stderr,
+             "qvgen: {} has a constant rotation by a symbolic angle: no closed form in half-angle sums\n",
+             robot.name);
+  return failure;
 }
 
 int run_show_functions(const std::string& robot, const fs::path& folder) {

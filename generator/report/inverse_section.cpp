@@ -37,12 +37,10 @@ json passages_json(const std::vector<emit::Passage>& passages) {
 
 json derivation_json(const model::Robot& robot, const derive::inverse::Derivation& derivation) {
   const derive::inverse::Problem& problem = derivation.problem;
-  std::vector<std::string> variables;
-  for (const model::Joint& joint : problem.robot.joints) variables.push_back(joint.variable);
   json result{{"ability", escaped(emit::ability(robot, derivation))}, {"legend", json::array()}};
   for (const std::string& text : emit::legend(robot, {problem.moving, problem.phases}))
     result["legend"].push_back(line(escaped(text)));
-  result["passages"] = passages_json(emit::passages(lower(derivation.plan), variables, Notation::latex));
+  result["passages"] = passages_json(emit::passages(derivation, Notation::latex));
   return result;
 }
 

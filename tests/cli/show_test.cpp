@@ -62,12 +62,19 @@ TEST_F(CommandLine, ShowsTheDerivationOfTheInverseKinematics) {
   const ToolRun text = run("show ns --inverse");
   EXPECT_EQ(text.code, 0);
   EXPECT_TRUE(has(text, "at most 8 solutions"));
-  EXPECT_TRUE(has(text, "low = sqrt(p_y^2 + p_x^2) - d2"));
+  EXPECT_TRUE(has(text, "rho1 = sqrt(p_y^2 + p_x^2)\n"));
   EXPECT_TRUE(has(text, "N_31 = N_21*cos(theta2/2) - N_23*sin(theta2/2)"));
   EXPECT_TRUE(has(text, "theta4 = arg u + arg v"));
   const ToolRun latex = run("show ns --inverse --latex");
   EXPECT_TRUE(has(latex, "M_i &= Q_i Q_{i+1} \\dots Q_{6} = N_i"));
   EXPECT_TRUE(has(latex, "\\paragraph{$d_{3}$: foot of the perpendicular and square root, 2 values.}"));
+  const ToolRun puma = run("show puma560 --inverse");
+  EXPECT_TRUE(has(puma, "    |middle - 1/2| > 1/2\n")) << puma.output;
+  EXPECT_FALSE(has(puma, "swing"));
+  const ToolRun iiwa = run("show iiwa14 --inverse");
+  EXPECT_TRUE(has(iiwa, "goal_z = p_z - 0.126*(1 - 2*")) << iiwa.output;
+  EXPECT_TRUE(has(iiwa, "M_i = Q_i Q_i+1 ... Q_7")) << "the given joint is one of them";
+  EXPECT_FALSE(has(iiwa, "pose_")) << iiwa.output;
   EXPECT_FALSE(has(text, "Out of reach"));  // a slide reaches everything
   EXPECT_TRUE(has(run("show irb6640 --inverse"), "Out of reach, before any branch: no theta3"));
   EXPECT_TRUE(has(run("show general_6r --inverse"), "At most 16 solutions, by elimination."));

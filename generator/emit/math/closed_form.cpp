@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "emit/math/closed_form.h"
 
+#include <optional>
+
 #include "canonical/arm.h"
 #include "dag/import.h"
 #include "derive/kinematics/forward_kinematics.h"
+#include "emit/math/collect.h"
+#include "emit/math/lines.h"
 #include "optimise/described.h"
 #include "verify/certificate.h"
 
@@ -40,26 +44,49 @@ std::vector<std::string> wrapped(const std::string& text) {
   return lines;
 }
 
+/// Nothing where a constant rotation by a symbolic angle stands in the way. `collect`: what terms have in
+/// common is taken out.
+std::optional<dag::Function> pose(const model::Robot& described, bool collect) {
+  const canonical::Arm arm = canonical::for_kinematics(described);
+  const auto program = derive::closed_form(arm.robot);
+  if (!program) return std::nullopt;
+  dag::Function function = dag::import(*program);
+  if (collect) function = collected(std::move(function));
+  verify::certify(function, derive::forward_kinematics(arm.robot).definition, 2,
+                  arm.robot.name + ": closed form");
+  return optimise::in_terms_of_description(function, arm);
+}
+
+std::string typeset_name(const std::string& name) { return name.size() == 2 ? "p_" + name.substr(1) : name; }
+
 }  // namespace
 
 std::vector<std::string> closed_form_lines(const model::Robot& described, Notation notation) {
-  const canonical::Arm arm = canonical::for_kinematics(described);
-  const model::Robot& robot = arm.robot;
-  const auto program = derive::closed_form(robot);
-  if (!program) return {};
-  dag::Function function = dag::import(*program);
-  verify::certify(function, derive::forward_kinematics(robot).definition, 2, robot.name + ": closed form");
-  function = optimise::in_terms_of_description(function, arm);
+  const auto function = pose(described, false);
+  if (!function) return {};
   std::vector<std::string> lines;
-  for (const dag::Output& output : function.outputs) {
-    const std::string name =
-        output.name.size() == 2 && notation.typeset ? "p_" + output.name.substr(1) : output.name;
-    const std::string line = name + " = " + formula(function.graph, output.value, notation);
+  for (const dag::Output& output : function->outputs) {
+    const std::string line = (notation.typeset ? typeset_name(output.name) : output.name) + " = " +
+                             formula(function->graph, output.value, notation);
     if (notation.typeset)
       lines.push_back(line);
     else
       for (const std::string& part : wrapped(line)) lines.push_back(part);
   }
+  return lines;
+}
+
+std::vector<std::string> pose_lines(const model::Robot& described, Notation notation) {
+  const auto function = pose(described, true);
+  if (!function) return {};
+  std::vector<std::string> lines;
+  if (notation.typeset) lines = {"$\\bar\\theta$: half of an angle.", "\\begin{align*}"};
+  for (const dag::Output& output : function->outputs) {
+    const std::string value = formula(function->graph, output.value, notation);
+    const std::string left = notation.typeset ? typeset_name(output.name) : output.name;
+    for (const std::string& line : equation_lines(left, value, notation)) lines.push_back(line);
+  }
+  if (notation.typeset) lines.emplace_back("\\end{align*}");
   return lines;
 }
 

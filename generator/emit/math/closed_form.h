@@ -13,4 +13,7 @@ namespace qvgen::emit {
 /// text are wrapped to fit a comment. Empty where the robot has symbolic twists.
 std::vector<std::string> closed_form_lines(const model::Robot& described, Notation notation);
 
+/// The same for people: sums collected, lines that fit, in LaTeX an align* environment.
+std::vector<std::string> pose_lines(const model::Robot& robot, Notation notation);
+
 }  // namespace qvgen::emit

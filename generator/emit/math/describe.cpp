@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "emit/math/describe.h"
 
-#include "derive/inverse/inverse.h"
+#include <map>
+
+#include "dag/rebuild.h"
 #include "derive/inverse/names.h"
+#include "derive/inverse/target.h"
+#include "emit/math/lines.h"
 #include "emit/math/vocabulary.h"
 
 namespace qvgen::emit {
@@ -44,12 +48,19 @@ constexpr std::size_t readable = 400;
 
 class Description {
  public:
-  Description(const LoweredPlan& plan, const std::vector<std::string>& variables, Notation notation)
-      : plan_(plan),
-        words_(plan.plan, variables, notation),
+  Description(LoweredPlan plan, const std::vector<std::string>& variables, Notation notation)
+      : plan_(std::move(plan)),
+        words_(plan_.plan, variables, notation),
         notation_(notation),
         latex_(notation.typeset),
-        count_(std::to_string(variables.size())) {}
+        count_(std::to_string(variables.size())) {
+    count_roots(plan_.target);
+    if (plan_.plan.range_test.exists()) count_roots(plan_.range_test);
+    for (const auto& step : plan_.steps) {
+      count_roots(step.before);
+      count_roots(step.after);
+    }
+  }
 
   std::vector<Passage> write() {
     Passage& whole =
@@ -62,18 +73,57 @@ class Description {
   }
 
  private:
-  /// What is compared: the thesis's (1.22) and (1.23).
+  /// What is compared: the thesis's (1.22) and (1.23), and what the names below are.
   [[nodiscard]] std::vector<std::string> scheme() const {
     if (latex_)
       return {"N_1 = ([w, \\langle a, b, c \\rangle], \\langle p_x, p_y, p_z \\rangle)",
-              "M_i = Q_i Q_{i+1} \\dots Q_{" + count_ + "} = N_i = Q_{i-1}^{-1} \\dots Q_1^{-1} N_1"};
+              "M_i = Q_i Q_{i+1} \\dots Q_{" + count_ + "} = N_i = Q_{i-1}^{-1} \\dots Q_1^{-1} N_1",
+              "[N_{i1}, \\langle N_{i2}, N_{i3}, N_{i4} \\rangle] = \\text{quaternion of } N_i",
+              "N_x, N_y, M_x, M_y = \\text{a point on both sides, across an axis}"};
     return {"N_1 = ([w, <a, b, c>], <p_x, p_y, p_z>)",
-            "M_i = Q_i Q_i+1 ... Q_" + count_ + " = N_i = Q_i-1^-1 ... Q_1^-1 N_1"};
+            "M_i = Q_i Q_i+1 ... Q_" + count_ + " = N_i = Q_i-1^-1 ... Q_1^-1 N_1",
+            "[N_i1, <N_i2, N_i3, N_i4>] = quaternion of N_i",
+            "N_x, N_y, M_x, M_y = a point on both sides, across an axis"};
   }
 
-  [[nodiscard]] std::vector<std::string> formulas(const dag::Function& function, const Step& step) const {
+  /// What a root is of, as it reads without a name; empty where a step's own angle or length stands in it.
+  [[nodiscard]] std::string radicand(const dag::Graph& graph, const dag::Node& root) const {
+    const auto name = [&](const std::string& symbol) { return words_(symbol); };
+    const std::string text = formula(graph, root.operands[0], Notation::text, name);
+    return text.find("result") == std::string::npos && text.find("phi") == std::string::npos ? text : "";
+  }
+
+  void count_roots(const dag::Function& function) {
+    std::map<std::uint32_t, int> uses;
+    for (const std::uint32_t id : dag::reachable(function))
+      for (const dag::Edge& operand : function.graph.node(id).operands) ++uses[operand.node];
+    for (const dag::Output& output : function.outputs) ++uses[output.value.node];
+    for (const auto& [id, count] : uses)
+      if (const dag::Node& node = function.graph.node(id); node.op == dag::Op::root)
+        root_uses_[radicand(function.graph, node)] += count;
+  }
+
+  /// Roots that stand in several places have a name, defined above the first.
+  [[nodiscard]] dag::Function with_named_roots(const dag::Function& function, const Step& step,
+                                               std::vector<std::string>& lines) {
+    return dag::rebuild(function, [&](const dag::Graph& from, const dag::Node& node,
+                                      const std::vector<dag::Edge>& operands, dag::Graph& to) {
+      const std::string of = node.op == dag::Op::root ? radicand(from, node) : "";
+      if (of.empty() || root_uses_[of] < 2) return dag::copy_node(from, node, operands, to);
+      const bool is_new = roots_.count(of) == 0;
+      if (is_new) roots_[of] = "rho" + std::to_string(roots_.size() + 1);
+      const auto name = [&](const std::string& symbol) { return words_(symbol, step); };
+      if (is_new)
+        lines.push_back(formula(roots_[of], notation_) + " = " +
+                        formula(to, dag::copy_node(from, node, operands, to), notation_, name));
+      return to.symbol(roots_[of]);
+    });
+  }
+
+  [[nodiscard]] std::vector<std::string> formulas(const dag::Function& plain, const Step& step) {
     const auto name = [&](const std::string& symbol) { return words_(symbol, step); };
     std::vector<std::string> lines;
+    const dag::Function function = with_named_roots(plain, step, lines);
     for (const dag::Output& output : function.outputs) {
       // What tells noise from values is no part of the mathematics.
       if (output.name == names::size_square || output.name == "scale") continue;
@@ -88,10 +138,15 @@ class Description {
   void range_test() {
     const derive::inverse::RangeTest& test = plan_.plan.range_test;
     Passage& passage = add("Out of reach, before any branch: no " + test.unknown, test.equation);
-    passage.formulas = formulas(plan_.range_test, {});
-    passage.formulas.emplace_back(latex_ ? "\\left| \\left| \\mathrm{middle} - \\tfrac12 \\right| - "
-                                           "\\sqrt{\\mathrm{swing}} \\right| > \\tfrac12"
-                                         : "||middle - 1/2| - sqrt(swing)| > 1/2");
+    dag::Function values = plan_.range_test;
+    const auto is_zero = [&](const dag::Output& output) { return values.graph.is_zero(output.value); };
+    const bool swings = std::erase_if(values.outputs, is_zero) == 0;
+    passage.formulas = formulas(values, {});
+    const char* text = swings ? "||middle - 1/2| - sqrt(swing)| > 1/2" : "|middle - 1/2| > 1/2";
+    const char* typeset = swings ? "\\left| \\left| \\mathrm{middle} - \\tfrac12 \\right| - "
+                                   "\\sqrt{\\mathrm{swing}} \\right| > \\tfrac12"
+                                 : "\\left| \\mathrm{middle} - \\tfrac12 \\right| > \\tfrac12";
+    passage.formulas.emplace_back(latex_ ? typeset : text);
   }
 
   void step(std::size_t i) {
@@ -125,8 +180,10 @@ class Description {
     return passages_.back();
   }
 
-  const LoweredPlan& plan_;
+  LoweredPlan plan_;
   Vocabulary words_;
+  std::map<std::string, int> root_uses_;      ///< by radicand
+  std::map<std::string, std::string> roots_;  ///< their names
   Notation notation_;
   bool latex_;
   std::string count_;
@@ -138,7 +195,9 @@ void append_text(const Passage& passage, std::vector<std::string>& lines) {
   const std::string indent(2 * passage.depth, ' ');
   if (!passage.title.empty()) lines.push_back(indent + passage.title);
   if (!passage.equation.empty()) lines.push_back(indent + "  from: " + passage.equation);
-  for (const std::string& formula : passage.formulas) lines.push_back(indent + "    " + formula);
+  for (const std::string& formula : passage.formulas)
+    for (const std::string& line : formula_lines(formula, Notation::text))
+      lines.push_back(indent + "    " + line);
   if (!passage.degenerate.empty()) lines.push_back(indent + "  degenerate: " + passage.degenerate);
 }
 
@@ -147,11 +206,8 @@ void append_latex(const Passage& passage, std::vector<std::string>& lines) {
   if (!passage.title.empty()) lines.push_back("\\paragraph{" + passage.title + ".} " + passage.equation);
   if (!passage.formulas.empty()) {
     lines.emplace_back("\\begin{align*}");
-    for (std::string formula : passage.formulas) {
-      const std::size_t equals = formula.find(" = ");
-      formula = equals == std::string::npos ? "& " + formula : formula.replace(equals, 3, " &= ");
-      lines.push_back(indent + formula + " \\\\");
-    }
+    for (const std::string& formula : passage.formulas)
+      for (const std::string& line : formula_lines(formula, Notation::latex)) lines.push_back(indent + line);
     lines.emplace_back("\\end{align*}");
   }
   if (!passage.degenerate.empty()) lines.push_back("Degenerate: " + passage.degenerate + ".");
@@ -159,15 +215,18 @@ void append_latex(const Passage& passage, std::vector<std::string>& lines) {
 
 }  // namespace
 
-std::vector<Passage> passages(const LoweredPlan& plan, const std::vector<std::string>& variables,
-                              Notation notation) {
-  return Description(plan, variables, notation).write();
+std::vector<Passage> passages(const derive::inverse::Derivation& derivation, Notation notation) {
+  std::vector<std::string> variables;
+  for (const model::Joint& joint : derivation.problem.moving.joints) variables.push_back(joint.variable);
+  derive::inverse::Plan plan = derivation.plan;
+  derive::inverse::read_unit_quaternion(plan.target);
+  derive::inverse::read_unit_quaternion(plan.range_test.values);
+  return Description(lower(plan), variables, notation).write();
 }
 
-std::vector<std::string> describe(const LoweredPlan& plan, const std::vector<std::string>& variables,
-                                  Notation notation) {
+std::vector<std::string> describe(const derive::inverse::Derivation& derivation, Notation notation) {
   std::vector<std::string> lines;
-  for (const Passage& passage : passages(plan, variables, notation))
+  for (const Passage& passage : passages(derivation, notation))
     (notation.typeset ? append_latex : append_text)(passage, lines);
   return lines;
 }

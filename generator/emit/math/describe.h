@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "derive/inverse/inverse.h"
 #include "derive/inverse/lower.h"
 #include "emit/math/notation.h"
 
@@ -19,14 +20,11 @@ struct Passage {
 };
 
 /// The derivation, passage by passage.
-std::vector<Passage> passages(const derive::inverse::LoweredPlan& plan,
-                              const std::vector<std::string>& variables, Notation notation);
+std::vector<Passage> passages(const derive::inverse::Derivation& derivation, Notation notation);
 
 /// The derivation as a tree for people: structure, then each unknown with its equation, kind, branches,
-/// formulas and degenerate condition, indented by the branches it stands under. `variables` are the joints',
-/// base first.
-std::vector<std::string> describe(const derive::inverse::LoweredPlan& plan,
-                                  const std::vector<std::string>& variables, Notation notation);
+/// formulas and degenerate condition, indented by the branches it stands under.
+std::vector<std::string> describe(const derive::inverse::Derivation& derivation, Notation notation);
 
 /// One step, as the comment above its function.
 std::vector<std::string> step_comment(const derive::inverse::LoweredPlan& plan, std::size_t index);

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "emit/math/jacobian.h"
+#include "emit/math/lines.h"
 #include "emit/math/link_velocities.h"
 
 namespace qvgen::emit {
@@ -28,7 +29,7 @@ class Writer {
   void sentence(const std::string& text, const std::string& latex) {
     lines_.push_back(latex_ ? latex : text);
   }
-  void sentence(const std::string& text) { lines_.push_back(text); }
+  void sentence(const std::string& text) { lines_.push_back(latex_ ? latex_words(text) : text); }
 
   void vector(const std::string& name, const std::string& index, const VectorText& v) {
     const std::string whole = name + (index.empty() ? "" : "_" + index);
@@ -56,11 +57,15 @@ class Writer {
 
  private:
   [[nodiscard]] std::string equation(const std::string& left, const std::string& right) const {
-    return name(left) + (latex_ ? " &= " + right + " \\\\" : " = " + right);
+    return name(left) + " = " + right;
   }
   void aligned(const Row& formulas) {
     if (latex_) lines_.emplace_back("\\begin{align*}");
-    lines_.insert(lines_.end(), formulas.begin(), formulas.end());
+    for (const std::string& formula : formulas)
+      if (latex_)
+        for (const std::string& line : formula_lines(formula, notation_)) lines_.push_back(line);
+      else
+        lines_.push_back(formula);
     if (latex_) lines_.emplace_back("\\end{align*}");
   }
   void put(const std::string& left, const std::vector<Row>& rows) {

@@ -130,4 +130,13 @@ std::vector<std::string> formula_lines(const std::string& formula, Notation nota
   return {notation.typeset ? "& " + formula + " \\\\" : formula};
 }
 
+std::string latex_words(const std::string& words) {
+  std::string result;
+  for (const char letter : words) {
+    if (letter == '_' || letter == '&' || letter == '%' || letter == '#') result += '\\';
+    result += letter == '^' ? std::string("\\^{}") : std::string(1, letter);
+  }
+  return result;
+}
+
 }  // namespace qvgen::emit

@@ -18,6 +18,9 @@ std::vector<std::string> equation_lines(const std::string& left, const std::stri
 /// The same of a formula with or without " = ".
 std::vector<std::string> formula_lines(const std::string& formula, Notation notation);
 
+/// Words without formulas as LaTeX takes them.
+std::string latex_words(const std::string& words);
+
 /// Roughly how wide a formula is, in characters of the notation's output.
 std::size_t width(const std::string& formula, Notation notation);
 

@@ -83,6 +83,14 @@ std::string decimal(const cln::cl_RA& value) {
   return (cln::minusp(value) ? "-" : "") + digits;
 }
 
+/// Roots and fractions that nobody reads: 4318/18686333*sqrt(18686333).
+bool is_long(const exact::Number& value) {
+  constexpr unsigned long most = 10000;
+  for (const auto& [radicand, coefficient] : value.terms())
+    if (radicand > most || cln::denominator(coefficient) > most * most) return true;
+  return false;
+}
+
 class Formula {
  public:
   Formula(const dag::Graph& graph, Notation notation,
@@ -126,9 +134,19 @@ class Formula {
   }
 
   std::string number(const exact::Number& value) const {
-    if (numbers_ == Numbers::decimal && value.is_rational())
-      if (const std::string text = decimal(value.rational()); !text.empty()) return text;
+    if (numbers_ == Numbers::decimal) {
+      if (value.is_rational())
+        if (const std::string text = decimal(value.rational()); !text.empty()) return text;
+      if (is_long(value)) return rounded(value.to_double());
+    }
     return latex_ ? latex_number(value) : exact::to_string(value);
+  }
+
+  [[nodiscard]] std::string rounded(double value) const {
+    std::string text = fmt::format("{:.10g}", value);
+    const std::size_t exponent = text.find('e');
+    if (!latex_ || exponent == std::string::npos) return text;
+    return fmt::format("{} \\cdot 10^{{{}}}", text.substr(0, exponent), std::stoi(text.substr(exponent + 1)));
   }
 
   std::string call(const char* name, const dag::Angle& angle) const {
@@ -139,7 +157,8 @@ class Formula {
   std::string factor(std::uint32_t id) const {
     const dag::Node& node = graph_.node(id);
     const bool has_terms = node.op == Op::constant && graph_.constant_of(node).terms().size() > 1;
-    return node.op == Op::sum || has_terms ? "(" + text(id) + ")" : text(id);
+    return node.op == Op::sum || (has_terms && text(id).find('(') != std::string::npos) ? "(" + text(id) + ")"
+                                                                                        : text(id);
   }
 
   std::string raised(std::uint32_t id, bool square) const {
@@ -165,7 +184,7 @@ class Formula {
   int place(Edge edge) const {
     switch (graph_.node(edge).op) {
       case Op::constant:
-        return graph_.constant_of(graph_.node(edge)).terms().size() > 1 ? 3 : 0;
+        return factor(edge.node).front() == '(' ? 3 : 0;
       case Op::symbol:
         return 1;
       case Op::sum:
@@ -192,7 +211,10 @@ class Formula {
 
   std::string quotient(const dag::Node& node) const {
     if (latex_) return "\\frac{" + signed_text(node.operands[0]) + "}{" + signed_text(node.operands[1]) + "}";
-    return factor(node.operands[0].node) + "/(" + signed_text(node.operands[1]) + ")";
+    const Op below = graph_.node(node.operands[1]).op;
+    const bool alone = below == Op::symbol || below == Op::sine || below == Op::cosine || below == Op::root;
+    const std::string denominator = signed_text(node.operands[1]);
+    return factor(node.operands[0].node) + (alone ? "/" + denominator : "/(" + denominator + ")");
   }
 
   const dag::Graph& graph_;

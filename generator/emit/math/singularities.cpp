@@ -6,6 +6,7 @@
 #include "canonical/arm.h"
 #include "dag/import.h"
 #include "emit/math/legend.h"
+#include "emit/math/lines.h"
 #include "verify/certificate.h"
 
 namespace qvgen::emit {
@@ -123,9 +124,32 @@ SingularityFormulas singularity_formulas(const model::Robot& described, Notation
   return result;
 }
 
+namespace {
+
+void add_equation(std::vector<std::string>& lines, const std::string& left, const std::string& right) {
+  lines.emplace_back("\\begin{align*}");
+  for (const std::string& line : equation_lines(left, right, Notation::latex)) lines.push_back(line);
+  lines.emplace_back("\\end{align*}");
+}
+
+std::vector<std::string> typeset(const SingularityFormulas& all) {
+  std::vector<std::string> lines;
+  for (const std::string& line : all.legend) lines.push_back(latex_words(line) + ".");
+  lines.push_back("$D$: the " + latex_words(all.determinant) + ".");
+  add_equation(lines, "D", all.product);
+  for (const auto& factor : all.factors) {
+    lines.push_back("\\paragraph{" + factor.kind + "} " + latex_words(factor.meaning) + ":");
+    add_equation(lines, factor.name, factor.value + " = 0");
+  }
+  return lines;
+}
+
+}  // namespace
+
 std::vector<std::string> singularity_lines(const model::Robot& described, Notation notation) {
   const SingularityFormulas all = singularity_formulas(described, notation);
-  if (all.factors.empty()) return {all.none};
+  if (all.factors.empty()) return {notation.typeset ? latex_words(all.none) : all.none};
+  if (notation.typeset) return typeset(all);
   std::vector<std::string> lines = all.legend;
   lines.push_back(all.determinant + " = " + all.product);
   for (const auto& factor : all.factors)

@@ -12,6 +12,7 @@
 #include "derive/kinematics/forward_kinematics.h"
 #include "derive/kinematics/orientation.h"
 #include "derive/kinematics/position.h"
+#include "emit/math/lines.h"
 #include "emit/math/link_matrices.h"
 #include "optimise/described.h"
 #include "passes/pass.h"
@@ -96,8 +97,8 @@ class Lines {
     for (const dag::Output& output : function->outputs) {
       const std::string entry = (output.name[0] == 'p' ? "p_" : "r_") + output.name.substr(1);
       const std::string value = formula(function->graph, output.value, notation);
-      lines_.push_back(latex_ ? fmt::format("{}_{{{}}} &= {} \\\\", entry[0], entry.substr(2), value)
-                              : fmt::format("{} = {}", entry, value));
+      const std::string left = latex_ ? fmt::format("{}_{{{}}}", entry[0], entry.substr(2)) : entry;
+      for (const std::string& line : equation_lines(left, value, notation)) lines_.push_back(line);
     }
     if (latex_) lines_.emplace_back("\\end{align*}");
   }
