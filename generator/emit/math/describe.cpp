@@ -7,6 +7,7 @@
 #include "derive/inverse/names.h"
 #include "derive/inverse/target.h"
 #include "emit/math/lines.h"
+#include "emit/math/subproblems.h"
 #include "emit/math/vocabulary.h"
 
 namespace qvgen::emit {
@@ -226,8 +227,9 @@ std::vector<Passage> passages(const derive::inverse::Derivation& derivation, Not
 
 std::vector<std::string> describe(const derive::inverse::Derivation& derivation, Notation notation) {
   std::vector<std::string> lines;
-  for (const Passage& passage : passages(derivation, notation))
-    (notation.typeset ? append_latex : append_text)(passage, lines);
+  std::vector<Passage> all = passages(derivation, notation);
+  for (const Passage& passage : subproblem_passages(derivation, notation)) all.push_back(passage);
+  for (const Passage& passage : all) (notation.typeset ? append_latex : append_text)(passage, lines);
   return lines;
 }
 
