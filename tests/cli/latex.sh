@@ -6,7 +6,7 @@ tool=$1
 mkdir -p "$2" && cd "$2"
 {
   printf '\\documentclass{article}\\usepackage[a4paper,margin=20mm]{geometry}\\usepackage{amsmath}\\begin{document}\n'
-  for robot in iiwa14 puma560 ur5 scara xarm6; do
+  for robot in iiwa14 poe_6r puma560 ur5 scara; do
     for view in "" --inverse --singularities --jacobian --transform --class; do
       printf '\\section*{%s %s}\n' "${robot//_/ }" "$view"
       # shellcheck disable=SC2086

@@ -79,6 +79,7 @@ class Description {
     if (latex_)
       return {"N_1 = ([w, \\langle a, b, c \\rangle], \\langle p_x, p_y, p_z \\rangle)",
               "M_i = Q_i Q_{i+1} \\dots Q_{" + count_ + "} = N_i = Q_{i-1}^{-1} \\dots Q_1^{-1} N_1",
+              "\\bar{\\theta} = \\tfrac{1}{2} \\theta",
               "[N_{i1}, \\langle N_{i2}, N_{i3}, N_{i4} \\rangle] = \\text{quaternion of } N_i",
               "N_x, N_y, M_x, M_y = \\text{a point on both sides, across an axis}"};
     return {"N_1 = ([w, <a, b, c>], <p_x, p_y, p_z>)",

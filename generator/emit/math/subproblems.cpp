@@ -141,7 +141,7 @@ class Sequence {
   Passage& add(const std::string& title, const std::string& what) {
     std::string sentence = what;
     if (typeset())
-      for (const char* name : {"e_i", "omega_i", "r_i", "g_0"}) {
+      for (const char* name : {"e_i", "e_3 W", "omega_i", "r_i", "g_0"}) {
         const std::size_t at = sentence.find(name);
         if (at == std::string::npos) continue;
         const std::string letters = name;
