@@ -75,7 +75,7 @@ std::vector<Break> breaks(const std::string& text, bool latex) {
 /// The best place within a line: the last one of the outermost sum that does not leave most of it empty.
 std::optional<std::size_t> best_break(const std::vector<Break>& all, std::size_t limit) {
   for (const std::size_t least : {limit / 3, std::size_t(1)})
-    for (int depth = 0; depth < 6; ++depth)
+    for (int depth = -8; depth < 8; ++depth)  // below 0: parentheses that an earlier line opened
       for (auto place = all.rbegin(); place != all.rend(); ++place)
         if (place->depth == depth && place->width <= limit && place->width >= least) return place->at;
   return std::nullopt;

@@ -113,11 +113,13 @@ SingularityFormulas singularity_formulas(const model::Robot& described, Notation
   result.legend = legend(described, arm);
   result.determinant = "determinant of the rows " + rows_text(all.rows) + " of the Jacobian" +
                        (all.decoupled ? " (spherical wrist: arm and wrist decoupled)" : "");
-  result.product = text_of(all.constant, notation);
+  const std::string constant = text_of(all.constant, notation);
+  result.product = constant == "1" ? "" : constant == "-1" ? "-" : constant;
   for (std::size_t i = 0; i < all.factors.size(); ++i) {
     const SingularFactor& factor = all.factors[i];
     const std::string name = formula("f" + std::to_string(i + 1), notation);
-    result.product += " " + name + (factor.multiplicity > 1 ? "^" + std::to_string(factor.multiplicity) : "");
+    result.product += (result.product.empty() || result.product == "-" ? "" : " ") + name +
+                      (factor.multiplicity > 1 ? "^" + std::to_string(factor.multiplicity) : "");
     result.factors.push_back(
         {derive::to_string(factor.cause.kind), name, text_of(factor.value, notation), factor.cause.meaning});
   }
