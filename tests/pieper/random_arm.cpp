@@ -99,14 +99,16 @@ class Writer {
   std::string unstructured() {
     const int count = 5 + static_cast<int>(random_() % 3);
     const int slide = below(3) == 0 ? below(count) : -1;
+    const int other = slide >= 0 && below(2) == 0 ? (slide + 1 + below(count - 1)) % count : -1;
     std::string joints;
     for (int i = 0; i < count; ++i) {
       Axis along = axis();
       while (i > 0 && parallel(along, before_)) along = axis();
       before_ = along;
       const std::string origin = i > 0 ? offset_of_any_length() : offset();
-      const bool has_tool = i + 1 == count && i != slide;
-      joints += joint(i, i != slide, along, origin, has_tool ? offset() : "[0, 0, 0]");
+      const bool slides = i == slide || i == other;
+      const bool has_tool = i + 1 == count && !slides;
+      joints += joint(i, !slides, along, origin, has_tool ? offset() : "[0, 0, 0]");
     }
     return description("random arm without structure", joints, count == 7 ? "given = \"q4\"\n" : "");
   }

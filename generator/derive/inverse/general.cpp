@@ -99,7 +99,7 @@ const char* text_of(general::Pair pair) {
       return "skew axes";
     case general::Pair::repeats:
       return "axes that meet or are parallel, an equation replaced by a derivative";
-    default:
+    default:  // confuses
       return "axes that meet or are parallel, the determinant by derivatives of first order";
   }
 }
@@ -167,7 +167,7 @@ std::string without_elimination(const Robot& robot) {
   const auto slides = std::count_if(robot.joints.begin(), robot.joints.end(), [](const auto& joint) {
     return joint.type == model::JointType::prismatic;
   });
-  return slides > 1 ? "any six joints: more than one of them slides"
+  return slides > 2 ? "any six joints: more than two of them slide"
                     : "any six joints: no elimination finds the joints of sampled poses";
 }
 
@@ -201,17 +201,56 @@ bool lacks_structure(const Robot& described) {
   return true;
 }
 
+namespace {
+
+/// The variables of an elimination's loop, in its order.
+std::vector<std::string> variables_of(const GeneralDerivation& derivation, const general::Elimination& e) {
+  std::vector<std::string> variables;
+  for (const int joint : e.joint)
+    variables.push_back(derivation.problem.robot.joints[static_cast<std::size_t>(joint)].variable);
+  return variables;
+}
+
+std::string list_of(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += (i == 0 ? "" : i + 1 < names.size() ? ", " : " and ") + names[i];
+  return text;
+}
+
+std::vector<std::string> describe_pair(const std::vector<std::string>& variable,
+                                       const general::Elimination& e) {
+  return {variable[3] + " from det A(" + variable[3] + ") = 0, 6 equations in 9 products of powers of " +
+              variable[4] + " and " + variable[5],
+          variable[0] + " dropped; " + variable[1] + ", " + variable[2] + " linear: " + text_of(e.pair)};
+}
+
+std::vector<std::string> describe_slides(const std::vector<std::string>& variable,
+                                         const general::Elimination& e) {
+  std::vector<std::string> turns, slides;
+  for (std::size_t i = 0; i < six; ++i)
+    if (i != 3) (e.slide[i] ? slides : turns).push_back(variable[i]);
+  return {variable[3] + " from the way left for " + list_of(slides) +
+              ", which lies in the plane of their directions; times the conjugate of that equation",
+          list_of(turns) + " by the orientation, up to the sign of a root; " + list_of(slides) + " linear"};
+}
+
+}  // namespace
+
 std::vector<std::string> describe_general(const GeneralDerivation& derivation) {
-  const std::vector<model::Joint>& joints = derivation.problem.robot.joints;
+  const bool slides = derivation.setup.eliminations[0].pair == general::Pair::slides;
   std::vector<std::string> lines{
-      "six joints of any geometry: elimination to a polynomial of degree 8 in cosine and sine of one angle"};
+      slides
+          ? "six joints, two of which slide: elimination to a polynomial of degree 4 in cosine and sine of "
+            "one angle"
+          : "six joints of any geometry: elimination to a polynomial of degree 8 in cosine and sine of one "
+            "angle"};
   for (int i = 0; i < derivation.setup.count; ++i) {
     const general::Elimination& e = derivation.setup.eliminations[i];
-    const auto variable = [&](int k) { return joints[static_cast<std::size_t>(e.joint[k])].variable; };
-    lines.push_back((i == 0 ? "- " : "- if in doubt: ") + variable(3) + " from det A(" + variable(3) +
-                    ") = 0, 6 equations in 9 products of powers of " + variable(4) + " and " + variable(5));
-    lines.push_back("  " + variable(0) + " dropped; " + variable(1) + ", " + variable(2) +
-                    " linear: " + text_of(e.pair));
+    const std::vector<std::string> variable = variables_of(derivation, e);
+    const auto text = slides ? describe_slides(variable, e) : describe_pair(variable, e);
+    lines.push_back((i == 0 ? "- " : "- if in doubt: ") + text[0]);
+    lines.push_back("  " + text[1]);
   }
   return lines;
 }

@@ -134,6 +134,7 @@ void Careful::run(Gathered& first) {
   settle(first);
   merge();
   bool all_loud = first.loud;
+  bool any_loud = first.loud;
   bool agreed = false;
   while (const Elimination* elimination = next_elimination()) {
     Gathered more;
@@ -142,6 +143,7 @@ void Careful::run(Gathered& first) {
     settle(more);
     merge();
     all_loud = all_loud && more.loud;
+    any_loud = any_loud || more.loud;
     ++effort_.passes;
     agreed = size_ == before;
     if (agreed && !more.doubtful && is_even()) break;
@@ -163,6 +165,9 @@ void Careful::run(Gathered& first) {
   effort_.used_up = effort_.used_up || spent.used_up;
   // Trusted is what the last elimination has added nothing to, but where solutions meet only one of three.
   unsure_ = !agreed || all_loud || !is_even() || (few && any_is_singular());
+  // Next to nothing at all outer angles are polynomials of poses in reach.
+  const bool slides = setup_.eliminations[0].pair == Pair::slides;
+  unsure_ = unsure_ || (slides && any_loud && (size_ == 0 || any_is_singular()));
 }
 
 }  // namespace qvgen::inverse::general

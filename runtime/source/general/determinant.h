@@ -115,11 +115,12 @@ struct Kernel {
   }
 };
 
-/// A polynomial of degree eight in cosine and sine of the outer angle, zero wherever it belongs to a
-/// solution: the resultant of the equations. Raghavan and Roth's determinant of 12 x 12, from an orthonormal
-/// null space, which is backward stable.
+/// A polynomial of degree eight (of two slides: four) in cosine and sine of the outer angle, zero wherever it
+/// belongs to a solution: the resultant of the equations. Raghavan and Roth's determinant of 12 x 12, from an
+/// orthonormal null space, which is backward stable.
 template <class T>
 [[gnu::noinline]] T resultant(const PoseSystem& system, Pair pair, const T& cosine, const T& sine) {
+  if (pair == Pair::slides) return resultant_of_slides(system.slides, cosine, sine);
   Kernel<T> kernel;
   kernel.set(system, pair, cosine, sine);
   const T square = kernel.reflections.volume * kernel.reflections.volume;

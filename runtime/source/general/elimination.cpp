@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The constants of an elimination, in numbers of 64 bits of mantissa where the machine has them.
+#include <algorithm>
 #include <cmath>
 
 #include <Eigen/Geometry>
@@ -281,10 +282,35 @@ Rows derivative_of(const Rows& rows, const PairMatrix& q, const Triangular& tria
   return change;
 }
 
+/// Whether the three turns behind the outer joint make any orientation: neighbours' axes are not parallel,
+/// unless only the pose says how they lie.
+bool turns_serve(const Elimination& e) {
+  SlideSystem constants;
+  set_slides(e.slide, e.link, constants);
+  int stretch = 0, of_the_pose = 0;
+  for (int k = 0; k < joints; ++k) {
+    if (k > 0 && !e.slide[from_outer[k]]) ++stretch;
+    if (from_outer[k] == 5 - e.shift) of_the_pose = stretch;
+  }
+  constexpr double none = 1e-16;
+  const auto across = [&](int i) { return 1 - constants.rotation[i][8] * constants.rotation[i][8]; };
+  return (of_the_pose == 1 || across(1) > none) && (of_the_pose == 2 || across(2) > none);
+}
+
+bool eliminate_slides(Elimination& e) {
+  e.pair = Pair::slides;
+  clear(e.equations);
+  clear(e.derived);
+  for (auto& row : e.pair_values)
+    for (double& x : row) x = 0;
+  return !e.slide[3] && turns_serve(e);
+}
+
 }  // namespace
 
 bool eliminate(const Chain& chain, bool backwards, int shift, Elimination& e) {
   set_loop(chain, backwards, shift, e);
+  if (std::count(e.slide, e.slide + joints, true) == 2) return eliminate_slides(e);
   if (e.slide[0] || e.slide[3]) return false;
   const Displacement displacement = displacement_of(e);
   if (!displacement.possible) return false;

@@ -165,6 +165,18 @@ QVGEN_LANES void rest_of_joints(const Elimination& e, const Motion (&link)[6], J
   bring_to_length_one(q.cosine[0], q.sine[0]);
 }
 
+/// From the loop's order, direction and unit of length to the arm's.
+template <class T>
+QVGEN_LANES void in_order_of_the_arm(const Elimination& e, double size, const JointLanes<T>& q,
+                                     JointLanes<T>& result) {
+  const double sense = e.backwards ? -1 : 1;
+  for (int i = 0; i < joints; ++i) {
+    const int j = e.joint[i];
+    result.cosine[j] = e.slide[i] ? T(q.cosine[i] * (sense * size)) : q.cosine[i];
+    result.sine[j] = e.slide[i] ? T{} : T(q.sine[i] * sense);
+  }
+}
+
 /// All joints of the arm from outer angles.
 template <class T>
 [[gnu::noinline]] void substitute_back(const Elimination& e, const PoseSystem& system, double size,
@@ -184,12 +196,7 @@ template <class T>
   longest_ratio(y, 1, 3, numerator, denominator);
   joint_of_ratio(numerator, denominator, e.slide[5], q.cosine[5], q.sine[5]);
   rest_of_joints(e, system.link, q);
-  const double sense = e.backwards ? -1 : 1;
-  for (int i = 0; i < joints; ++i) {
-    const int j = e.joint[i];
-    result.cosine[j] = e.slide[i] ? T(q.cosine[i] * (sense * size)) : q.cosine[i];
-    result.sine[j] = e.slide[i] ? T{} : T(q.sine[i] * sense);
-  }
+  in_order_of_the_arm(e, size, q, result);
 }
 
 }  // namespace

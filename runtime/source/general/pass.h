@@ -3,6 +3,7 @@
 
 #include "newton.h"
 #include "roots.h"
+#include "slide_joints.h"
 
 namespace qvgen::inverse::general {
 namespace {
@@ -33,16 +34,27 @@ class Eliminated {
     Candidates candidates;
     const double noise = find_candidates<width>(system_, e.pair, tolerance, candidates);
     constexpr double loud = 1e-7;
-    found.loud = !(noise < loud);
+    found.loud = !(noise < loud) || (e.pair == Pair::slides && vanishes());
     if (found.loud || candidates.overflow) found.doubtful = true;
     for (int first = 0; first < candidates.count; first += width) follow(candidates, first);
+    if (e.pair == Pair::slides) look_in_line();
     int all = found.rows - rows_before_;
     for (int k = 0; k < rows_before_; ++k) all += seen_[k] ? 1 : 0;
-    // The sixteen solutions over the complex numbers: those that are not real come in pairs.
+    // The sixteen solutions (of two slides eight) over the complex numbers: those that are not real come in
+    // pairs.
     if (all % 2 != 0) found.doubtful = true;
   }
 
  private:
+  /// At four angles that are spread over the circle.
+  [[nodiscard]] bool vanishes() const {
+    const Lanes<4> cosines = {0.96, -0.28, -0.96, 0.28}, sines = {0.28, 0.96, -0.28, -0.96};
+    return nearly_vanishes(system_.slides, cosines, sines);
+  }
+
+  static constexpr double in_line = 1e-6;  ///< the square of the sine between two axes
+  static constexpr double half_root_3 = 0.86602540378443865;
+
   void follow(const Candidates& candidates, int first) {
     const int count = candidates.count - first < width ? candidates.count - first : width;
     T cosine, sine;
@@ -52,13 +64,45 @@ class Eliminated {
       sine[i] = angle.sine;
     }
     JointLanes<T> start, q;
-    substitute_back(e_, system_, chain_.size, cosine, sine, start);
+    if (e_.pair == Pair::slides)
+      substitute_slides(e_, system_.slides, chain_.size, cosine, sine, Taken{}, start);
+    else
+      substitute_back(e_, system_, chain_.size, cosine, sine, start);
     q = start;
     polish(count, q);
     const T miss = squared_miss(chain_, goal_, q);
     for (int i = 0; i < count; ++i) {
       if (candidates.list[first + i].is_doubtful()) found_.doubtful = true;
       if (!(miss[i] < good_miss && is_new(lane(q, i)))) offer_start(lane(start, i));
+    }
+  }
+
+  /// Of two slides. Where the axes of two turns are in line their sum alone is known: there steps begin at
+  /// all that may be.
+  void offer_in_line(const T& cosine, const T& sine, const T& across, int count) {
+    const Direction sixths[6] = {{1, 0},  {0.5, half_root_3},   {-0.5, half_root_3},
+                                 {-1, 0}, {-0.5, -half_root_3}, {0.5, -half_root_3}};
+    for (const Direction& by : sixths)
+      for (const double sign : {1.0, -1.0}) {
+        JointLanes<T> start;
+        substitute_slides(e_, system_.slides, chain_.size, cosine, sine, {sign, by.cosine, by.sine}, start);
+        for (int i = 0; i < count; ++i)
+          if (!(across[i] > in_line)) offer_start(lane(start, i));
+      }
+  }
+
+  /// The outer angles at which those axes come nearest to being in line: the polynomial has roots there that
+  /// rounding hides.
+  void look_in_line() {
+    const Lanes<4> cosines = {1, 0, -1, 0}, sines = {0, 1, 0, -1};
+    const Lanes<4> n = AtOuter<Lanes<4>>(system_.slides, cosines, sines).between;
+    const double mean = (n[0] + n[2]) / 2, x = (n[0] - n[2]) / 2, y = (n[1] - n[3]) / 2;
+    const double most = std::sqrt(x * x + y * y);
+    if (!(most > 1e-9)) return;
+    for (const double sign : {1.0, -1.0}) {
+      const double nearest = mean + sign * most;
+      if (1 - nearest * nearest > in_line) continue;
+      offer_in_line(spread<T>(sign * x / most), spread<T>(sign * y / most), T{}, 1);
     }
   }
 

@@ -3,6 +3,7 @@
 
 #include "gathered.h"
 #include "line.h"
+#include "two_slides.h"
 
 namespace qvgen::inverse::general {
 namespace {
@@ -16,7 +17,8 @@ struct Equations {
 struct PoseSystem {
   Motion link[6];  ///< the loop's constants, the pose's among them
   Equations equations;
-  Equations derived;  ///< only of pairs that are not skew
+  Equations derived;   ///< only of pairs that are not skew
+  SlideSystem slides;  ///< only of arms with two slides, in place of the equations
 };
 
 inline void multiply(const double (&a)[9], const double (&b)[9], bool a_transposed, bool b_transposed,
@@ -68,6 +70,7 @@ inline void contract(const double (&table)[18][15], const Quad (&vectors)[3][15]
 [[gnu::noinline]] void set_pose(const Elimination& e, const Chain& chain, const Goal& goal, PoseSystem& s) {
   for (int i = 0; i < 6; ++i) s.link[i] = e.link[i];
   s.link[5 - e.shift] = closing(chain, goal, e.backwards);
+  if (e.pair == Pair::slides) return set_slides(e.slide, s.link, s.slides);
   const Motion& last = s.link[5];
   const double direction[3] = {last.rotation[2], last.rotation[5], last.rotation[8]};
   double line[15], sixth[3][15];

@@ -316,14 +316,32 @@ class RootFinder {
   Bracket bracket_[most_cells];
 };
 
-/// The same equations with every coefficient changed by about as much as rounding has changed it.
+/// Changes numbers by about as much as rounding has changed them, always in the same way.
+class Disturbance {
+ public:
+  void operator()(double& x) {
+    state_ = state_ * 1664525U + 1013904223U;
+    x *= (state_ >> 16U & 1U) != 0 ? 1 + 0x1p-52 : 1 - 0x1p-52;
+  }
+
+ private:
+  unsigned state_ = 1;
+};
+
+/// The same equations with every coefficient changed.
 inline void disturb(Equations& equations) {
-  unsigned state = 1;
+  Disturbance change;
   for (auto& part : equations.a)
-    for (double& x : part) {
-      state = state * 1664525U + 1013904223U;
-      x *= (state >> 16U & 1U) != 0 ? 1 + 0x1p-52 : 1 - 0x1p-52;
-    }
+    for (double& x : part) change(x);
+}
+
+inline void disturb(SlideSystem& slides) {
+  Disturbance change;
+  for (auto& rotation : slides.rotation)
+    for (double& x : rotation) change(x);
+  for (auto& column : slides.column)
+    for (auto& part : column)
+      for (double& x : part) change(x);
 }
 
 /// A magnified stretch. There the samples may be off together, which their last frequency does not show: how
@@ -331,8 +349,12 @@ inline void disturb(Equations& equations) {
 template <int width>
 Trigonometric magnified(const PoseSystem& system, Pair pair, const Magnifier& magnifier) {
   PoseSystem other = system;
-  disturb(other.equations);
-  if (pair != Pair::skew) disturb(other.derived);
+  if (pair == Pair::slides) {
+    disturb(other.slides);
+  } else {
+    disturb(other.equations);
+    if (pair != Pair::skew) disturb(other.derived);
+  }
   Trigonometric result = sampled<width>(system, pair, magnifier);
   const Trigonometric disturbed = sampled<width>(other, pair, magnifier);
   double change = 0;

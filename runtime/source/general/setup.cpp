@@ -80,9 +80,11 @@ Trial tried(const Chain& chain, const Elimination& e) {
   return trial;
 }
 
-/// Neither without size nor with two slides.
+bool needs_derivatives(Pair pair) { return pair == Pair::repeats || pair == Pair::confuses; }
+
+/// Neither without size nor with three slides.
 bool is_eligible(const Chain& chain) {
-  return chain.size > 0 && std::count(chain.slides, chain.slides + joints, true) <= 1;
+  return chain.size > 0 && std::count(chain.slides, chain.slides + joints, true) <= 2;
 }
 
 }  // namespace
@@ -105,7 +107,7 @@ Choices choose(const Description* arms, int count) {
         if (!serves) break;
         const Trial trial = tried(chain, elimination);
         candidate.missing += trial.missing;
-        candidate.score += trial.score() + (elimination.pair == Pair::skew ? 0 : trials / 4);
+        candidate.score += trial.score() + (needs_derivatives(elimination.pair) ? trials / 4 : 0);
       }
       if (serves && candidate.missing <= count * trials / 8) ++found;
     }

@@ -103,8 +103,10 @@ const char* name_of(Pair pair) {
       return "inverse::general::Pair::skew";
     case Pair::repeats:
       return "inverse::general::Pair::repeats";
-    default:
+    case Pair::confuses:
       return "inverse::general::Pair::confuses";
+    default:
+      return "inverse::general::Pair::slides";
   }
 }
 
@@ -130,15 +132,17 @@ void add(Initialiser& to, const Elimination& e) {
   to.list(e.link, [&](const Motion& link) { add(to, link); });
   to.comma();
   to.text(name_of(e.pair));
-  to.comma();
-  add(to, e.equations);
-  to.comma();
-  if (e.pair == Pair::skew)
-    to.text("{}");
-  else
-    add(to, e.derived);
-  to.comma();
-  add(to, e.pair_values);
+  const auto table = [&](const auto& values, bool is_there) {
+    to.comma();
+    if (is_there)
+      add(to, values);
+    else
+      to.text("{}");
+  };
+  const bool has_pair = e.pair != Pair::slides;
+  table(e.equations, has_pair);
+  table(e.derived, has_pair && e.pair != Pair::skew);
+  table(e.pair_values, has_pair);
   to.close();
 }
 

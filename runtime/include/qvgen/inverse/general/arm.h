@@ -3,13 +3,14 @@
 
 #include <qvgen/inverse/screw.h>
 
-/// All solutions of any arm with six joints, revolute ones and at most one slide. Source: Raghavan and Roth,
+/// All solutions of any arm with six joints, revolute ones and at most two slides. Source: Raghavan and Roth,
 /// Inverse Kinematics of the General 6R Manipulator, J. Mech. Design 115 (1993), with the elimination sampled
 /// on the unit circle; tests/inverse/README.md says how, and where its completeness ends.
 namespace qvgen::inverse::general {
 
 inline constexpr int joints = 6;
-/// The most solutions that six revolute joints can have for a pose; one slide does not add to it.
+/// The most solutions that six revolute joints can have for a pose; one slide does not add to it, with two
+/// there are eight.
 inline constexpr int most_solutions = 16;
 
 /// x -> R x + p. R by rows.

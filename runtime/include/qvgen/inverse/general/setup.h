@@ -7,9 +7,10 @@ namespace qvgen::inverse::general {
 
 /// Axes 2' and 3' of a loop (see `Elimination`), whose line is what the equations are linear in.
 enum class Pair {
-  skew,     ///< they neither meet nor are parallel: six independent equations
-  repeats,  ///< one of the six equations depends on the others at every outer angle, whatever the pose
-  confuses  ///< two vectors that belong to no solution solve them at every outer angle
+  skew,      ///< they neither meet nor are parallel: six independent equations
+  repeats,   ///< one of the six equations depends on the others at every outer angle, whatever the pose
+  confuses,  ///< two vectors that belong to no solution solve them at every outer angle
+  slides     ///< there is none: two joints slide, and the turns alone make the orientation
 };
 
 /// Which way round the loop of an `Elimination` goes, and with which joint it begins.
@@ -55,7 +56,7 @@ struct Setup {
 };
 
 /// Tries all eliminations on sampled poses of each of these arms; takes some milliseconds. None serves arms
-/// that are singular everywhere or that have more than one slide.
+/// that are singular everywhere or that have more than two slides.
 Choices choose(const Description* arms, int count);
 
 /// Everything that can be known before a pose is, by the choices that are best for the arm.
