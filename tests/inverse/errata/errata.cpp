@@ -5,6 +5,8 @@
 #include <cctype>
 #include <cmath>
 
+#include "condition.h"
+
 namespace qvgen::test::errata {
 namespace {
 
@@ -109,6 +111,7 @@ std::set<std::string> Text::names() const {
 
 std::string Verdict::text() const {
   if (reached == 0) return "wrong";
+  if (!condition.empty()) return "right iff " + condition;
   if (reached < solutions)
     return "right for " + std::to_string(100 * reached / solutions) + " % of the solutions";
   return spurious == 0 ? "right" : "right with one sign, which it does not tell";
@@ -157,7 +160,7 @@ std::set<int> Judge::joints_in(const Text& text) const {
   return result;
 }
 
-void Judge::judge(const Place& place, std::size_t solution, const std::string& of, const Text& text,
+bool Judge::judge(const Place& place, std::size_t solution, const std::string& of, const Text& text,
                   const std::set<int>& known, Verdict& verdict) const {
   const int own = joint(of);
   const bool turns = own >= 0 && case_.revolute(own);
@@ -182,6 +185,7 @@ void Judge::judge(const Place& place, std::size_t solution, const std::string& o
   ++verdict.solutions;
   verdict.reached += reached ? 1 : 0;
   verdict.spurious += spurious ? 1 : 0;
+  return reached;
 }
 
 Verdict Judge::formula(std::size_t index, const Text& text) const {
@@ -192,8 +196,11 @@ Verdict Judge::formula(std::size_t index, const Text& text) const {
   known.erase(joint(of));
   if (case_.robot().info.given_joint >= 0) known.insert(case_.robot().info.given_joint);
   Verdict verdict;
+  std::vector<Outcome> outcomes;
   for (const Place& place : places_)
-    for (std::size_t i = 0; i < place.solutions.size(); ++i) judge(place, i, of, text, known, verdict);
+    for (std::size_t i = 0; i < place.solutions.size(); ++i)
+      outcomes.push_back({&place.values[i], judge(place, i, of, text, known, verdict)});
+  if (verdict.reached > 0 && verdict.reached < verdict.solutions) verdict.condition = condition_of(outcomes);
   return verdict;
 }
 

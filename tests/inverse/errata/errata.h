@@ -61,6 +61,7 @@ struct Verdict {
   int reached = 0;  ///< solutions whose value the formula gives, with one of its signs
   int spurious =
       0;  ///< solutions beside which it gives a value that no solution with the same earlier joints has
+  std::string condition = {};  ///< which holds at exactly the solutions that are reached: "theta5 > 0"
   [[nodiscard]] bool right() const { return solutions > 0 && reached == solutions && spurious == 0; }
   [[nodiscard]] std::string text() const;
 };
@@ -84,7 +85,8 @@ class Judge {
   void add_pose(Case& drawn);
   [[nodiscard]] std::set<int> joints_in(const Text& text) const;
   [[nodiscard]] int joint(const std::string& name) const;
-  void judge(const Place& place, std::size_t solution, const std::string& of, const Text& text,
+  /// Whether the formula gives the solution's value; what else it gives counts in the verdict.
+  bool judge(const Place& place, std::size_t solution, const std::string& of, const Text& text,
              const std::set<int>& known, Verdict& verdict) const;
 
   const Arm& arm_;

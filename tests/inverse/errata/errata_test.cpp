@@ -41,7 +41,8 @@ TEST(Errata, VerdictsOfPlainCases) {
   const Judge judge(arm, *robot_of("rr_planar"));
   const std::string cosine = "(px^2 + py^2 - l1^2 - l2^2)/(2*l1*l2)";
   EXPECT_EQ(judge.formula(0, {{}, "pm*acos(" + cosine + ")"}).text(), "right");
-  EXPECT_EQ(judge.formula(0, {{}, "acos(" + cosine + ")"}).text(), "right for 50 % of the solutions");
+  EXPECT_EQ(judge.formula(0, {{}, "acos(" + cosine + ")"}).text(), "right iff theta2 > 0");
+  EXPECT_EQ(judge.formula(0, {{}, "sign(px*py)*acos(" + cosine + ")"}).text().substr(0, 10), "right for ");
   EXPECT_EQ(judge.formula(0, {{}, "2*pm*acos(" + cosine + ")"}).text(), "wrong");
   EXPECT_EQ(judge.formula(0, {{}, "pm*pm2*acos(pm2*" + cosine + ")"}).text(),
             "right with one sign, which it does not tell");

@@ -10,8 +10,8 @@ constexpr const char* introduction = R"(# Printed inverse kinematics, checked
 
 Written by `qvgen_errata_table` from the formulas as printed (`*.toml` of this folder) and the generated inverse kinematics;
 a test compares. Each formula is judged by itself, everything that it refers to having its true value, at every solution of
-100 random poses of arms of random lengths: "right", right for a share of the solutions (a branch is lost or a sign left
-out), or "wrong". "Right with one sign, which it does not tell": its other sign gives a value that no solution with the
+100 random poses of arms of random lengths: "right", right iff a condition holds (a branch is lost or a sign left out; the
+shortest one that holds at exactly those solutions, or else their share), or "wrong". "Right with one sign, which it does not tell": its other sign gives a value that no solution with the
 same earlier joints has. "Circular": it needs a joint that is itself computed from this one.
 
 Notation: `pm`, `pm2` are printed signs ± or ∓; `c1`, `s1` cosine and sine of theta1, `hc1`, `hs1` of its half; `w, a, b, c` the
