@@ -33,6 +33,7 @@ struct RobotUnderTest {
   std::function<Vector(const Vector& q, const Vector& qd)> jacobian_dot_times_qd;
   std::function<Vector(const Vector& q)> singularity_measures;
   std::function<JointRates(const Vector& q, const Vector& twist)> inverse_velocity;
+  std::vector<std::string> singularity_names;
 };
 
 inline std::vector<RobotUnderTest>& robots() {

@@ -2,6 +2,8 @@
 // The singular configurations of the six-joint arms are exactly the zeros of their singularity measures.
 #include <algorithm>
 #include <random>
+#include <set>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -98,6 +100,13 @@ TEST_P(Singularities, EveryZeroOfAMeasureIsSingular) {
   }
   // A factor such as l2 - d4 sin(theta3) has no zeros for some lengths; the wrist's always has.
   EXPECT_GT(*std::max_element(zeros.begin(), zeros.end()), 0);
+}
+
+TEST(SingularityMeasures, HaveDifferentNames) {
+  for (const RobotUnderTest& robot : qvgen::test::robots()) {
+    const std::set<std::string> names(robot.singularity_names.begin(), robot.singularity_names.end());
+    EXPECT_EQ(names.size(), robot.singularity_names.size()) << robot.name;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, Singularities, testing::ValuesIn(six_joint_robots()),

@@ -45,6 +45,19 @@ void put_in_order(derive::Singularities& all) {
   });
 }
 
+/// "shoulder", "elbow", ...; several of one kind are numbered.
+std::vector<std::string> names_of(const std::vector<SingularFactor>& factors) {
+  std::vector<std::string> kinds, names;
+  for (const SingularFactor& factor : factors) kinds.push_back(derive::to_string(factor.cause.kind));
+  for (std::size_t i = 0; i < kinds.size(); ++i) {
+    const auto here = kinds.begin() + static_cast<std::ptrdiff_t>(i);
+    const auto before = std::count(kinds.begin(), here, *here);
+    const bool alone = std::count(kinds.begin(), kinds.end(), *here) == 1;
+    names.push_back(alone ? *here : *here + " " + std::to_string(before + 1));
+  }
+  return names;
+}
+
 void certify_product(const model::Robot& robot, const derive::Singularities& all) {
   symbolic::Program product;
   ex value = all.constant;
@@ -86,10 +99,10 @@ SingularityMeasures singularity_measures(const model::Robot& robot) {
   result.decoupled = all.decoupled;
   result.constant = text_of(all.constant, Notation::text.with(Numbers::exact));
   result.quantity.name = "singularity_measures";
+  result.names = names_of(all.factors);
   symbolic::Program program;
   for (const SingularFactor& factor : all.factors) {
-    program.output("m" + std::to_string(result.names.size() + 1), factor.value);
-    result.names.push_back(derive::to_string(factor.cause.kind));
+    program.output("m" + std::to_string(result.multiplicities.size() + 1), factor.value);
     result.multiplicities.push_back(factor.multiplicity);
   }
   result.quantity.forms.push_back({"factors", program});
@@ -115,13 +128,13 @@ SingularityFormulas singularity_formulas(const model::Robot& described, Notation
                        (all.decoupled ? " (spherical wrist: arm and wrist decoupled)" : "");
   const std::string constant = text_of(all.constant, notation);
   result.product = constant == "1" ? "" : constant == "-1" ? "-" : constant;
+  const std::vector<std::string> names = names_of(all.factors);
   for (std::size_t i = 0; i < all.factors.size(); ++i) {
     const SingularFactor& factor = all.factors[i];
     const std::string name = formula("f" + std::to_string(i + 1), notation);
     result.product += (result.product.empty() || result.product == "-" ? "" : " ") + name +
                       (factor.multiplicity > 1 ? "^" + std::to_string(factor.multiplicity) : "");
-    result.factors.push_back(
-        {derive::to_string(factor.cause.kind), name, text_of(factor.value, notation), factor.cause.meaning});
+    result.factors.push_back({names[i], name, text_of(factor.value, notation), factor.cause.meaning});
   }
   return result;
 }

@@ -34,7 +34,7 @@ struct SingularityFormulas {
   std::string determinant = {};  ///< of what, in words
   std::string product = {};
   struct Factor {
-    std::string kind;  ///< "elbow", ...
+    std::string kind;  ///< "elbow", ...; numbered if there are several of a kind
     std::string name;
     std::string value;
     std::string meaning;  ///< what happens where it vanishes

@@ -136,7 +136,8 @@ def _binding(robot, generated):
 def module_file(robot, generated):
     """Where the module belongs by the content of all that it is made from; compiled if it is not there."""
     made_of = [*(generated / "source" / robot).glob("*"), *(generated / "include/qvgen/robots" / robot).glob("*"),
-               *_here.glob("*.h"), *(_root / "runtime/include").rglob("*.h"), *_runtime_sources()]
+               *_here.glob("*.h"), *(_root / "runtime/include").rglob("*.h"),
+               *(_root / "runtime/source").rglob("*.h"), *_runtime_sources()]
     key = _hash([_binding(robot, generated), sys.version, os.environ.get("CXX"),
                  *(path.read_bytes() for path in sorted(made_of))])
     target = cache_folder() / f"{robot}-{key}" / (robot + _suffix)
