@@ -113,9 +113,9 @@ model::Robot part_to_show(model::Robot robot, const ShowArguments& arguments) {
 std::string masses_sentence(const std::string& place) {
   if (place.empty()) return "";
   if (place == "end") return "m1, m2, ...: the mass of each link, all of it at the link's end.\n";
-  return "m1, m2, ...: the mass of each link, in the middle of it; Ixx1, Iyy1, Izz1, ...: moments about that "
-         "in the "
-         "link's frame;\nlength1, ...: of a link that slides, a rod along its axis.\n";
+  return "m1, m2, ...: the mass of each link, in the middle of it;\n"
+         "Ixx1, Iyy1, Izz1, ...: moments about that in the link's frame;\n"
+         "length1, ...: of a link that slides, a rod along its axis.\n";
 }
 
 int show_dynamics(const model::Robot& robot, const std::string& masses, emit::Notation notation) {

@@ -2,6 +2,7 @@
 # All views of some robots in one LaTeX document: it compiles, and no line leaves the page by more than a letter or two.
 #   latex.sh TOOL FOLDER
 set -euo pipefail
+command -v pdflatex > /dev/null || { echo "skipped: there is no pdflatex (apt-get install texlive-latex-base)"; exit 77; }
 tool=$1
 mkdir -p "$2" && cd "$2"
 {

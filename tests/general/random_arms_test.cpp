@@ -16,7 +16,7 @@ int arm_count() {
 /// Arms with all lengths and twists drawn at random: the joints from which poses are made are among the rows.
 void check_arms(int slides) {
   constexpr int poses = 50;
-  int missing = 0;
+  int missing = 0, incomplete = 0;
   for (int number = 0; number < arm_count(); ++number) {
     const Arm arm = random_arm(1000 + static_cast<unsigned>(number), slides);
     const auto setup = inverse::general::set_up(arm.description());
@@ -27,10 +27,13 @@ void check_arms(int slides) {
       const Eigen::Isometry3d target = arm.tool(q);
       const auto found = solve(setup, Pose<double>::from_isometry(target));
       EXPECT_EQ(fault(arm, target, found), "");
-      missing += contains(arm, found, q) || found.status == Status::incomplete ? 0 : 1;
+      const bool told = found.status == Status::incomplete;
+      incomplete += told ? 1 : 0;
+      missing += contains(arm, found, q) || told ? 0 : 1;
     }
   }
   EXPECT_EQ(missing, 0);
+  EXPECT_LE(incomplete, arm_count() * poses / 100);
 }
 
 TEST(RandomArms, SixRevoluteJoints) { check_arms(0); }

@@ -92,6 +92,12 @@ void Builder::set_length(Step& step, const Screw& screw, const ex& value) {
 
 namespace {
 
+/// A pair among a step's inputs: "point_" names point_x and point_y, "" x and y.
+void give(Step& step, const std::string& name, const Flat& v) {
+  step.before.output(name + "x", v.x);
+  step.before.output(name + "y", v.y);
+}
+
 Flat result_turn() { return {symbolic::symbol(names::cosine_result), symbolic::symbol(names::sine_result)}; }
 ex result_length() { return symbolic::symbol(names::result); }
 
@@ -135,8 +141,7 @@ void Builder::turn_by_line(const Screw& screw, const Flat& k, const ex& rhs, con
     kind::Opposite opposite;
     opposite.degree = degree;
     Step& step = add(opposite, &screw, 2, equation);
-    step.before.output("x", -k.y);
-    step.before.output("y", k.x);
+    give(step, "", {-k.y, k.x});
     step.degenerate = "the point lies on the axis: " + screw.variable + " is free";
     set_turn(step, screw, result_turn());
     return;
@@ -153,8 +158,7 @@ void Builder::turn_by_line(const Screw& screw, const Flat& k, const ex& rhs, con
   }
   if (const auto factors = without_root(k, rhs)) {
     Step& step = add(kind::FactoredCircle{degree}, &screw, 2, equation);
-    step.before.output("x", k.x);
-    step.before.output("y", k.y);
+    give(step, "", k);
     step.before.output("rhs", rhs);
     step.before.output("low", factors->x);
     step.before.output("high", factors->y);
@@ -166,8 +170,7 @@ void Builder::turn_by_line(const Screw& screw, const Flat& k, const ex& rhs, con
   }
   Step& step = add(kind::FreeCircle{degree}, &screw, 2, equation);
   const ex amplitude = GiNaC::sqrt(k.x * k.x + k.y * k.y);
-  step.before.output("x", k.x);
-  step.before.output("y", k.y);
+  give(step, "", k);
   step.before.output("low", amplitude - rhs);
   step.before.output("high", amplitude + rhs);
   step.degenerate =
@@ -206,8 +209,7 @@ void Builder::turn_by_distance(const Screw& screw, int sign, const Flat& v, cons
   // Unnormalised: v conj(x0), mirrored for a joint that is read backwards.
   const Flat direction = base.direction * conjugate(arm.direction);
   Step& step = add(kind::FreeCircle{(v_fixed ? 0 : 1) + (x_fixed ? 0 : 1)}, &screw, 2, equation);
-  step.before.output("x", direction.x);
-  step.before.output("y", sign * direction.y);
+  give(step, "", {direction.x, sign * direction.y});
   step.before.output("low", low);
   step.before.output("high", high);
   step.degenerate =
@@ -222,8 +224,7 @@ void Builder::turn_by_pair(const Screw& screw, const Flat& direction, const std:
   pair.length = length;
   pair.degree = 4;
   Step& step = add(pair, &screw, 1, equation);
-  step.before.output("x", direction.x);
-  step.before.output("y", direction.y);
+  give(step, "", direction);
   step.degenerate = "the point lies on the axis: " + screw.variable + " is free";
   set_turn(step, screw, result_turn());
 }
@@ -232,10 +233,8 @@ Scope::Turn Builder::turn_by_pair(const std::string& name, const Flat& direction
                                   const std::string& equation) {
   Step& step = add(kind::ChosenPair{}, nullptr, 1, equation);
   step.unknown = name;
-  step.before.output("x", direction.x);
-  step.before.output("y", direction.y);
-  step.before.output("choice_x", choice.cosine);
-  step.before.output("choice_y", choice.sine);
+  give(step, "", direction);
+  give(step, "choice_", {choice.cosine, choice.sine});
   step.degenerate = "the directions lie along the axis: " + name + " is free";
   step.after.output(symbolic::symbol(names::cosine(name)), result_turn().x);
   step.after.output(symbolic::symbol(names::sine(name)), result_turn().y);
@@ -264,20 +263,16 @@ void Builder::slide_by_line(const Screw& screw, const Flat& along, const Flat& r
   using Reached = kind::Line::Reach;
   if (reach) line.reach = reach->outer ? Reached::between : Reached::beyond;
   Step& step = add(line, &screw, 1, equation);
-  const auto input = [&](const std::string& name, const Flat& v) {
-    step.before.output(name + "x", v.x);
-    step.before.output(name + "y", v.y);
-  };
   if (flat) {
-    input("", along);
-    input("rhs_", rhs);
+    give(step, "", along);
+    give(step, "rhs_", rhs);
   } else {
     step.before.output("divisor", along.x);
     step.before.output("rhs", rhs.x);
   }
   if (reach) {
-    input("point_", reach->point);
-    input("along_", reach->along);
+    give(step, "point_", reach->point);
+    give(step, "along_", reach->along);
     step.before.output("inner", reach->inner);
     if (reach->outer) step.before.output("outer", *reach->outer);
   }
@@ -290,13 +285,9 @@ void Builder::slide_by_line(const Screw& screw, const Flat& along, const Flat& r
 void Builder::slide_beside(const Screw& screw, const Flat& along, const Flat& other, const Flat& rhs,
                            const std::string& equation) {
   Step& step = add(kind::Beside{}, &screw, 1, equation);
-  const auto input = [&](const std::string& name, const Flat& v) {
-    step.before.output(name + "x", v.x);
-    step.before.output(name + "y", v.y);
-  };
-  input("", along);
-  input("other_", other);
-  input("rhs_", rhs);
+  give(step, "", along);
+  give(step, "other_", other);
+  give(step, "rhs_", rhs);
   step.degenerate = "(x, y) along (other_x, other_y): " + screw.variable + " is free";
   set_length(step, screw, result_length());
 }
@@ -333,11 +324,9 @@ void Builder::slide_and_turn(const Screw& slide, const Screw& turn, const SlideA
   step.before.output("divisor", equations.divisor);
   step.before.output("h", equations.h);
   step.before.output("level", equations.level);
-  step.before.output("l_x", equations.l.x);
-  step.before.output("l_y", equations.l.y);
+  give(step, "l_", equations.l);
   step.before.output("mean", equations.mean);
-  step.before.output("m_x", equations.m.x);
-  step.before.output("m_y", equations.m.y);
+  give(step, "m_", equations.m);
   step.degenerate =
       "boundary of reach: solutions coincide; divisor = 0 and (l_x, l_y) = 0: " + slide.variable +
       " is free as far as " + turn.variable + " can follow";
@@ -350,10 +339,8 @@ Scope::Turn Builder::reachable(const std::string& name, const std::vector<kind::
                                const Flat& point, const Flat& offset, const ex& inner, const ex& outer) {
   Step& step = add(kind::Reach{seeds}, nullptr, 1, "the distance that the two links between leave open");
   step.unknown = name;
-  step.before.output("point_x", point.x);
-  step.before.output("point_y", point.y);
-  step.before.output("offset_x", offset.x);
-  step.before.output("offset_y", offset.y);
+  give(step, "point_", point);
+  give(step, "offset_", offset);
   step.before.output("inner", inner);
   step.before.output("outer", outer);
   step.after.output(symbolic::symbol(names::cosine(name)), symbolic::symbol(names::cosine_result));

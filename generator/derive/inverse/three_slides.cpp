@@ -142,9 +142,7 @@ class Slides {
 
   /// Turns between all of them: across the one in the middle, whose direction is constant, stand the others.
   void across_middle(const Slide& first, const Slide& middle, const Slide& last) {
-    const auto across = [&](const Vector& v) {
-      return Flat{scope().clean(dot(middle.screw.first, v)), scope().clean(dot(middle.screw.second, v))};
-    };
+    const auto across = [&](const Vector& v) { return in_frame(middle.screw, v, scope()); };
     const Flat other = across(last.direction);
     attempt_.builder.slide_beside(first.screw, across(first.direction), other, across(rest_), equation);
     subtract(first);

@@ -62,6 +62,13 @@ std::string ability(const model::Robot& described, const Problem& problem, const
   return text + virtual_joints(problem);
 }
 
+/// Of an elimination: with two slides its polynomial has half the degree.
+int most_solutions(const derive::inverse::GeneralDerivation& derivation) {
+  namespace general = qvgen::inverse::general;
+  const bool slides = derivation.setup.eliminations[0].pair == general::Pair::slides;
+  return slides ? general::most_solutions / 2 : general::most_solutions;
+}
+
 }  // namespace
 
 std::string ability(const model::Robot& described, const Derivation& derivation) {
@@ -71,7 +78,7 @@ std::string ability(const model::Robot& described, const Derivation& derivation)
 
 std::string ability(const model::Robot& described, const derive::inverse::GeneralDerivation& derivation) {
   return ability(described, derivation.problem, "no structure that a closed form needs",
-                 qvgen::inverse::general::most_solutions, ", by elimination");
+                 most_solutions(derivation), ", by elimination");
 }
 
 std::string arm_angle_ability(const model::Robot& described) {

@@ -34,6 +34,18 @@ QVGEN_LANES void rotate(const Number (&r)[9], const T* x, T* y) {
   for (int i = 0; i < 3; ++i) y[i] = r[3 * i] * x[0] + r[3 * i + 1] * x[1] + r[3 * i + 2] * x[2];
 }
 
+/// r = a b, or with one of them transposed; by rows.
+inline void multiply(const double (&a)[9], const double (&b)[9], bool a_transposed, bool b_transposed,
+                     double (&r)[9]) {
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      double sum = 0;
+      for (int k = 0; k < 3; ++k)
+        sum += a[a_transposed ? 3 * k + i : 3 * i + k] * b[b_transposed ? 3 * j + k : 3 * k + j];
+      r[3 * i + j] = sum;
+    }
+}
+
 /// The functions of a moved line, or any linear combination of such.
 template <class T, class Number>
 QVGEN_LANES void move_line(const Number (&r)[9], const Number (&t)[3], const T (&f)[line_functions],

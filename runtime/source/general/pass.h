@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "candidates.h"
 #include "newton.h"
-#include "roots.h"
 #include "slide_joints.h"
 
 namespace qvgen::inverse::general {

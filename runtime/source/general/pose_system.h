@@ -21,17 +21,6 @@ struct PoseSystem {
   SlideSystem slides;  ///< only of arms with two slides, in place of the equations
 };
 
-inline void multiply(const double (&a)[9], const double (&b)[9], bool a_transposed, bool b_transposed,
-                     double (&r)[9]) {
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) {
-      double sum = 0;
-      for (int k = 0; k < 3; ++k)
-        sum += a[a_transposed ? 3 * k + i : 3 * i + k] * b[b_transposed ? 3 * j + k : 3 * k + j];
-      r[3 * i + j] = sum;
-    }
-}
-
 /// The constant of the loop that closes it: C6 T^-1, or T C6^-1 backwards. Lengths scaled.
 inline Motion closing(const Chain& chain, const Goal& goal, bool backwards) {
   Motion g;

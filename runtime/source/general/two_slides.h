@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include <qvgen/inverse/general/setup.h>
@@ -31,12 +32,13 @@ inline void identity(double (&r)[9]) {
   for (int i = 0; i < 9; ++i) r[i] = i % 4 == 0 ? 1 : 0;
 }
 
-inline void append(double (&r)[9], const double (&by)[9]) {
-  double product[9];
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-      product[3 * i + j] = r[3 * i] * by[j] + r[3 * i + 1] * by[3 + j] + r[3 * i + 2] * by[6 + j];
-  for (int i = 0; i < 9; ++i) r[i] = product[i];
+/// How the axes of a and c lie to each other, by the constants before and behind b.
+inline void set_bend(SlideSystem& s) {
+  const double *row = s.rotation[1] + 6, *column = s.rotation[2] + 2;
+  s.bend[0] = row[0] * column[0] + row[1] * column[3];
+  s.bend[1] = row[1] * column[0] - row[0] * column[3];
+  s.bend_square = s.bend[0] * s.bend[0] + s.bend[1] * s.bend[1];
+  s.level = row[2] * column[6];
 }
 
 inline void set_slides(const bool (&slide)[joints], const Motion (&link)[joints], SlideSystem& s) {
@@ -45,20 +47,20 @@ inline void set_slides(const bool (&slide)[joints], const Motion (&link)[joints]
   identity(s.rotation[0]);
   for (int k = 0; k < joints; ++k) {
     const int i = from_outer[k];
-    if (k > 0 && slide[i])
+    if (k > 0 && slide[i]) {
       for (int j = 0; j < 3; ++j) s.column[1 + slides][stretch][j] = s.rotation[stretch][3 * j + 2];
-    if (k > 0 && slide[i]) ++slides;
-    if (k > 0 && !slide[i]) identity(s.rotation[++stretch]);
-    double moved[3];
-    rotate(s.rotation[stretch], link[i].translation, moved);
+      ++slides;
+    } else if (k > 0) {
+      identity(s.rotation[++stretch]);
+    }
+    double(&rotation)[9] = s.rotation[stretch];
+    double moved[3], product[9];
+    rotate(rotation, link[i].translation, moved);
     for (int j = 0; j < 3; ++j) s.column[0][stretch][j] += moved[j];
-    append(s.rotation[stretch], link[i].rotation);
+    multiply(rotation, link[i].rotation, false, false, product);
+    std::copy(product, product + 9, rotation);
   }
-  const double *row = s.rotation[1] + 6, *column = s.rotation[2] + 2;
-  s.bend[0] = row[0] * column[0] + row[1] * column[3];
-  s.bend[1] = row[1] * column[0] - row[0] * column[3];
-  s.bend_square = s.bend[0] * s.bend[0] + s.bend[1] * s.bend[1];
-  s.level = row[2] * column[6];
+  set_bend(s);
 }
 
 /// x + y r and its conjugate x - y r, for a root r whose square stands elsewhere: it may be negative.

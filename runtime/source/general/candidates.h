@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "roots.h"
+
+namespace qvgen::inverse::general {
+namespace {
+
+/// Changes numbers by about as much as rounding has changed them, always in the same way.
+class Disturbance {
+ public:
+  void operator()(double& x) {
+    state_ = state_ * 1664525U + 1013904223U;
+    x *= (state_ >> 16U & 1U) != 0 ? 1 + 0x1p-52 : 1 - 0x1p-52;
+  }
+
+ private:
+  unsigned state_ = 1;
+};
+
+/// The same equations with every coefficient changed.
+inline void disturb(Equations& equations) {
+  Disturbance change;
+  for (auto& part : equations.a)
+    for (double& x : part) change(x);
+}
+
+inline void disturb(SlideSystem& slides) {
+  Disturbance change;
+  for (auto& rotation : slides.rotation)
+    for (double& x : rotation) change(x);
+  for (auto& column : slides.column)
+    for (auto& part : column)
+      for (double& x : part) change(x);
+  set_bend(slides);
+}
+
+/// A magnified stretch. There the samples may be off together, which their last frequency does not show: how
+/// far is seen from equations that are off by rounding.
+template <int width>
+Trigonometric magnified(const PoseSystem& system, Pair pair, const Magnifier& magnifier) {
+  PoseSystem other = system;
+  if (pair == Pair::slides) {
+    disturb(other.slides);
+  } else {
+    disturb(other.equations);
+    if (pair != Pair::skew) disturb(other.derived);
+  }
+  Trigonometric result = sampled<width>(system, pair, magnifier);
+  const Trigonometric disturbed = sampled<width>(other, pair, magnifier);
+  double change = 0;
+  for (int k = 0; k <= degree; ++k)
+    change +=
+        std::fabs(result.cosine[k] - disturbed.cosine[k]) + std::fabs(result.sine[k] - disturbed.sine[k]);
+  result.noise = std::fmax(result.noise, change);
+  return result;
+}
+
+/// All candidates, faint stretches magnified, up to four times one in the other.
+template <int width>
+double find_candidates(const PoseSystem& system, Pair pair, double tolerance, Candidates& found) {
+  const Trigonometric whole = sampled<width>(system, pair, {});
+  RootFinder<width>(whole, tolerance, 4, true, found);
+  int level[most_faint];
+  for (int i = 0; i < found.faint_count; ++i) level[i] = 1;
+  for (int i = 0; i < found.faint_count; ++i) {
+    const Faint faint = found.faint[i];
+    const double half = 1.02 * faint.half_width;
+    constexpr double tangent = 0.57735026918962576;  // of 30 degrees
+    const Magnifier magnifier{faint.middle, tangent / std::tan(half / 2)};
+    const Trigonometric part = magnified<width>(system, pair, magnifier);
+    Candidates widened;
+    RootFinder<width>(part, tolerance, 1.0471975511965976, level[i] < 4, widened);
+    found.overflow = found.overflow || widened.overflow;
+    for (int k = 0; k < widened.count; ++k) {
+      const Direction angle = magnifier.circle(widened.list[k].angle);
+      const double cosine = angle.cosine * faint.middle.cosine + angle.sine * faint.middle.sine;
+      if (cosine >= std::cos(half)) found.add_once(angle, widened.list[k].spread / magnifier.factor);
+    }
+    for (int k = 0; k < widened.faint_count; ++k) {
+      const Faint& inner = widened.faint[k];
+      if (inner.middle.cosine < 0.45) continue;
+      const int before = found.faint_count;
+      if (!found.add_faint(magnifier.circle(inner.middle), 2 * inner.half_width / magnifier.factor))
+        found.overflow = true;
+      else
+        level[before] = level[i] + 1;
+    }
+  }
+  return whole.noise;
+}
+
+}  // namespace
+}  // namespace qvgen::inverse::general
