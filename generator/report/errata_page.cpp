@@ -91,7 +91,9 @@ class Reader {
   }
   void close_table() {
     if (table_.head.empty()) return;
-    table_.caption = escaped(heading_) + ": " + std::to_string(table_.rows.size()) + " printed formulas.";
+    table_.caption = heading_.empty() ? "How many equations have which verdict."
+                                      : escaped(heading_) + ": " + std::to_string(table_.rows.size()) +
+                                            " printed formulas.";
     current().html += html(table_);
     table_ = {};
   }

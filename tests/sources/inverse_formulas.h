@@ -8,7 +8,7 @@
 
 #include "case.h"
 
-namespace qvgen::test::errata {
+namespace qvgen::test::sources {
 
 /// One side of a formula: definitions "name = expression", then the value. Names: the pose (w, a, b, c, px,
 /// py, pz; phi its angle about z; r11... its rotation, w11... the wrist's), N41...N44 the quaternion of the
@@ -30,28 +30,19 @@ struct Formula {
   std::string note;
 };
 
-/// The wrist's quaternion from the pose and the arm's joints: four components.
-struct QuaternionFormula {
-  std::string number;
-  std::vector<std::string> printed;
-  std::vector<std::string> right;
-};
-
 struct Arm {
   std::string robot;
   std::string title;
-  QuaternionFormula quaternion;  ///< empty where the source has none
   std::vector<Formula> formulas;
 };
 
-struct Source {
-  std::string name;
-  std::vector<Arm> arms;
-};
+/// With the signs pm and pm2 among the values.
+double value_of(const Text& text, reference::Values values);
 
-Source load(const std::filesystem::path& file);
-/// All of this folder.
-std::vector<Source> sources();
+/// Of one file in the folder printed/.
+std::vector<Arm> load_inverse_formulas(const std::string& file);
+/// The generated inverse kinematics of a robot; throws std::runtime_error if there is none.
+const InverseUnderTest& inverse_of(const std::string& robot);
 
 /// Judged with all that a formula refers to at its true value, over every solution of random poses of arms of
 /// random lengths: poses at which all branches exist, so that a value which none of them has is not merely
@@ -73,7 +64,6 @@ class Judge {
 
   /// `index` is the formula's place in the arm: the joints of those before it are known.
   [[nodiscard]] Verdict formula(std::size_t index, const Text& text) const;
-  [[nodiscard]] Verdict quaternion(std::size_t component, const std::vector<std::string>& texts) const;
   /// Whether a formula needs a joint that itself is computed from this one.
   [[nodiscard]] bool circular(std::size_t index) const;
 
@@ -94,7 +84,4 @@ class Judge {
   std::vector<Place> places_;
 };
 
-/// The whole table, as Markdown.
-std::string table();
-
-}  // namespace qvgen::test::errata
+}  // namespace qvgen::test::sources

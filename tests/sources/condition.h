@@ -6,7 +6,7 @@
 
 #include "reference/expression.h"
 
-namespace qvgen::test::errata {
+namespace qvgen::test::sources {
 
 /// What a formula gives at one solution.
 struct Outcome {
@@ -18,4 +18,4 @@ struct Outcome {
 /// product of two, or of two values at once. Empty if there is none.
 std::string condition_of(const std::vector<Outcome>& outcomes);
 
-}  // namespace qvgen::test::errata
+}  // namespace qvgen::test::sources

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "errata.h"
+#include "inverse_formulas.h"
 
 #include <algorithm>
 #include <cctype>
@@ -7,7 +7,7 @@
 
 #include "condition.h"
 
-namespace qvgen::test::errata {
+namespace qvgen::test::sources {
 namespace {
 
 constexpr int poses = 100;
@@ -29,15 +29,6 @@ const reference::Functions& functions() {
       {"atan2", [](const Arguments& x) { return std::atan2(x.at(0), x.at(1)); }},
       {"sign", [](const Arguments& x) { return x.at(0) < 0 ? -1.0 : 1.0; }}};
   return all;
-}
-
-double value_of(const Text& text, reference::Values values) {
-  for (const std::string& definition : text.where) {
-    const std::size_t equals = definition.find(" = ");
-    values[definition.substr(0, equals)] =
-        reference::evaluate(definition.substr(equals + 3), values, functions());
-  }
-  return reference::evaluate(text.value, values, functions());
 }
 
 /// The values with each choice of the signs that occur.
@@ -89,6 +80,15 @@ reference::Values values_at(const Case& test, const Eigen::VectorXd& q, const Ei
 
 }  // namespace
 
+double value_of(const Text& text, reference::Values values) {
+  for (const std::string& definition : text.where) {
+    const std::size_t equals = definition.find(" = ");
+    values[definition.substr(0, equals)] =
+        reference::evaluate(definition.substr(equals + 3), values, functions());
+  }
+  return reference::evaluate(text.value, values, functions());
+}
+
 std::string Text::written() const {
   std::string result = value;
   for (std::size_t i = 0; i < where.size(); ++i) result += (i == 0 ? ", where " : ", ") + where[i];
@@ -115,6 +115,12 @@ std::string Verdict::text() const {
   if (reached < solutions)
     return "right for " + std::to_string(100 * reached / solutions) + " % of the solutions";
   return spurious == 0 ? "right" : "right with one sign, which it does not tell";
+}
+
+const InverseUnderTest& inverse_of(const std::string& robot) {
+  for (const InverseUnderTest& inverse : inverses())
+    if (inverse.name == robot) return inverse;
+  throw std::runtime_error("no inverse kinematics of " + robot);
 }
 
 Judge::Judge(const Arm& arm, const InverseUnderTest& robot) : arm_(arm), case_(robot) {
@@ -204,29 +210,6 @@ Verdict Judge::formula(std::size_t index, const Text& text) const {
   return verdict;
 }
 
-Verdict Judge::quaternion(std::size_t component, const std::vector<std::string>& texts) const {
-  const char* const names[] = {"N41", "N42", "N43", "N44"};
-  Verdict verdict;
-  for (const Place& place : places_) {
-    for (const reference::Values& values : place.values) {
-      // A quaternion and its opposite are one rotation: the sign with which more components agree.
-      int agree[2] = {0, 0};
-      bool own[2] = {false, false};
-      for (std::size_t k = 0; k < 4; ++k) {
-        const double value = value_of({{}, texts[k]}, values);
-        for (const int sign : {0, 1}) {
-          const bool equal = std::abs(value - (sign == 0 ? 1 : -1) * values.at(names[k])) < tolerance;
-          agree[sign] += equal ? 1 : 0;
-          if (k == component) own[sign] = equal;
-        }
-      }
-      ++verdict.solutions;
-      verdict.reached += own[agree[1] > agree[0] ? 1 : 0] ? 1 : 0;
-    }
-  }
-  return verdict;
-}
-
 bool Judge::circular(std::size_t index) const {
   std::set<int> seen;
   std::vector<int> open{joint(arm_.formulas[index].of)};
@@ -245,4 +228,4 @@ bool Judge::circular(std::size_t index) const {
   return false;
 }
 
-}  // namespace qvgen::test::errata
+}  // namespace qvgen::test::sources

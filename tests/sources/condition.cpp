@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <functional>
 
-namespace qvgen::test::errata {
+namespace qvgen::test::sources {
 namespace {
 
 /// By solution: whether something holds.
@@ -88,4 +88,4 @@ std::string condition_of(const std::vector<Outcome>& outcomes) {
   return first_of_pairs(all, [&](const Signed& a, const Signed& b) { return by_two_signs(a, b, wanted); });
 }
 
-}  // namespace qvgen::test::errata
+}  // namespace qvgen::test::sources

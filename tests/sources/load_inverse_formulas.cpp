@@ -3,9 +3,9 @@
 
 #include <toml++/toml.h>
 
-#include "errata.h"
+#include "inverse_formulas.h"
 
-namespace qvgen::test::errata {
+namespace qvgen::test::sources {
 namespace {
 
 std::string text(const toml::table& table, const char* key) { return table[key].value_or(std::string()); }
@@ -29,10 +29,7 @@ Formula formula(const toml::table& table) {
 }
 
 Arm arm(const toml::table& table) {
-  Arm result{text(table, "robot"), text(table, "title"), {}, {}};
-  if (const toml::table* quaternion = table["quaternion"].as_table())
-    result.quaternion = {text(*quaternion, "number"), list(*quaternion, "printed"),
-                         list(*quaternion, "right")};
+  Arm result{text(table, "robot"), text(table, "title"), {}};
   for (const toml::node& node : *table["formula"].as_array())
     result.formulas.push_back(formula(*node.as_table()));
   return result;
@@ -40,16 +37,11 @@ Arm arm(const toml::table& table) {
 
 }  // namespace
 
-Source load(const std::filesystem::path& file) {
-  const toml::table table = toml::parse_file(file.string());
-  Source source{text(table, "source"), {}};
-  for (const toml::node& node : *table["arm"].as_array()) source.arms.push_back(arm(*node.as_table()));
-  return source;
+std::vector<Arm> load_inverse_formulas(const std::string& file) {
+  const toml::table table = toml::parse_file(QVGEN_SOURCE_DIR "/tests/sources/printed/" + file);
+  std::vector<Arm> arms;
+  for (const toml::node& node : *table["arm"].as_array()) arms.push_back(arm(*node.as_table()));
+  return arms;
 }
 
-std::vector<Source> sources() {
-  const std::filesystem::path folder = std::filesystem::path(QVGEN_SOURCE_DIR) / "tests/inverse/errata";
-  return {load(folder / "thesis.toml"), load(folder / "planar_3r.toml"), load(folder / "paden_kahan.toml")};
-}
-
-}  // namespace qvgen::test::errata
+}  // namespace qvgen::test::sources

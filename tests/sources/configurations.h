@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "transcription.h"
+#include "value.h"
+
+namespace qvgen::test::sources {
+
+/// What a section's equations may name, at random configurations of arms of random lengths: the same ones at
+/// every run.
+std::vector<Known> configurations(const Section& section);
+
+/// Chapter 1: a rotation by theta about k as q = [s, v] and as the matrix R; two displacements Q_1, Q_2.
+Known rotation_values(unsigned number);
+
+}  // namespace qvgen::test::sources

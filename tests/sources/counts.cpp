@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "counts.h"
+
+#include <stdexcept>
+
+namespace qvgen::test::sources {
+namespace {
+
+/// "right", but not "right iff ...", "right; circular" or "right with one sign, ...": they need more to be
+/// said.
+std::size_t kind_of(const std::string& verdict) {
+  if (verdict == "right") return 0;
+  if (verdict.rfind("right", 0) == 0) return 1;
+  if (verdict.rfind("wrong", 0) == 0) return 2;
+  if (verdict == "name") return 3;
+  if (verdict.rfind("definition", 0) == 0) return 4;
+  if (verdict.rfind("not judged", 0) == 0) return 5;
+  throw std::logic_error("a verdict that is not counted: " + verdict);
+}
+
+}  // namespace
+
+Counts counts_of(const Part& part) {
+  Counts counts{};
+  for (const Table& table : part.tables)
+    for (const Row& row : table.rows) ++counts.at(kind_of(row.verdict));
+  return counts;
+}
+
+int rows_of(const Part& part) {
+  int rows = 0;
+  for (const Table& table : part.tables) rows += static_cast<int>(table.rows.size());
+  return rows;
+}
+
+std::string introduction() {
+  return "What the sources print, equation by equation, and what it is worth. Written from the "
+         "transcriptions and "
+         "judged by computation; a test compares. An equation is judged by itself, all that it names having "
+         "its "
+         "true value: those of links, poses and motions at twenty random configurations of arms of random "
+         "lengths, "
+         "those that solve for a joint at every solution of a hundred random poses.";
+}
+
+std::string legend() {
+  return "c1, s1 are cosine and sine of theta1, hc1, hs1 of its half, hc(4+6) of half a sum; w, a, b, c the "
+         "pose's "
+         "quaternion, px, py, pz its position, phi its angle about z, r11, ... its rotation matrix; N41 to "
+         "N44 the "
+         "quaternion left for the wrist, w11, ... its matrix; [s, v] a quaternion, (q, p) a pair, x and . "
+         "the "
+         "products of vectors; a dot is a prime: theta1'; pm is a printed sign. Names that would clash have "
+         "an "
+         "underscore: a_. \"Right iff\": a branch is lost or a sign left out, and this is when it is right. "
+         "\"Right "
+         "with one sign, which it does not tell\": its other sign gives a value that no solution with the "
+         "same "
+         "earlier joints has. \"Circular\": it needs a joint that is itself computed from this one. Slips: "
+         "sign, "
+         "index, name, half angle, function (sine for cosine), axis, value, form (a bracket or a term).";
+}
+
+}  // namespace qvgen::test::sources

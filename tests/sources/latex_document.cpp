@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include "counts.h"
+
+namespace qvgen::test::sources {
+namespace {
+
+constexpr const char* head = R"(\documentclass{article}
+\usepackage[a4paper,landscape,margin=12mm]{geometry}
+\usepackage{amsmath,longtable,array}
+\newcolumntype{L}[1]{>{\raggedright\arraybackslash}p{#1}}
+\setlength{\parindent}{0pt}
+\begin{document}
+\scriptsize
+)";
+
+/// Words, with what LaTeX would take for its own.
+std::string words(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '^') {
+      result += "\\textasciicircum{}";
+      continue;
+    }
+    if (c == '<' || c == '>') {
+      result += c == '<' ? "$<$" : "$>$";
+      continue;
+    }
+    if (std::string("_&%#").find(c) != std::string::npos) result += '\\';
+    result += c;
+  }
+  return result;
+}
+
+std::string typed(std::string text) {
+  std::string result;
+  // A line may end after a product's sign too.
+  for (const char c : text) result += c == '*' ? std::string("*\\allowbreak ") : words(std::string(1, c));
+  return result.empty() ? "" : "{\\ttfamily " + result + "}";
+}
+
+/// In a row's text lines break at sums, and after commas where this allows them.
+std::string formula(const Written& written) {
+  if (written.latex.empty()) return typed(written.plain);
+  std::string math;
+  int braces = 0;
+  for (const char c : written.latex) {
+    braces += c == '{' ? 1 : c == '}' ? -1 : 0;
+    math += c;
+    if (c == ',' && braces == 0 && math.find("\\begin") == std::string::npos &&
+        (math.size() < 2 || math[math.size() - 2] != '\\'))
+      math += "\\allowbreak ";
+  }
+  return "$" + math + "$";
+}
+
+std::string row(const Row& row) {
+  const bool not_read = row.of.plain.empty();
+  return fmt::format("{} & {} & {} & {} & {} & {} \\\\\n", words(row.number), not_read ? "" : formula(row.of),
+                     formula(row.printed), words(row.verdict), formula(row.right), words(row.remarks));
+}
+
+std::string table(const Table& table) {
+  std::string text = fmt::format(
+      "\\subsection*{{{}}}\n\\begin{{longtable}}{{L{{13mm}}L{{15mm}}L{{90mm}}L{{30mm}}L{{70mm}}L{{28mm}}}}\n"
+      "equation & of & printed & verdict & right & remarks \\\\ \\hline \\endhead\n",
+      words(table.title));
+  for (const Row& each : table.rows) text += row(each);
+  return text + "\\end{longtable}\n";
+}
+
+std::string overview(const std::vector<Part>& parts) {
+  std::string text = "\\begin{tabular}{lrrrrrrrr}\nsource & numbers & judged rows";
+  for (const char* name : verdict_names) text += fmt::format(" & {}", name);
+  text += " \\\\ \\hline\n";
+  for (const Part& part : parts) {
+    text += fmt::format("{} & {} & {}", part.title, part.numbers == 0 ? "" : std::to_string(part.numbers),
+                        rows_of(part));
+    for (const int count : counts_of(part)) text += fmt::format(" & {}", count);
+    text += " \\\\\n";
+  }
+  return text + "\\end{tabular}\n";
+}
+
+}  // namespace
+
+std::string latex_document(const std::vector<Part>& parts) {
+  std::string text = std::string(head) + "\\section*{Printed equations, judged}\n" + introduction() +
+                     "\n\n\\medskip\n" + overview(parts) + "\n\\medskip\n" + words(legend()) + "\n";
+  for (const Part& part : parts) {
+    text += fmt::format("\\section*{{{}}}\n", words(part.title));
+    for (const Table& each : part.tables) text += table(each);
+  }
+  return text + "\\end{document}\n";
+}
+
+}  // namespace qvgen::test::sources

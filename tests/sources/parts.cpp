@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+// What the sources print, judged, row by row.
+#include <map>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "document.h"
+#include "inverse_formulas.h"
+#include "verdict.h"
+
+namespace qvgen::test::sources {
+namespace {
+
+using Kind = Judgement::Kind;
+
+Written written(const Tree& tree) { return {plain_text(tree), latex(tree)}; }
+
+/// Sides from `first` on, with signs of equality between.
+Written joined(const std::vector<Tree>& sides, std::size_t first) {
+  Written result;
+  for (std::size_t i = first; i < sides.size(); ++i) {
+    result.plain += (i > first ? " = " : "") + plain_text(sides[i]);
+    result.latex += (i > first ? " = " : "") + latex(sides[i]);
+  }
+  return result;
+}
+
+std::string verdict_of(const Judgement& judgement, const Printed& equation) {
+  switch (judgement.kind) {
+    case Kind::right:
+      return "right";
+    case Kind::wrong:
+      return "wrong";
+    case Kind::meaningless:
+      return "wrong: " + judgement.trouble;
+    case Kind::local:
+      return "name";
+    case Kind::definition:
+      return "definition: " + equation.definition;
+    case Kind::excluded:
+      return "not judged: " + equation.excluded;
+    case Kind::inverse:
+      break;
+  }
+  throw std::logic_error("a joint's equation has a verdict of its own");
+}
+
+std::string remarks_on(const Judgement& judgement, const Printed& equation) {
+  std::vector<std::string> remarks;
+  if (!judgement.slips.empty()) remarks.push_back(fmt::format("{}", fmt::join(judgement.slips, ", ")));
+  if (!equation.note.empty()) remarks.push_back(equation.note);
+  if (!judgement.counterexample.empty()) remarks.push_back("gives " + judgement.counterexample);
+  if (judgement.counterexample.empty() && judgement.kind == Kind::wrong)
+    remarks.push_back(fmt::format("off by {:.3f}", judgement.error));
+  if (!equation.reading.empty()) remarks.push_back("read: " + equation.reading);
+  return fmt::format("{}", fmt::join(remarks, "; "));
+}
+
+Row row_of(const Judgement& judgement, const Printed& equation) {
+  Row row{equation.number, {}, {}, verdict_of(judgement, equation), {}, remarks_on(judgement, equation)};
+  if (judgement.sides.empty()) {
+    row.printed = {equation.latex, equation.latex};
+    return row;
+  }
+  // A left side that is no name stands with the rest.
+  const bool name = plain_text(judgement.sides[0]).size() <= 14;
+  if (name) row.of = written(judgement.sides[0]);
+  row.printed = joined(judgement.sides, name ? 1 : 0);
+  if (judgement.right.empty()) return row;
+  const bool same_left = plain_text(judgement.right[0]) == row.of.plain;
+  row.right = joined(judgement.right, same_left ? 1 : 0);
+  return row;
+}
+
+/// The joints' equations of one arm, judged at all solutions of its poses.
+class JointRows {
+ public:
+  explicit JointRows(const Arm& arm) : arm_(arm), judge_(arm, inverse_of(arm.robot)) {}
+
+  [[nodiscard]] Row row(std::size_t i, const Judgement& judgement) const {
+    Row row = this->row(i);
+    row.printed.latex = joined(judgement.sides, 1).latex;
+    return row;
+  }
+
+  [[nodiscard]] Row row(std::size_t i) const {
+    const Formula& formula = arm_.formulas[i];
+    const Verdict verdict = judge_.formula(i, formula.printed);
+    const bool circular = judge_.circular(i);
+    Row row{formula.number,
+            {formula.of, {}},
+            {formula.printed.written(), {}},
+            verdict.text() + (circular ? "; circular" : ""),
+            {},
+            formula.note};
+    if (!verdict.right() || circular) row.right.plain = formula.right.written();
+    return row;
+  }
+
+  [[nodiscard]] std::size_t place(const std::string& number) const {
+    for (std::size_t i = 0; i < arm_.formulas.size(); ++i)
+      if (arm_.formulas[i].number == number) return i;
+    throw std::runtime_error("no formula " + number + " of " + arm_.robot);
+  }
+
+ private:
+  const Arm& arm_;
+  Judge judge_;
+};
+
+const Arm* arm_of(const std::vector<Arm>& arms, const std::string& robot) {
+  for (const Arm& arm : arms)
+    if (arm.robot == robot) return &arm;
+  return nullptr;
+}
+
+Table table_of(const Section& section, const std::vector<Arm>& arms) {
+  Table table{section.title, {}};
+  const Arm* arm = section.inverse ? arm_of(arms, section.robot) : nullptr;
+  const std::optional<JointRows> joints = arm == nullptr ? std::nullopt : std::optional<JointRows>(*arm);
+  const std::vector<Judgement> judgements = judge(section);
+  for (std::size_t i = 0; i < judgements.size(); ++i) {
+    const Printed& equation = section.equations[i];
+    const bool joint = judgements[i].kind == Kind::inverse;
+    table.rows.push_back(joint ? joints.value().row(joints->place(equation.number), judgements[i])
+                               : row_of(judgements[i], equation));
+  }
+  return table;
+}
+
+Part part_of(const Chapter& chapter, const std::vector<Arm>& arms) {
+  Part part{chapter.title, chapter.count, {}};
+  for (const Section& section : chapter.sections) part.tables.push_back(table_of(section, arms));
+  return part;
+}
+
+/// Sources of which only the joints' equations are transcribed.
+void add_arms(const std::string& file, Part& part) {
+  for (const Arm& arm : load_inverse_formulas(file)) {
+    const JointRows joints(arm);
+    Table table{arm.title, {}};
+    for (std::size_t i = 0; i < arm.formulas.size(); ++i) table.rows.push_back(joints.row(i));
+    part.tables.push_back(table);
+  }
+}
+
+}  // namespace
+
+std::vector<Part> parts() {
+  const std::vector<Arm> arms = load_inverse_formulas("thesis_inverse.toml");
+  std::vector<Part> result;
+  for (const Chapter& chapter : transcriptions()) result.push_back(part_of(chapter, arms));
+  add_arms("planar_3r_inverse.toml", result.back());
+  result.push_back({"Document on Paden-Kahan subproblems for a 6R arm", 0, {}});
+  add_arms("paden_kahan_inverse.toml", result.back());
+  return result;
+}
+
+}  // namespace qvgen::test::sources

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace qvgen::test::sources {
+
+/// An equation as it is printed.
+struct Printed {
+  std::string number;  ///< "3.7", "table 3.2, row 4"; parts of an equation have the whole one's
+  std::string latex;
+  std::string right;         ///< the whole equation as it should be; empty if it is right as printed
+  std::string reading;       ///< what was assumed where print or scan is not plain
+  std::string note;          ///< why it is wrong
+  std::string definition;    ///< what it defines, for what cannot be right or wrong
+  std::string excluded;      ///< why it is not judged
+  bool local = false;        ///< gives a name of its own to what is on the right
+  std::vector<int> indices;  ///< the values of i at which a general equation is judged
+};
+
+/// Equations about one arm.
+struct Section {
+  std::string title;
+  std::string robot;        ///< one of generator/robots, or
+  std::string description;  ///< the text of a description; neither: rotations only
+  bool dynamics = false;    ///< what is named is a state of motion, not a pose
+  bool inverse = false;     ///< the joints' equations are judged at all solutions of a pose
+  std::vector<Printed> equations;
+};
+
+struct Chapter {
+  std::string title;
+  std::string prefix;  ///< of its numbers: "3."
+  int count = 0;       ///< numbers run from 1 to this; 0: they have none
+  std::vector<Section> sections;
+};
+
+/// Of the folder printed/, in the order of the sources.
+std::vector<Chapter> transcriptions();
+
+}  // namespace qvgen::test::sources

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "verdict.h"
+
+#include <algorithm>
+#include <optional>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+namespace qvgen::test::sources {
+namespace {
+
+using Kind = Judgement::Kind;
+
+constexpr double tolerance = 1e-9;
+
+/// The largest difference of the first side and another; of a printed sign ±, the better one counts.
+double error_of(const std::vector<Tree>& sides, const Known& known) {
+  const Value left = value_of(sides[0], known);
+  double error = 0;
+  for (std::size_t i = 1; i < sides.size(); ++i) {
+    const double plus = distance(left, value_of(sides[i], known, 1));
+    error = std::max(error, std::min(plus, distance(left, value_of(sides[i], known, -1))));
+  }
+  return error;
+}
+
+double error_of(const std::vector<Tree>& sides, const std::vector<Known>& configurations) {
+  double error = 0;
+  for (const Known& known : configurations) error = std::max(error, error_of(sides, known));
+  return error;
+}
+
+/// "0.31 where it is -0.52", of numbers.
+std::string counterexample(const std::vector<Tree>& sides, const Known& known) {
+  const Value left = value_of(sides[0], known);
+  for (std::size_t i = 1; i < sides.size(); ++i) {
+    const Value right = value_of(sides[i], known);
+    if (!same(left, right) && left.index() == 0 && right.index() == 0)
+      return fmt::format("{:.3f} for {:.3f}", std::get<double>(right), std::get<double>(left));
+  }
+  return {};
+}
+
+bool is_joint(const Tree& tree, const Known& known) {
+  const bool turn = tree.kind == Tree::Kind::angle && tree.value == 1 && tree.joints.size() == 1;
+  const bool slide = tree.kind == Tree::Kind::name && tree.text.size() == 2 && tree.text[0] == 'd';
+  return turn || (slide && known.count("joint " + tree.text) != 0);
+}
+
+std::vector<Tree> read(const Printed& equation, const std::string& latex, std::optional<int> index = {}) {
+  try {
+    return read_latex(latex, index);
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(equation.number + ": " + error.what() + " in " + latex);
+  }
+}
+
+class SectionJudge {
+ public:
+  explicit SectionJudge(const Section& section) : section_(section), known_(configurations(section)) {}
+
+  Judgement judge(const Printed& equation) {
+    Judgement result;
+    if (!equation.excluded.empty() || !equation.definition.empty()) {
+      result.kind = equation.excluded.empty() ? Kind::definition : Kind::excluded;
+      return result;
+    }
+    result.sides = read(equation, equation.latex);
+    if (section_.inverse && is_joint(result.sides[0], known_[0])) {
+      result.kind = Kind::inverse;
+    } else if (equation.local) {
+      define(result);
+    } else {
+      compare(equation, result);
+    }
+    return result;
+  }
+
+ private:
+  void define(Judgement& result) {
+    result.kind = Kind::local;
+    try {
+      for (Known& known : known_) known[result.sides[0].text] = value_of(result.sides.back(), known);
+    } catch (const std::domain_error& trouble) {
+      result.kind = Kind::meaningless;
+      result.trouble = trouble.what();
+    }
+  }
+
+  [[nodiscard]] double error(const Printed& equation, const std::string& latex) const {
+    if (equation.indices.empty()) return error_of(read(equation, latex), known_);
+    double largest = 0;
+    for (const int index : equation.indices)
+      largest = std::max(largest, error_of(read(equation, latex, index), known_));
+    return largest;
+  }
+
+  void compare(const Printed& equation, Judgement& result) const {
+    try {
+      result.error = error(equation, equation.latex);
+      result.kind = result.error < tolerance ? Kind::right : Kind::wrong;
+      if (result.kind == Kind::wrong && equation.indices.empty())
+        result.counterexample = counterexample(result.sides, known_[0]);
+    } catch (const std::domain_error& trouble) {
+      result.kind = Kind::meaningless;
+      result.trouble = trouble.what();
+    }
+    if (equation.right.empty()) return;
+    result.right = read(equation, equation.right);
+    try {
+      result.corrected = error(equation, equation.right) < tolerance;
+    } catch (const std::domain_error&) {
+      result.corrected = false;
+    }
+    result.slips = differences(result.sides, result.right);
+  }
+
+  const Section& section_;
+  std::vector<Known> known_;
+};
+
+}  // namespace
+
+std::vector<Judgement> judge(const Section& section) {
+  SectionJudge judge(section);
+  std::vector<Judgement> result;
+  for (const Printed& equation : section.equations) result.push_back(judge.judge(equation));
+  return result;
+}
+
+}  // namespace qvgen::test::sources
