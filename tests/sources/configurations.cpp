@@ -9,6 +9,7 @@
 #include <toml++/toml.h>
 
 #include "arm_values.h"
+#include "frame_values.h"
 #include "newton_euler_values.h"
 #include "reference/load.h"
 
@@ -56,6 +57,7 @@ Known values_of(const Section& section, const std::string& description, Random& 
   const reference::Chain chain = reference::load_text(description, constants);
   const auto size = static_cast<Eigen::Index>(chain.joints.size());
   const Eigen::VectorXd q = random.vector(size);
+  if (section.frames) return frame_values(chain, constants, q, random.vector(size));
   if (section.dynamics)
     return newton_euler_values(chain, constants, q, random.vector(size), random.vector(size));
   constants.erase("g");

@@ -62,6 +62,14 @@ std::vector<int> joints_in(const std::string& subscript) {
   return joints;
 }
 
+/// Of a general equation: the index is in brackets, as in omega[i+1].
+std::string indexed(const std::string& subscript) {
+  const std::size_t letter = subscript.rfind('i');
+  const bool index =
+      letter != std::string::npos && (letter + 1 == subscript.size() || subscript.substr(letter) == "i+1");
+  return index ? subscript.substr(0, letter) + "[" + subscript.substr(letter) + "]" : subscript;
+}
+
 /// X and x are printed for one another in p_x, F_X and their like. An asterisk tells a name from another.
 std::string name_of(const std::string& base, std::string subscript) {
   if (subscript == "*") return base + "_";
@@ -69,11 +77,7 @@ std::string name_of(const std::string& base, std::string subscript) {
   subscript.erase(std::remove_if(subscript.begin(), subscript.end(), gone), subscript.end());
   if (!subscript.empty() && std::string("XYZ").find(subscript[0]) != std::string::npos)
     subscript[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(subscript[0])));
-  // Of a general equation: omega[i+1].
-  const std::size_t letter = subscript.rfind('i');
-  if (letter != std::string::npos && (letter + 1 == subscript.size() || subscript.substr(letter) == "i+1"))
-    return base + subscript.substr(0, letter) + "[" + subscript.substr(letter) + "]";
-  return base + subscript;
+  return base + indexed(subscript);
 }
 
 /// With numbers for i and i+1.
@@ -90,7 +94,7 @@ std::vector<std::string> with_index(const std::vector<std::string>& tokens, int 
 
 class Reader {
  public:
-  explicit Reader(std::vector<std::string> tokens) : tokens_(std::move(tokens)) {}
+  Reader(std::vector<std::string> tokens, bool frames) : tokens_(std::move(tokens)), frames_(frames) {}
 
   std::vector<Tree> sides() {
     std::vector<Tree> result{sum()};
@@ -169,8 +173,8 @@ class Reader {
     Tree base = primary();
     while (take("^")) {
       const std::string exponent = raw();
-      if (exponent == "T") continue;  // a row times a column is an inner product in any case
-      base = make(Kind::power, {base, number(std::stod(exponent))});
+      base = exponent == "T" ? make(Kind::function, {base}, "transpose")
+                             : make(Kind::power, {base, number(std::stod(exponent))});
     }
     return base;
   }
@@ -204,7 +208,7 @@ class Reader {
   }
 
   Tree primary() {
-    skip_leading_scripts();
+    const Frames frames = leading_frames();
     const std::string first = token();
     if (first.empty()) stop("an expression");
     if (std::isdigit(static_cast<unsigned char>(first[0])) != 0) return number(std::stod(tokens_[at_++]));
@@ -215,19 +219,27 @@ class Reader {
     if (take("\\begin")) return matrix();
     if (take("\\sqrt")) return make(Kind::function, {braces()}, "sqrt");
     if (first == "{") return braces();
-    if ((first == "R" || first == "T") && token(1) == "(") return motion();
-    if (first == "\\sin" || first == "\\cos" || first == "\\tan" || first.rfind("\\arc", 0) == 0)
+    if ((first == "R" || first == "T") && motion_follows()) return motion();
+    if (first == "\\sin" || first == "\\cos" || first == "\\tan" || first == "\\det" ||
+        first.rfind("\\arc", 0) == 0)
       return function();
-    return named();
+    return named(frames);
   }
 
-  /// The frame that a vector is written in, as in {}^{2}omega_2, is the one of its own link everywhere.
-  void skip_leading_scripts() {
+  /// The frames before a letter; neither if they are passed over.
+  struct Frames {
+    std::string above;
+    std::string below;
+  };
+  Frames leading_frames() {
+    Frames frames;
     if (token() == "{" && token(1) == "}") at_ += 2;
     while (token() == "^" || token() == "_") {
+      std::string& place = token() == "^" ? frames.above : frames.below;
       ++at_;
-      raw();
+      place = raw();
     }
+    return frames_ ? frames : Frames();
   }
 
   Tree parentheses() {
@@ -254,6 +266,13 @@ class Reader {
     if (raw() != kind) stop("the end of " + kind);
     result.joints = {rows, static_cast<int>(result.parts.size()) / rows};
     return result;
+  }
+
+  /// R(z, ...) or T(-y, ...).
+  [[nodiscard]] bool motion_follows() const {
+    const std::size_t axis = token(2) == "-" ? 3 : 2;
+    return token(1) == "(" && (token(axis) == "x" || token(axis) == "y" || token(axis) == "z") &&
+           token(axis + 1) == ",";
   }
 
   Tree motion() {
@@ -300,7 +319,7 @@ class Reader {
     return angle;
   }
 
-  Tree named() {
+  Tree named(const Frames& frames) {
     std::string accents;
     bool half = false;
     int braces = 0;
@@ -320,7 +339,12 @@ class Reader {
     std::string subscript = take("_") ? raw() : std::string();
     for (; braces > 0; --braces) expect("}");
     if (subscript.empty() && take("_")) subscript = raw();
-    return with_subscript(base, subscript, accents, half);
+    Tree tree = with_subscript(base, subscript, accents, half);
+    tree.text.insert(tree.kind == Kind::name ? base.size() : 0,
+                     indexed(frames.above) + indexed(frames.below));
+    tree.above = frames.above;
+    tree.below = frames.below;
+    return tree;
   }
 
   /// As in "s theta_2" and "c^2 theta_2".
@@ -340,14 +364,15 @@ class Reader {
   }
 
   std::vector<std::string> tokens_;
+  bool frames_;
   std::size_t at_ = 0;
 };
 
 }  // namespace
 
-std::vector<Tree> read_latex(const std::string& text, std::optional<int> index) {
+std::vector<Tree> read_latex(const std::string& text, const Notation& notation) {
   const std::vector<std::string> tokens = tokens_of(text);
-  return Reader(index ? with_index(tokens, *index) : tokens).sides();
+  return Reader(notation.index ? with_index(tokens, *notation.index) : tokens, notation.frames).sides();
 }
 
 }  // namespace qvgen::test::sources

@@ -7,10 +7,12 @@ namespace qvgen::test::sources {
 namespace {
 
 constexpr const char* head = R"(\documentclass{article}
-\usepackage[a4paper,landscape,margin=12mm]{geometry}
+\usepackage[a4paper,landscape,margin=9mm]{geometry}
 \usepackage{amsmath,longtable,array}
 \newcolumntype{L}[1]{>{\raggedright\arraybackslash}p{#1}}
 \setlength{\parindent}{0pt}
+\setlength{\tabcolsep}{3pt}
+\setlength{\arraycolsep}{2pt}
 \begin{document}
 \scriptsize
 )";
@@ -55,15 +57,32 @@ std::string formula(const Written& written) {
   return "$" + math + "$";
 }
 
+bool has_matrix(const Row& row) { return row.printed.latex.find("\\begin") != std::string::npos; }
+
+/// A line of its own across all columns, on the page of the one above.
+std::string across(const std::string& text) {
+  return "\\multicolumn{6}{L{262mm}}{\\hspace{5mm}" + text + "} \\\\\n";
+}
+
+/// Matrices are too wide for a column.
+std::string wide_row(const Row& row) {
+  const std::string right =
+      row.right.plain.empty() ? "" : "\\nopagebreak\n" + across("right: " + formula(row.right));
+  return fmt::format("{} & {} & & {} & & {} \\\\ \\nopagebreak\n", words(row.number), formula(row.of),
+                     words(row.verdict), words(row.remarks)) +
+         across(formula(row.printed)) + right;
+}
+
 std::string row(const Row& row) {
-  const bool not_read = row.of.plain.empty();
-  return fmt::format("{} & {} & {} & {} & {} & {} \\\\\n", words(row.number), not_read ? "" : formula(row.of),
-                     formula(row.printed), words(row.verdict), formula(row.right), words(row.remarks));
+  if (has_matrix(row)) return wide_row(row);
+  const std::string of = row.of.plain.empty() ? "" : formula(row.of);
+  return fmt::format("{} & {} & {} & {} & {} & {} \\\\\n", words(row.number), of, formula(row.printed),
+                     words(row.verdict), formula(row.right), words(row.remarks));
 }
 
 std::string table(const Table& table) {
   std::string text = fmt::format(
-      "\\subsection*{{{}}}\n\\begin{{longtable}}{{L{{13mm}}L{{15mm}}L{{90mm}}L{{30mm}}L{{70mm}}L{{28mm}}}}\n"
+      "\\subsection*{{{}}}\n\\begin{{longtable}}{{L{{13mm}}L{{15mm}}L{{94mm}}L{{22mm}}L{{94mm}}L{{26mm}}}}\n"
       "equation & of & printed & verdict & right & remarks \\\\ \\hline \\endhead\n",
       words(table.title));
   for (const Row& each : table.rows) text += row(each);

@@ -51,10 +51,17 @@ TEST(Latex, VectorsQuaternionsAndPairs) {
 }
 
 TEST(Latex, AGeneralEquationAtAnIndex) {
-  const std::vector<Tree> sides = read_latex("{}^{i+1}\\omega_{i+1} = q_i * I_{xx_{i+1}}", 2);
+  const std::vector<Tree> sides = read_latex("{}^{i+1}\\omega_{i+1} = q_i * I_{xx_{i+1}}", {2});
   EXPECT_EQ(plain_text(sides[0]), "omega3");
   EXPECT_EQ(plain_text(sides[1]), "q2*Ixx3");
   EXPECT_EQ(plain_text(read_latex("q_{i+1}")[0]), "q[i+1]");
+}
+
+TEST(Latex, FramesBeforeALetter) {
+  const Notation frames{{}, true};
+  EXPECT_EQ(plain_text(read_latex("{}^{0}_{1}T\\,{}_{2}^{1}T", frames)[0]), "T01*T12");
+  EXPECT_EQ(plain_text(read_latex("{}^{0}P_{2} + {}^2\\omega_2", frames)[0]), "P02 + omega22");
+  EXPECT_EQ(plain_text(read_latex("{}^{0}P_{2} + {}^2\\omega_2")[0]), "P2 + omega2");
 }
 
 TEST(Latex, WhatCannotBeReadIsRefused) {
@@ -75,8 +82,9 @@ TEST(Latex, WrittenAndReadAgain) {
     for (const Section& section : chapter.sections)
       for (const Printed& equation : section.equations) {
         if (!equation.definition.empty() || !equation.excluded.empty()) continue;
-        for (const Tree& side : read_latex(equation.latex))
-          EXPECT_EQ(plain_text(read_latex(latex(side)).at(0)), plain_text(side)) << equation.number;
+        const Notation notation{{}, section.frames};
+        for (const Tree& side : read_latex(equation.latex, notation))
+          EXPECT_EQ(plain_text(read_latex(latex(side), notation).at(0)), plain_text(side)) << equation.number;
       }
 }
 

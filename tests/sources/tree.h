@@ -33,12 +33,22 @@ struct Tree {
   double value = 0;
   std::vector<int> joints = {};  ///< of an angle: 4, -6 for theta4 - theta6
   std::vector<Tree> parts = {};
+  std::string above = {};  ///< frames before a name: {}^{0}_{1}T is T01 with "0" above and "1" below
+  std::string below = {};
 };
 
-/// Reads what is printed in LaTeX: the sides of an equation, at least one. Frames that vectors are written in
-/// are passed over. With `index`, the letter i stands for that number (9 at most, as i + 1). Throws
-/// std::runtime_error that says where it stopped.
-std::vector<Tree> read_latex(const std::string& text, std::optional<int> index = {});
+/// How a source writes.
+struct Notation {
+  std::optional<int> index =
+      {};  ///< the letter i stands for this number (at most 8, since i + 1 has one digit)
+  /// Whether frames before a letter belong to its name: {}^{0}_{1}T is T01, {}^{0}P_{2} is P02. Else they are
+  /// passed over.
+  bool frames = false;
+};
+
+/// Reads what is printed in LaTeX: the sides of an equation, at least one. Throws std::runtime_error that
+/// says where it stopped.
+std::vector<Tree> read_latex(const std::string& text, const Notation& notation = {});
 
 /// For a terminal: c1, s1 are cosine and sine of theta1, hc1, hs1 of its half, hc(4+6) of half a sum.
 std::string plain_text(const Tree& tree);

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 
 namespace qvgen::test::sources {
 namespace {
@@ -26,12 +27,30 @@ const char* name_of(const Value& value) {
 Value negative(const Value& value) {
   if (const double* x = std::get_if<double>(&value)) return -*x;
   if (const Vector3d* v = std::get_if<Vector3d>(&value)) return Vector3d(-*v);
+  if (const MatrixXd* m = std::get_if<MatrixXd>(&value)) return MatrixXd(-*m);
   meaningless(std::string("the opposite of ") + name_of(value));
+}
+
+/// A column of three is a vector.
+Value matrix_or_vector(const MatrixXd& matrix) {
+  if (matrix.rows() == 3 && matrix.cols() == 1) return Vector3d(matrix);
+  return matrix;
+}
+
+Value matrix_product(const MatrixXd& a, const MatrixXd& b) {
+  if (a.cols() != b.rows()) meaningless("the product of matrices that do not fit");
+  return matrix_or_vector(a * b);
+}
+
+Value plus_matrices(const MatrixXd& a, const MatrixXd& b) {
+  if (a.rows() != b.rows() || a.cols() != b.cols()) meaningless("the sum of matrices of two sizes");
+  return MatrixXd(a + b);
 }
 
 Value plus(const Value& a, const Value& b) {
   if (a.index() == 0 && b.index() == 0) return std::get<double>(a) + std::get<double>(b);
   if (a.index() == 1 && b.index() == 1) return Vector3d(std::get<Vector3d>(a) + std::get<Vector3d>(b));
+  if (a.index() == 4 && b.index() == 4) return plus_matrices(std::get<MatrixXd>(a), std::get<MatrixXd>(b));
   meaningless(std::string("the sum of ") + name_of(a) + " and " + name_of(b));
 }
 
@@ -43,10 +62,10 @@ struct Times {
   Value operator()(const Quaternion& a, const Quaternion& b) const { return a * b; }
   Value operator()(const Quaternion& a, const Vector3d& b) const { return rotated(a, b); }
   Value operator()(const Pair& a, const Pair& b) const { return a * b; }
-  Value operator()(const MatrixXd& a, const Vector3d& b) const {
-    if (a.rows() != 3 || a.cols() != 3) meaningless("the product of a matrix of another size and a vector");
-    return Vector3d(a * b);
-  }
+  Value operator()(const MatrixXd& a, const Vector3d& b) const { return matrix_product(a, b); }
+  Value operator()(const MatrixXd& a, const MatrixXd& b) const { return matrix_product(a, b); }
+  Value operator()(double a, const MatrixXd& b) const { return MatrixXd(a * b); }
+  Value operator()(const MatrixXd& a, double b) const { return MatrixXd(b * a); }
   template <class A, class B>
   Value operator()(const A& a, const B& b) const {
     meaningless(std::string("the product of ") + name_of(a) + " and " + name_of(b));
@@ -73,23 +92,37 @@ Value bracket(const std::vector<Value>& items) {
   return Quaternion{real(items[0]), no_vector ? Vector3d(Vector3d::Zero()) : vector(items[1])};
 }
 
-/// A column of three is a vector.
 Value matrix(const std::vector<int>& size, const std::vector<Value>& entries) {
+  if (entries.size() == 1) return entries[0];
   MatrixXd result(size[0], size[1]);
   for (int i = 0; i < size[0]; ++i)
     for (int k = 0; k < size[1]; ++k) result(i, k) = real(entries[static_cast<std::size_t>(i * size[1] + k)]);
-  if (size == std::vector<int>{3, 1}) return Vector3d(result);
-  return result;
+  return matrix_or_vector(result);
+}
+
+/// A row times a column is an inner product whether it says so or not.
+Value transposed(const Value& value) {
+  if (const MatrixXd* matrix = std::get_if<MatrixXd>(&value)) return MatrixXd(matrix->transpose());
+  return value;
+}
+
+const MatrixXd& square(const Value& value) {
+  const MatrixXd* matrix = std::get_if<MatrixXd>(&value);
+  if (matrix == nullptr || matrix->rows() != matrix->cols()) meaningless("a square matrix is needed");
+  return *matrix;
 }
 
 Value power(const Value& base, double exponent) {
-  if (const Quaternion* q = std::get_if<Quaternion>(&base); q != nullptr && exponent == -1)
-    return inverse(*q);
-  if (const Pair* pair = std::get_if<Pair>(&base); pair != nullptr && exponent == -1) return inverse(*pair);
+  const bool inverted = exponent == -1;
+  if (inverted && base.index() == 2) return inverse(std::get<Quaternion>(base));
+  if (inverted && base.index() == 3) return inverse(std::get<Pair>(base));
+  if (inverted && base.index() == 4) return MatrixXd(square(base).inverse());
   return std::pow(real(base), exponent);
 }
 
 Value function(const std::string& name, const std::vector<Value>& x) {
+  if (name == "transpose") return transposed(x.at(0));
+  if (name == "det") return square(x.at(0)).determinant();
   const double first = real(x.at(0));
   // A root that is zero by identity must not fail over its rounding.
   if (name == "sqrt") return std::sqrt(first < 0 && first > -1e-9 ? 0 : first);

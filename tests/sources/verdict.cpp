@@ -48,9 +48,9 @@ bool is_joint(const Tree& tree, const Known& known) {
   return turn || (slide && known.count("joint " + tree.text) != 0);
 }
 
-std::vector<Tree> read(const Printed& equation, const std::string& latex, std::optional<int> index = {}) {
+std::vector<Tree> read(const Printed& equation, const std::string& latex, const Notation& notation) {
   try {
-    return read_latex(latex, index);
+    return read_latex(latex, notation);
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(equation.number + ": " + error.what() + " in " + latex);
   }
@@ -66,7 +66,7 @@ class SectionJudge {
       result.kind = equation.excluded.empty() ? Kind::definition : Kind::excluded;
       return result;
     }
-    result.sides = read(equation, equation.latex);
+    result.sides = read(equation, equation.latex, {{}, section_.frames});
     if (section_.inverse && is_joint(result.sides[0], known_[0])) {
       result.kind = Kind::inverse;
     } else if (equation.local) {
@@ -89,10 +89,10 @@ class SectionJudge {
   }
 
   [[nodiscard]] double error(const Printed& equation, const std::string& latex) const {
-    if (equation.indices.empty()) return error_of(read(equation, latex), known_);
+    if (equation.indices.empty()) return error_of(read(equation, latex, {{}, section_.frames}), known_);
     double largest = 0;
     for (const int index : equation.indices)
-      largest = std::max(largest, error_of(read(equation, latex, index), known_));
+      largest = std::max(largest, error_of(read(equation, latex, {index, section_.frames}), known_));
     return largest;
   }
 
@@ -107,7 +107,7 @@ class SectionJudge {
       result.trouble = trouble.what();
     }
     if (equation.right.empty()) return;
-    result.right = read(equation, equation.right);
+    result.right = read(equation, equation.right, {{}, section_.frames});
     try {
       result.corrected = error(equation, equation.right) < tolerance;
     } catch (const std::domain_error&) {

@@ -43,7 +43,7 @@ class Writer {
       case Kind::number:
         return fmt::format("{:g}", tree.value);
       case Kind::name:
-        return latex_ ? latex_name(tree.text) : tree.text;
+        return latex_ ? framed(tree) : tree.text;
       case Kind::angle:
         return angle(tree);
       case Kind::function:
@@ -150,6 +150,7 @@ class Writer {
 
   [[nodiscard]] std::string function(const Tree& tree) const {
     const Tree& first = tree.parts[0];
+    if (tree.text == "transpose") return within(first, 4) + (latex_ ? "^{T}" : "^T");
     if (latex_) return latex_function(tree);
     if (first.kind != Kind::angle || (tree.text != "sin" && tree.text != "cos"))
       return listed(tree, tree.text + "(", ")");
@@ -164,6 +165,17 @@ class Writer {
     const std::string name = "\\" + (tree.text[0] == 'a' ? "arc" + tree.text.substr(1) : tree.text);
     return tree.parts[0].kind == Kind::angle ? name + " " + text(tree.parts[0])
                                              : listed(tree, name + "(", ")");
+  }
+
+  /// The frames stand in the name after its letters, here before them.
+  static std::string framed(const Tree& tree) {
+    if (tree.above.empty() && tree.below.empty()) return latex_name(tree.text);
+    const std::size_t letters = tree.text.find_first_of("0123456789[");
+    std::string bare = tree.text;
+    const auto brackets = [](const std::string& frame) { return frame.find('i') == 0 ? 2U : 0U; };
+    bare.erase(letters, tree.above.size() + tree.below.size() + brackets(tree.above) + brackets(tree.below));
+    const std::string below = tree.below.empty() ? "" : "_{" + tree.below + "}";
+    return "{}^{" + tree.above + "}" + below + latex_name(bare);
   }
 
   static bool greek(const std::string& name) {
@@ -185,6 +197,7 @@ class Writer {
     if (dots != std::string::npos) base = (name.size() - dots == 2 ? "\\ddot{" : "\\dot{") + base + "}";
     std::string subscript = plain.substr(length);
     if (subscript == "_") subscript = "*";
+    if (subscript.rfind("omega", 0) == 0) subscript.insert(0, "\\");
     subscript.erase(
         std::remove_if(subscript.begin(), subscript.end(), [](char c) { return c == '[' || c == ']'; }),
         subscript.end());
