@@ -215,11 +215,28 @@ SingularCauses::Found SingularCauses::point_in_plane_of_axes(const ex& factor,
   return std::nullopt;
 }
 
+/// A joint moves the point along the first axis: the point's distance from that axis stands still. For arms
+/// whose determinant has rows across the axis alone.
+SingularCauses::Found SingularCauses::along_first_axis(const ex& factor,
+                                                       const std::vector<std::size_t>& joints) {
+  const std::size_t first = joints.front();
+  if (joints_[first].slides) return std::nullopt;
+  for (const std::size_t j : joints) {
+    if (j == first || is_zero(joints_[j].linear)) continue;
+    if (!vanishes(factor, cross(joints_[first].angular, joints_[j].linear))) continue;
+    return SingularCause{Kind::workspace_boundary, "joint " + std::to_string(j + 1) + " moves " + point_ +
+                                                       " along " + axes({first}) +
+                                                       ", at its greatest or least distance from it"};
+  }
+  return std::nullopt;
+}
+
 SingularCause SingularCauses::of(const ex& factor, const std::vector<std::size_t>& joints) {
   if (auto found = point_on_axis(factor, joints)) return *found;
   if (auto found = two_in_line(factor, joints)) return *found;
   if (auto found = parallel_axes_in_plane(factor, joints)) return *found;
   if (auto found = point_in_plane_of_axes(factor, joints)) return *found;
+  if (auto found = along_first_axis(factor, joints)) return *found;
   // What changes the second joint's angle is the arm as a whole against the first axis.
   const bool whole = std::any_of(joints.begin(), joints.end(),
                                  [&](std::size_t j) { return j < 2 && factor.has(variables_[j]); });

@@ -44,6 +44,7 @@ class SingularCauses {
   Found two_in_line(const GiNaC::ex& factor, const std::vector<std::size_t>& joints);
   Found parallel_axes_in_plane(const GiNaC::ex& factor, const std::vector<std::size_t>& joints);
   Found point_in_plane_of_axes(const GiNaC::ex& factor, const std::vector<std::size_t>& joints);
+  Found along_first_axis(const GiNaC::ex& factor, const std::vector<std::size_t>& joints);
   [[nodiscard]] std::string stretched_or_folded(const GiNaC::ex& factor, const symbolic::Vector& reach) const;
   [[nodiscard]] bool is_constant(const GiNaC::ex& value) const;
   [[nodiscard]] symbolic::Vector between(std::size_t i, std::size_t j) const;

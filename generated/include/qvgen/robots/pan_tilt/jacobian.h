@@ -23,7 +23,7 @@ using Twist = Eigen::Matrix<Scalar, 6, 1>;
 
 /// Factors of the Jacobian's determinant; what they mean for this arm: ./qvgen show pan_tilt --singularities
 inline constexpr int singularity_count = 2;
-inline constexpr std::array<const char*, singularity_count> singularity_names{ "shoulder 1", "shoulder 2" };
+inline constexpr std::array<const char*, singularity_count> singularity_names{ "shoulder", "workspace boundary" };
 template <class Scalar>
 using SingularityMeasures = Eigen::Matrix<Scalar, singularity_count, 1>;
 
