@@ -53,6 +53,7 @@ class Native:
         whole = [(n, p) for n, p in inverse if "orientation[4]" in p and not re.search("_within_limits|_near", n)]
         part = [(n, p) for n, p in inverse if "position[3]" in p and not re.search("_within_limits|_near|_yaw", n)]
         self.inverse = (whole or part or [None])[0]
+        self.fixes_orientation = self.dof >= 6 or not part
         symbols = re.search(r"typedef struct %s_geometry \{(.*?)\}" % robot, header, re.S)[1]
         self.symbols = re.findall(r"double (\w+);", symbols)
 
@@ -233,8 +234,11 @@ def joint_difference(row, other):
 
 
 def told(native, cpp, row, geometry):
-    """What the solver was given, of a row's joints: their pose, and the arm angle."""
-    return native.pose(row[:-2], geometry), cpp.arm_angle(row[:-2], geometry) if cpp else 0.0
+    """What the solver was given, of a row's joints: their pose, and the arm angle. An arm with few joints takes a position;
+    an orientation it meets within the tolerance of whole poses, not to rounding."""
+    pose = native.pose(row[:-2], geometry)
+    turn = pose[:4] if native.fixes_orientation else [1, 0, 0, 0]
+    return [*turn, *pose[4:]], cpp.arm_angle(row[:-2], geometry) if cpp else 0.0
 
 
 def pose_difference(a, b):
