@@ -60,10 +60,8 @@ void add_pose(const Pair& pose, Known& known) {
 Known arm_values(const reference::Chain& chain, const reference::Values& lengths, const Eigen::VectorXd& q) {
   Known known;
   for (const auto& [name, value] : lengths) known[name] = value;
-  for (std::size_t i = 0; i < chain.joints.size(); ++i) {
+  for (std::size_t i = 0; i < chain.joints.size(); ++i)
     known[chain.joints[i].variable] = q[static_cast<Eigen::Index>(i)];
-    known["joint " + chain.joints[i].variable] = q[static_cast<Eigen::Index>(i)];
-  }
   const std::vector<Pair> link = links(chain, q);
   Pair product;
   for (std::size_t i = link.size(); i > 0; --i) {

@@ -101,6 +101,13 @@ Known rotation_values(unsigned number) {
   return known;
 }
 
+std::vector<std::string> joint_variables(const Section& section) {
+  std::vector<std::string> names;
+  for (const reference::Joint& joint : reference::load_text(description_of(section)).joints)
+    names.push_back(joint.variable);
+  return names;
+}
+
 std::vector<Known> configurations(const Section& section) {
   const std::string description = description_of(section);
   std::vector<Known> result;

@@ -50,6 +50,14 @@ TEST(Latex, VectorsQuaternionsAndPairs) {
   EXPECT_EQ(std::get<Eigen::MatrixXd>(matrix)(1, 1), -4);
 }
 
+TEST(Latex, NoNumberIsNotRight) {
+  const double nan = std::nan("");
+  EXPECT_FALSE(same(nan, 1.0));
+  EXPECT_FALSE(same(nan, nan));
+  EXPECT_FALSE(same(Eigen::Vector3d(0, nan, 0), Eigen::Vector3d(0, 0, 0)));
+  EXPECT_FALSE(same(1.0, Eigen::Vector3d(1, 1, 1)));
+}
+
 TEST(Latex, AGeneralEquationAtAnIndex) {
   const std::vector<Tree> sides = read_latex("{}^{i+1}\\omega_{i+1} = q_i * I_{xx_{i+1}}", {2});
   EXPECT_EQ(plain_text(sides[0]), "omega3");

@@ -249,20 +249,30 @@ Value value_of(const Tree& tree, const Known& known, double sign) {
 
 namespace {
 
+/// Infinity for what is not a number.
+template <class Matrix>
+double largest(const Matrix& difference) {
+  return difference.hasNaN() ? std::numeric_limits<double>::infinity() : difference.cwiseAbs().maxCoeff();
+}
+
+double largest(double difference) {
+  return std::isnan(difference) ? std::numeric_limits<double>::infinity() : std::abs(difference);
+}
+
 struct Distance {
-  double operator()(double a, double b) const { return std::abs(a - b); }
-  double operator()(const Vector3d& a, const Vector3d& b) const { return (a - b).cwiseAbs().maxCoeff(); }
+  double operator()(double a, double b) const { return largest(a - b); }
+  double operator()(const Vector3d& a, const Vector3d& b) const { return largest(a - b); }
   double operator()(const Quaternion& a, const Quaternion& b) const {
-    const double plain = std::max(std::abs(a.s - b.s), (a.v - b.v).cwiseAbs().maxCoeff());
-    const double opposite = std::max(std::abs(a.s + b.s), (a.v + b.v).cwiseAbs().maxCoeff());
+    const double plain = std::max(largest(a.s - b.s), largest(a.v - b.v));
+    const double opposite = std::max(largest(a.s + b.s), largest(a.v + b.v));
     return std::min(plain, opposite);
   }
   double operator()(const Pair& a, const Pair& b) const {
     return std::max((*this)(a.q, b.q), (*this)(a.p, b.p));
   }
   double operator()(const MatrixXd& a, const MatrixXd& b) const {
-    if (a.rows() != b.rows() || a.cols() != b.cols()) return std::numeric_limits<double>::infinity();
-    return (a - b).cwiseAbs().maxCoeff();
+    const bool fit = a.rows() == b.rows() && a.cols() == b.cols();
+    return fit ? largest(a - b) : std::numeric_limits<double>::infinity();
   }
   template <class A, class B>
   double operator()(const A&, const B&) const {

@@ -39,7 +39,7 @@ Value value_of(const Tree& tree, const Known& known, double sign = 1);
 
 /// Within 1e-9; a quaternion and its opposite are one rotation.
 bool same(const Value& a, const Value& b);
-/// The largest difference of an entry; infinity where one is a vector and the other a number.
+/// The largest difference of an entry; infinity where one is a vector and the other a number, or one is NaN.
 double distance(const Value& a, const Value& b);
 
 }  // namespace qvgen::test::sources

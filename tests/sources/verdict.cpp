@@ -42,12 +42,6 @@ std::string counterexample(const std::vector<Tree>& sides, const Known& known) {
   return {};
 }
 
-bool is_joint(const Tree& tree, const Known& known) {
-  const bool turn = tree.kind == Tree::Kind::angle && tree.value == 1 && tree.joints.size() == 1;
-  const bool slide = tree.kind == Tree::Kind::name && tree.text.size() == 2 && tree.text[0] == 'd';
-  return turn || (slide && known.count("joint " + tree.text) != 0);
-}
-
 std::vector<Tree> read(const Printed& equation, const std::string& latex, const Notation& notation) {
   try {
     return read_latex(latex, notation);
@@ -58,7 +52,9 @@ std::vector<Tree> read(const Printed& equation, const std::string& latex, const 
 
 class SectionJudge {
  public:
-  explicit SectionJudge(const Section& section) : section_(section), known_(configurations(section)) {}
+  explicit SectionJudge(const Section& section) : section_(section), known_(configurations(section)) {
+    if (section.inverse) variables_ = joint_variables(section);
+  }
 
   Judgement judge(const Printed& equation) {
     Judgement result;
@@ -67,7 +63,7 @@ class SectionJudge {
       return result;
     }
     result.sides = read(equation, equation.latex, {{}, section_.frames});
-    if (section_.inverse && is_joint(result.sides[0], known_[0])) {
+    if (is_variable(result.sides[0])) {
       result.kind = Kind::inverse;
     } else if (equation.local) {
       define(result);
@@ -78,6 +74,10 @@ class SectionJudge {
   }
 
  private:
+  [[nodiscard]] bool is_variable(const Tree& tree) const {
+    return std::find(variables_.begin(), variables_.end(), plain_text(tree)) != variables_.end();
+  }
+
   void define(Judgement& result) {
     result.kind = Kind::local;
     try {
@@ -118,6 +118,7 @@ class SectionJudge {
 
   const Section& section_;
   std::vector<Known> known_;
+  std::vector<std::string> variables_;  ///< that the equations solve for
 };
 
 }  // namespace
