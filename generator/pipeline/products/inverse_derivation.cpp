@@ -3,6 +3,7 @@
 
 #include "model/followers.h"
 #include "model/private_names.h"
+#include "pipeline/products/brief_reasons.h"
 
 namespace qvgen::pipeline {
 namespace {
@@ -35,6 +36,7 @@ InverseDerivation derive_inverse(const model::Robot& described) {
   if (is_general) add_eliminations(described, result);
   if (!result.found()) add_closed_forms(described, result);
   if (!result.found() && !is_general) add_eliminations(described, result);
+  result.reasons = brief_reasons(result.reasons, described.joints.size());
   return result;
 }
 

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include "pipeline/products/brief_reasons.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace qvgen::pipeline {
+namespace {
+
+using testing::ElementsAre;
+
+TEST(BriefReasons, OneLineForAllJointsInARow) {
+  EXPECT_THAT(brief_reasons({"joints 4, 5 and 6: their axes do not meet in one point",
+                             "joints 1, 2 and 3: their axes do not meet in one point",
+                             "joints 3, 4 and 5: their axes do not meet in one point",
+                             "joints 2, 3 and 4: their axes do not meet in one point",
+                             "joints 2, 3 and 4: their axes are not parallel", "too long"},
+                            6),
+              ElementsAre("no three axes in a row meet in one point",
+                          "joints 2, 3 and 4: their axes are not parallel", "too long"));
+}
+
+TEST(BriefReasons, OneLineForWhicheverJointIsGiven) {
+  EXPECT_THAT(brief_reasons(
+                  {"with q1 given: joints 2, 3 and 4: their axes are not parallel",
+                   "with q1 given: joints 3, 4 and 5: their axes are not parallel", "with q1 given: too long",
+                   "with q5 given: joints 1, 2 and 3: their axes are not parallel",
+                   "with q5 given: joints 2, 3 and 4: their axes are not parallel", "a pose fixes six"},
+                  5),
+              ElementsAre("with q1 or q5 given: no three axes in a row are parallel",
+                          "with q1 given: too long", "a pose fixes six"));
+}
+
+TEST(BriefReasons, OtherReasonsStay) {
+  EXPECT_THAT(brief_reasons({}, 3), ElementsAre());
+  EXPECT_THAT(brief_reasons({"b", "a", "b"}, 4), ElementsAre("b", "a"));
+}
+
+}  // namespace
+}  // namespace qvgen::pipeline
