@@ -127,6 +127,7 @@ link = [0.2, 0.1, 0]
 [[joint]]
 type = "prismatic"
 axis = "+y"
+rpy = ["20 deg", "43 deg", "-31 deg"]
 variable = "q3"
 [[joint]]
 type = "revolute"
@@ -136,6 +137,7 @@ link = [0.1, 0.1, 0.1]
 [[joint]]
 type = "prismatic"
 axis = ["2/3", "-1/3", "2/3"]
+rpy = ["56 deg", 0, "17 deg"]
 variable = "q5"
 [[joint]]
 type = "revolute"

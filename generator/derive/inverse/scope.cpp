@@ -166,9 +166,11 @@ bool Scope::is_number(const ex& value) {
   return true;
 }
 
-bool Scope::is_known(const ex& value) {
-  if (GiNaC::is_a<GiNaC::symbol>(value))
-    return exact::named_value(GiNaC::ex_to<GiNaC::symbol>(value).get_name()).has_value();
+bool Scope::is_known(const ex& value) const {
+  if (GiNaC::is_a<GiNaC::symbol>(value)) {
+    const std::string& name = GiNaC::ex_to<GiNaC::symbol>(value).get_name();
+    return known_.count(name) != 0 || exact::named_value(name).has_value();
+  }
   for (std::size_t i = 0; i < value.nops(); ++i)
     if (!is_known(value.op(i))) return false;
   return true;
@@ -200,6 +202,7 @@ ex Scope::define(symbolic::Program& program, const std::string& name, const ex& 
 
 ex Scope::rename(symbolic::Program& program, const std::string& name, const ex& value) {
   program.output(symbolic::symbol(name), value);
+  if (is_known(value)) known_.insert(name);
   std::array<ex, points> values;
   {
     const Digits digits;

@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "derive/inverse/held_angle.h"
@@ -52,8 +53,8 @@ class Scope {
   }
   /// A number, or made of numbers alone.
   [[nodiscard]] static bool is_number(const GiNaC::ex& value);
-  /// A number, or made of numbers and named constants alone.
-  [[nodiscard]] static bool is_known(const GiNaC::ex& value);
+  /// A number, or made of numbers, named constants and what was defined by these alone.
+  [[nodiscard]] bool is_known(const GiNaC::ex& value) const;
   /// Value at the first sample point, a number of 60 digits.
   [[nodiscard]] GiNaC::numeric value(const GiNaC::ex& value) const;
   /// The same, rounded.
@@ -75,6 +76,7 @@ class Scope {
   GiNaC::numeric random();
 
   Samples samples_;
+  std::set<std::string> known_;  ///< names of what was defined by numbers and named constants
   std::optional<HeldAngle> held_;
   unsigned long state_ = 88172645463325252UL;
 };

@@ -131,7 +131,7 @@ bool is_wrist(const Screw& first, const Screw& middle, const Screw& last, const 
   const Vector n2 = scope.clean(cross(middle.axis, last.axis));
   if (scope.is_zero(n1) || scope.is_zero(n2)) return false;
   for (const ex& entry : {n1.x, n1.y, n1.z, n2.x, n2.y, n2.z})
-    if (!Scope::is_known(entry) || nodes(entry) > longest_direction) return false;
+    if (!scope.is_known(entry) || nodes(entry) > longest_direction) return false;
   return true;
 }
 
