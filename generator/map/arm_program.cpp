@@ -2,7 +2,6 @@
 #include "map/arm_program.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <cstring>
 #include <stdexcept>
 
@@ -12,6 +11,7 @@
 #include "pipeline/files.h"
 #include "pipeline/folder_state.h"
 #include "pipeline/pipeline.h"
+#include "toolchain/cache.h"
 #include "toolchain/workshop.h"
 
 namespace qvgen::map {
@@ -175,19 +175,12 @@ class Stream {
 
 }  // namespace
 
-fs::path cache_folder() {
-  if (const char* named = std::getenv("QVGEN_CACHE"); named != nullptr && *named != '\0') return named;
-  if (const char* named = std::getenv("XDG_CACHE_HOME"); named != nullptr && *named != '\0')
-    return fs::path(named) / "qvgen";
-  const char* home = std::getenv("HOME");
-  return (home == nullptr ? fs::temp_directory_path() : fs::path(home) / ".cache") / "qvgen";
-}
-
 ArmProgram arm_program(const model::Robot& robot, const std::string& key, const toolchain::Runtime& runtime,
                        const std::function<void(const std::string&)>& progress) {
   const auto forms = lane_forms();  // machines that share a cache may have others
-  const fs::path folder = cache_folder() / fmt::format("map-{}-{}{}", robot.name, key,
-                                                       forms.empty() ? "" : "-" + forms.front().first);
+  const fs::path folder =
+      toolchain::cache_folder() /
+      fmt::format("map-{}-{}{}", robot.name, key, forms.empty() ? "" : "-" + forms.front().first);
   fs::create_directories(folder);
   const fs::path program = folder / "program", about = folder / "about.json";
   const pipeline::FolderLock lock(folder);  // of several processes one compiles

@@ -19,9 +19,6 @@ struct ArmProgram {
   std::string given;  ///< the joint that is given; empty without
 };
 
-/// Where compiled programs are kept: $QVGEN_CACHE, or ~/.cache/qvgen. It may be deleted at any time.
-std::filesystem::path cache_folder();
-
 /// The program of an arm, from the cache if it is there. `key` is of all that its description says and of
 /// this build of the tool. Throws std::runtime_error with the reason if the arm has no inverse kinematics
 /// that could be mapped, or with the words of a compiler that is not there or fails.

@@ -8,6 +8,7 @@
 #include "emit/cpp/template_values.h"
 #include "emit/render.h"
 #include "pipeline/c_files.h"
+#include "pipeline/products/page.h"
 #include "pipeline/products/product.h"
 
 namespace qvgen::pipeline {
@@ -103,6 +104,36 @@ void add_extras(const model::Robot& robot, const Parts& parts, Language language
   }
 }
 
+/// What the products of each robot are, not put together yet.
+std::vector<RobotOutput> made(const std::vector<model::Robot>& robots, const std::vector<Product>& products,
+                              const Budget& budget, const std::function<void(const std::string&)>& progress,
+                              Language language) {
+  // The last products take longest and begin first, so that no core waits for one of them at the end.
+  const auto product_at = [&](std::size_t i) { return products.size() - 1 - i % products.size(); };
+  const auto work = [&](std::size_t i) {
+    return to_text(generate_product(robots[i / products.size()], products[product_at(i)], language));
+  };
+  std::vector<std::size_t> open(robots.size(), products.size());
+  const auto done = [&](std::size_t i) {
+    const std::size_t robot = i / products.size();
+    if (--open[robot] == 0 && progress) progress(robots[robot].name);
+  };
+  const std::vector<Outcome> outcomes = in_processes(robots.size() * products.size(), work, budget, done);
+  std::vector<RobotOutput> outputs;
+  for (std::size_t robot = 0; robot < robots.size(); ++robot) {
+    RobotOutput output{robots[robot].name};
+    for (std::size_t i = 0; i < products.size(); ++i) {
+      const Outcome& outcome = outcomes[robot * products.size() + product_at(i)];
+      if (outcome.done)
+        append(output, robot_output_from_text(outcome.text));
+      else
+        output.missing.push_back({products[i].part, Missing::Kind::not_finished, outcome.text});
+    }
+    outputs.push_back(std::move(output));
+  }
+  return outputs;
+}
+
 /// Puts a robot together from its products; without its model header nothing would compile.
 RobotOutput whole(RobotOutput output, Language language) {
   const bool has_model = has_part(output.missing, all_products().front().part);
@@ -165,33 +196,17 @@ std::vector<RobotOutput> generate(const std::vector<model::Robot>& robots, const
                                   const Budget& budget,
                                   const std::function<void(const std::string&)>& progress,
                                   Language language) {
-  const std::vector<Product> products = wanted_products(parts);
-  // The last products take longest and begin first, so that no core waits for one of them at the end.
-  const auto product_at = [&](std::size_t i) { return products.size() - 1 - i % products.size(); };
-  const auto work = [&](std::size_t i) {
-    return to_text(generate_product(robots[i / products.size()], products[product_at(i)], language));
-  };
-  std::vector<std::size_t> open(robots.size(), products.size());
-  const auto done = [&](std::size_t i) {
-    const std::size_t robot = i / products.size();
-    if (--open[robot] == 0 && progress) progress(robots[robot].name);
-  };
-  const std::vector<Outcome> outcomes = in_processes(robots.size() * products.size(), work, budget, done);
-  std::vector<RobotOutput> outputs;
-  for (std::size_t robot = 0; robot < robots.size(); ++robot) {
-    RobotOutput output{robots[robot].name};
-    for (std::size_t i = 0; i < products.size(); ++i) {
-      const Outcome& outcome = outcomes[robot * products.size() + product_at(i)];
-      if (outcome.done)
-        append(output, robot_output_from_text(outcome.text));
-      else
-        output.missing.push_back({products[i].part, Missing::Kind::not_finished, outcome.text});
-    }
-    add_extras(robots[robot], parts, language, output);
-    outputs.push_back(whole(std::move(output), language));
-    outputs.back().robot = folder_name(robots[robot].name, language);
+  std::vector<RobotOutput> outputs = made(robots, wanted_products(parts), budget, progress, language);
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    add_extras(robots[i], parts, language, outputs[i]);
+    outputs[i] = whole(std::move(outputs[i]), language);
+    outputs[i].robot = folder_name(robots[i].name, language);
   }
   return outputs;
+}
+
+RobotOutput generate_page_functions(const model::Robot& robot, const Budget& budget) {
+  return whole(made({robot}, page_products(), budget, {}, Language::c).front(), Language::c);
 }
 
 std::vector<OutputFile> shared_files() {

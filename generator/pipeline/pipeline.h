@@ -41,6 +41,9 @@ std::vector<RobotOutput> generate(const std::vector<model::Robot>& robots, const
                                   const std::function<void(const std::string& robot)>& progress = {},
                                   Language language = Language::cxx);
 
+/// In C, the functions that a report's page calls; see `page_products`.
+RobotOutput generate_page_functions(const model::Robot& robot, const Budget& budget = {});
+
 /// Files of no single robot.
 std::vector<OutputFile> shared_files();
 

@@ -56,8 +56,9 @@ CppFunctions cpp_functions(const model::Robot& robot, bool has_inverse_in_c,
   CppFunctions functions;
   // The arm angle is that of seven joints.
   if (model::has_followers(robot) || (has_inverse_in_c && robot.joints.size() != 7)) return functions;
-  const pipeline::RobotOutput output =
-      pipeline::generate({robot}, {"model", "inverse", "arm_angle"}, pipeline::own_budget()).front();
+  pipeline::Parts parts{"model", "arm_angle"};
+  if (!has_inverse_in_c) parts.push_back("inverse");
+  const pipeline::RobotOutput output = pipeline::generate({robot}, parts, pipeline::own_budget()).front();
   functions.has_arm_angle = has_file(output, "/arm_angle.cpp");
   if (!has_inverse_in_c && has_file(output, "/inverse.cpp")) functions.inverse = inverse_call(output);
   if (!functions.wanted()) return functions;

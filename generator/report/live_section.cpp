@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "emit/math/singularities.h"
 #include "emit/render.h"
 #include "pipeline/pipeline.h"
 #include "report/chain.h"
@@ -60,14 +59,6 @@ json chain_json(const Chain& chain) {
   return result;
 }
 
-std::vector<std::string> measure_names(const model::Robot& robot) {
-  std::vector<std::string> names;
-  for (const auto& factor : emit::singularity_formulas(robot, emit::Notation::text).factors)
-    names.push_back(factor.kind);
-  if (names.empty()) names = {"determinant"};
-  return names;
-}
-
 std::string calls_text(const model::Robot& robot, const InverseCall& inverse, bool has_measures) {
   return emit::render("report/live_calls.c", {{"name", robot.name},
                                               {"has_inverse", !inverse.function.empty()},
@@ -114,9 +105,7 @@ Section without(const std::string& reason) {
 
 Section live_section(const model::Robot& robot, const toolchain::Runtime* runtime) {
   if (const std::string missing = missing_compiler(); !missing.empty()) return without(missing);
-  const pipeline::RobotOutput output = pipeline::generate({robot}, {"kinematics", "jacobian", "inverse"},
-                                                          pipeline::own_budget(), {}, pipeline::Language::c)
-                                           .front();
+  const pipeline::RobotOutput output = pipeline::generate_page_functions(robot, pipeline::own_budget());
   std::map<std::string, std::string> files = files_of(output);
   const std::string& header = files["qvgen_" + robot.name + ".h"];
   const auto declares = [&](const char* function) {
@@ -133,7 +122,7 @@ Section live_section(const model::Robot& robot, const toolchain::Runtime* runtim
   const InverseCall& inverse = in_c.function.empty() && more.module.done ? more.inverse : in_c;
   json data = chain_json(chain_of(robot));
   data["inverse"] = !inverse.function.empty();
-  data["measures"] = has_measures ? json(measure_names(robot)) : json::array();
+  data["measures"] = has_measures ? json(output.counts.at("measures")) : json::array();
   data["given"] = place_of(robot, inverse.given);
   data["module"] = base64(compiled.bytes);
   if (more.module.done) data["cpp"] = base64(more.module.bytes);

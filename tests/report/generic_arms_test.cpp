@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "description/reader.h"
+#include "pipeline/pipeline.h"
 #include "report/formula_sections.h"
 #include "report/live_functions.h"
 
@@ -46,6 +47,30 @@ TEST(LiveFunctions, AreThoseThatAreGeneratedInCppAlone) {
   const model::Robot general =
       *description::read_file(QVGEN_SOURCE_DIR "/generator/robots/crx10ia.toml", {}).robot;
   EXPECT_EQ(functions(general, false).inverse.function, "inverse_kinematics");
+}
+
+/// The definition of a function in a robot's C source; empty if it has none.
+std::string definition_in(const pipeline::RobotOutput& output, const std::string& function) {
+  for (const pipeline::OutputFile& file : output.files) {
+    const std::size_t at = file.content.find("void " + function + "(");
+    if (file.path.ends_with(".c") && at != std::string::npos)
+      return file.content.substr(at, file.content.find("\n}\n", at) - at);
+  }
+  return "";
+}
+
+TEST(LiveFunctions, OfAPageAreTheGeneratedOnes) {
+  const model::Robot scara =
+      *description::read_file(QVGEN_SOURCE_DIR "/generator/robots/scara.toml", {}).robot;
+  const auto whole =
+      pipeline::generate({scara}, {"kinematics", "jacobian"}, {}, {}, pipeline::Language::c).front();
+  const auto page = pipeline::generate_page_functions(scara);
+  for (const char* function : {"scara_forward_kinematics", "scara_jacobian", "scara_singularity_measures"}) {
+    EXPECT_NE(definition_in(page, function), "");
+    EXPECT_EQ(definition_in(page, function), definition_in(whole, function));
+  }
+  EXPECT_EQ(definition_in(page, "scara_velocity"), "");
+  EXPECT_EQ(page.counts.at("measures").size(), 1U);
 }
 
 }  // namespace

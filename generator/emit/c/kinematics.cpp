@@ -41,16 +41,19 @@ std::vector<std::string> transform_entries() {
 
 }  // namespace
 
-Part kinematics(const model::Robot& robot, const optimise::Optimised& pose,
-                const std::vector<std::string>& pose_doc, const optimise::Optimised& transform,
-                const std::vector<std::string>& transform_doc) {
+Part pose(const model::Robot& robot, const optimise::Optimised& optimised,
+          const std::vector<std::string>& doc) {
   std::vector<std::string> places = entries("result->orientation", 4);
   append(places, entries("result->position", 3));
-  Function matrix = function_of(robot, transform, transform_doc, result_matrix(4, 4), transform_entries());
-  append(matrix.statements, last_row("result"));
   Part part{render("c_kinematics.h", {{"name", robot.name}})};
-  return part +=
-         written(robot, {function_of(robot, pose, pose_doc, result_struct(robot, "pose"), places), matrix});
+  return part += written(robot, {function_of(robot, optimised, doc, result_struct(robot, "pose"), places)});
+}
+
+Part transform(const model::Robot& robot, const optimise::Optimised& optimised,
+               const std::vector<std::string>& doc) {
+  Function matrix = function_of(robot, optimised, doc, result_matrix(4, 4), transform_entries());
+  append(matrix.statements, last_row("result"));
+  return written(robot, {matrix});
 }
 
 Part file(const std::string& robot, const Part& parts, const std::vector<std::string>& missing) {

@@ -31,11 +31,12 @@ Part model(const model::Robot& robot, const std::vector<Joint>& joints,
 /// The struct of inertial parameters.
 Part inertia(const model::Robot& robot, const std::vector<Constant>& parameters);
 
-/// The pose as a quaternion and a position, and as a homogeneous transformation, each with the lines of its
-/// comment.
-Part kinematics(const model::Robot& robot, const optimise::Optimised& pose,
-                const std::vector<std::string>& pose_doc, const optimise::Optimised& transform,
-                const std::vector<std::string>& transform_doc);
+/// The pose as a quaternion and a position, and the same as a homogeneous transformation; `doc` are the lines
+/// of the function's comment.
+Part pose(const model::Robot& robot, const optimise::Optimised& optimised,
+          const std::vector<std::string>& doc);
+Part transform(const model::Robot& robot, const optimise::Optimised& optimised,
+               const std::vector<std::string>& doc);
 
 Part jacobian(const model::Robot& robot, const std::vector<JacobianFunction>& functions);
 

@@ -107,13 +107,12 @@ void generate_kinematics(const model::Robot& described, RobotOutput& output) {
 
 void generate_kinematics_c(const model::Robot& described, RobotOutput& output) {
   const auto [robot, pose, transform] = kinematics_of(described, output);
-  add_c_part(output,
-             emit::c::kinematics(robot, pose,
-                                 {"Pose of the tool in the world frame: unit quaternion and position.", "",
-                                  verify::describe(pose.counts) + "."},
-                                 transform,
-                                 {"The same as a homogeneous transformation.", "",
-                                  verify::describe(transform.counts) + "."}));
+  add_c_part(output, emit::c::pose(robot, pose,
+                                   {"Pose of the tool in the world frame: unit quaternion and position.", "",
+                                    verify::describe(pose.counts) + "."}));
+  add_c_part(output, emit::c::transform(robot, transform,
+                                        {"The same as a homogeneous transformation.", "",
+                                         verify::describe(transform.counts) + "."}));
 }
 
 }  // namespace qvgen::pipeline
