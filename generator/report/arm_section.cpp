@@ -15,7 +15,6 @@
 #include "report/class_lines.h"
 #include "report/dh.h"
 #include "report/drawing.h"
-#include "report/reach.h"
 
 namespace qvgen::report {
 namespace {
@@ -177,20 +176,6 @@ Section arm_section(const model::Robot& robot, const Chain& chain) {
   values["dh"] = html(parameters_of_axes(chain));
   values["parameters"] = robot.geometry.empty() ? "" : html(parameter_table(robot, chain));
   return {"arm", "The arm", emit::render("report/arm.html", values)};
-}
-
-Section reach_section(const Chain& chain) {
-  const Reach reach = reach_of(chain);
-  const std::string text = fmt::format(
-      "The farthest of {} points lies {:.4g} m from the first axis’s origin, the nearest {:.4g} m; up to "
-      "{:.4g} m beside "
-      "the axis, from {:.4g} m to {:.4g} m along it.",
-      Reach::samples, reach.farthest, reach.nearest, reach.widest, reach.lowest, reach.highest);
-  return {"reach", "Reach",
-          emit::render("report/reach.html",
-                       {{"svg", cross_section(reach, {"reach-figure", "Cross-section of the workspace",
-                                                      "Half plane through the first axis. " + text})},
-                        {"text", text}})};
 }
 
 }  // namespace qvgen::report

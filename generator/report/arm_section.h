@@ -11,7 +11,4 @@ namespace qvgen::report {
 /// class.
 Section arm_section(const model::Robot& robot, const Chain& chain);
 
-/// Where the tool comes to.
-Section reach_section(const Chain& chain);
-
 }  // namespace qvgen::report

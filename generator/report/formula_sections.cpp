@@ -149,7 +149,7 @@ std::string singularities_html(const model::Robot& robot) {
 }  // namespace
 
 Section forward_section(const model::Robot& robot) {
-  const auto lines = emit::closed_form_lines(robot, Notation::latex);
+  const auto lines = emit::pose_formulas(robot, Notation::latex);
   std::string html = paragraph(
       "The tool’s pose in the world: a unit quaternion w, x, y, z and a position, by the product of the "
       "joints’ "

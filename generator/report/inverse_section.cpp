@@ -4,6 +4,7 @@
 #include "emit/math/describe.h"
 #include "emit/math/legend.h"
 #include "emit/math/mathml.h"
+#include "emit/math/subproblems.h"
 #include "emit/render.h"
 #include "pipeline/products/inverse_derivation.h"
 #include "report/branch_signs.h"
@@ -40,7 +41,10 @@ json derivation_json(const model::Robot& robot, const derive::inverse::Derivatio
   json result{{"ability", escaped(emit::ability(robot, derivation))}, {"legend", json::array()}};
   for (const std::string& text : emit::legend(robot, {problem.moving, problem.phases}))
     result["legend"].push_back(line(escaped(text)));
-  result["passages"] = passages_json(emit::passages(derivation, Notation::latex));
+  std::vector<emit::Passage> passages = emit::passages(derivation, Notation::latex);
+  for (const emit::Passage& passage : emit::subproblem_passages(derivation, Notation::latex))
+    passages.push_back(passage);
+  result["passages"] = passages_json(passages);
   return result;
 }
 

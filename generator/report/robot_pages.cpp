@@ -18,6 +18,7 @@
 #include "report/live_section.h"
 #include "report/page.h"
 #include "report/pages.h"
+#include "report/reach_section.h"
 #include "report/webassembly.h"
 
 namespace qvgen::report {
@@ -54,10 +55,6 @@ struct Part {
 template <Section (*make)(const model::Robot&)>
 std::string section_text(const model::Robot& robot, const Runtime*) {
   return to_json(make(robot)).dump();
-}
-template <Section (*make)(const Chain&)>
-std::string section_text(const model::Robot& robot, const Runtime*) {
-  return to_json(make(chain_of(robot))).dump();
 }
 std::string arm_text(const model::Robot& robot, const Runtime*) {
   return to_json(arm_section(robot, chain_of(robot))).dump();

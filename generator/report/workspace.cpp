@@ -242,7 +242,7 @@ std::vector<std::string> number_lines(WorkspaceNumbers n, bool latex) {
   return {fmt::format("reach from the origin of joint 1: {:.4g} to {:.4g} m", n.nearest, n.farthest),
           fmt::format("from its axis: {:.4g} to {:.4g} m; along it: {:.4g} to {:.4g} m", n.narrowest,
                       n.widest, n.lowest, n.highest),
-          fmt::format("volume: {:.3g} {}", n.volume, latex ? "m$^3$" : "m^3")};
+          fmt::format("volume: {:.3g} {}", n.volume, latex ? "$\\mathrm{m}^3$" : "m^3")};
 }
 
 std::string text_of(const dag::Graph& graph, dag::Edge value, emit::Notation notation) {
@@ -263,37 +263,43 @@ std::vector<std::string> equations(const dag::Function& factors, emit::Notation 
   return all;
 }
 
-std::string displayed(const std::string& left, const std::string& right, emit::Notation notation) {
-  return notation.typeset ? "\\[" + left + " = " + right + "\\]" : left + " = " + right;
-}
-
 }  // namespace
 
-std::vector<std::string> workspace_lines(const model::Robot& described, emit::Notation notation) {
+std::vector<WorkspacePassage> workspace_passages(const model::Robot& described, emit::Notation notation) {
   const WorkspaceSection section = workspace_section(described);
   if (!section.missing.empty()) return {};
   const bool latex = notation.typeset;
-  std::vector<std::string> lines{
-      "Section of the " + section.point +
-          "'s workspace through the axis of joint 1, which turns it about that axis.",
-      latex
-          ? "$u$, $v$ across the axis and $h$ along it from the origin of joint 1; radius $r^2 = u^2 + v^2$:"
-          : "u, v across the axis and h along it from the origin of joint 1; radius r, r^2 = u^2 + v^2:"};
+  WorkspacePassage place{
+      {"Section of the " + section.point +
+           "'s workspace through the axis of joint 1, which turns it about that axis.",
+       latex ? "$u$, $v$ across the axis and $h$ along it from the origin of joint 1; radius $r^2 = u^2 + "
+               "v^2$:"
+             : "u, v across the axis and h along it from the origin of joint 1; radius r, r^2 = u^2 + v^2:"},
+      {}};
   for (const dag::Output& output : section.place.outputs)
-    lines.push_back(displayed(output.name, text_of(section.place.graph, output.value, notation), notation));
-  lines.emplace_back(
-      "Boundary: among the curves of all r, h on which one of these is zero (the factors of the point's "
-      "Jacobian),");
-  lines.emplace_back("and the curves on which joint 2 or joint 3 is at a limit:");
+    place.formulas.push_back(output.name + " = " + text_of(section.place.graph, output.value, notation));
+  WorkspacePassage boundary{
+      {"Boundary: among the curves of all r, h on which one of these is zero (the factors of the point's "
+       "Jacobian),",
+       "and the curves on which joint 2 or joint 3 is at a limit:"},
+      {}};
   for (const std::string& factor : equations(section.factors, notation))
-    lines.push_back(displayed(factor, "0", notation));
-  const auto numbers = workspace_numbers(described, section);
-  if (!numbers) {
-    lines.emplace_back("No numbers: a symbol has no value, or a slide no limits.");
-    return lines;
+    boundary.formulas.push_back(factor + " = 0");
+  WorkspacePassage numbers{{"No numbers: a symbol has no value, or a slide no limits."}, {}};
+  if (const auto found = workspace_numbers(described, section)) {
+    numbers.words = {"With the description's values and limits (without limits: one turn):"};
+    for (const std::string& line : number_lines(*found, latex)) numbers.words.push_back(line);
   }
-  lines.emplace_back("With the description's values and limits (without limits: one turn):");
-  for (const std::string& line : number_lines(*numbers, latex)) lines.push_back(line);
+  return {place, boundary, numbers};
+}
+
+std::vector<std::string> workspace_lines(const model::Robot& described, emit::Notation notation) {
+  std::vector<std::string> lines;
+  for (const WorkspacePassage& passage : workspace_passages(described, notation)) {
+    lines.insert(lines.end(), passage.words.begin(), passage.words.end());
+    for (const std::string& formula : passage.formulas)
+      lines.push_back(notation.typeset ? "\\[" + formula + "\\]" : formula);
+  }
   return lines;
 }
 

@@ -35,7 +35,14 @@ struct WorkspaceNumbers {
 std::optional<WorkspaceNumbers> workspace_numbers(const model::Robot& described,
                                                   const WorkspaceSection& section);
 
-/// All of it for people.
+/// All of it for people: lines of words, and the formulas that they end in. Nothing where there is none.
+struct WorkspacePassage {
+  std::vector<std::string> words;
+  std::vector<std::string> formulas;
+};
+std::vector<WorkspacePassage> workspace_passages(const model::Robot& described, emit::Notation notation);
+
+/// The same as lines.
 std::vector<std::string> workspace_lines(const model::Robot& described, emit::Notation notation);
 
 }  // namespace qvgen::report

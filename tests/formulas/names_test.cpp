@@ -41,7 +41,8 @@ Names undefined(const std::vector<std::string>& lines, Names known) {
     if (line.find("In subproblems") == 0) break;
     const bool is_scheme = line.find("_i") != std::string::npos || line.find("N_1 =") != std::string::npos ||
                            line.find("M_x, M_y") != std::string::npos;
-    if (equals == std::string::npos || is_scheme) continue;
+    const bool is_sentence = line.find("  from: ") != std::string::npos;
+    if (equals == std::string::npos || is_scheme || is_sentence) continue;
     formulas = true;
     for (const std::string& name : words_of(line.substr(equals + 3)))
       if (known.count(name) == 0) missing.insert(name);

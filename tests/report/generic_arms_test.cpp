@@ -27,7 +27,7 @@ const std::string x = R"("+x")", y = R"("+y")", z = R"("+z")";
 
 TEST(FormulaSections, ClosedFormsThatNobodyReadsAreLeftOut) {
   EXPECT_NE(forward_section(arm_of({a, b, c})).html.find("<math"), std::string::npos);
-  const std::string html = forward_section(arm_of({a, b, c, a, b})).html;
+  const std::string html = forward_section(arm_of({a, b, c, a, b, c})).html;
   EXPECT_EQ(html.find("<math"), std::string::npos);
   EXPECT_NE(html.find("too long to be read"), std::string::npos);
 }

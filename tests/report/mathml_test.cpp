@@ -32,6 +32,11 @@ TEST(Mathml, TerminatingFractionsAreDecimals) {
   EXPECT_EQ(mathml("1/20000*x"), "<mn>0.00005</mn><mo>&#x22C5;</mo><mi>x</mi>");
 }
 
+TEST(Mathml, WordsKeepTheirDistance) {
+  EXPECT_EQ(mathml("\\text{vector of } N"), "<mtext>vector of&#xA0;</mtext><mi>N</mi>");
+  EXPECT_EQ(mathml("\\text{ or } \\pi"), "<mtext>&#xA0;or&#xA0;</mtext><mi>&#x3C0;</mi>");
+}
+
 TEST(Mathml, LongSumsGoOnBelow) {
   std::string sum = "a";
   for (int i = 0; i < 30; ++i) sum += " + \\sin(\\theta_{1} - b)";

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "derive/inverse/attempt.h"
+#include "derive/inverse/elements.h"
 #include "derive/inverse/freedom.h"
 #include "derive/inverse/inverse.h"
 #include "derive/inverse/orientation.h"
@@ -127,6 +128,7 @@ void turn_tool(Attempt& attempt, Target& target, const WristAxes& turning, const
                const std::vector<Screw>& post) {
   const symbolic::Quaternion first = without_first(attempt.builder, pre, target.orientation());
   turn_wrist(attempt, turning, without_last(attempt.builder, post, first));
+  if (post.empty()) attempt.plan.steps.back().elements = quaternion_elements(turning.axes.front());
 }
 
 }  // namespace
@@ -158,6 +160,7 @@ std::string by_orientation(Attempt& attempt) {
     return "three turns make an orientation, but neighbouring axes are parallel or not all joints turn";
   Target target(attempt.builder, attempt.chain.home);
   turn_wrist(attempt, *turning, target.orientation());
+  attempt.plan.steps.back().elements = quaternion_elements(turning->axes.front());
   attempt.plan.structure = "three axes turn the tool; the position follows";
   return "";
 }

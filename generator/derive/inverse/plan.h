@@ -10,6 +10,15 @@
 /// Inverse kinematics derived from a model: what is solved, in which order, by which equation.
 namespace qvgen::derive::inverse {
 
+/// Elements of the pairs M_i = N_i (thesis, (1.22) and (1.23)) that an equation compares: 1 to 4 are the
+/// quaternion's, 5 to 7 the vector's, which is that of the point that the step places.
+struct Elements {
+  int joint = -1;  ///< index of joint i
+  std::vector<int> indices = {};
+
+  [[nodiscard]] bool of_vector() const { return !indices.empty() && indices.back() > 4; }
+};
+
 /// One step: inputs from `before`, the building block of its kind, then named values from `after`.
 ///
 /// Programs are in terms of the target's values, the geometry, and of names that earlier steps gave. The
@@ -21,6 +30,7 @@ struct Step : Unknown {
   symbolic::Program after;        ///< names that stay
   std::vector<std::string> kept;  ///< those of `after` that a later step or the result reads
   std::string equation;           ///< in words and symbols, for people
+  Elements elements;              ///< that it compares; none where these are not elements of M_i = N_i
   std::string degenerate;         ///< where it loses a branch or an angle becomes free
 
   template <class K>

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "derive/inverse/block.h"
+#include "derive/inverse/elements.h"
 #include "derive/inverse/inverse.h"
 #include "derive/inverse/names.h"
 #include "derive/inverse/pair_system.h"
@@ -46,6 +47,12 @@ class Position {
  private:
   std::string name(const Block& block) const { return block.screw.variable; }
 
+  /// What the latest step compares, where the joints are the first ones and the equation is one of M_b = N_b.
+  void compares(const Elements& elements) {
+    const bool in_order = a_.screw.joint >= 0 && a_.screw.joint < b_.joint && b_.joint < c_.screw.joint;
+    if (in_order) builder_.plan().steps.back().elements = elements;
+  }
+
   // --- the outer joints when b is revolute
   std::string around_axis() {
     const bool plane_a = a_.depends(b_.axis, scope_);
@@ -69,6 +76,7 @@ class Position {
   std::string by_height_then_distance(const Block& u, const Block& w) {
     turn_or_slide(u, b_.axis, w.form(b_.axis, scope_).constant,
                   "height along the axis of " + b_.variable + ": the same", within_distances(u, w));
+    compares(element_along(b_, b_.axis, scope_));
     keep_flat(u);
     common_square_ =
         builder_.keep("square_" + name(w), square_of(flats_[name(u)].x) + square_of(flats_[name(u)].y));
@@ -89,6 +97,7 @@ class Position {
     } else {
       const ex height = builder_.keep("height_" + name(w), u.at_value(b_.axis, builder_));
       turn_or_slide(w, b_.axis, height, "height along the axis of " + b_.variable + ": the same");
+      compares(element_along(b_, b_.axis, scope_));
     }
     keep_flat(w);
     return "";
@@ -162,6 +171,7 @@ class Position {
       const ex height =
           planar ? along(cross(b_.axis, u.screw.axis)) : along(u.screw.first) + along(u.screw.second);
       builder_.slide_by_root(u.screw, foot, square, height, equation);
+      compares(planar ? elements_across(b_, scope_) : vector_elements(b_));
       return "";
     }
     const Flat v = foot_of(u, r);
@@ -170,6 +180,7 @@ class Position {
     const ex along = planar ? ex(0) : scope_.clean(dot(u.screw.axis, arm));
     builder_.turn_by_distance(u.screw, u.sign, v, u.x0,
                               scope_.is_zero(along) ? square : ex(square - square_of(along)), equation);
+    compares(planar ? elements_across(b_, scope_) : vector_elements(b_));
     return "";
   }
 
@@ -213,6 +224,7 @@ class Position {
     if (!b_.revolute) {
       builder_.slide_by_value(b_, a_.at_value(b_.axis, builder_) - c_.at_value(b_.axis, builder_),
                               "the displacement along " + b_.variable);
+      compares(element_along(b_, b_.axis, scope_));
       return;
     }
     keep_flat(a_);
@@ -221,6 +233,7 @@ class Position {
     builder_.turn_by_pair(
         b_, turn, "the turn about the axis of " + b_.variable + " from one side's point to the other's",
         common_square_);
+    compares(elements_across(b_, scope_));
   }
 
   // --- the outer joints when b is prismatic
@@ -257,13 +270,16 @@ class Position {
     const std::string equation = "perpendicular to " + b_.variable + ", nothing changes";
     const Vector other = scope_.clean(cross(without_w, b_.axis));
     turn_or_slide(u, without_w, w.form(without_w, scope_).constant, equation, within_heights(u, w, other));
+    compares(element_along(b_, without_w, scope_));
     if (without_u && w.depends(*without_u, scope_) && sees_always(w, *without_u)) {
       turn_or_slide(w, *without_u, u.form(*without_u, scope_).constant, equation);
+      compares(element_along(b_, *without_u, scope_));
       return "";
     }
     if (!w.depends(other, scope_)) return name(w) + " does not move the point across " + b_.variable;
     if (w.screw.revolute || sees_always(w, other)) {
       turn_or_slide(w, other, builder_.keep("height_" + name(w), u.at_value(other, builder_)), equation);
+      compares(element_along(b_, other, scope_));
       return "";
     }
     // Both components: each alone would lose the slide at some pose.
@@ -273,6 +289,7 @@ class Position {
     };
     const Flat rhs{offset(b_.first, "_x"), offset(b_.second, "_y")};
     builder_.slide_by_line(w.screw, slope(w), rhs, {}, equation);
+    compares(elements_across(b_, scope_));
     return "";
   }
 
@@ -291,10 +308,12 @@ class Position {
       return "the axes of " + name(a_) + " and " + name(c_) + " coincide";
     builder_.turn_by_distance(c_.screw, 1, v, c_.x0, square,
                               "distance from the axis of " + name(a_) + ": the same");
+    compares(elements_across(a_.screw, scope_));
     const ex x = c_.at_value(a_.screw.first, builder_) - dot(a_.screw.first, a_.screw.point);
     const ex y = c_.at_value(a_.screw.second, builder_) - dot(a_.screw.second, a_.screw.point);
     const Flat turn = conjugate(Flat{scope_.clean(x), scope_.clean(y)} * conjugate(a_.x0));
     builder_.turn_by_pair(a_.screw, turn, "the turn about the axis of " + name(a_));
+    compares(elements_across(a_.screw, scope_));
     return "";
   }
 

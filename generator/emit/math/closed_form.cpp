@@ -57,35 +57,38 @@ std::optional<dag::Function> pose(const model::Robot& described, bool collect) {
   return optimise::in_terms_of_description(function, arm);
 }
 
-std::string typeset_name(const std::string& name) { return name.size() == 2 ? "p_" + name.substr(1) : name; }
+/// "w = ...", "p_x = ..."
+std::vector<std::string> equations(const std::optional<dag::Function>& function, Notation notation) {
+  std::vector<std::string> all;
+  if (!function) return all;
+  for (const dag::Output& output : function->outputs) {
+    const bool has_index = notation.typeset && output.name.size() == 2;
+    all.push_back((has_index ? "p_" + output.name.substr(1) : output.name) + " = " +
+                  formula(function->graph, output.value, notation));
+  }
+  return all;
+}
 
 }  // namespace
 
 std::vector<std::string> closed_form_lines(const model::Robot& described, Notation notation) {
-  const auto function = pose(described, false);
-  if (!function) return {};
   std::vector<std::string> lines;
-  for (const dag::Output& output : function->outputs) {
-    const std::string line = (notation.typeset ? typeset_name(output.name) : output.name) + " = " +
-                             formula(function->graph, output.value, notation);
-    if (notation.typeset)
-      lines.push_back(line);
-    else
-      for (const std::string& part : wrapped(line)) lines.push_back(part);
-  }
+  for (const std::string& equation : equations(pose(described, false), notation))
+    for (const std::string& part : wrapped(equation)) lines.push_back(part);
   return lines;
 }
 
+std::vector<std::string> pose_formulas(const model::Robot& described, Notation notation) {
+  return equations(pose(described, true), notation);
+}
+
 std::vector<std::string> pose_lines(const model::Robot& described, Notation notation) {
-  const auto function = pose(described, true);
-  if (!function) return {};
+  const std::vector<std::string> formulas = pose_formulas(described, notation);
+  if (formulas.empty()) return {};
   std::vector<std::string> lines;
   if (notation.typeset) lines = {"$\\bar\\theta$: half of an angle.", "\\begin{align*}"};
-  for (const dag::Output& output : function->outputs) {
-    const std::string value = formula(function->graph, output.value, notation);
-    const std::string left = notation.typeset ? typeset_name(output.name) : output.name;
-    for (const std::string& line : equation_lines(left, value, notation)) lines.push_back(line);
-  }
+  for (const std::string& formula : formulas)
+    for (const std::string& line : formula_lines(formula, notation)) lines.push_back(line);
   if (notation.typeset) lines.emplace_back("\\end{align*}");
   return lines;
 }

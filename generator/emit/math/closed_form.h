@@ -9,11 +9,14 @@
 
 namespace qvgen::emit {
 
-/// The thesis's half-angle-sum form of the forward kinematics, one line per component ("w = ..."); lines of
-/// text are wrapped to fit a comment. Empty where the robot has symbolic twists.
+/// The thesis's half-angle-sum form of the forward kinematics as text, one component after the other
+/// ("w = ..."), wrapped to fit a comment. Empty where the robot has symbolic twists.
 std::vector<std::string> closed_form_lines(const model::Robot& described, Notation notation);
 
-/// The same for people: sums collected, lines that fit, in LaTeX an align* environment.
+/// The same for people, sums collected: one formula a component.
+std::vector<std::string> pose_formulas(const model::Robot& robot, Notation notation);
+
+/// These in lines that fit, in LaTeX an align* environment.
 std::vector<std::string> pose_lines(const model::Robot& robot, Notation notation);
 
 }  // namespace qvgen::emit

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "emit/math/describe.h"
 
+#include <algorithm>
 #include <map>
 
 #include "dag/rebuild.h"
@@ -76,6 +77,26 @@ class Description {
  private:
   /// What is compared: the thesis's (1.22) and (1.23), and what the names below are.
   [[nodiscard]] std::vector<std::string> scheme() const {
+    std::vector<std::string> lines = names_of_pairs();
+    const auto& steps = plan_.plan.steps;
+    const bool by_vectors =
+        std::any_of(steps.begin(), steps.end(), [](const Step& step) { return step.elements.of_vector(); });
+    if (by_vectors) lines.insert(lines.end() - 1, names_of_vectors());
+    return lines;
+  }
+
+  /// Of the point that the first joints place: a wrist's, which `goal` is in the base frame, or the tool's.
+  [[nodiscard]] std::string names_of_vectors() const {
+    const auto& kept = plan_.plan.target_kept;
+    const bool goal = std::any_of(kept.begin(), kept.end(),
+                                  [](const std::string& name) { return name.rfind("goal", 0) == 0; });
+    if (latex_)
+      return std::string("\\langle N_{i5}, N_{i6}, N_{i7} \\rangle = \\text{vector of } N_i") +
+             (goal ? " \\text{ with goal in place of } p" : "");
+    return std::string("<N_i5, N_i6, N_i7> = vector of N_i") + (goal ? " with goal in place of p" : "");
+  }
+
+  [[nodiscard]] std::vector<std::string> names_of_pairs() const {
     if (latex_)
       return {"N_1 = ([w, \\langle a, b, c \\rangle], \\langle p_x, p_y, p_z \\rangle)",
               "M_i = Q_i Q_{i+1} \\dots Q_{" + count_ + "} = N_i = Q_{i-1}^{-1} \\dots Q_1^{-1} N_1",
@@ -158,11 +179,24 @@ class Description {
       return;
     }
     Passage& passage = add(headline(step), step.equation);
+    passage.equation += elements(step.elements);
     passage.formulas = formulas(plan_.steps[i].before, step);
     for (const std::string& line : solution(step)) passage.formulas.push_back(line);
     for (const std::string& line : formulas(plan_.steps[i].after, step)) passage.formulas.push_back(line);
     passage.degenerate = words_.sentence(step.degenerate);
     if (step.branches > 1) ++depth_;
+  }
+
+  /// "; elements 5 and 7 of M_2 = N_2"
+  [[nodiscard]] std::string elements(const derive::inverse::Elements& of) const {
+    if (of.indices.empty()) return "";
+    std::string text = of.indices.size() == 1 ? "; element " : "; elements ";
+    for (std::size_t i = 0; i < of.indices.size(); ++i) {
+      const bool last = i > 0 && i + 1 == of.indices.size();
+      text += (i == 0 ? "" : last ? " and " : ", ") + std::to_string(of.indices[i]);
+    }
+    const std::string pair = std::to_string(plan_.plan.places.at(static_cast<std::size_t>(of.joint)) + 1);
+    return text + " of " + (latex_ ? "$M_{" + pair + "} = N_{" + pair + "}$" : "M_" + pair + " = N_" + pair);
   }
 
   /// How the block's result follows from its inputs.

@@ -34,6 +34,13 @@ std::string short_decimal(const std::string& numerator, const std::string& denom
   return digits.insert(digits.size() - decimals, ".");
 }
 
+/// Spaces at the ends of an element are dropped where it is shown, unless they do not break.
+std::string with_lasting_spaces(std::string text) {
+  if (!text.empty() && text.back() == ' ') text.replace(text.size() - 1, 1, "&#xA0;");
+  if (!text.empty() && text.front() == ' ') text.replace(0, 1, "&#xA0;");
+  return text;
+}
+
 /// A piece of a row, and what decides on the space around it.
 struct Atom {
   enum class Kind { value, function, sign } kind = Kind::value;
@@ -185,7 +192,7 @@ class Parser {
     if (const auto sign = signs.find(word); sign != signs.end()) return {Kind::sign, sign->second};
     if (word == "sin" || word == "cos" || word == "arg") return {Kind::function, name(word)};
     if (word == "mathrm") return {Kind::value, name(braced())};
-    if (word == "text") return {Kind::sign, element("mtext", braced())};
+    if (word == "text") return {Kind::sign, element("mtext", with_lasting_spaces(braced()))};
     if (word == "bar")
       return {Kind::value, "<mover accent=\"true\">" + argument() + "<mo>&#xAF;</mo></mover>"};
     if (word == "dot")
