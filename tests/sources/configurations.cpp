@@ -12,6 +12,7 @@
 #include "frame_values.h"
 #include "newton_euler_values.h"
 #include "reference/load.h"
+#include "screw_values.h"
 
 namespace qvgen::test::sources {
 namespace {
@@ -61,6 +62,7 @@ Known values_of(const Section& section, const std::string& description, Random& 
   if (section.dynamics)
     return newton_euler_values(chain, constants, q, random.vector(size), random.vector(size));
   constants.erase("g");
+  if (!section.screws.empty()) return screw_values(section.screws, chain, constants, q);
   return arm_values(chain, constants, q);
 }
 
@@ -113,6 +115,11 @@ std::vector<Known> configurations(const Section& section) {
   std::vector<Known> result;
   for (unsigned number = 1; number <= samples; ++number) {
     Random random(number);
+    if (section.screws == "axes") {
+      std::mt19937 engine(number);
+      result.push_back(turned_twice(engine));
+      continue;
+    }
     result.push_back(description.empty() ? rotation_values(number) : values_of(section, description, random));
   }
   return result;

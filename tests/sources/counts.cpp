@@ -50,7 +50,8 @@ std::string legend() {
          "N44 the "
          "quaternion left for the wrist, w11, ... its matrix; [s, v] a quaternion, (q, p) a pair, x and . "
          "the "
-         "products of vectors; a dot is a prime: theta1'; pm is a printed sign. Names that would clash have "
+         "products of vectors; a dot is a prime: theta1'; a prime is an asterisk: u3*; pm is a printed sign. "
+         "Names that would clash have "
          "an "
          "underscore: a_. \"Right iff\": a branch is lost or a sign left out, and this is when it is right. "
          "\"Right "
@@ -58,7 +59,8 @@ std::string legend() {
          "same "
          "earlier joints has. \"Circular\": it needs a joint that is itself computed from this one. Slips: "
          "sign, "
-         "index, name, half angle, function (sine for cosine), axis, value, form (a bracket or a term).";
+         "index, prime, name, half angle, function (sine for cosine), axis, value, form (a bracket or a "
+         "term).";
 }
 
 }  // namespace qvgen::test::sources

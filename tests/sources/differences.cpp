@@ -30,6 +30,14 @@ void compare_angles(const Tree& a, const Tree& b, Names& found) {
   if (a.joints != b.joints) found.insert(same_up_to_signs(a.joints, b.joints) ? "sign" : "index");
 }
 
+std::string without_primes(const std::string& name) { return name.substr(0, name.find('*')); }
+
+void compare_names(const std::string& a, const std::string& b, Names& found) {
+  if (a == b) return;
+  const bool primed = without_primes(a) == without_primes(b);
+  found.insert(primed ? "prime" : a[0] == b[0] ? "index" : "name");
+}
+
 /// The three numbers of a direction.
 bool direction(const Tree& tree) {
   return tree.kind == Kind::vector && std::all_of(tree.parts.begin(), tree.parts.end(), [](const Tree& part) {
@@ -53,7 +61,7 @@ void compare(const Tree& a, const Tree& b, Names& found) {
   }
   if (a.kind == Kind::angle) compare_angles(a, b, found);
   if (a.kind == Kind::number && a.value != b.value) found.insert("value");
-  if (a.kind == Kind::name && a.text != b.text) found.insert(a.text[0] == b.text[0] ? "index" : "name");
+  if (a.kind == Kind::name) compare_names(a.text, b.text, found);
   if (a.kind == Kind::function && a.text != b.text) found.insert("function");
   if (a.kind == Kind::motion && a.text != b.text) found.insert("axis");
   compare_parts(a, b, found);

@@ -163,9 +163,9 @@ class Reader {
   }
 
   [[nodiscard]] bool starts_factor() const {
-    static const std::array<const char*, 19> no{"",     "+",       "-",      "=",    ")",    "]", ",",
-                                                "}",    "/",       "_",      "*",    "&",    "|", "\\pm",
-                                                "\\mp", "\\times", "\\cdot", "\\\\", "\\end"};
+    static const std::array<const char*, 20> no{
+        "",  "+", "-", "=",    ")",    "]",       ",",      "}",    "/",     "_",
+        "*", "&", "|", "\\pm", "\\mp", "\\times", "\\cdot", "\\\\", "\\end", "\\rVert"};
     return token() != "\\rangle" && std::find(no.begin(), no.end(), token()) == no.end();
   }
 
@@ -218,6 +218,8 @@ class Reader {
     if (take("\\frac")) return fraction();
     if (take("\\begin")) return matrix();
     if (take("\\sqrt")) return make(Kind::function, {braces()}, "sqrt");
+    if (take("\\lVert")) return norm();
+    if (first == "e" && token(1) == "^") return exponential();
     if (first == "{") return braces();
     if ((first == "R" || first == "T") && motion_follows()) return motion();
     if (first == "\\sin" || first == "\\cos" || first == "\\tan" || first == "\\det" ||
@@ -246,6 +248,24 @@ class Reader {
     std::vector<Tree> items = list(")");
     if (items.size() > 2) stop("one or two between parentheses");
     return items.size() == 1 ? items[0] : make(Kind::pair, std::move(items));
+  }
+
+  Tree norm() {
+    Tree inner = sum();
+    expect("\\rVert");
+    return make(Kind::function, {std::move(inner)}, "norm");
+  }
+
+  /// e^{[s_1]\theta_1}, the motion of screw 1 by its joint, or its inverse with a sign.
+  Tree exponential() {
+    at_ += 2;
+    std::string text = raw();
+    const bool inverted = text[0] == '-';
+    if (inverted) text.erase(0, 1);
+    const std::string number = text.substr(std::min<std::size_t>(2, text.size()), 1);
+    if (text != "[s" + number + "]\\theta" + number) stop("an exponential such as e^{[s_1]\\theta_1}");
+    const Tree motion = make(Kind::name, {}, "e" + number);
+    return inverted ? make(Kind::power, {motion, sources::number(-1)}) : motion;
   }
 
   Tree fraction() {
@@ -340,6 +360,7 @@ class Reader {
     for (; braces > 0; --braces) expect("}");
     if (subscript.empty() && take("_")) subscript = raw();
     Tree tree = with_subscript(base, subscript, accents, half);
+    while (take("'")) tree.text += "*";
     tree.text.insert(tree.kind == Kind::name ? base.size() : 0,
                      indexed(frames.above) + indexed(frames.below));
     tree.above = frames.above;

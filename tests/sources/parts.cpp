@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the sources print, judged, row by row.
+#include <cmath>
 #include <map>
 #include <stdexcept>
 
@@ -53,7 +54,8 @@ std::string remarks_on(const Judgement& judgement, const Printed& equation) {
   if (!equation.note.empty()) remarks.push_back(equation.note);
   if (!judgement.counterexample.empty()) remarks.push_back("gives " + judgement.counterexample);
   if (judgement.counterexample.empty() && judgement.kind == Kind::wrong)
-    remarks.push_back(fmt::format("off by {:.3f}", judgement.error));
+    remarks.push_back(std::isinf(judgement.error) ? "sides of different kinds or sizes"
+                                                  : fmt::format("off by {:.3f}", judgement.error));
   if (!equation.reading.empty()) remarks.push_back("read: " + equation.reading);
   return fmt::format("{}", fmt::join(remarks, "; "));
 }
@@ -64,8 +66,9 @@ Row row_of(const Judgement& judgement, const Printed& equation) {
     row.printed = {equation.latex, equation.latex};
     return row;
   }
-  // A left side that is no name stands with the rest.
-  const bool name = plain_text(judgement.sides[0]).size() <= 14;
+  // A left side that is no name stands with the rest; exponentials are short as text alone.
+  const Tree& left = judgement.sides[0];
+  const bool name = plain_text(left).size() <= 14 && latex(left).size() <= 60;
   if (name) row.of = written(judgement.sides[0]);
   row.printed = joined(judgement.sides, name ? 1 : 0);
   if (judgement.right.empty()) return row;
@@ -136,7 +139,9 @@ Part part_of(const Chapter& chapter, const std::vector<Arm>& arms) {
   return part;
 }
 
-/// Sources of which only the joints' equations are transcribed.
+/// The lecture's steps leave the arm's name open; its joints' equations are transcribed apart.
+constexpr const char* planar_lecture = "Inverse kinematics of the planar 3R arm";
+
 void add_arms(const std::string& file, Part& part) {
   for (const Arm& arm : load_inverse_formulas(file)) {
     const JointRows joints(arm);
@@ -149,12 +154,13 @@ void add_arms(const std::string& file, Part& part) {
 }  // namespace
 
 std::vector<Part> parts() {
-  const std::vector<Arm> arms = load_inverse_formulas("thesis_inverse.toml");
+  std::vector<Arm> arms = load_inverse_formulas("thesis_inverse.toml");
+  for (const Arm& arm : load_inverse_formulas("paden_kahan_inverse.toml")) arms.push_back(arm);
   std::vector<Part> result;
-  for (const Chapter& chapter : transcriptions()) result.push_back(part_of(chapter, arms));
-  add_arms("planar_3r_inverse.toml", result.back());
-  result.push_back({"Document on Paden-Kahan subproblems for a 6R arm", 0, {}});
-  add_arms("paden_kahan_inverse.toml", result.back());
+  for (const Chapter& chapter : transcriptions()) {
+    result.push_back(part_of(chapter, arms));
+    if (chapter.title == planar_lecture) add_arms("planar_3r_inverse.toml", result.back());
+  }
   return result;
 }
 

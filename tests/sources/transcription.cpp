@@ -29,6 +29,7 @@ Section section(const toml::table& table) {
                  text(table, "description"),
                  table["dynamics"].value_or(false),
                  table["frames"].value_or(false),
+                 text(table, "screws"),
                  table["inverse"].value_or(false),
                  {}};
   for (const toml::node& node : *table["equation"].as_array())
@@ -49,7 +50,7 @@ Chapter chapter(const std::string& file) {
 std::vector<Chapter> transcriptions() {
   std::vector<Chapter> result;
   for (const char* file : {"thesis_1.toml", "thesis_3.toml", "thesis_4.toml", "thesis_5.toml",
-                           "jacobian.toml", "planar_3r.toml"})
+                           "jacobian.toml", "planar_3r.toml", "paden_kahan.toml"})
     result.push_back(chapter(file));
   return result;
 }

@@ -26,6 +26,7 @@ struct Section {
   std::string description;  ///< the text of a description; neither: rotations only
   bool dynamics = false;    ///< what is named is a state of motion, not a pose
   bool frames = false;      ///< frames before a letter belong to its name
+  std::string screws = {};  ///< what of the Paden-Kahan document: "arm", "shifted" or "axes"
   bool inverse = false;     ///< the joints' equations are judged at all solutions of a pose
   std::vector<Printed> equations;
 };

@@ -112,6 +112,12 @@ const MatrixXd& square(const Value& value) {
   return *matrix;
 }
 
+double norm(const Value& value) {
+  if (const MatrixXd* matrix = std::get_if<MatrixXd>(&value)) return matrix->norm();
+  if (const Vector3d* v = std::get_if<Vector3d>(&value)) return v->norm();
+  return std::abs(real(value));
+}
+
 Value power(const Value& base, double exponent) {
   const bool inverted = exponent == -1;
   if (inverted && base.index() == 2) return inverse(std::get<Quaternion>(base));
@@ -123,6 +129,7 @@ Value power(const Value& base, double exponent) {
 Value function(const std::string& name, const std::vector<Value>& x) {
   if (name == "transpose") return transposed(x.at(0));
   if (name == "det") return square(x.at(0)).determinant();
+  if (name == "norm") return norm(x.at(0));
   const double first = real(x.at(0));
   // A root that is zero by identity must not fail over its rounding.
   if (name == "sqrt") return std::sqrt(first < 0 && first > -1e-9 ? 0 : first);

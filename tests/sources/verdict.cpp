@@ -81,7 +81,7 @@ class SectionJudge {
   void define(Judgement& result) {
     result.kind = Kind::local;
     try {
-      for (Known& known : known_) known[result.sides[0].text] = value_of(result.sides.back(), known);
+      for (Known& known : known_) known[plain_text(result.sides[0])] = value_of(result.sides.back(), known);
     } catch (const std::domain_error& trouble) {
       result.kind = Kind::meaningless;
       result.trouble = trouble.what();

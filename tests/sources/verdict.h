@@ -35,8 +35,8 @@ struct Judgement {
 /// equation's number.
 std::vector<Judgement> judge(const Section& section);
 
-/// What tells two expressions apart: "sign", "index", "name", "half angle", "function", "axis", "value",
-/// "form".
+/// What tells two expressions apart: "sign", "index", "prime", "name", "half angle", "function", "axis",
+/// "value", "form".
 std::set<std::string> differences(const std::vector<Tree>& printed, const std::vector<Tree>& right);
 
 }  // namespace qvgen::test::sources

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cstdlib>
+#include <cstring>
 
 #include <fmt/format.h>
 
@@ -43,7 +44,7 @@ class Writer {
       case Kind::number:
         return fmt::format("{:g}", tree.value);
       case Kind::name:
-        return latex_ ? framed(tree) : tree.text;
+        return !latex_ ? tree.text : is_screw(tree) ? "e^{" + screw(tree.text) + "}" : framed(tree);
       case Kind::angle:
         return angle(tree);
       case Kind::function:
@@ -126,9 +127,18 @@ class Writer {
     return within(tree.parts[0], 2) + "/" + within(tree.parts[1], 3);
   }
 
+  /// The motion of a screw by its joint, "e1".
+  static bool is_screw(const Tree& tree) {
+    return tree.kind == Kind::name && tree.text.size() == 2 && tree.text[0] == 'e';
+  }
+  static std::string screw(const std::string& name) {
+    return "[s_{" + name.substr(1) + "}]\\theta_{" + name.substr(1) + "}";
+  }
+
   [[nodiscard]] std::string power(const Tree& tree) const {
     const std::string exponent = text(tree.parts[1]);
     const Tree& base = tree.parts[0];
+    if (latex_ && is_screw(base)) return "e^{-" + screw(base.text) + "}";
     const bool bare = binding(base) == 4 && !(latex_ && base.kind == Kind::function);
     return (bare ? text(base) : "(" + text(base) + ")") + (latex_ ? "^{" + exponent + "}" : "^" + exponent);
   }
@@ -151,6 +161,7 @@ class Writer {
   [[nodiscard]] std::string function(const Tree& tree) const {
     const Tree& first = tree.parts[0];
     if (tree.text == "transpose") return within(first, 4) + (latex_ ? "^{T}" : "^T");
+    if (tree.text == "norm" && latex_) return "\\lVert " + text(first) + " \\rVert";
     if (latex_) return latex_function(tree);
     if (first.kind != Kind::angle || (tree.text != "sin" && tree.text != "cos"))
       return listed(tree, tree.text + "(", ")");
@@ -179,16 +190,19 @@ class Writer {
   }
 
   static bool greek(const std::string& name) {
-    for (const char* letter : {"omega", "tau", "theta", "phi"})
+    for (const char* letter : {"omega", "tau", "theta", "phi", "alpha", "beta", "gamma", "delta"})
       if (name.rfind(letter, 0) == 0) return true;
     return false;
   }
 
-  /// "N41" is N_{41}, "omega1'" has a dot, "hs2" a bar, "q[i+1]" is q_{i+1}, "a_" is a_{*}.
-  static std::string latex_name(const std::string& name) {
+  /// "N41" is N_{41}, "omega1'" has a dot, "hs2" a bar, "q[i+1]" is q_{i+1}, "a_" is a_{*}, "u3*" has a
+  /// prime.
+  static std::string latex_name(const std::string& primed) {
+    const std::string name = primed.substr(0, primed.find('*'));
+    const std::string primes(primed.size() - name.size(), '\'');
     const std::size_t dots = name.find('\'');
     const std::string plain = name.substr(0, dots);
-    const bool half = plain.size() > 2 && plain[0] == 'h' && (plain[1] == 's' || plain[1] == 'c');
+    const bool half = plain.size() > 1 && plain[0] == 'h' && std::strchr("scpq", plain[1]) != nullptr;
     const std::size_t length = greek(plain) ? std::min(plain.find_first_of("0123456789["), plain.size())
                                : half       ? 2
                                             : 1;
@@ -201,7 +215,7 @@ class Writer {
     subscript.erase(
         std::remove_if(subscript.begin(), subscript.end(), [](char c) { return c == '[' || c == ']'; }),
         subscript.end());
-    return subscript.empty() ? base : base + "_{" + subscript + "}";
+    return (subscript.empty() ? base : base + "_{" + subscript + "}") + primes;
   }
 
   bool latex_;
