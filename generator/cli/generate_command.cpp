@@ -125,6 +125,16 @@ bool report_missing(const ordered_json& counts, const std::vector<std::string>& 
   return good;
 }
 
+/// A calibrated arm's function needs the ideal arm's.
+void say_missing_ideals(const GenerateArguments& arguments, const std::vector<Task>& tasks) {
+  if (arguments.language == Language::c) return;
+  const std::set<std::string> there = robots_in(arguments.output);
+  for (const auto& [robot, name, origin, key] : tasks)
+    if (!robot.ideal.empty() && there.count(robot.ideal) == 0)
+      fmt::print(stderr, "{}: its ideal arm {} is not in {}: name it too, qvgen generate {} ...\n", name,
+                 robot.ideal, arguments.output.string(), robot.ideal);
+}
+
 }  // namespace
 
 int run_generate(const GenerateArguments& arguments) {
@@ -141,6 +151,7 @@ int run_generate(const GenerateArguments& arguments) {
   if (!arguments.build.quiet) fmt::print("{}", report(counts, ReportFormat::table));
   std::fflush(stdout);
   const bool good = report_missing(counts, arguments.required);
+  say_missing_ideals(arguments, tasks);
   if (arguments.build.quiet && good) return success;
   fmt::print(stderr, "{} {} in {}: {} generated, {} files changed, {} removed\n", tasks.size(),
              tasks.size() == 1 ? "robot" : "robots", arguments.output.string(), update.robots.size(),

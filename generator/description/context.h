@@ -61,6 +61,7 @@ struct Context {
   std::vector<Entry> entries;  ///< every expression of the chain, for checks at the default values
   std::vector<Place> joint_places;
   std::vector<Follower> followers;
+  bool is_measured = false;            ///< an angle next to a right one is meant
   bool has_error = false;              ///< warnings apart, even if they count as errors
   bool has_broken_expression = false;  ///< then some symbols were not seen
 };

@@ -159,7 +159,7 @@ void check_angle(Context& context, const Entry& angle) {
   if (angle.has_unit) return;
   const auto form = model::angle_form(angle.value);
   if (!form || !cln::zerop(form->half_turns)) return;
-  check_rounded(context, angle, form->radians);
+  if (!context.is_measured) check_rounded(context, angle, form->radians);
   const cln::cl_RA full_turn = cln::cl_RA(62832) / 10000;
   if (cln::abs(form->radians) <= full_turn) return;
   const std::string text = to_string(angle.value);

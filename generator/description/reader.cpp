@@ -107,7 +107,8 @@ model::Robot read_robot(const Table& root) {
   Context& context = root.context();
   root.allow_only({"name", "title", "source", "symbols", "inertia", "drives", "accept_unphysical_inertia",
                    "base", "tool", "defaults", "joint", "convention", "dh", "home", "screw", "task",
-                   "tool_axis", "given"});
+                   "tool_axis", "given", "ideal"});
+  context.is_measured = root.has("ideal");
   model::Robot robot;
   read_name(root, robot);
   robot.base = read_frame(root, "base");

@@ -6,6 +6,7 @@
 
 #include "description/frames.h"
 #include "description/names.h"
+#include "model/followers.h"
 #include "model/tasks.h"
 
 namespace qvgen::description {
@@ -69,11 +70,27 @@ void read_given(const Table& root, model::Robot& robot) {
   }
 }
 
+void read_ideal(const Table& root, model::Robot& robot) {
+  const auto name = root.text("ideal");
+  if (!name) return;
+  robot.ideal = *name;
+  Context& context = root.context();
+  const Place place = root.place_of("ideal");
+  if (const NameProblem problem = check_robot_name(*name); !problem.message.empty())
+    return context.error(place, problem.message, "write the name of the robot that the arm would be ideally");
+  if (*name == robot.name)
+    return context.error(place, "'ideal' names the robot itself",
+                         "give the ideal arm a description and a name of its own");
+  if (!context.has_error && (robot.joints.size() != 6 || model::has_followers(robot)))
+    context.error(place, "'ideal' is for arms of six joints that no other joint follows", "leave it out");
+}
+
 }  // namespace
 
 void read_request(const Table& root, model::Robot& robot) {
   read_task(root, robot.inverse);
   read_given(root, robot);
+  read_ideal(root, robot);
   const toml::node* axis = root.find("tool_axis");
   if (axis != nullptr) robot.inverse.tool_axis = read_axis(root.context(), *axis);
 }

@@ -106,6 +106,7 @@ struct Robot {
   /// Symbols that stand for expressions in other symbols; none in what a reader builds.
   std::map<std::string, Expression> definitions;
   InverseRequest inverse;
+  std::string ideal;  ///< the robot that this one, which is calibrated, differs from by little; empty: none
 };
 
 /// The symbols in the frames, axes and offsets of a robot, sorted, each once.

@@ -130,6 +130,19 @@ TEST_F(CommandLine, MakesAPluginOnlyForWhoAsksForIt) {
   EXPECT_TRUE(has(unnamed, "it is made only if --only names it too")) << unnamed.output;
 }
 
+TEST_F(CommandLine, SaysWhichIdealArmIsMissing) {
+  const std::string measured =
+      QVGEN_SOURCE_DIR "/tests/inverse/ur5_measured.toml --only from_ideal --output " + out();
+  const ToolRun alone = run("generate " + measured);
+  EXPECT_EQ(alone.code, 0);
+  EXPECT_NE(alone.output.find("ur5_measured: its ideal arm ur5 is not in " + out() + ": name it too"),
+            std::string::npos)
+      << alone.output;
+  const ToolRun both = run("generate ur5 " + measured);
+  EXPECT_EQ(both.code, 0);
+  EXPECT_EQ(both.output.find("ideal arm"), std::string::npos) << both.output;
+}
+
 TEST_F(CommandLine, GeneratesOnlyThePartsAskedFor) {
   const std::string file = write("my_arm.toml", good_arm);
   // The file may stand on either side of the parts.

@@ -219,6 +219,26 @@ TEST(BadInput, Tasks) {
                    "three entries [x, y, z]"}));
 }
 
+TEST(BadInput, IdealArms) {
+  EXPECT_EQ(report(head + "ideal = \"UR5\"\n" + joint),
+            lines({"3:9: error: 'UR5' has capital letters; write the name of the robot that the arm would be "
+                   "ideally"}));
+  EXPECT_EQ(
+      report(head + "ideal = \"a\"\n" + joint),
+      lines({"3:9: error: 'ideal' names the robot itself; give the ideal arm a description and a name of "
+             "its own"}));
+  EXPECT_EQ(report(head + "ideal = \"ur5\"\n" + joint),
+            lines({"3:9: error: 'ideal' is for arms of six joints that no other joint follows; leave it "
+                   "out"}));
+  // A measured angle is not taken for a rounded one.
+  std::string measured = "convention = \"standard\"\n";
+  for (int i = 1; i <= 6; ++i)
+    measured += "[[dh]]\nvariable = \"t" + std::to_string(i) + "\"\ntheta = \"t" + std::to_string(i) +
+                "\"\na = 0.2\nalpha = " + (i == 3 ? "1.5711" : "0.4") + "\n";
+  EXPECT_NE(report(head + measured), "");
+  EXPECT_EQ(report(head + "ideal = \"ur5\"\n" + measured), "");
+}
+
 TEST(BadInput, JointTypes) {
   EXPECT_EQ(report(head + "[[joint]]\ntype = \"revolut\"\naxis = \"+z\"\nvariable = \"t1\"\n"),
             lines({"4:8: error: unknown joint type 'revolut'; did you mean \"revolute\"?"}));

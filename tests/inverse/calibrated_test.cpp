@@ -8,7 +8,9 @@
 #include <qvgen/robots/irb6640.h>
 #include <qvgen/robots/puma560.h>
 #include <qvgen/robots/ur5.h>
+#include <qvgen/robots/ur5_measured.h>
 
+#include "reference/linear_algebra.h"
 #include "reference/load.h"
 
 namespace qvgen::test {
@@ -121,6 +123,25 @@ TEST_P(CalibratedArm, TakesAQuaternionOffItsLength) {
   const auto found = arm.near(pose, q);
   ASSERT_EQ(found.size(), 1);
   EXPECT_LT(turn_between(found[0].q, q), 1e-9);
+}
+
+/// The function that a description with `ideal` has.
+TEST(CalibratedDescription, HasTheFunction) {
+  const reference::Chain chain = reference::load(QVGEN_SOURCE_DIR "/tests/inverse/ur5_measured.toml");
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> angle(-3, 3), aside(-1e-3, 1e-3);
+  int regular = 0;
+  for (int i = 0; i < 200; ++i) {
+    Joints q, seed;
+    for (int k = 0; k < 6; ++k) seed[k] = (q[k] = angle(random)) + aside(random);
+    if (reference::smallest_singular_value(reference::jacobian(chain, q)) < 0.01) continue;
+    const auto pose = Pose<double>::from_isometry(reference::forward_kinematics(chain, q));
+    const auto found = robots::ur5_measured::inverse_kinematics_from_ideal(pose, seed);
+    ASSERT_EQ(found.size(), 1) << q.transpose();
+    EXPECT_LT(turn_between(found[0].q, q), 1e-9) << q.transpose();
+    ++regular;
+  }
+  EXPECT_GT(regular, 100);
 }
 
 INSTANTIATE_TEST_SUITE_P(Arms, CalibratedArm, testing::ValuesIn(ideals),

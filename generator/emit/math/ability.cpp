@@ -77,8 +77,12 @@ std::string ability(const model::Robot& described, const Derivation& derivation)
 }
 
 std::string ability(const model::Robot& described, const derive::inverse::GeneralDerivation& derivation) {
+  const std::string near = described.ideal.empty() ? ""
+                                                   : " Next to a seed also from the closed form of " +
+                                                         described.ideal + ", not complete (from_ideal.h).";
   return ability(described, derivation.problem, "no structure that a closed form needs",
-                 most_solutions(derivation), ", by elimination");
+                 most_solutions(derivation), ", by elimination") +
+         near;
 }
 
 std::string arm_angle_ability(const model::Robot& described) {

@@ -5,6 +5,7 @@
 #include "pipeline/products/batch.h"
 #include "pipeline/products/c_inverse.h"
 #include "pipeline/products/dynamics.h"
+#include "pipeline/products/from_ideal.h"
 #include "pipeline/products/inverse.h"
 #include "pipeline/products/jacobian.h"
 #include "pipeline/products/kinematics.h"
@@ -20,6 +21,7 @@ const std::vector<Product>& all_products() {
       {"inverse", generate_inverse, {}, {}, generate_inverse_c},
       {"arm_angle", generate_arm_angle, {}, {}, generate_arm_angle_c},
       {"jacobian", generate_jacobian, {}, {"singularity_measures"}, generate_jacobian_c},
+      {"from_ideal", generate_from_ideal, {}, {}, generate_from_ideal_c},
       {"dynamics",
        generate_dynamics_product,
        {"dynamics_derivatives", "dynamics_loads", "regressor"},

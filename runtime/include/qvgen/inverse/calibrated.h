@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 #include <Eigen/Core>
@@ -18,6 +19,14 @@ template <int dof>
 using Columns = Eigen::Matrix<double, 6, dof>;
 template <int dof>
 using Joints = Eigen::Matrix<double, dof, 1>;
+
+/// Whether the joints of two arms turn and slide alike.
+template <std::size_t dof>
+constexpr bool same_types(const std::array<bool, dof>& a, const std::array<bool, dof>& b) {
+  for (std::size_t i = 0; i < dof; ++i)
+    if (a[i] != b[i]) return false;
+  return true;
+}
 
 /// What is left to a pose, to first order: metres, then a rotation vector.
 inline Twist left_to(const Pose<double>& goal, const Pose<double>& at) {
@@ -52,7 +61,8 @@ Joints<dof> step(const Columns<dof>& jacobian, const Twist& twist, double size) 
 
 /// An arm that differs a little from an ideal one with a closed form: its axes were measured, and those that
 /// should meet or be parallel miss each other by 1e-4. All its solutions take elimination; the one next to a
-/// seed is found here from the ideal arm's, in about a fifth of that time.
+/// seed is found here from the ideal arm's, in about a fifth of that time. A description with `ideal = "ur5"`
+/// has it as `inverse_kinematics_from_ideal`; by hand:
 ///
 ///     namespace ideal = qvgen::robots::ur5;
 ///     namespace mine = qvgen::robots::ur5_17;
