@@ -5,6 +5,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -194,11 +195,47 @@ class Formula {
     }
   }
 
+  /// What a factor is as a decimal number: a named constant or a number beside one.
+  [[nodiscard]] std::optional<double> decimal_value(Edge edge) const {
+    const dag::Node& node = graph_.node(edge);
+    std::optional<double> value;
+    if (node.op == Op::constant) value = graph_.constant_of(node).to_double();
+    if (node.op == Op::symbol)
+      if (const auto named = exact::named_value(graph_.symbol_of(node))) value = cln::double_approx(*named);
+    return value && edge.negative ? -*value : value;
+  }
+
+  [[nodiscard]] bool is_named_constant(Edge edge) const {
+    const dag::Node& node = graph_.node(edge);
+    return node.op == Op::symbol && exact::named_value(graph_.symbol_of(node)).has_value();
+  }
+
+  /// Takes named constants out of the factors, and numbers with them; their product as text, empty if there
+  /// is no named constant. Side by side they would read as one number.
+  std::string take_numbers(std::vector<Edge>& factors) const {
+    const auto is_named = [this](Edge edge) { return is_named_constant(edge); };
+    if (std::none_of(factors.begin(), factors.end(), is_named)) return "";
+    double value = 1;
+    for (const Edge& factor : factors) value *= decimal_value(factor).value_or(1);
+    std::erase_if(factors, [this](Edge edge) { return decimal_value(edge).has_value(); });
+    return fmt::format("{:.6g}", value);
+  }
+
+  /// Of products within it too.
+  void add_factors(const dag::Node& node, std::vector<Edge>& factors) const {
+    for (const Edge& operand : node.operands)
+      if (graph_.node(operand).op == Op::product && !operand.negative)
+        add_factors(graph_.node(operand), factors);
+      else
+        factors.push_back(operand);
+  }
+
   std::string product(const dag::Node& node) const {
-    std::vector<Edge> operands = node.operands;
+    std::vector<Edge> operands;
+    add_factors(node, operands);
     std::stable_sort(operands.begin(), operands.end(),
                      [this](Edge a, Edge b) { return place(a) < place(b); });
-    std::string result;
+    std::string result = take_numbers(operands);
     for (std::size_t i = 0; i < operands.size(); ++i) {
       const Edge& operand = operands[i];
       const bool square = i + 1 < operands.size() && operands[i + 1] == operand;
