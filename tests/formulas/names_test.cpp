@@ -71,15 +71,17 @@ TEST(Names, WithoutADefinitionAreFound) {
   EXPECT_EQ(undefined({"x = y*cos(theta1)", "z = x"}, {"theta1"}), Names{"y"});
 }
 
-/// "2*0.0868" would be read as one number in print, where no sign of multiplication stands.
-TEST(Numbers, DoNotStandSideBySide) {
+/// "2*0.0868" would be read as one number in print, where no sign of multiplication stands. Lines fit.
+TEST(Transforms, AreReadable) {
   const std::regex side_by_side("(^|[^A-Za-z0-9_.])[0-9.]+\\*[0-9]");
   EXPECT_TRUE(std::regex_search("l1 - 2*0.0868*cos(q)", side_by_side));
   for (const auto& entry : fs::directory_iterator(QVGEN_SOURCE_DIR "/generator/robots")) {
     if (entry.path().extension() != ".toml") continue;
     const auto robot = description::read_file(entry.path()).robot.value();
-    for (const std::string& line : emit::transform_lines(robot, emit::Notation::text))
+    for (const std::string& line : emit::transform_lines(robot, emit::Notation::text)) {
       EXPECT_FALSE(std::regex_search(line, side_by_side)) << robot.name << ": " << line;
+      EXPECT_LE(line.size(), 120U) << robot.name << ": " << line;
+    }
   }
 }
 

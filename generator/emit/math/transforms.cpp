@@ -79,9 +79,35 @@ std::optional<dag::Function> whole(const model::Robot& described) {
   return optimise::in_terms_of_description(function, arm);
 }
 
+/// A matrix that fits a line: entries that are too long have names, and equations below it.
+struct Entries {
+  Cells cells;
+  std::vector<std::string> lines = {};
+};
+
+Entries short_entries(const std::string& matrix, const Cells& cells, Notation notation) {
+  // What a line of LaTeX's article and of a terminal hold of four columns.
+  const std::size_t most = notation.typeset ? 46 : 100;
+  std::array<std::size_t, 4> widths{1, 1, 1, 1};
+  for (const auto& row : cells)
+    for (std::size_t j = 0; j < 4; ++j) widths[j] = std::max(widths[j], width(row[j], notation));
+  Entries entries{cells};
+  if (widths[0] + widths[1] + widths[2] + widths[3] <= most) return entries;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    for (std::size_t j = 0; j < 4; ++j) {
+      if (width(cells[i][j], notation) <= most / 4) continue;
+      const std::string name = notation.typeset ? fmt::format("({})_{{{}{}}}", matrix, i + 1, j + 1)
+                                                : fmt::format("{}[{},{}]", matrix, i + 1, j + 1);
+      entries.cells[i][j] = name;
+      for (const std::string& line : equation_lines(name, cells[i][j], notation))
+        entries.lines.push_back(line);
+    }
+  return entries;
+}
+
 class Lines {
  public:
-  explicit Lines(Notation notation) : latex_(notation.typeset) {}
+  explicit Lines(Notation notation) : notation_(notation), latex_(notation.typeset) {}
 
   /// A factor; 1 is not worth a line.
   void factor(const std::string& subscript, const Cells& cells) {
@@ -93,7 +119,7 @@ class Lines {
   void product(const std::optional<dag::Function>& function, Notation notation) {
     lines_.push_back(latex_ ? "\\[T = " + product_ + "\\]" : "T = " + product_);
     if (!function) return;
-    if (latex_) lines_.emplace_back("\\begin{align*}");
+    if (latex_) lines_.emplace_back("\\allowdisplaybreaks\n\\begin{align*}");
     for (const dag::Output& output : function->outputs) {
       const std::string entry = (output.name[0] == 'p' ? "p_" : "r_") + output.name.substr(1);
       const std::string value = formula(function->graph, output.value, notation);
@@ -109,24 +135,33 @@ class Lines {
     return latex_ ? "A_{" + (subscript.size() > 1 ? "\\mathrm{" + subscript + "}" : subscript) + "}"
                   : "A_" + subscript;
   }
+  /// The matrix, and below it what is too long for its columns.
   void typeset(const std::string& subscript, const Cells& cells) {
+    const Entries entries = short_entries(name(subscript), cells, notation_);
     lines_.push_back("\\[" + name(subscript) + " = \\begin{bmatrix}");
-    for (const auto& row : cells) lines_.push_back(fmt::format("{} \\\\", fmt::join(row, " & ")));
+    for (const auto& row : entries.cells) lines_.push_back(fmt::format("{} \\\\", fmt::join(row, " & ")));
     lines_.emplace_back("0 & 0 & 0 & 1 \\end{bmatrix}\\]");
+    if (entries.lines.empty()) return;
+    lines_.emplace_back("\\begin{align*}");
+    for (const std::string& line : entries.lines) lines_.push_back(line);
+    lines_.emplace_back("\\end{align*}");
   }
   void columns(const std::string& subscript, const Cells& cells) {
+    const Entries entries = short_entries(name(subscript), cells, notation_);
     lines_.push_back(name(subscript) + " =");
     std::array<std::size_t, 4> width{1, 1, 1, 1};
-    for (const auto& row : cells)
+    for (const auto& row : entries.cells)
       for (std::size_t j = 0; j < 4; ++j) width[j] = std::max(width[j], row[j].size());
     const auto line = [&](const std::array<std::string, 4>& row) {
       lines_.push_back(fmt::format("  [ {:{}}  {:{}}  {:{}}  {:{}} ]", row[0], width[0], row[1], width[1],
                                    row[2], width[2], row[3], width[3]));
     };
-    for (const auto& row : cells) line(row);
+    for (const auto& row : entries.cells) line(row);
     line({"0", "0", "0", "1"});
+    for (const std::string& entry : entries.lines) lines_.push_back("  " + entry);
   }
 
+  Notation notation_;
   bool latex_;
   std::string product_;
   std::vector<std::string> lines_;
