@@ -120,7 +120,9 @@ TEST_F(CommandLine, ShowsTheTransformsOfTheLinks) {
   EXPECT_TRUE(has(text, "p_x = l1*cos(theta1) + d3*sin(theta1)\np_y = l1*sin(theta1) - d3*cos(theta1)"));
   const ToolRun latex = run("show rpp --transform --latex");
   EXPECT_TRUE(has(latex, "\\[A_{3} = \\begin{bmatrix}\n1 & 0 & 0 & l_{1} \\\\")) << latex.output;
-  EXPECT_TRUE(has(latex, "\\[T = A_{1} A_{2} A_{3}\\]\n\\begin{align*}\nr_{11} &= \\cos(\\theta_{1}) \\\\"));
+  EXPECT_TRUE(has(latex,
+                  "\\[T = A_{1} A_{2} A_{3}\\]\n\\allowdisplaybreaks\n\\begin{align*}\nr_{11} &= "
+                  "\\cos(\\theta_{1}) \\\\"));
   EXPECT_TRUE(has(run("show poe_6r --transform"), "A_tool =")) << "frames parallel to the base's need one";
   EXPECT_TRUE(has(run("show ur5 --transform"), "cos(theta2 + theta3 + theta4)"));
 }
