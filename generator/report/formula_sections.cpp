@@ -36,10 +36,6 @@ constexpr std::size_t readable = 400;
 constexpr std::size_t readable_lines = 30000;
 
 std::string paragraph(const std::string& html) { return "<p>" + html + "</p>\n"; }
-std::string formulas_html(const std::vector<std::string>& lines) {
-  return "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Formulas\">" +
-         emit::aligned_mathml(lines) + "</div>\n";
-}
 
 std::size_t length_of(const std::vector<std::string>& lines) {
   std::size_t length = 0;

@@ -50,6 +50,11 @@ std::string with_formulas(const std::string& sentence) {
   return result;
 }
 
+std::string formulas_html(const std::vector<std::string>& lines) {
+  return "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Formulas\">" +
+         emit::aligned_mathml(lines) + "</div>\n";
+}
+
 const std::string& asset(const std::string& name) {
   const auto& all = emit::builtin_templates();
   const auto place = all.find("report/" + name);

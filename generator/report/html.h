@@ -12,6 +12,9 @@ std::string escaped(const std::string& text);
 /// Sentences with formulas between dollar signs, as `emit::Passage` has them.
 std::string with_formulas(const std::string& sentence);
 
+/// Formulas "left = right" below each other, in a box that scrolls where they are wide.
+std::string formulas_html(const std::vector<std::string>& lines);
+
 /// A file of templates/report/ as it is.
 const std::string& asset(const std::string& name);
 

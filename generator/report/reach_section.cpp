@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "emit/math/mathml.h"
+#include "emit/math/notation.h"
 #include "emit/render.h"
 #include "model/followers.h"
 #include "report/chain.h"
@@ -16,14 +16,13 @@ namespace {
 /// Longer formulas say nothing to a reader.
 constexpr std::size_t readable = 400;
 
-std::string formulas_html(const std::vector<std::string>& formulas) {
+/// Those that are not too long, and how many are.
+std::string readable_html(const std::vector<std::string>& formulas) {
   std::vector<std::string> short_ones;
   for (const std::string& formula : formulas)
     if (formula.size() <= readable) short_ones.push_back(formula);
   std::string html;
-  if (!short_ones.empty())
-    html = "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Formulas\">" +
-           emit::aligned_mathml(short_ones) + "</div>\n";
+  if (!short_ones.empty()) html = formulas_html(short_ones);
   if (const std::size_t left_out = formulas.size() - short_ones.size(); left_out > 0)
     html += fmt::format("<p>{} too long to be read.</p>\n",
                         left_out == 1 ? "One is" : fmt::format("{} are", left_out));
@@ -37,7 +36,7 @@ std::string boundary_html(const model::Robot& robot) {
     std::string words;
     for (const std::string& line : passage.words)
       words += (words.empty() ? "" : words.back() == ',' ? " " : "<br/>\n") + with_formulas(line);
-    html += "<p>" + words + "</p>\n" + formulas_html(passage.formulas);
+    html += "<p>" + words + "</p>\n" + readable_html(passage.formulas);
   }
   return html.empty() ? "" : "<h3 id=\"boundary\">Boundary in closed form</h3>\n" + html;
 }

@@ -49,7 +49,7 @@ Compiled to_webassembly(const std::map<std::string, std::string>& files) {
   std::vector<std::string> call{"clang",
                                 "--target=wasm32",
                                 "-std=gnu99",
-                                "-Os",  // in two thirds of the time of -O2, and as fast on a page
+                                "-Os",  // compiled in two thirds of the time of -O2
                                 "-ffreestanding",
                                 "-nostdlib",
                                 "-ffp-contract=off",
