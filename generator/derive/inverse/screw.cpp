@@ -14,9 +14,14 @@ using symbolic::Vector;
 
 namespace {
 
-/// Adds two vectors that make an orthonormal right-handed frame with the axis.
-void complete_frame(Screw& screw, const Scope& scope) {
-  const std::array<ex, 3> axis = {screw.axis.x, screw.axis.y, screw.axis.z};
+/// Two unit vectors that make an orthonormal right-handed frame with an axis.
+struct Completion {
+  Vector first, second;
+  bool divided = false;  ///< by a length that is no number, and may vanish
+};
+
+Completion completion(const Vector& along, const Scope& scope) {
+  const std::array<ex, 3> axis = {along.x, along.y, along.z};
   std::size_t least = 0;
   std::size_t largest = 0;
   for (std::size_t i = 1; i < 3; ++i) {
@@ -27,13 +32,24 @@ void complete_frame(Screw& screw, const Scope& scope) {
   const bool along_axis = scope.is_zero(axis[(largest + 1) % 3]) && scope.is_zero(axis[(largest + 2) % 3]);
   unit[along_axis ? (largest + 1) % 3 : least] = 1;
   Vector first{unit[0], unit[1], unit[2]};
+  bool divided = false;
   if (!along_axis) {
-    first = scope.clean(cross(screw.axis, first));
+    first = scope.clean(cross(along, first));
     const ex square = scope.clean(dot(first, first));
+    divided = !Scope::is_number(square);
     first = scope.clean(ex(1) / GiNaC::sqrt(square) * first);
   }
-  screw.first = first;
-  screw.second = scope.clean(cross(screw.axis, first));
+  return {first, scope.clean(cross(along, first)), divided};
+}
+
+/// The same of a joint's axis at the zero pose. Where it turns with a symbol, what completes it in its own
+/// frame turns with it: no length is divided by that may vanish.
+Completion completion_of(const model::Joint& joint, const Screw& screw, const Scope& scope) {
+  const Completion direct = completion(screw.axis, scope);
+  if (!direct.divided) return direct;
+  const Completion own = completion(symbolic::to_symbolic(joint.axis), scope);
+  if (own.divided) return direct;
+  return {symbolic::rotate(screw.frame, own.first), symbolic::rotate(screw.frame, own.second)};
 }
 
 constexpr const char* named_part = "chain_";
@@ -98,9 +114,9 @@ Chain chain_of(const model::Robot& robot, Scope& scope, symbolic::Program& const
     screw.variable = joint.variable;
     screw.joint = static_cast<int>(chain.screws.size());
     screw.frame = frame.q;
-    complete_frame(screw, scope);
-    screw.first = frames.clean(screw.first);
-    screw.second = frames.clean(screw.second);
+    const Completion complete = completion_of(joint, screw, scope);
+    screw.first = frames.clean(complete.first);
+    screw.second = frames.clean(complete.second);
     chain.screws.push_back(screw);
     frame = frames.clean(frame * symbolic::to_symbolic(joint.after));
   }
@@ -122,7 +138,9 @@ std::array<Screw, 3> in_own_frame(const model::Robot& robot, const std::array<st
       screw.axis = scope.clean(symbolic::rotate(frame, symbolic::to_symbolic(joint.axis)));
       screw.variable = joint.variable;
       screw.joint = static_cast<int>(i);
-      complete_frame(screw, scope);
+      const Completion complete = completion(screw.axis, scope);
+      screw.first = complete.first;
+      screw.second = complete.second;
     }
     frame = frame * symbolic::to_symbolic(joint.after).q;
   }
