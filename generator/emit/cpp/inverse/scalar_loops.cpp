@@ -24,7 +24,7 @@ class ScalarLoops {
     for (const std::string& text : dialect_.new_work("w", false)) line(top, text);
     line(top, dialect_.new_row(plan_.plan.row_size));
     // What starts near the goal may hold the given joint next to its value.
-    const std::string asked = careful_ && plan_.plan.quartic() ? "goal" : "t";
+    const std::string asked = careful_ && visits_ ? "goal" : "t";
     if (plan_.plan.given >= 0)
       line(top, "q[" + std::to_string(plan_.plan.given) + "] = " + dialect_.member(asked, "geometry.given_") +
                     ";");
