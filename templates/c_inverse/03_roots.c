@@ -120,6 +120,14 @@ static Rotor chosen_direction(Rotor v, Rotor choice, const Boundary* boundary, B
   return direction(false, v, boundary->choose ? little : noise * noise * noise * noise, choice, branch);
 }
 
+/// What is noise in v, a product of two vectors that vanish together where an equation before has a double
+/// root; `tiny`: the fourth power of what is noise for sure.
+static inline double tiny_at_double_root(Rotor v, double tiny, const Boundary* boundary, Branch* branch) {
+  const double little = 6.3e37 * tiny;
+  doubt(branch, square_of(v) <= little);
+  return boundary->choose ? little : tiny;
+}
+
 /// +-sqrt(square), where `square` = r^2 - m^2 may be negative by rounding, `scale` = m^2 telling how much
 /// that is.
 static inline double signed_root(double square, double scale, double tiny, double sign,

@@ -51,8 +51,8 @@ std::string table(const std::string& keys, const std::string& phase, const std::
 }
 
 TEST(SphericalArm, IsFoundInAnyFramesAndZeros) {
-  EXPECT_TRUE(has_arm_angle(seven_arms[1]));
-  EXPECT_TRUE(has_arm_angle(seven_arms[4]));
+  EXPECT_TRUE(has_arm_angle(seven_arms[1].text()));
+  EXPECT_TRUE(has_arm_angle(seven_arms[4].text()));
   EXPECT_TRUE(has_arm_angle(table("", "", "0.4")));
   EXPECT_TRUE(has_arm_angle(table("", " + 90 deg", "0.4")));
   EXPECT_TRUE(has_arm_angle(table("", " - 37 deg", "0.4", "0.03")));
@@ -69,11 +69,12 @@ TEST(SphericalArm, LengthsMayBeSymbols) {
 }
 
 TEST(SphericalArm, WhatIsNoneIsToldWhy) {
-  EXPECT_EQ(reason(seven_arms[0]), "no arm angle: the axes of joints 5, 6 and 7 do not meet in one point");
+  EXPECT_EQ(reason(seven_arms[0].text()),
+            "no arm angle: the axes of joints 5, 6 and 7 do not meet in one point");
   const std::string through = reason(table("", "", "0"));
   EXPECT_NE(through.find("the axis of joint 4 goes through the shoulder"), std::string::npos) << through;
   // A rail: nothing is said, nobody would look for an arm angle.
-  const pipeline::RobotOutput rail = made_of(seven_arms[2]);
+  const pipeline::RobotOutput rail = made_of(seven_arms[2].text());
   EXPECT_TRUE(rail.files.empty() && rail.missing.empty());
 }
 

@@ -53,9 +53,8 @@ Drawn with_joint(Case& test, int i, double value) {
   return sample_at(test, q);
 }
 
-/// Where the last three axes meet, in the frame of the last link before them, as offset from axis 1: two
-/// components.
-std::optional<Eigen::Vector2d> offset_from_first_axis(const Case& test, const Eigen::VectorXd& q) {
+/// Where the last three axes meet.
+std::optional<Eigen::Vector3d> wrist_centre(const Case& test, const Eigen::VectorXd& q) {
   const auto places = reference::joint_places(test.chain(), q);
   const auto& axis = places[places.size() - 3];
   const auto& next = places[places.size() - 2];
@@ -68,32 +67,64 @@ std::optional<Eigen::Vector2d> offset_from_first_axis(const Case& test, const Ei
   const double gap =
       (centre - next.point).cross(next.axis).norm() + (centre - last.point).cross(last.axis).norm();
   if (normal.norm() < 0.1 || gap > 1e-9) return std::nullopt;
-  const Eigen::Vector3d side = places[0].axis.unitOrthogonal();
-  const Eigen::Vector3d arm = centre - places[0].point;
-  return Eigen::Vector2d{side.dot(arm), places[0].axis.cross(side).dot(arm)};
+  return centre;
 }
 
-/// Gauss-Newton on the joints between the first and the wrist; an arm with a lateral offset never gets there.
-Drawn centre_on_first_axis(Case& test, int) {
-  if (test.dof() < 6 || !test.revolute(0)) return std::nullopt;
+std::optional<Eigen::Vector3d> tool_point(const Case& test, const Eigen::VectorXd& q) {
+  return test.tool(q).translation();
+}
+
+/// A point that the joints move.
+using Point = std::optional<Eigen::Vector3d> (*)(const Case&, const Eigen::VectorXd&);
+
+/// Its offset from axis 1, two components.
+std::optional<Eigen::Vector2d> offset_from_first_axis(const Case& test, const Eigen::VectorXd& q,
+                                                      Point point) {
+  const std::optional<Eigen::Vector3d> place = point(test, q);
+  if (!place) return std::nullopt;
+  const auto first = reference::joint_places(test.chain(), q).front();
+  const Eigen::Vector3d side = first.axis.unitOrthogonal();
+  const Eigen::Vector3d arm = *place - first.point;
+  return Eigen::Vector2d{side.dot(arm), first.axis.cross(side).dot(arm)};
+}
+
+/// Joints with which the point lies on axis 1, by Gauss-Newton on `count` joints behind the first; an arm
+/// with a lateral offset never gets there.
+std::optional<Eigen::VectorXd> on_first_axis(Case& test, Point point, int count) {
   for (int attempt = 0; attempt < 20; ++attempt) {
     Eigen::VectorXd q = test.joints();
-    const int count = test.dof() - 4;
     for (int step = 0; step < 30; ++step) {
-      const auto offset = offset_from_first_axis(test, q);
+      const auto offset = offset_from_first_axis(test, q, point);
       if (!offset) return std::nullopt;
-      if (offset->norm() < 2e-16) return sample_at(test, q);
+      if (offset->norm() < 2e-16) return q;
       Eigen::MatrixXd slope(2, count);
       for (int k = 0; k < count; ++k) {
         Eigen::VectorXd moved = q;
         moved[k + 1] += 1e-6;
-        slope.col(k) = (*offset_from_first_axis(test, moved) - *offset) / 1e-6;
+        slope.col(k) = (*offset_from_first_axis(test, moved, point) - *offset) / 1e-6;
         if (k + 1 == test.robot().info.given_joint) slope.col(k).setZero();
       }
       q.segment(1, count) -= reference::least_squares(slope, *offset);
     }
   }
   return std::nullopt;
+}
+
+Drawn centre_on_first_axis(Case& test, int) {
+  if (test.dof() < 6 || !test.revolute(0)) return std::nullopt;
+  const auto q = on_first_axis(test, wrist_centre, test.dof() - 4);
+  if (!q) return std::nullopt;
+  return sample_at(test, *q);
+}
+
+/// Every second time one of the joints behind the first is moved by 10^-u.
+Drawn tool_on_first_axis(Case& test, int i) {
+  if (test.dof() < 3 || !test.revolute(0)) return std::nullopt;
+  auto q = on_first_axis(test, tool_point, test.dof() - 1);
+  if (!q) return std::nullopt;
+  const int next = 1 + (i / 2) % (test.dof() - 1);
+  if (i % 2 == 1) (*q)[next] += nearly_zero(test);
+  return sample_at(test, *q);
 }
 
 /// Determinant of the Jacobian, seen in the space of velocities that the arm has at an ordinary place.
@@ -216,6 +247,7 @@ std::vector<PoseSet> all() {
           {"theta5 = 10^-u", [](Case& test, int) { return with_theta5(test, nearly_zero(test)); },
            has_six_joints},
           {"centre on axis 1", centre_on_first_axis, no_arm},
+          {"tool on axis 1", tool_on_first_axis, no_arm},
           {"boundary", at_a_boundary, no_arm},
           {"just outside", just_outside, no_arm},
           {"far outside", far_outside},

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "cut_arms.h"
+#include "five_arms.h"
 #include "other_zeros.h"
 #include "seven_arms.h"
 #include "sliding_arms.h"
@@ -276,6 +277,8 @@ std::string fewer(const std::string& family, std::uint32_t seed) {
   if (family == "codes")
     return cut_arm(committed(codes[(5 * seed) % codes.size()]), 2 + static_cast<int>((seed + seed / 4) % 4),
                    name);
+  if (family == "five" && seed < five_arms.size())
+    return "name = \"" + name + "\"\ntitle = \"five joints\"\n" + five_arms[seed];
   const std::string whole = seed % 3 == 2 ? parallel_description(seed) : pieper_description(seed);
   return cut_arm(whole, family == "five" ? 5 : 4, name);
 }
@@ -286,8 +289,9 @@ std::string arm_description(const std::string& family, std::uint32_t seed) {
   if (family == "five" || family == "four" || family == "codes") return fewer(family, seed);
   if (family == "seven") {
     const std::string name = arm_name(family, seed);
-    return seed < seven_arms.size() ? "name = \"" + name + "\"\ntitle = \"seven joints\"\n" + seven_arms[seed]
-                                    : Writer(name, seed).seven();
+    return seed < seven_arms.size()
+               ? "name = \"" + name + "\"\ntitle = \"seven joints\"\n" + seven_arms[seed].text()
+               : Writer(name, seed).seven();
   }
   if (family == "unstructured") {
     const std::string name = arm_name(family, seed);

@@ -10,8 +10,10 @@ class SevenJoints : public WrittenArm {};
 
 TEST_P(SevenJoints, FindsTheSampledJoints) { EXPECT_GT(run("random", pose_count() / 5).poses, 0); }
 TEST_P(SevenJoints, EveryJointAtZeroInTurn) { run("a joint at 0", pose_count() / 20); }
+TEST_P(SevenJoints, EveryJointNearlyZeroInTurn) { run("a joint at 10^-u", pose_count() / 20); }
 TEST_P(SevenJoints, OnALatticeOf45Degrees) { run("45° lattice", pose_count() / 20); }
 TEST_P(SevenJoints, BranchesThatMeet) { run("boundary", pose_count() / 20); }
+TEST_P(SevenJoints, ToolPointOnTheFirstAxis) { expect_nearly_all("tool on axis 1"); }
 
 TEST_P(SevenJoints, RowsHaveTheGivenJointAsItIs) {
   for (int i = 0; i < 3; ++i) {
@@ -29,7 +31,7 @@ INSTANTIATE_TEST_SUITE_P(Arms, SevenJoints, testing::ValuesIn(inverses()), name_
 
 TEST(SevenJointsArms, TheBestJointIsGiven) {
   // The elbow's turn where the wrist is spherical, the last joint where it is not, the rail.
-  constexpr std::array<int, seven_arms.size()> given{6, 2, 0, 0, 4};
+  constexpr std::array<int, seven_arms.size()> given{6, 2, 0, 0, 4, 0};
   ASSERT_GE(inverses().size(), given.size());
   for (std::size_t i = 0; i < given.size(); ++i)
     EXPECT_EQ(inverses()[i].info.given_joint, given[i]) << inverses()[i].name;

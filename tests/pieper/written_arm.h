@@ -27,6 +27,30 @@ class WrittenArm : public Inverse {
     }
   }
 
+  /// Poses at which several things are singular at once, or next to it: of one in a hundred the sampled
+  /// joints may be missing, but nothing may be wrong.
+  void expect_nearly_all(const std::string& name) {
+    int poses = 0, missing = 0;
+    std::string first;
+    for (int i = 0; i < pose_count() / 20; ++i) {
+      const std::optional<Sample> sample = draw(pose_set(name), i);
+      if (!sample) continue;
+      const Verdict verdict =
+          judge(test(), *sample,
+                test().robot().solve(sample->pose, test().given(sample->q), inverse::default_tolerance));
+      ++poses;
+      missing += verdict.missing ? 1 : 0;
+      if (first.empty()) first = verdict.fault;
+      EXPECT_TRUE(verdict.missing || verdict.fault.empty())
+          << name << ", pose " << i << ": " << verdict.fault;
+      EXPECT_EQ(verdict.bad + verdict.repeated, 0) << name << ", pose " << i << ": " << verdict.fault;
+    }
+    EXPECT_LE(missing, 1 + poses / 100) << name << ": " << first;
+    if (missing > 0)
+      std::printf("%s, %s: %d of %d lack the sampled joints\n", GetParam().name.c_str(), name.c_str(),
+                  missing, poses);
+  }
+
   /// As for the robots in tests/inverse/paths_test.cpp.
   void expect_no_jumps_next_to_a_seed() {
     int paths = 0, faults = 0;

@@ -219,9 +219,10 @@ void Builder::turn_by_distance(const Screw& screw, int sign, const Flat& v, cons
 }
 
 void Builder::turn_by_pair(const Screw& screw, const Flat& direction, const std::string& equation,
-                           const ex& length) {
+                           const ex& length, bool at_double_root) {
   kind::Pair pair;
   pair.length = length;
+  pair.at_double_root = at_double_root;
   pair.degree = 4;
   Step& step = add(pair, &screw, 1, equation);
   give(step, "", direction);

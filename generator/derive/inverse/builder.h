@@ -65,9 +65,10 @@ class Builder {
   void turn_by_distance(const Screw& screw, int sign, const Flat& v, const Flat& x0, const GiNaC::ex& square,
                         const std::string& equation);
   /// (cos q, sin q) along the direction.
-  /// `length`: the direction's, if it is known without a root.
+  /// `length`: the direction's, if it is known without a root; `at_double_root`: it vanishes where an
+  /// equation before has one.
   void turn_by_pair(const Screw& screw, const Flat& direction, const std::string& equation,
-                    const GiNaC::ex& length = 0);
+                    const GiNaC::ex& length = 0, bool at_double_root = false);
   /// The same for a sum of angles, which is `choice` where it is free: names cos_NAME, sin_NAME. The
   /// direction is a number.
   Scope::Turn turn_by_pair(const std::string& name, const Flat& direction, const Scope::Turn& choice,

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
+#include <string>
+#include <vector>
 
 #include "derive/inverse/names.h"
 #include "derive/inverse/schedule.h"
@@ -65,6 +68,21 @@ kind::Direction* direction_of(Step& step) {
   return std::get_if<kind::Pair>(&step.kind);
 }
 
+/// Whether the direction itself, not its length alone, decides what exists on a later step: next to noise it
+/// has to be doubted, as no direction is that is left as long as it is.
+bool decides_later(const Plan& plan, const Step& direction) {
+  std::set<std::string> uncertain{names::cosine(direction.unknown), names::sine(direction.unknown)};
+  for (const Step& step : plan.steps) {
+    const std::vector<std::string> read = reads(step);
+    const bool follows = std::any_of(read.begin(), read.end(),
+                                     [&](const std::string& name) { return uncertain.count(name) > 0; });
+    if (&step == &direction || !follows) continue;
+    if (step.branches > 1 && step.wrist() == nullptr) return true;
+    for (const Program::Step& value : step.after.steps()) uncertain.insert(value.name.get_name());
+  }
+  return false;
+}
+
 /// A wrist with oblique axes reads cosines and sines.
 void halves_of_unit_length(Plan& plan) {
   for (Step& step : plan.steps)
@@ -83,7 +101,7 @@ void spare_lengths(Plan& plan, const Scope& scope) {
     const bool halves_alone = std::all_of(plan.steps.begin(), plan.steps.end(), [&](const Step& other) {
       return &other == &step || other.is<kind::Half>() || !names.are_read_by(other);
     });
-    if (!halves_alone) continue;
+    if (!halves_alone || decides_later(plan, step)) continue;
     const std::optional<Program> after = by_length(step, names, scope);
     if (!after) continue;
     direction->unit = false;

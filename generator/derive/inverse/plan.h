@@ -105,13 +105,6 @@ struct Plan {
   int row_size = 0;
   int given = -1;  ///< place of what the caller gives
   int capacity = 1;
-  /// Whether the joints behind a free one may be out of reach of what has been chosen for it: where they have
-  /// to follow the orientation too.
-  [[nodiscard]] bool chooses_for_others(const Step& step) const {
-    bool follows = false;
-    for (const Step& other : steps) follows = follows || other.is<kind::Reach>();
-    return follows && step.is<kind::Opposite>() && step.keeps_length();
-  }
   [[nodiscard]] bool has_oblique_wrist() const {
     for (const Step& step : steps)
       if (step.is<kind::ObliqueWrist>()) return true;
@@ -121,6 +114,18 @@ struct Plan {
     for (const Step& step : steps)
       if (step.is_quartic()) return true;
     return false;
+  }
+  /// Whether a pose may leave a joint free while the others can follow for few of its angles: one about whose
+  /// axis the arm turns when it is stretched, or a first one whose axis the tool's point is on, if the others
+  /// have to follow the orientation too.
+  [[nodiscard]] bool follows_for_few_angles() const {
+    bool reaches = false, is_opposite = false;
+    for (const Step& step : steps) {
+      if (const auto* pair = step.as<kind::Pair>(); pair != nullptr && pair->at_double_root) return true;
+      reaches = reaches || step.is<kind::Reach>();
+      is_opposite = is_opposite || step.is<kind::Opposite>();
+    }
+    return reaches && is_opposite;
   }
   /// Whether near singular poses branches are looked for as for a quartic: also where a pose may leave a
   /// slide free that the joints behind it have to follow.

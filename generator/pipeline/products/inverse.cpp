@@ -110,6 +110,12 @@ void add_values_in_c(const model::Robot& described, const derive::inverse::Deriv
   emit::c::add_entries(described, derivation, values);
 }
 
+qvgen::inverse::Budget most_effort(const derive::inverse::Plan& plan, int joints, int branches) {
+  if (plan.searches_nearby()) return qvgen::inverse::most_effort_with_quartic(branches);
+  if (plan.follows_for_few_angles()) return qvgen::inverse::most_effort_for_few_angles(joints, branches);
+  return qvgen::inverse::most_effort(joints, branches);
+}
+
 /// `described` has the names of the description, the problem its own.
 json variant(const model::Robot& described, const derive::inverse::Derivation& derivation, Language language,
              nlohmann::ordered_json& all_counts) {
@@ -131,9 +137,7 @@ json variant(const model::Robot& described, const derive::inverse::Derivation& d
   // A tracker of branches is there for a wrist alone too.
   const std::size_t joints = std::max<std::size_t>(polished_joints(derived), 1);
   const int branches = polished_branches(derived);
-  const qvgen::inverse::Budget most = derived.searches_nearby()
-                                          ? qvgen::inverse::most_effort_with_quartic(branches)
-                                          : qvgen::inverse::most_effort(static_cast<int>(joints), branches);
+  const qvgen::inverse::Budget most = most_effort(derived, static_cast<int>(joints), branches);
   const json divisors = emit::divisor_values(robot, plan);
   const json near = seed_branch(problem, plan, dialect);
   values.update(
@@ -164,6 +168,7 @@ json variant(const model::Robot& described, const derive::inverse::Derivation& d
                                                                  plan, emit::Pass::first, dialect))}}},
            {"polished_joints", std::to_string(joints)},
            {"polished_branches", std::to_string(branches)},
+           {"tries_more", derived.follows_for_few_angles()},
            {"most_passes", most.passes},
            {"most_steps", most.steps},
            {"most_of_rows", effort_values(most, joints, branches)},

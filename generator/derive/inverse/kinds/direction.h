@@ -15,7 +15,8 @@ struct Direction {
       1;  ///< units of (x, y): 0 none, 1 a length, 2 a length squared, 4 the square of a short length
   bool unit = true;  ///< the direction is brought to length one; otherwise it is left as long as it is
   GiNaC::ex length;  ///< the direction's length, zero if it is not known without a root
-  bool length_known = false;  ///< that length is an input of the block, of a direction that is not unit
+  bool length_known = false;    ///< that length is an input of the block, of a direction that is not unit
+  bool at_double_root = false;  ///< (x, y) vanishes where an equation before has a double root
 
  protected:
   /// `opposites`: the opposite direction is another branch.
@@ -23,17 +24,27 @@ struct Direction {
   auto directed(const Unknown& of, bool opposites, Backend& b) const {
     using namespace qvgen::inverse;
     const auto v = b.pair("x", "y");
+    const auto tiny = noise(v, b);
     if (unit)
       return b.direction(
-          "direction", [](auto&&... a) { return direction(a...); }, opposites, v, b.tiny(degree),
-          b.seed_turn(of.joint), b.branch());
+          "direction", [](auto&&... a) { return direction(a...); }, opposites, v, tiny, b.seed_turn(of.joint),
+          b.branch());
     if (length_known)
       return b.direction(
           "span_of_length", [](auto&&... a) { return span_of_length(a...); }, opposites, v, b.input("length"),
-          b.tiny(degree), b.seed_brief(of.joint), b.length_of(of.unknown), b.branch());
+          tiny, b.seed_brief(of.joint), b.length_of(of.unknown), b.branch());
     return b.direction(
-        "span", [](auto&&... a) { return span(a...); }, opposites, v, b.tiny(degree), b.seed_brief(of.joint),
+        "span", [](auto&&... a) { return span(a...); }, opposites, v, tiny, b.seed_brief(of.joint),
         b.length_of(of.unknown), b.branch());
+  }
+
+ private:
+  /// Below which square a direction is noise.
+  template <class V, class Backend>
+  auto noise(const V& v, Backend& b) const {
+    const auto solve = [](auto&&... a) { return qvgen::inverse::tiny_at_double_root(a...); };
+    return at_double_root ? b.call("tiny_at_double_root", solve, v, b.tiny(degree), b.boundary(), b.branch())
+                          : b.tiny(degree);
   }
 };
 

@@ -98,10 +98,6 @@ std::string C::resume_branch(const std::string& work, const std::string& name) c
   return call("resume", {"&" + work + "->branch", "&" + name}) + ";";
 }
 
-std::string C::doubt(const std::string& condition) const {
-  return call("doubt", {"&w->branch", condition}) + ";";
-}
-
 std::string C::constant(const std::string& type, const std::string& name, const std::string& value) const {
   return "const " + variable(type, name, value);
 }

@@ -46,7 +46,6 @@ class C : public Dialect {
   std::string new_row(int size) const override;
   std::string save_branch(const std::string& name, const std::string& work) const override;
   std::string resume_branch(const std::string& work, const std::string& name) const override;
-  std::string doubt(const std::string& condition) const override;
   std::string constant(const std::string& type, const std::string& name,
                        const std::string& value) const override;
   std::string variable(const std::string& type, const std::string& name,

@@ -104,9 +104,6 @@ class Cpp : public Dialect {
   std::string resume_branch(const std::string& work, const std::string& name) const override {
     return work + ".branch.resume(" + name + ");";
   }
-  std::string doubt(const std::string& condition) const override {
-    return "w.branch.doubt(" + condition + ");";
-  }
   std::string constant(const std::string& /*type*/, const std::string& name,
                        const std::string& value) const override {
     return "const auto " + name + " = " + value + ";";

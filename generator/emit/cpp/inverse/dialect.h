@@ -79,7 +79,6 @@ class Dialect {
   [[nodiscard]] virtual std::string new_row(int size) const = 0;
   [[nodiscard]] virtual std::string save_branch(const std::string& name, const std::string& work) const = 0;
   [[nodiscard]] virtual std::string resume_branch(const std::string& work, const std::string& name) const = 0;
-  [[nodiscard]] virtual std::string doubt(const std::string& condition) const = 0;
   /// A constant of a runtime's type.
   [[nodiscard]] virtual std::string constant(const std::string& type, const std::string& name,
                                              const std::string& value) const = 0;

@@ -216,7 +216,6 @@ std::vector<std::string> further_lines(const model::Robot& robot, const LoweredP
   if (const auto* newton = step.as<kind::Newton>())
     return d.polish_lines(polish_task(robot, plan, *newton, d));
   if (step.wrist() != nullptr && !step.ends_plan()) return wrist_turn_lines(*step.wrist(), d);
-  if (plan.plan.chooses_for_others(step)) return {d.doubt(d.member("w", "branch.continuum"))};
   if (step.is<kind::SlideTurn>())
     return {"if (result.chosen) " + d.member("w", "branch.continuum") + " = " +
             d.member("w", "branch.doubtful") + " = true;"};

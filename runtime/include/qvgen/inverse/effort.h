@@ -15,6 +15,7 @@ struct Effort {
 struct Budget {
   int passes;
   int steps;
+  bool persists = false;  ///< further choices are made as long as a branch is without a solution
   Effort spent = {};
 
   bool pass() { return take(spent.passes, passes); }
@@ -37,6 +38,12 @@ inline constexpr Budget near_effort{6, 60};
 /// three.
 constexpr Budget most_effort(int joints, int branches) {
   return {8, joints > 3 ? 24 + 7 * branches : 40 + 8 * branches};
+}
+
+/// The same of an arm with a joint that a pose may leave free while the others can follow for few of its
+/// angles: near such a pose the equations lead nowhere, and more choices are made.
+constexpr Budget most_effort_for_few_angles(int joints, int branches) {
+  return {24, 5 * most_effort(joints, branches).steps, true};
 }
 
 /// The same of an arm with a quartic, whose roots carry so few digits that they are always polished, by two

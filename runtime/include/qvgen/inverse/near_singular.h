@@ -15,7 +15,7 @@
 ///             and a branch is open         chosen as if it were free     picks a place out of reach
 ///     turned  a wrist has turned back, or  the same with other choices;  continua of which the
 ///             something was nearly free    if there is no solution,      joints behind the choice
-///             and there is no solution     stretched towards it          reach a part only
+///             and a solution is missing    stretched towards it          reach a part only
 ///
 /// The state of a branch (`BranchState`):
 ///
@@ -59,8 +59,11 @@ void solve_near_singular(Target goal, Tracker tracker, const Follow& follow,
   const Boundary chosen = Boundary::chosen(goal.tolerance);
   const bool met_free = pass(Boundary::ends(goal.tolerance));
   if (met_free && !tracker.all_settled()) pass(chosen);
-  constexpr int choices = 6;
-  const auto is_open = [&] { return (met_free && found.empty()) || tracker.any(BranchState::turned_back); };
+  // What the first two leave.
+  const int choices = tracker.budget().passes - 2;
+  const bool persists = tracker.budget().persists;
+  const auto misses = [&] { return found.empty() || (persists && tracker.any(BranchState::missed)); };
+  const auto is_open = [&] { return (met_free && misses()) || tracker.any(BranchState::turned_back); };
   for (int k = 0; k < choices && is_open(); ++k) {
     preference = next_choice(preference);
     pass(found.empty() && k < choices / 2 ? Boundary::stretched(goal.tolerance) : chosen);

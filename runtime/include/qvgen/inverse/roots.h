@@ -158,6 +158,18 @@ Rotor<Scalar> chosen_direction(const Rotor<Scalar>& v, const Rotor<Scalar>& choi
   return direction(v, boundary.choose ? little : Scalar(noise * noise * noise * noise), choice, branch);
 }
 
+/// What is noise in v, a product of two vectors that vanish together where an equation before has a double
+/// root, which carries half the digits: a pass that chooses takes more of it for noise. `tiny`: the fourth
+/// power of what is noise for sure.
+template <typename Scalar>
+Scalar tiny_at_double_root(const Rotor<Scalar>& v, const Scalar& tiny, const Boundary& boundary,
+                           Branch<Scalar>& branch) {
+  // The vectors are then below 1e-5 of the arm's size; noise is 16 eps.
+  const Scalar little = Scalar(6.3e37) * tiny;
+  branch.doubt(v.cosine * v.cosine + v.sine * v.sine <= little);
+  return boundary.choose ? little : tiny;
+}
+
 /// ±sqrt(square), where `square` = r² - m² may be negative by rounding, `scale` = m² telling how much that
 /// is. With scale 0 it is a sum of squares, and noise is what lies below `tiny`, the square of a length.
 template <typename Scalar>
