@@ -39,4 +39,22 @@ bool Block::depends(const Vector& n, const Scope& scope) const {
   return !scope.is_zero(f.coefficients.x) || !scope.is_zero(f.coefficients.y);
 }
 
+bool Block::comes_onto(const Screw& line, const Scope& scope) const {
+  if (!screw.revolute) return false;
+  const Form x = form(line.first, scope), y = form(line.second, scope);
+  const Flat &a = x.coefficients, &b = y.coefficients;
+  const ex off_x = scope.clean(x.constant - dot(line.first, line.point));
+  const ex off_y = scope.clean(y.constant - dot(line.second, line.point));
+  // off + (a, b) (cos, sin) = 0
+  const ex determinant = scope.clean(a.x * b.y - a.y * b.x);
+  const ex cosine = scope.clean(off_y * a.y - off_x * b.y);
+  const ex sine = scope.clean(off_x * b.x - off_y * a.x);
+  if (!scope.is_zero(determinant))
+    return scope.is_zero(cosine * cosine + sine * sine - determinant * determinant);
+  // Seen from along the line the point moves to and fro.
+  const double reach = scope.sample(a.x * a.x + a.y * a.y + b.x * b.x + b.y * b.y);
+  const double way = scope.sample(off_x * off_x + off_y * off_y);
+  return scope.is_zero(cosine) && scope.is_zero(sine) && way <= reach * (1 + 1e-9);
+}
+
 }  // namespace qvgen::derive::inverse

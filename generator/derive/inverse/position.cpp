@@ -90,7 +90,8 @@ class Position {
     const ex square = builder_.keep("square_" + name(u), square_of(arm));
     const std::string reason = by_distance(u, r, square, false);
     if (!reason.empty()) return reason;
-    comes_onto_axis_ = comes_onto_axis(u);
+    // What the other joint is solved by then is at an end of its range: see turn_by_pair.
+    comes_onto_axis_ = u.comes_onto(b_, scope_);
     keep_flat(u);
     if (own && distance_depends(w, *own)) {
       const ex other = builder_.keep("square_" + name(w), square_of(scope_.clean(point_of(u) - *own)));
@@ -189,26 +190,6 @@ class Position {
   Flat foot_of(const Block& u, const Vector& r) const {
     const Vector arm = scope_.clean(u.base - r);
     return {scope_.clean(dot(u.screw.first, arm)), scope_.clean(dot(u.screw.second, arm))};
-  }
-
-  /// Whether some angle brings the point of u onto axis b. What the other joint is solved by, a height along
-  /// that axis or a distance from a point on it, then is at an end of its range.
-  bool comes_onto_axis(const Block& u) const {
-    if (!u.screw.revolute) return false;
-    const Block::Form x = u.form(b_.first, scope_), y = u.form(b_.second, scope_);
-    const Flat &a = x.coefficients, &b = y.coefficients;
-    const ex off_x = scope_.clean(x.constant - dot(b_.first, b_.point));
-    const ex off_y = scope_.clean(y.constant - dot(b_.second, b_.point));
-    // off + (a, b) (cos, sin) = 0
-    const ex determinant = scope_.clean(a.x * b.y - a.y * b.x);
-    const ex cosine = scope_.clean(off_y * a.y - off_x * b.y);
-    const ex sine = scope_.clean(off_x * b.x - off_y * a.x);
-    if (!scope_.is_zero(determinant))
-      return scope_.is_zero(square_of(cosine) + square_of(sine) - square_of(determinant));
-    // Seen from along the axis the point moves to and fro on a line.
-    const double reach = scope_.sample(square_of(a.x) + square_of(a.y) + square_of(b.x) + square_of(b.y));
-    const double way = scope_.sample(square_of(off_x) + square_of(off_y));
-    return scope_.is_zero(cosine) && scope_.is_zero(sine) && way <= reach * (1 + 1e-9);
   }
 
   bool distance_depends(const Block& u, const Vector& r) const {
@@ -404,8 +385,8 @@ class Position {
   std::map<std::string, Flat> flats_;
   ex common_square_;  ///< of both points' distances from axis b, where the equation of one joint is that they
                       ///< agree
-  bool comes_onto_axis_ =
-      false;  ///< at some poses both points lie on axis b, where an equation has a double root
+  /// At some poses both points lie on axis b, where an equation has a double root.
+  bool comes_onto_axis_ = false;
 };
 
 }  // namespace
