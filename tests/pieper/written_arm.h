@@ -27,28 +27,39 @@ class WrittenArm : public Inverse {
     }
   }
 
-  /// Poses at which several things are singular at once, or next to it: of one in a hundred the sampled
-  /// joints may be missing, but nothing may be wrong.
-  void expect_nearly_all(const std::string& name) {
+  /// How many of a set's poses lack the sampled joints.
+  struct Lack {
     int poses = 0, missing = 0;
-    std::string first;
+    std::string first;  ///< the first of these, in words
+  };
+
+  /// Poses at which several things are singular at once, or next to it: whatever is missing, nothing may be
+  /// wrong.
+  Lack expect_nothing_wrong(const std::string& name) {
+    Lack lack;
     for (int i = 0; i < pose_count() / 20; ++i) {
       const std::optional<Sample> sample = draw(pose_set(name), i);
       if (!sample) continue;
       const Verdict verdict =
           judge(test(), *sample,
                 test().robot().solve(sample->pose, test().given(sample->q), inverse::default_tolerance));
-      ++poses;
-      missing += verdict.missing ? 1 : 0;
-      if (first.empty()) first = verdict.fault;
+      ++lack.poses;
+      lack.missing += verdict.missing ? 1 : 0;
+      if (lack.first.empty()) lack.first = verdict.fault;
       EXPECT_TRUE(verdict.missing || verdict.fault.empty())
           << name << ", pose " << i << ": " << verdict.fault;
       EXPECT_EQ(verdict.bad + verdict.repeated, 0) << name << ", pose " << i << ": " << verdict.fault;
     }
-    EXPECT_LE(missing, 1 + poses / 100) << name << ": " << first;
-    if (missing > 0)
+    if (lack.missing > 0)
       std::printf("%s, %s: %d of %d lack the sampled joints\n", GetParam().name.c_str(), name.c_str(),
-                  missing, poses);
+                  lack.missing, lack.poses);
+    return lack;
+  }
+
+  /// The same, and of one in a hundred the sampled joints may be missing.
+  void expect_nearly_all(const std::string& name) {
+    const Lack lack = expect_nothing_wrong(name);
+    EXPECT_LE(lack.missing, 1 + lack.poses / 100) << name << ": " << lack.first;
   }
 
   /// As for the robots in tests/inverse/paths_test.cpp.
