@@ -78,19 +78,27 @@ std::string place_centre(Attempt& attempt, Target& target, std::size_t k, std::s
   if (pre.empty())
     return solve_position(attempt.builder, reversed(post[2]), reversed(post[1]), reversed(post[0]), centre,
                           named(target.source(centre)));
-  // post T^-1 pre carries the point to itself; the first joints are seen through T^-1.
-  std::vector<Screw> loop = post;
-  for (std::size_t i = 0; i < pre.size(); ++i) {
-    Screw seen = pre[i];
+  // post T^-1 pre carries the point to itself. The fewer joints are seen through T or T^-1, so that equations
+  // between the others do not hold the pose.
+  const auto seen = [&](const Screw& screw, std::size_t i, bool by_tool) {
+    Screw result = screw;
     const std::string name = "seen" + std::to_string(i + 1);
     auto& program = attempt.plan.target;
-    seen.axis = attempt.scope.define(program, name + "_axis", target.direction_source(pre[i].axis));
-    seen.first = attempt.scope.define(program, name + "_first", target.direction_source(pre[i].first));
-    seen.second = attempt.scope.define(program, name + "_second", target.direction_source(pre[i].second));
-    seen.point = attempt.scope.define(program, name + "_point", target.source(pre[i].point));
-    loop.push_back(seen);
-  }
-  return solve_position(attempt.builder, loop[0], loop[1], loop[2], named(target.source(centre)), centre);
+    const auto direction = [&](const Vector& v) {
+      return by_tool ? target.direction_image(v) : target.direction_source(v);
+    };
+    result.axis = attempt.scope.define(program, name + "_axis", direction(screw.axis));
+    result.first = attempt.scope.define(program, name + "_first", direction(screw.first));
+    result.second = attempt.scope.define(program, name + "_second", direction(screw.second));
+    result.point = attempt.scope.define(program, name + "_point",
+                                        by_tool ? target.image(screw.point) : target.source(screw.point));
+    return result;
+  };
+  if (post.size() < pre.size())
+    return solve_position(attempt.builder, seen(post[0], 0, true), pre[0], pre[1], centre,
+                          named(target.image(centre)));
+  return solve_position(attempt.builder, post[0], post[1], seen(pre[0], 0, false),
+                        named(target.source(centre)), centre);
 }
 
 namespace {

@@ -69,7 +69,9 @@ class Position {
     if (!a_.screw.revolute && !c_.screw.revolute) return two_slides();
     if (!a_.screw.revolute) return slide_and_turn(a_, c_);
     if (!c_.screw.revolute) return slide_and_turn(c_, a_);
-    return eliminate(builder_, a_, c_.screw, around_axis_rows());
+    return eliminate_one(builder_, a_, c_, [this](const Block& u, const Block& w) {
+      return std::array{same_height(b_.axis, u, w, scope_), same_distance(b_.point, u, w, scope_)};
+    });
   }
 
   /// The height along axis b holds `u` alone; then the distance from axis b, in its plane, gives `w`.
@@ -264,7 +266,9 @@ class Position {
     if (!a_.screw.revolute || !c_.screw.revolute) return "two parallel prismatic joints";
     if (scope_.is_zero(cross(a_.screw.axis, c_.screw.axis)) && scope_.is_zero(cross(a_.screw.axis, b_.axis)))
       return two_link_column();
-    return eliminate(builder_, a_, c_.screw, {row(b_.first), row(b_.second)});
+    return eliminate_one(builder_, a_, c_, [this](const Block& u, const Block& w) {
+      return std::array{same_height(b_.first, u, w, scope_), same_height(b_.second, u, w, scope_)};
+    });
   }
 
   std::string by_two_planes(const Block& u, const Block& w, const Vector& without_w,
@@ -319,27 +323,7 @@ class Position {
     return "";
   }
 
-  // --- elimination: a conic on the unit circle
-  PairRow row(const Vector& n) const {
-    const Block::Form c = c_.form(n, scope_);
-    return {{scope_.clean(dot(n, a_.screw.first)), scope_.clean(dot(n, a_.screw.second))},
-            scope_.clean(dot(n, a_.base) - c.constant),
-            {-c.coefficients.x, -c.coefficients.y}};
-  }
-
-  std::array<PairRow, 2> around_axis_rows() const {
-    const Vector arm_a = scope_.clean(a_.base - b_.point);
-    const Vector arm_c = scope_.clean(c_.base - b_.point);
-    const Block::Form c = c_.form(ex(2) * arm_c, scope_);
-    const ex own = square_of(arm_a) + square_of(a_.x0.x) + square_of(a_.x0.y);
-    const ex other = square_of(arm_c) + square_of(c_.x0.x) + square_of(c_.x0.y);
-    const PairRow distance{
-        {scope_.clean(2 * dot(arm_a, a_.screw.first)), scope_.clean(2 * dot(arm_a, a_.screw.second))},
-        own - other,
-        {-c.coefficients.x, -c.coefficients.y}};
-    return {row(b_.axis), distance};
-  }
-
+  // --- both outer joints at once
   std::string two_slides() {
     const Block::Form a = a_.form(b_.axis, scope_);
     const Block::Form c = c_.form(b_.axis, scope_);
