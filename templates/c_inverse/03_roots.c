@@ -85,8 +85,10 @@ static Rotor factored_line_angle(Rotor v, double rhs, double low, double high, d
   if (is_free) return scaled(sign, choice);
   const double height =
       sign * fabs(range) * sqrt(larger(low_share, boundary->floor) * larger(high_share, boundary->floor));
-  const double length = sqrt(rhs * rhs + height * height);
-  const double unit = 1 / (length * sqrt(square));
+  const double length_square = rhs * rhs + height * height;
+  // Where all three vanish but for rounding, any direction will do for Newton's steps to begin with.
+  if (length_square == 0) return scaled(1 / sqrt(square), v);
+  const double unit = 1 / (sqrt(length_square) * sqrt(square));
   return product(rotor(rhs * unit, height * unit), v);
 }
 

@@ -104,14 +104,16 @@ typedef struct Tracker {
   BranchState states[most_branches];
   Known known;
   Budget budget;
+  bool persists;  // further choices are made as long as a branch is without a solution
 } Tracker;
 
-static void start_tracker(Tracker* tracker, int branches, int passes, int steps) {
+static void start_tracker(Tracker* tracker, int branches, int passes, int steps, bool persists) {
   const Budget budget = {passes, steps, {0, 0, 0}};
   tracker->branches = branches;
   for (int i = 0; i < branches; ++i) tracker->states[i] = unseen;
   tracker->known.count = 0;
   tracker->budget = budget;
+  tracker->persists = persists;
 }
 
 static bool any_branch_is(const Tracker* tracker, BranchState state) {
@@ -200,12 +202,16 @@ static bool settle_branch(Tracker* tracker, int label, const Matching* task, con
     return true;
   }
   Reached reached;
-  if (!lead_to_goal(tracker, patience(boundary->miss), task, values, &reached)) {
+  const JointValues start = *values;
+  const bool leads = lead_to_goal(tracker, patience(boundary->miss), task, values, &reached);
+  const bool same = leads && is_known(known, task->joints, values);
+  // What has come to another branch's solution from elsewhere may have left its own, which a choice finds.
+  if (!leads || (tracker->persists && same && are_apart(task->joints, &start, values))) {
     if (*state == unseen) *state = missed;
     return false;
   }
   *state = settled;
-  if (is_known(known, task->joints, values) || is_joined_to_known(tracker, task, values, &reached))
+  if (same || is_joined_to_known(tracker, task, values, &reached))
     return false;
   if (branch->continuum || is_continuum(task, values, &reached, &tracker->budget)) {
     branch->continuum = true;

@@ -118,6 +118,12 @@ static bool is_nearly_continuum(const Matching* task, const JointValues* values,
   return share < 1e-12 && points_go_on(task, values, 4 * sqrt(share), budget);
 }
 
+/// Whether values that reach the goals can be moved on and miss them by little. Where two solutions merely meet
+/// what is missing then is a hundred times as much.
+static bool is_next_to_continuum(const Matching* task, const JointValues* values, Budget* budget) {
+  return points_go_on(task, values, 1e-6, budget);
+}
+
 /// One step of `move_on`, shorter if it does not get nearer; false if none does.
 static bool improve(const Matching* task, JointValues* values, Budget* budget) {
   if (!may_step(budget)) return false;
@@ -170,9 +176,9 @@ static bool points_are_joined(const Matching* task, const JointValues* a, const 
 }
 
 /// Branches that have led to a solution; that came near one and have none; that have been left to a pass that
-/// chooses; that have come near a continuum, and to no solution of their own on it; whose wrist cannot follow
-/// to what has been chosen.
-typedef enum Mark { has_settled, has_missed, is_left, has_strayed, has_turned_back, marks } Mark;
+/// chooses; that have come near a continuum, and to no solution of their own on it; that near one have come to
+/// the solution of another branch alone; whose wrist cannot follow to what has been chosen.
+typedef enum Mark { has_settled, has_missed, is_left, has_strayed, has_shared, has_turned_back, marks } Mark;
 
 /// What has come of each branch, and the solutions so far.
 typedef struct Visited {
@@ -197,6 +203,12 @@ static bool is_open(const Visited* visited, Mark mark) {
   return false;
 }
 
+/// Leaves those that share a solution at that.
+static void settle_shared(Visited* visited) {
+  for (int i = 0; i < visited->branches; ++i)
+    visited->marked[has_settled][i] = visited->marked[has_settled][i] || visited->marked[has_shared][i];
+}
+
 static bool visit_is_settled(const Visited* visited, int label) {
   return visited->marked[has_settled][label];
 }
@@ -205,7 +217,8 @@ static bool visit_is_settled(const Visited* visited, int label) {
 static void reopen_visit(Visited* visited, int label, bool continuum) {
   visited->marked[has_settled][label] = false;
   visited->marked[has_missed][label] = true;
-  visited->marked[has_turned_back][label] = visited->marked[has_turned_back][label] || continuum;
+  bool* turned_back = &visited->marked[has_turned_back][label];
+  *turned_back = *turned_back || (continuum && !visited->marked[has_shared][label]);
   --visited->known.count;
 }
 
@@ -246,7 +259,11 @@ static bool settle_visit(Visited* visited, int label, const Matching* task, cons
   const bool known = is_visited(visited, task, values);
   // Near a continuum two branches may have been led to the one solution and left another; and so may a choice
   // lead.
-  visited->marked[has_settled][label] = !(known && (strays || *left));
+  bool* shared = &visited->marked[has_shared][label];
+  const bool astray = strays || *left || *shared;
+  *shared = *shared || (known && !astray && !visited->marked[has_turned_back][label] &&
+                        is_next_to_continuum(task, values, budget));
+  visited->marked[has_settled][label] = !(known && (astray || *shared));
   if (known) return false;
   visited->known.of[visited->known.count++] = *values;
   return true;

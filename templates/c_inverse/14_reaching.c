@@ -8,6 +8,7 @@ typedef struct Reaching {
   Budget budget;
   Solutions* found;
   JointValues known[capacity];
+  JointValues starts[capacity];  // of the first round, by branch
 } Reaching;
 
 static void start_reaching(Reaching* kept, const Arm* arm, const Pose* pose, int points, double tolerance,
@@ -19,6 +20,7 @@ static void start_reaching(Reaching* kept, const Arm* arm, const Pose* pose, int
   kept->capacity = rows;
   kept->budget = budget;
   kept->found = found;
+  memset(kept->starts, 0, sizeof kept->starts);
   start_solutions(found);
 }
 
@@ -47,9 +49,30 @@ static void keep_reaching(Reaching* kept, const double* q, const JointValues* va
   row->continuum = continuum;
 }
 
-static void look_at_row(Reaching* kept, const Row* from, bool once_more) {
+/// Next to a continuum, not on it, all choices lead to one place, and the tool's orientation asks for another,
+/// up to a quarter of a turn away, where nothing says to which side: goes along what is idle, another way each
+/// round. False if there is no budget left.
+static bool go_along_idle(Reaching* kept, int round, JointValues* values, Reached* at) {
   const Matching* task = &kept->task;
-  const double exact = 4 * DBL_EPSILON;
+  const double golden_angle = 2.399963229728653;
+  const Dependent idle = idle_joints(task, at);
+  if (idle.least == task->joints) return true;
+  const Reached here = *at;
+  move_along(task, &here, idle.least, without_turns(round * golden_angle), values);
+  if (!may_step(&kept->budget)) return false;
+  reach(task, values, at);
+  return true;
+}
+
+static bool has_branch(const Solutions* found, int branch) {
+  for (int k = 0; k < found->count; ++k)
+    if (found->rows[k].branch == branch) return true;
+  return false;
+}
+
+static void look_at_row(Reaching* kept, const Row* from, double near, int round) {
+  const Matching* task = &kept->task;
+  const double exact = 4 * DBL_EPSILON, same = 1e-6;
   double q[dof];
   JointValues values;
   memcpy(q, from->q, sizeof q);
@@ -58,25 +81,34 @@ static void look_at_row(Reaching* kept, const Row* from, bool once_more) {
   if (!may_step(&kept->budget)) return;
   Reached at;
   reach(task, &values, &at);
+  JointValues* start = &kept->starts[from->branch % kept->capacity];
+  const bool next_to_continuum =
+      from->continuum && round > 0 && values_apart(task->joints, start, &values) < same * same;
+  if (round == 0) *start = values;
+  if (next_to_continuum && !go_along_idle(kept, round, &values, &at)) return;
   const double off = at.error / task->size_square;
-  if (!(from->continuum || off < 1e-4 * 1e-4)) return;
-  if (!(off < exact * exact)) {
-    if (!polish(task, patience(kept->tolerance), &values, &at, &kept->budget, &nothing_held)) return;
-    for (int i = 0; i < dof; ++i)
-      q[i] = task->arm[i].revolute ? output_angle(values.of[i].cosine, values.of[i].sine, 1)
-                                   : values.of[i].cosine;
-  }
+  if (!(from->continuum || off < near * near)) return;
+  const bool reaches = off < exact * exact;
+  if (!reaches && !polish(task, patience(kept->tolerance), &values, &at, &kept->budget, &nothing_held)) return;
+  for (int i = 0; i < dof && (!reaches || round > 0); ++i)
+    q[i] = task->arm[i].revolute ? output_angle(values.of[i].cosine, values.of[i].sine, 1)
+                                 : values.of[i].cosine;
   const bool continuum = from->continuum && is_continuum(task, &values, &at, &kept->budget);
-  if (continuum && once_more) return;
+  if (continuum && round > 0 && (!next_to_continuum || has_branch(kept->found, from->branch))) return;
   keep_reaching(kept, q, &values, from->branch, continuum);
 }
 
-/// Looks at every row, all on continua from wherever they are; `once_more`: at other places of these.
-static void look_at_rows(Reaching* kept, const Rows* rows, bool once_more) {
+/// How far off a row may be that Newton's steps are to bring to the pose: near a singular pose what a direction is
+/// may have but few digits.
+static double near_enough(const Effort* effort) { return effort->steps > 0 ? 1e-2 : 1e-4; }
+
+/// Looks at every row, all on continua from wherever they are; in rounds after the first at other places of these.
+static void look_at_rows(Reaching* kept, const Rows* rows, int round) {
   add_effort(&rows->effort, &kept->found->effort);
   kept->is_incomplete = kept->is_incomplete || rows->status == status_incomplete;
   for (int i = 0; i < rows->count; ++i)
-    if (!once_more || rows->rows[i].continuum) look_at_row(kept, &rows->rows[i], once_more);
+    if (round == 0 || rows->rows[i].continuum)
+      look_at_row(kept, &rows->rows[i], near_enough(&rows->effort), round);
 }
 
 static void conclude_reaching(Reaching* kept) {

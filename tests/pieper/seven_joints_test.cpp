@@ -13,7 +13,7 @@ TEST_P(SevenJoints, EveryJointAtZeroInTurn) { run("a joint at 0", pose_count() /
 TEST_P(SevenJoints, EveryJointNearlyZeroInTurn) { run("a joint at 10^-u", pose_count() / 20); }
 TEST_P(SevenJoints, OnALatticeOf45Degrees) { run("45° lattice", pose_count() / 20); }
 TEST_P(SevenJoints, BranchesThatMeet) { run("boundary", pose_count() / 20); }
-TEST_P(SevenJoints, ToolPointOnTheFirstAxis) { expect_nearly_all("tool on axis 1"); }
+TEST_P(SevenJoints, ToolPointOnTheFirstAxis) { expect_found_or_told("tool on axis 1"); }
 
 TEST_P(SevenJoints, RowsHaveTheGivenJointAsItIs) {
   for (int i = 0; i < 3; ++i) {

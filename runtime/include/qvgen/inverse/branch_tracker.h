@@ -58,12 +58,16 @@ class BranchTracker {
     if (!branch.unsure) return is_new_regular(task, state, values);
     const Idling<Scalar, joints, points> idling(task, budget_);
     Reached<Scalar, joints, points> reached;
-    if (!lead_to_goal(idling, {boundary.miss}, task, values, reached)) {
+    const Values start = values;
+    const bool leads = lead_to_goal(idling, {boundary.miss}, task, values, reached);
+    const bool same = leads && is_same(values);
+    // What has come to another branch's solution from elsewhere may have left its own, which a choice finds.
+    if (!leads || (budget_.persists && same && is_apart(start, values))) {
       if (state == BranchState::unseen) state = BranchState::missed;
       return false;
     }
     state = BranchState::settled;
-    if (is_same(values) || is_joined(idling, values, reached)) return false;
+    if (same || is_joined(idling, values, reached)) return false;
     if (branch.continuum || idling.is_continuum(values, reached)) {
       branch.continuum = true;
       if (seed != nullptr) near_seed(task, *seed, values, reached);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+
 #include <qvgen/inverse/choose.h>
 #include <qvgen/inverse/continuum.h>
 #include <qvgen/inverse/near_singular.h>
@@ -35,14 +37,17 @@ class Reaching {
   Reaching(const Pose<double>& pose, const ArmAtZero<dof>& arm, double tolerance)
       : task_(matching<points>(arm, pose)), tolerance_(tolerance) {}
 
-  /// Looks at every row, all on continua from wherever they are; `once_more`: at other places of these.
+  /// Looks at every row, all on continua from wherever they are; in rounds after the first at other places of
+  /// these.
   template <int row>
-  void take(const Solutions<row, capacity>& rows, bool once_more) {
+  void take(const Solutions<row, capacity>& rows, int round) {
     add(rows.effort);
     is_incomplete_ = is_incomplete_ || rows.status == Status::incomplete;
+    // Near a singular pose what a direction is may have but few digits.
+    const double near = rows.effort.steps > 0 ? 1e-2 : 1e-4;
     for (const Solution<row>& each : rows) {
-      if (once_more && !each.continuum) continue;
-      take(Joints<dof>(each.q.template head<dof>()), each.branch, each.continuum, once_more);
+      if (round > 0 && !each.continuum) continue;
+      take(Joints<dof>(each.q.template head<dof>()), each.branch, each.continuum, near, round);
     }
   }
 
@@ -57,6 +62,7 @@ class Reaching {
  private:
   using Values = JointValues<double, static_cast<std::size_t>(dof)>;
   using Task = ArmMatching<dof, points>;
+  using Newton = polishing::Newton<double, static_cast<std::size_t>(dof), static_cast<std::size_t>(points)>;
   using At = Reached<double, static_cast<std::size_t>(dof), static_cast<std::size_t>(points)>;
 
   void add(const Effort& effort) {
@@ -65,33 +71,71 @@ class Reaching {
     found_.effort.used_up = found_.effort.used_up || effort.used_up;
   }
 
-  void take(Joints<dof> q, int branch, bool is_free, bool once_more) {
-    constexpr double near = 1e-4;
-    constexpr double exact = 4 * std::numeric_limits<double>::epsilon();
+  [[nodiscard]] Values values_of(const Joints<dof>& q) const {
     Values values;
     for (int i = 0; i < dof; ++i) {
       const auto joint = static_cast<std::size_t>(i);
       values[joint] =
           task_.arm[joint].revolute ? Rotor<double>{std::cos(q[i]), std::sin(q[i])} : Rotor<double>{q[i], 0};
     }
+    return values;
+  }
+  [[nodiscard]] Joints<dof> joints_of(const Values& values) const {
+    Joints<dof> q;
+    for (int i = 0; i < dof; ++i) {
+      const auto& value = values[static_cast<std::size_t>(i)];
+      q[i] = task_.arm[static_cast<std::size_t>(i)].revolute ? output_angle(value.cosine, value.sine)
+                                                             : value.cosine;
+    }
+    return q;
+  }
+
+  void take(Joints<dof> q, int branch, bool is_free, double near, int round) {
+    constexpr double exact = 4 * std::numeric_limits<double>::epsilon();
+    Values values = values_of(q);
     if (!budget_.step()) return;
-    At at = polishing::Newton<double, dof, points>(task_).reached(values);
+    At at = Newton(task_).reached(values);
+    const bool next_to_continuum = is_free && round > 0 && is_start(branch, values);
+    if (round == 0) start_of(branch) = values;
+    if (next_to_continuum && !move_on(round, values, at)) return;
     const double miss = at.error / task_.size_square;
     if (!(is_free || miss < near * near)) return;
-    if (!(miss < exact * exact)) {
-      if (!polish(task_, {tolerance_}, values, at, budget_)) return;
-      for (int i = 0; i < dof; ++i) {
-        const auto& value = values[static_cast<std::size_t>(i)];
-        q[i] = task_.arm[static_cast<std::size_t>(i)].revolute ? output_angle(value.cosine, value.sine)
-                                                               : value.cosine;
-      }
-    }
+    const bool reaches = miss < exact * exact;
+    if (!reaches && !polish(task_, {tolerance_}, values, at, budget_)) return;
+    if (!reaches || round > 0) q = joints_of(values);
     const bool continuum =
         is_free &&
         Idling<double, static_cast<std::size_t>(dof), static_cast<std::size_t>(points)>(task_, budget_)
             .is_continuum(values, at);
-    if (continuum && once_more) return;
+    if (continuum && round > 0 && (!next_to_continuum || has(branch))) return;
     keep(q, values, branch, continuum);
+  }
+
+  Values& start_of(int branch) { return starts_[static_cast<std::size_t>(branch % capacity)]; }
+
+  /// Whether a choice has led to where the first one has.
+  [[nodiscard]] bool is_start(int branch, const Values& values) {
+    constexpr double same = 1e-6;
+    return distance_square(start_of(branch), values) < same * same;
+  }
+
+  /// Next to a continuum, not on it, all choices lead to one place, and the tool's orientation asks for
+  /// another, up to a quarter of a turn away, where nothing says to which side: goes along what is idle,
+  /// another way each round. False if there is no budget left.
+  bool move_on(int round, Values& values, At& at) {
+    constexpr double golden_angle = 2.399963229728653;
+    const auto idle = Newton::idle(at);
+    if (idle.least == dof) return true;
+    const Newton newton(task_);
+    const auto by = newton.following(at, idle.least, without_turns(round * golden_angle));
+    for (std::size_t i = 0; i < by.size(); ++i) newton.advance(i, by[i], values);
+    if (!budget_.step()) return false;
+    at = newton.reached(values);
+    return true;
+  }
+
+  [[nodiscard]] bool has(int branch) const {
+    return std::any_of(found_.begin(), found_.end(), [&](const auto& row) { return row.branch == branch; });
   }
 
   void keep(const Joints<dof>& q, const Values& values, int branch, bool continuum) {
@@ -116,6 +160,7 @@ class Reaching {
   Budget budget_ = effort_of_reaching(dof, capacity);
   Solutions<dof, capacity> found_;
   std::array<Values, static_cast<std::size_t>(capacity)> known_;
+  std::array<Values, static_cast<std::size_t>(capacity)> starts_{};  ///< of the first round, by branch
 };
 
 /// A row that solves less than is asked, if it reaches the tool's point (`points` 1) or the whole pose (3).
@@ -124,7 +169,7 @@ Solutions<dof, 1> reaching_row(const Pose<double>& pose, const ArmAtZero<dof>& a
                                const Solutions<dof, 1>& row) {
   if (row.status == Status::invalid) return row;
   Reaching<points, dof, 1> kept(pose, arm, tolerance);
-  kept.take(row, false);
+  kept.take(row, 0);
   return kept.result();
 }
 
@@ -141,10 +186,10 @@ auto reaching(const Pose<double>& pose, const ArmAtZero<dof>& arm, double tolera
     return none;
   }
   Reaching<points, dof, capacity> kept(pose, arm, tolerance);
-  kept.take(rows, false);
+  kept.take(rows, 0);
   for (int k = 1; rows.status == Status::singular && k < reaching_choices; ++k) {
     preference = next_choice(preference);
-    kept.take(solve(preference), true);
+    kept.take(solve(preference), k);
   }
   return kept.result();
 }

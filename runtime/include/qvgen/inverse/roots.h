@@ -108,9 +108,12 @@ Rotor<Scalar> factored_line_angle(const Rotor<Scalar>& v, const Scalar& rhs, con
   const Scalar floor(boundary.floor);
   const Scalar height =
       sign * magnitude(range) * sqrt(Scalar(larger(low_share, floor) * larger(high_share, floor)));
-  const Scalar length = sqrt(select(is_free, Scalar(1), Scalar(rhs * rhs + height * height)));
+  const Scalar length_square = rhs * rhs + height * height;
+  // Where all three vanish but for rounding, any direction will do for Newton's steps to begin with.
+  const Mask<Scalar> is_nothing = length_square == Scalar(0);
+  const Scalar length = sqrt(select(is_nothing, Scalar(1), length_square));
   const Scalar unit = Scalar(1) / (length * sqrt(select(is_free, Scalar(1), square)));
-  const Rotor<Scalar> found = Rotor<Scalar>{rhs * unit, height * unit} * v;
+  const Rotor<Scalar> found = Rotor<Scalar>{select(is_nothing, unit, Scalar(rhs * unit)), height * unit} * v;
   return {select(is_free, Scalar(sign * choice.cosine), found.cosine),
           select(is_free, Scalar(sign * choice.sine), found.sine)};
 }

@@ -79,17 +79,23 @@ void solve_carefully(const Pose<double>& pose, const Aim& aimed, Visited visited
   if (visited.left_any()) pass(Boundary::taking(goal.tolerance));
   if (visited.misses_any()) pass(Boundary::apart(goal.tolerance));
   const bool strays = visited.strays_any();
-  const auto from_nearby = [&](int k) {
-    pass_from(aimed(displaced(pose, std::sqrt(goal.size_square), k)), careful, choosing);
+  const auto from_nearby = [&](int k, const Boundary& at_goal) {
+    pass_from(aimed(displaced(pose, std::sqrt(goal.size_square), k)), careful, at_goal);
   };
-  for (int k = 0; visited.strays_any() && k < 12; ++k) from_nearby(k);
-  for (int k = 0; held && (found.empty() || visited.misses_any()) && k < 4; ++k) from_nearby(k);
-  if (visited.misses_any()) pass(Boundary::tolerant(goal.tolerance));
+  for (int k = 0; visited.strays_any() && k < 12; ++k) from_nearby(k, choosing);
+  constexpr int few = 4;
+  for (int k = 0; visited.shares_any() && k < few; ++k) from_nearby(k, choosing);
+  visited.settle_shared();
+  const bool divides_by_zero = held && found.empty();
+  for (int k = 0; held && (found.empty() || visited.misses_any()) && k < few; ++k) from_nearby(k, choosing);
+  const Boundary tolerant = Boundary::tolerant(goal.tolerance);
+  if (visited.misses_any()) pass(tolerant);
+  for (int k = 0; divides_by_zero && visited.misses_any() && k < few; ++k) from_nearby(k, tolerant);
   const bool is_free = met_free || strays;
   constexpr int choices = 16;
   for (int k = 0; (is_free && found.empty() && k < 60) || (visited.turned_back_any() && k < choices); ++k) {
     preference = quartic::next_choice(preference);
-    from_nearby(k);
+    from_nearby(k, choosing);
     pass(found.empty() && k < choices / 2 ? Boundary::reaching(goal.tolerance) : choosing);
   }
   found.effort = visited.budget().spent;

@@ -29,6 +29,12 @@ class Idling {
     return share < Scalar(1e-12) && goes_on(values, Scalar(Scalar(4) * sqrt(share)));
   }
 
+  /// Whether values that reach the goals can be moved on and miss them by little. Where two solutions merely
+  /// meet what is missing then is a hundred times as much.
+  [[nodiscard]] bool is_next_to_continuum(const Values& values) const {
+    return goes_on(values, Scalar(1e-6));
+  }
+
   /// Moves values that are nearly on a continuum along it, to where it meets the goals: Newton's step says
   /// how far the idle joint has to go, and the others follow by steps of their own, for the way is curved.
   /// Returns whether it does.

@@ -23,6 +23,13 @@ class Visited {
   /// Whether a branch has come near a continuum, and to no solution of its own on it.
   [[nodiscard]] bool strays_any() const { return is_open(strayed_); }
 
+  /// Whether near a continuum a branch has come to the solution of another one alone.
+  [[nodiscard]] bool shares_any() const { return is_open(shared_); }
+  /// Leaves these at that.
+  void settle_shared() {
+    for (std::size_t i = 0; i < capacity; ++i) settled_[i] = settled_[i] || shared_[i];
+  }
+
   /// Whether a wrist cannot follow to what has been chosen on a continuum.
   [[nodiscard]] bool turned_back_any() const { return is_open(turned_back_); }
 
@@ -31,7 +38,7 @@ class Visited {
     const auto at = static_cast<std::size_t>(label);
     settled_[at] = false;
     missed_[at] = true;
-    turned_back_[at] = turned_back_[at] || continuum;
+    turned_back_[at] = turned_back_[at] || (continuum && !shared_[at]);
     --count_;
   }
 
@@ -57,7 +64,10 @@ class Visited {
     const bool known = is_known(idling, values);
     // Near a continuum two branches may have been led to the one solution and left another; and so may a
     // choice lead.
-    settled_[at] = !(known && (strays || left_[at]));
+    const bool astray = strays || left_[at] || shared_[at];
+    shared_[at] =
+        shared_[at] || (known && !astray && !turned_back_[at] && idling.is_next_to_continuum(values));
+    settled_[at] = !(known && (astray || shared_[at]));
     if (known) return false;
     rows_[count_++] = values;
     return true;
@@ -93,7 +103,7 @@ class Visited {
     return open;
   }
 
-  Labels settled_{}, missed_{}, left_{}, strayed_{}, turned_back_{};
+  Labels settled_{}, missed_{}, left_{}, strayed_{}, shared_{}, turned_back_{};
   std::array<Values, capacity> rows_;
   std::size_t count_ = 0;
   Budget budget_;
