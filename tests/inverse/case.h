@@ -15,6 +15,8 @@ inline constexpr double pi = 3.14159265358979323846;
 class Case {
  public:
   explicit Case(const InverseUnderTest& robot);
+  /// An arm without a description.
+  Case(const InverseUnderTest& robot, reference::Chain chain) : robot_(robot), chain_(std::move(chain)) {}
 
   [[nodiscard]] const InverseUnderTest& robot() const { return robot_; }
   [[nodiscard]] const reference::Chain& chain() const { return chain_; }

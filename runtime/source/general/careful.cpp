@@ -51,7 +51,8 @@ Careful::Careful(const Setup& setup, const Pose<double>& pose, double tolerance,
       boundary_(Boundary::ends(tolerance)),
       seed_(seed_of(setup, preference)),
       seeded_(preference.seeded),
-      pass_(pass) {}
+      pass_(pass),
+      tracker_(setup.eliminations[0].pair == Pair::slides ? most_of_slides : most) {}
 
 /// Those that are set up, then the further ones; null if enough have been asked for.
 const Elimination* Careful::next_elimination() {
@@ -70,21 +71,61 @@ void Careful::eliminate(const Elimination& elimination, const Pose<double>& pose
   pass_(setup_.chain, elimination, goal_of(setup_.chain, pose), tolerance_, gathered);
 }
 
+Pose<double> Careful::nearby(int k) const {
+  constexpr double far = 30;  // times what `displaced` takes for a little
+  return quartic::displaced(pose_, far * setup_.chain.size, k).pose;
+}
+
 void Careful::settle(const JointPairs& start) {
   if (starts_ == most_starts || size_ == most_solutions) {
     effort_.used_up = true;
     return;
   }
+  const int label = starts_++;
   Values values = values_of(start);
   Branch<double> branch;
   branch.unsure = true;
-  if (tracker_.settle(starts_++, task_, boundary_, seeded_ ? &seed_ : nullptr, values, branch))
-    rows_[size_++] = {values, branch.continuum};
+  if (tracker_.settle(label, task_, boundary_, seeded_ ? &seed_ : nullptr, values, branch)) {
+    if (!branch.continuum || !is_on_known_continuum(values))
+      rows_[size_++] = {values, branch.continuum, true};
+    return;
+  }
+  constexpr double near = 1e-3, nearly = 1e-4;
+  for (int i = 0; i < size_; ++i)
+    if (distance_square(rows_[i].values, values) < near * near) rows_[i].seen = true;
+  if (tracker_.state(label) != BranchState::missed) return;
+  const double error = polishing::Newton<double, joints, 3>(task_).reached(values).error;
+  strays_ = strays_ || error < nearly * nearly * task_.size_square;
 }
 
 void Careful::settle(const Gathered& gathered) {
   for (int i = 0; i < gathered.rows; ++i) settle(gathered.row[i]);
   for (int i = 0; i < gathered.starts; ++i) settle(gathered.start[i]);
+}
+
+/// Whether a curve of solutions leads from one row to another: it is followed in steps, each brought back to
+/// the pose.
+bool Careful::leads_to(Values values, const Values& goal) {
+  constexpr double longest = 0.4;
+  constexpr int most_steps = 24;
+  const double way = std::sqrt(distance_square(values, goal));
+  const double share = std::max(tolerance_, default_tolerance);
+  for (int left = std::min(most_steps, 1 + static_cast<int>(way / longest)); left > 0; --left) {
+    const Values before = values;
+    for (std::size_t j = 0; j < joints; ++j) {
+      values[j].cosine += (goal[j].cosine - values[j].cosine) / left;
+      values[j].sine += (goal[j].sine - values[j].sine) / left;
+    }
+    Reached<double, joints, 3> there;
+    if (!polish(task_, {share, 2}, values, there, walks_)) return false;
+    if (distance_square(before, values) > 4 * longest * longest) return false;
+  }
+  return distance_square(values, goal) < 1e-4;
+}
+
+bool Careful::is_on_known_continuum(const Values& values) {
+  return std::any_of(rows_, rows_ + size_,
+                     [&](const Row& row) { return row.continuum && leads_to(values, row.values); });
 }
 
 /// Whether two solutions meet in a row, or it is on a continuum.
@@ -130,11 +171,20 @@ void Careful::merge() {
     }
 }
 
-void Careful::run(Gathered& first) {
+void Careful::run(const Gathered& first) {
   settle(first);
   merge();
+  if (setup_.eliminations[0].pair == Pair::slides)
+    agree_on_slides(first);
+  else
+    agree(first);
+  const Effort& spent = tracker_.budget().spent;
+  effort_.steps = spent.steps + walks_.spent.steps;
+  effort_.used_up = effort_.used_up || spent.used_up;
+}
+
+void Careful::agree(const Gathered& first) {
   bool all_loud = first.loud;
-  bool any_loud = first.loud;
   bool agreed = false;
   while (const Elimination* elimination = next_elimination()) {
     Gathered more;
@@ -143,7 +193,6 @@ void Careful::run(Gathered& first) {
     settle(more);
     merge();
     all_loud = all_loud && more.loud;
-    any_loud = any_loud || more.loud;
     ++effort_.passes;
     agreed = size_ == before;
     if (agreed && !more.doubtful && is_even()) break;
@@ -151,23 +200,16 @@ void Careful::run(Gathered& first) {
   // Two eliminations may lose the same solutions.
   const bool few = setup_.count + setup_.further.count < 3;
   for (int k = 0; k < 6 && (size_ == 0 || !is_even() || (few && k < 3)); ++k) {
-    constexpr double far = 30;  // times what `displaced` takes for a little
     Gathered near;
-    eliminate(setup_.eliminations[0], quartic::displaced(pose_, far * setup_.chain.size, k).pose, near);
+    eliminate(setup_.eliminations[0], nearby(k), near);
     const int before = size_;
     settle(near);
     merge();
     ++effort_.passes;
     if (few) agreed = size_ == before;
   }
-  const Effort& spent = tracker_.budget().spent;
-  effort_.steps = spent.steps;
-  effort_.used_up = effort_.used_up || spent.used_up;
   // Trusted is what the last elimination has added nothing to, but where solutions meet only one of three.
   unsure_ = !agreed || all_loud || !is_even() || (few && any_is_singular());
-  // Next to nothing at all outer angles are polynomials of poses in reach.
-  const bool slides = setup_.eliminations[0].pair == Pair::slides;
-  unsure_ = unsure_ || (slides && any_loud && (size_ == 0 || any_is_singular()));
 }
 
 }  // namespace qvgen::inverse::general

@@ -31,11 +31,12 @@ class Careful {
   Careful(const Setup& setup, const Pose<double>& pose, double tolerance,
           const Preference<joints>& preference, Pass pass);
 
-  void run(Gathered& first);
+  void run(const Gathered& first);
   /// The rows, and whether each is on a continuum.
   struct Row {
     Values values;
     bool continuum;
+    bool seen;  ///< the last pass has led to it, too
   };
   [[nodiscard]] int size() const { return size_; }
   [[nodiscard]] const Row& row(int i) const { return rows_[i]; }
@@ -45,9 +46,16 @@ class Careful {
 
  private:
   static constexpr int most_starts = 192;
-  static constexpr Budget most = {8, 600};
+  static constexpr Budget most = {8, 600}, most_of_slides = {8, 1200};
   using Tracker = BranchTracker<double, joints, most_starts>;
 
+  struct Agreement;
+
+  void agree(const Gathered& first);
+  void agree_on_slides(const Gathered& first);
+  void pass_of_slides(const Elimination& elimination, const Pose<double>& pose, bool exact,
+                      Agreement& agreement);
+  [[nodiscard]] Pose<double> nearby(int k) const;
   void settle(const Gathered& gathered);
   void settle(const JointPairs& start);
   [[nodiscard]] const Elimination* next_elimination();
@@ -55,6 +63,8 @@ class Careful {
   [[nodiscard]] bool is_singular(const Row& row) const;
   [[nodiscard]] bool any_is_singular() const;
   [[nodiscard]] bool is_even() const;
+  [[nodiscard]] bool leads_to(Values values, const Values& goal);
+  [[nodiscard]] bool is_on_known_continuum(const Values& values);
   [[nodiscard]] bool are_one(const Row& a, const Row& b);
   void merge();
 
@@ -66,7 +76,8 @@ class Careful {
   Values seed_;
   bool seeded_;
   Pass pass_;
-  Tracker tracker_{most};
+  Tracker tracker_;
+  Budget walks_{0, 600};  ///< steps along continua
   int eliminations_ = 1;  ///< that have been asked for
   int further_ = 0;       ///< of the choices that were to be set up
   Elimination set_up_here_;
@@ -74,6 +85,7 @@ class Careful {
   int size_ = 0;
   Row rows_[most_solutions];
   Effort effort_;
+  bool strays_ = false;  ///< some start nearly reached the pose, but no steps led on
   bool unsure_ = false;
 };
 

@@ -27,6 +27,7 @@ struct Gathered {
   JointPairs start[most_rows];  ///< where steps to a solution may begin, if there is one
   bool doubtful = false;        ///< there may be more
   bool loud = false;            ///< the polynomial drowns in rounding
+  bool faint = false;           ///< it does, and what is looked at instead is known to few digits
 
   void add_row(const JointPairs& values) {
     if (rows < most_rows)

@@ -3,7 +3,7 @@
 
 #include "candidates.h"
 #include "newton.h"
-#include "slide_joints.h"
+#include "slide_starts.h"
 
 namespace qvgen::inverse::general {
 namespace {
@@ -34,10 +34,13 @@ class Eliminated {
     Candidates candidates;
     const double noise = find_candidates<width>(system_, e.pair, tolerance, candidates);
     constexpr double loud = 1e-7;
-    found.loud = !(noise < loud) || (e.pair == Pair::slides && vanishes());
+    const bool drowns = !(noise < loud), slides = e.pair == Pair::slides;
+    found.loud = drowns || (slides && vanishes());
     if (found.loud || candidates.overflow) found.doubtful = true;
-    for (int first = 0; first < candidates.count; first += width) follow(candidates, first);
-    if (e.pair == Pair::slides) look_in_line();
+    // Of two slides there is a better way then.
+    for (int first = 0; first < candidates.count && !(drowns && slides); first += width)
+      follow(candidates, first);
+    if (slides) look_beside_roots();
     int all = found.rows - rows_before_;
     for (int k = 0; k < rows_before_; ++k) all += seen_[k] ? 1 : 0;
     // The sixteen solutions (of two slides eight) over the complex numbers: those that are not real come in
@@ -51,9 +54,6 @@ class Eliminated {
     const Lanes<4> cosines = {0.96, -0.28, -0.96, 0.28}, sines = {0.28, 0.96, -0.28, -0.96};
     return nearly_vanishes(system_.slides, cosines, sines);
   }
-
-  static constexpr double in_line = 1e-6;  ///< the square of the sine between two axes
-  static constexpr double half_root_3 = 0.86602540378443865;
 
   void follow(const Candidates& candidates, int first) {
     const int count = candidates.count - first < width ? candidates.count - first : width;
@@ -75,36 +75,25 @@ class Eliminated {
       if (candidates.list[first + i].is_doubtful()) found_.doubtful = true;
       if (!(miss[i] < good_miss && is_new(lane(q, i)))) offer_start(lane(start, i));
     }
+    if (e_.pair != Pair::slides) return;
+    const auto is_doubtful = [&](int i) { return candidates.list[first + i].is_doubtful(); };
+    bool any = false;
+    for (int i = 0; i < count; ++i) any = any || is_doubtful(i);
+    if (any) slide_starts().offer_other_sign(cosine, sine, count, is_doubtful);
   }
 
-  /// Of two slides. Where the axes of two turns are in line their sum alone is known: there steps begin at
-  /// all that may be.
-  void offer_in_line(const T& cosine, const T& sine, const T& across, int count) {
-    const Direction sixths[6] = {{1, 0},  {0.5, half_root_3},   {-0.5, half_root_3},
-                                 {-1, 0}, {-0.5, -half_root_3}, {0.5, -half_root_3}};
-    for (const Direction& by : sixths)
-      for (const double sign : {1.0, -1.0}) {
-        JointLanes<T> start;
-        substitute_slides(e_, system_.slides, chain_.size, cosine, sine, {sign, by.cosine, by.sine}, start);
-        for (int i = 0; i < count; ++i)
-          if (!(across[i] > in_line)) offer_start(lane(start, i));
-      }
+  /// Of two slides.
+  void look_beside_roots() {
+    const auto starts = slide_starts();
+    starts.offer_in_line();
+    if (found_.loud) found_.faint = starts.offer_each_sign();
   }
 
-  /// The outer angles at which those axes come nearest to being in line: the polynomial has roots there that
-  /// rounding hides.
-  void look_in_line() {
-    const Lanes<4> cosines = {1, 0, -1, 0}, sines = {0, 1, 0, -1};
-    const Lanes<4> n = AtOuter<Lanes<4>>(system_.slides, cosines, sines).between;
-    const double mean = (n[0] + n[2]) / 2, x = (n[0] - n[2]) / 2, y = (n[1] - n[3]) / 2;
-    const double most = std::sqrt(x * x + y * y);
-    if (!(most > 1e-9)) return;
-    for (const double sign : {1.0, -1.0}) {
-      const double nearest = mean + sign * most;
-      if (1 - nearest * nearest > in_line) continue;
-      offer_in_line(spread<T>(sign * x / most), spread<T>(sign * y / most), T{}, 1);
-    }
-  }
+  struct Offer {
+    Eliminated* pass;
+    void operator()(const JointPairs& values) const { pass->offer_start(values); }
+  };
+  [[nodiscard]] SlideStarts<width, Offer> slide_starts() { return {e_, system_.slides, chain_.size, offer_}; }
 
   /// Newton's steps until all lanes are as good as they get.
   void polish(int count, JointLanes<T>& q) const {
@@ -145,15 +134,6 @@ class Eliminated {
     found_.add_start(values);
   }
 
-  static JointPairs lane(const JointLanes<T>& q, int i) {
-    JointPairs result;
-    for (int j = 0; j < joints; ++j) {
-      result.cosine[j] = q.cosine[j][i];
-      result.sine[j] = q.sine[j][i];
-    }
-    return result;
-  }
-
   const Chain& chain_;
   const Elimination& e_;
   const Goal& goal_;
@@ -161,6 +141,7 @@ class Eliminated {
   int rows_before_;
   bool seen_[Gathered::most_rows] = {};
   PoseSystem system_;
+  Offer offer_{this};
 };
 
 template <int width>

@@ -53,12 +53,38 @@ QVGEN_LANES void turn_of_c(const SlideSystem& s, const AtOuter<T>& at, const T (
   }
 }
 
-/// How the joints at an outer angle are taken: by the sign of the root that leaves the smaller volume, or by
-/// this one; a turned further, for places where it has no meaning of its own.
+/// How the joints at an outer angle are taken: by the sign of the root that leaves the smaller volume, by the
+/// other one, or by this one; a turned further, for places where it has no meaning of its own.
 struct Taken {
   double sign = 0;
+  bool other = false;
   double cosine = 1, sine = 0;
 };
+
+/// What the joints at an outer angle leave.
+template <class T>
+struct Left {
+  T across;  ///< the square of the sine between the axes of a and c: at 0 only their sum or difference is
+             ///< known
+  T volume;  ///< that the way and the slides' directions span: 0 at a solution
+  T box;     ///< the same if they were at right angles to each other
+  T square;  ///< of the root, as a share of the largest
+};
+
+template <class T>
+QVGEN_LANES void set_volume(const T (&column)[3][3], Left<T>& left) {
+  T volume{}, square = spread<T>(1);
+  for (int k = 0; k < 3; ++k) {
+    const int i = (k + 1) % 3, j = (k + 2) % 3;
+    volume += column[0][k] * (column[1][i] * column[2][j] - column[1][j] * column[2][i]);
+    T length{};
+    for (int m = 0; m < 3; ++m) length += column[k][m] * column[k][m];
+    // A way that is shorter than the arm's size is measured against that.
+    square = square * (k == 0 ? T(length + 1) : length);
+  }
+  left.volume = volume;
+  left.box = root(square);
+}
 
 /// The turns a, b, c at an outer angle.
 template <class T>
@@ -82,17 +108,17 @@ struct Turns {
   }
 };
 
-/// All joints of the arm from outer angles. Returns the square of the sine between the axes of a and c: where
-/// it vanishes only their sum or difference is known.
+/// All joints of the arm from outer angles.
 template <class T>
-[[gnu::noinline]] T substitute_slides(const Elimination& e, const SlideSystem& s, double size,
-                                      const T& cosine, const T& sine, const Taken& taken,
-                                      JointLanes<T>& result) {
+[[gnu::noinline]] Left<T> substitute_slides(const Elimination& e, const SlideSystem& s, double size,
+                                            const T& cosine, const T& sine, const Taken& taken,
+                                            JointLanes<T>& result) {
   const AtOuter<T> at(s, cosine, sine);
   const T r = root(T(at.square > 0 ? at.square : T{}));
   const auto volume = at.volume();
   const auto plus = magnitude_of(T(volume.x + r * volume.y)) <= magnitude_of(T(volume.x - r * volume.y));
-  const T signed_root = taken.sign == 0 ? (plus ? r : T(-r)) : T(taken.sign * r);
+  const double usual = taken.other ? -1 : 1;
+  const T signed_root = taken.sign == 0 ? (plus ? T(usual * r) : T(-usual * r)) : T(taken.sign * r);
   const Turns<T> turns(s, at, signed_root, taken);
   T column[3][3];
   for (int k = 0; k < 3; ++k) column_at(s, at, k, turns.a, turns.b, column[k]);
@@ -109,7 +135,11 @@ template <class T>
     q.sine[i] = e.slide[i] ? T{} : (*turn[turned++])[1];
   }
   in_order_of_the_arm(e, size, q, result);
-  return at.across;
+  Left<T> left;
+  left.across = at.across;
+  left.square = at.square * (1 / s.bend_square);
+  set_volume(column, left);
+  return left;
 }
 
 }  // namespace

@@ -203,7 +203,7 @@ template <class T>
     most = std::fmax(most, difference[i] * at.across[i]);
     of = std::fmax(of, sum[i] * at.across[i]);
   }
-  constexpr double share = 1e-3;
+  constexpr double share = 1e-6;
   return !(most > share * of);
 }
 
