@@ -7,7 +7,7 @@ namespace qvgen::test {
 
 /// Arms as people write them: zeros of the joints at odd angles, frames turned by decimals, twists in plain
 /// radians, lengths that are roots and quotients. All behind `name` and `title`.
-inline constexpr std::array<const char*, 7> other_zeros{
+inline constexpr std::array<const char*, 8> other_zeros{
     // Offsets of the second and third joint that cancel, as an arm with a bent upper arm has them.
     R"toml(convention = "standard"
 [[dh]]
@@ -237,6 +237,46 @@ alpha = "50 deg"
 theta = "theta6"
 variable = "theta6"
 d = 0.1
+)toml",
+    // Frames turned by symbols, and lengths whose names an own value of a derivation could have.
+    R"toml([defaults]
+t0 = 0.4
+t1 = 0.3
+turn = 0.7
+[base]
+translation = ["t0/7", 0, 0]
+rpy = ["turn/3", 0, "turn"]
+[tool]
+translation = [0, 0, "t1^2"]
+rpy = [0, "turn/5", 0]
+[[joint]]
+type = "revolute"
+axis = "+z"
+variable = "theta1"
+link = ["t0/3", 0, 0.2]
+[[joint]]
+type = "revolute"
+axis = "+y"
+variable = "theta2"
+link = ["t1", 0, "t0"]
+[[joint]]
+type = "revolute"
+axis = "+y"
+variable = "theta3"
+link = ["t0 + t1", 0.05, 0.28]
+[[joint]]
+type = "revolute"
+axis = "+x"
+variable = "theta4"
+[[joint]]
+type = "revolute"
+axis = "+y"
+variable = "theta5"
+[[joint]]
+type = "revolute"
+axis = "+x"
+variable = "theta6"
+link = [0.1, 0, 0]
 )toml"};
 
 }  // namespace qvgen::test

@@ -15,7 +15,7 @@ struct TableRow {
 };
 
 /// Arms whose wrists come before or after twists that are symbols, or are made of twists without exact sines.
-inline constexpr std::array<std::array<TableRow, 6>, 6> twisted_tables{{
+inline constexpr std::array<std::array<TableRow, 6>, 7> twisted_tables{{
     // An elbow between skew axes.
     {{{"revolute", "0", "s", "l1"},
       {"revolute", "l2", "0", "0"},
@@ -58,6 +58,13 @@ inline constexpr std::array<std::array<TableRow, 6>, 6> twisted_tables{{
       {"revolute", "0", "45 deg", "l2"},
       {"revolute", "0", "-50 deg", "0"},
       {"revolute", "0", "20 deg", "1/10"}}},
+    // Parts of symbols, which functions of the generated code have under names of their own.
+    {{{"revolute", "0", "s/3", "l1"},
+      {"revolute", "l2", "0", "0"},
+      {"revolute", "1/50", "t/2 + 0.1", "l3"},
+      {"revolute", "0", "90 deg", "l2"},
+      {"revolute", "0", "-90 deg", "0"},
+      {"revolute", "0", "0", "1/10"}}},
 }};
 
 inline std::string twisted_arm(const std::string& name, std::size_t which) {

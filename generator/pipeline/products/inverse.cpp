@@ -162,6 +162,7 @@ json variant(const model::Robot& described, const derive::inverse::Derivation& d
            {"divisors", divisors},
            {"divides", !divisors.empty()},
            {"has_geometry", !geometry.empty()},
+           {"has_definitions", !robot.definitions.empty()},
            {"geometry", geometry},
            {"first_pass", derived.quartic() ? json(false)
                                             : json{{"lines", emit::lines_of(emit::scalar_loop_lines(

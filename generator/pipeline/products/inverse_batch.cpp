@@ -48,7 +48,8 @@ json lane_values(const model::Robot& described, const derive::inverse::Derivatio
                                             [](const json& each) { return each["field"] == "given_"; });
   if (!emit::has_pose_lanes(plan) || !rows_are_results(described, problem) || divides_by_given) return false;
   const std::string farthest = reach(problem);
-  json lanes{{"reach", farthest.empty() ? "1e50" : farthest},
+  json lanes{{"has_definitions", !robot.definitions.empty()},
+             {"reach", farthest.empty() ? "1e50" : farthest},
              {"has_reach", !farthest.empty()},
              {"row_size", problem.row_size},
              {"target_fields", fields_of(derivation.plan.target_kept)},

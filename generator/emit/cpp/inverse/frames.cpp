@@ -28,7 +28,16 @@ json inverse_pose(const model::Robot& robot, const model::Displacement& displace
   program.output("py", pair.p.y);
   program.output("pz", pair.p.z);
   const dag::Function function = passes::fold_constants(dag::import(program));
-  const Code code = straight_code(function, symbol_table(robot, {}, {}, dialect.spelling()));
+  const SymbolTable symbols = symbol_table(robot, {}, {}, dialect.spelling());
+  // Once a call, so that their sines have no names of their own.
+  SymbolTable names = symbols;
+  names.sine = [&](const dag::Angle& angle) {
+    return names.spelling.call("sin", angle_code(angle, symbols));
+  };
+  names.cosine = [&](const dag::Angle& angle) {
+    return names.spelling.call("cos", angle_code(angle, symbols));
+  };
+  const Code code = straight_code(function, names);
   json values{{"temporaries", json::array()}};
   for (const auto& value : code.temporaries)
     values["temporaries"].push_back({{"name", value.name}, {"expression", value.expression}});
