@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "pipeline/robot_output.h"
 
+#include <cctype>
 #include <new>
 
 #include "emit/cpp/template_values.h"
@@ -17,11 +18,24 @@ NLOHMANN_JSON_SERIALIZE_ENUM(Missing::Kind, {{Missing::Kind::not_described, "not
                                              {Missing::Kind::not_finished, "not finished"},
                                              {Missing::Kind::refuted, "refuted"}})
 
+namespace {
+
+/// A reason stands in comments of the generated code, whoever gives it: a library's message may have several
+/// lines.
+std::string one_line(std::string text) {
+  for (char& c : text)
+    if (std::iscntrl(static_cast<unsigned char>(c)) != 0) c = ' ';
+  const std::size_t last = text.find_last_not_of(" \\");
+  return text.substr(0, last + 1);
+}
+
+}  // namespace
+
 void attempt(const std::string& part, RobotOutput& output,
              const std::function<void(RobotOutput&)>& generate) {
   RobotOutput made{output.robot, {}, ordered_json::object(), {}};
   const auto leave_out = [&](Missing::Kind kind, const std::string& reason) {
-    output.missing.push_back({part, kind, reason});
+    output.missing.push_back({part, kind, one_line(reason)});
   };
   try {
     generate(made);

@@ -76,6 +76,17 @@ TEST(SingularFactors, SlidesAreNoParameters) {
   EXPECT_EQ(product.factors.size(), 2U);
 }
 
+TEST(SingularFactors, AnyNameIsAUsers) {
+  // The same arm whatever its lengths and slides are called.
+  for (const char* name : {"t0", "t1", "s0", "s1", "c0", "c1", "tangent", "x"}) {
+    const ex length = symbol(name);
+    const ex expression = ((length * cos(a) + sin(a + b)) * (d + length * cos(b)) * sin(b)).expand();
+    const auto product = factors_of(expression);
+    EXPECT_TRUE(multiplies_to(product, expression)) << name;
+    EXPECT_EQ(product.factors.size(), 3U) << name;
+  }
+}
+
 TEST(SingularFactors, DivisionTells) {
   CirclePolynomials circles;
   EXPECT_TRUE(circles.divides(l - sin(b), GiNaC::pow(l - sin(b), 2) * cos(a)));

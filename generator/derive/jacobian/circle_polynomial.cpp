@@ -63,9 +63,10 @@ void CirclePolynomials::check_product(const ex& a, const ex& b) {
 std::size_t CirclePolynomials::circle_of(const ex& angle) {
   for (std::size_t i = 0; i < circles_.size(); ++i)
     if (circles_[i].angle.is_equal(angle)) return i;
+  // No symbol of a description has such a name.
   const std::string index = std::to_string(circles_.size());
-  circles_.push_back(
-      {angle, GiNaC::symbol("s" + index), GiNaC::symbol("c" + index), GiNaC::symbol("t" + index)});
+  circles_.push_back({angle, GiNaC::symbol("sine " + index), GiNaC::symbol("cosine " + index),
+                      GiNaC::symbol("tangent " + index)});
   return circles_.size() - 1;
 }
 
