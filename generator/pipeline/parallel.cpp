@@ -10,6 +10,9 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#if defined(__linux__)
+#include <sys/prctl.h>
+#endif
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -60,6 +63,15 @@ std::uint64_t limit_of(decltype(RLIMIT_CPU) what, std::uint64_t otherwise) {
   return known ? bounds.rlim_cur : otherwise;
 }
 
+/// Who kills a run means its workers too, which may be at work for minutes.
+void die_with(pid_t parent) {
+#if defined(__linux__)
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+#endif
+  // The parent may have been killed before it was asked for.
+  if (::getppid() != parent) ::_exit(1);
+}
+
 [[noreturn]] void run_worker(int file, std::size_t index, const Budget& budget,
                              const std::function<std::string(std::size_t)>& work) {
   apply(budget);
@@ -84,6 +96,7 @@ Worker start_worker(std::size_t index, const Budget& budget,
                     const std::function<std::string(std::size_t)>& work) {
   int ends[2];
   if (::pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error("no pipe for a worker process");
+  const pid_t parent = ::getpid();
   const pid_t process = ::fork();
   if (process < 0) {
     const int reason = errno;
@@ -93,6 +106,7 @@ Worker start_worker(std::size_t index, const Budget& budget,
   }
   if (process == 0) {
     ::close(ends[0]);
+    die_with(parent);
     run_worker(ends[1], index, budget, work);
   }
   ::close(ends[1]);

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "pipeline/parallel.h"
 
+#include <csignal>
 #include <cstdlib>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
+#include <poll.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 namespace {
@@ -46,6 +49,38 @@ TEST(Parallel, ADeadWorkerCostsItsOwnWork) {
   for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(results[i].done, i != 2 && i != 3);
   EXPECT_NE(results[2].text.find("code 9"), std::string::npos) << results[2].text;
   EXPECT_NE(results[3].text.find("Abort"), std::string::npos) << results[3].text;
+}
+
+/// Every process that is at work holds the end of a pipe open, from whose other end nothing comes before all
+/// are gone.
+TEST(Parallel, WorkersDieWithTheirParent) {
+  int held[2];
+  int started[2];
+  ASSERT_EQ(::pipe(held), 0);
+  ASSERT_EQ(::pipe(started), 0);
+  const pid_t run = ::fork();
+  ASSERT_GE(run, 0);
+  if (run == 0) {
+    const auto outer = [&](std::size_t) {
+      in_processes(1, [&](std::size_t) -> std::string {
+        if (::write(started[1], "x", 1) == 1) ::sleep(300);
+        return "x";
+      });
+      return std::string();
+    };
+    in_processes(1, outer);
+    ::_exit(0);
+  }
+  ::close(held[1]);
+  char letter = 0;
+  ASSERT_EQ(::read(started[0], &letter, 1), 1);
+  ::kill(run, SIGKILL);
+  ::waitpid(run, nullptr, 0);
+  pollfd end{held[0], POLLIN, 0};
+  EXPECT_EQ(::poll(&end, 1, 20000), 1) << "still at work 20 s later";
+  ::close(held[0]);
+  ::close(started[0]);
+  ::close(started[1]);
 }
 
 TEST(Parallel, ABudgetOfTimeIsKept) {
