@@ -117,10 +117,12 @@ void add_generate(CommandLine& line) {
   add_reading(command, generate.read);
   command.add_flag("--force", generate.force, "also robots that have not changed");
   command.add_option("--seconds", generate.budget.seconds, "processor time that a part may take")
-      ->check(CLI::PositiveNumber)
+      ->type_name("SECONDS")
+      ->check(CLI::Range(1, 1000000).description(""))
       ->capture_default_str();
   command.add_option("--megabytes", generate.budget.megabytes, "memory that a part may take")
-      ->check(CLI::PositiveNumber)
+      ->type_name("MEGABYTES")
+      ->check(CLI::Range(1, 100000000).description(""))
       ->capture_default_str();
   command.add_option("--list-outputs", generate.build.outputs, "write the paths of all files there")
       ->type_name("FILE");
@@ -156,7 +158,7 @@ void add_show(CommandLine& line) {
                    "the Jacobian by three methods, velocities of the links, determinant, inverse");
   command.add_option("--joints", line.show.joints, "the first ones alone, without what they carry")
       ->type_name("COUNT")
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::Range(1, 16).description(""));
   command
       .add_option(
           "--masses", line.show.masses,

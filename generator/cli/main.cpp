@@ -172,11 +172,19 @@ int run(CommandLine& line, const Installation& here) {
   return run_check(descriptions_of(line.checked, here.robots), line.check, line.thorough);
 }
 
+/// A slip of the keyboard in the command itself.
+void check_command(const CommandLine& line, const std::string& word) {
+  std::vector<std::string> commands;
+  for (const CLI::App* command : line.app.get_subcommands({})) commands.push_back(command->get_name());
+  if (word.empty() || word.front() != '-') check_names("there is no command", {word}, commands);
+}
+
 int run(int argc, char** argv) {
   CommandLine line;
   try {
     line.app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
+    if (argc > 1) check_command(line, argv[1]);
     const int code = line.app.exit(error);
     return code == 0 ? success : usage_error;
   }

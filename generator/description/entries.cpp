@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "description/parser.h"
 #include "model/arithmetic.h"
@@ -123,15 +124,29 @@ void check_no_angle(Context& context, const Entry& entry, const std::string& key
                   "lengths are in metres, without a unit");
 }
 
+namespace {
+
+/// As people write it: 3927/2500 is 1.5708.
+std::string decimal(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.9g", value);
+  return text;
+}
+
+}  // namespace
+
 void check_length(Context& context, const Entry& entry, const std::string& key) {
   check_no_angle(context, entry, key);
   if (!model::symbols(entry.value).empty()) return;
+  double length = 0;
   try {
-    if (cln::abs(model::evaluate(entry.value)) <= longest) return;
+    const auto value = model::evaluate(entry.value);
+    if (cln::abs(value) <= longest) return;
+    length = cln::double_approx(value);
   } catch (const model::EvaluationError&) {
     return;  // told where the expression is read
   }
-  context.error(entry.place, "'" + key + "' has a length of " + to_string(entry.value) + " metres",
+  context.error(entry.place, "'" + key + "' has a length of " + decimal(length) + " metres",
                 "lengths are in metres, at most " + std::to_string(longest));
 }
 
@@ -146,11 +161,11 @@ void check_rounded(Context& context, const Entry& angle, const cln::cl_RA& radia
   const double count = std::round(value / step);
   const double off = std::abs(value - count * step);
   if (count == 0 || off > most || std::abs(value) > 7) return;
-  const std::string text = to_string(angle.value);
   const auto degrees = std::to_string(static_cast<int>(15 * count));
-  context.warning(angle.place,
-                  "the angle " + text + " is " + degrees + " degrees but for rounding, and kept as written",
-                  "write '" + degrees + " deg' if that is meant: the arm has a simpler structure then");
+  context.warning(
+      angle.place,
+      "the angle " + decimal(value) + " is " + degrees + " degrees but for rounding, and kept as written",
+      "write '" + degrees + " deg' if that is meant: the arm has a simpler structure then");
 }
 
 }  // namespace

@@ -138,9 +138,12 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
 std::string nearest(std::string_view name, const std::vector<std::string>& candidates) {
   const std::string wanted = lower_case(name);
   std::string best;
-  std::size_t best_distance = std::max<std::size_t>(1, wanted.size() / 2) + 1;
+  std::size_t best_distance = 2 * std::max<std::size_t>(1, wanted.size() / 2) + 1;
   for (const std::string& candidate : candidates) {
-    const std::size_t distance = edit_distance(wanted, lower_case(candidate));
+    const std::string known = lower_case(candidate);
+    // The beginning of a name is as near as can be.
+    const bool begins = wanted.size() > 1 && known.compare(0, wanted.size(), wanted) == 0;
+    const std::size_t distance = begins && known != wanted ? 1 : 2 * edit_distance(wanted, known);
     if (distance < best_distance) {
       best = candidate;
       best_distance = distance;

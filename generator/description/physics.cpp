@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "description/physics.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <sstream>
 
 #include "model/evaluate.h"
@@ -112,7 +114,35 @@ void check_body(Context& context, Place place, std::size_t number, const Body& b
   }
 }
 
+/// The longest entry of what a joint carries along or stands behind, m; those without a value do not count.
+double longest_offset(const model::Joint& joint, const model::Bindings& bindings) {
+  double longest = 0;
+  for (const model::Vector3* offset : {&joint.before.translation, &joint.after.translation}) {
+    for (const model::Expression& entry : *offset) {
+      try {
+        longest = std::max(longest, std::abs(model::to_double(model::evaluate(entry, bindings))));
+      } catch (const model::EvaluationError&) {
+        continue;
+      }
+    }
+  }
+  return longest;
+}
+
 }  // namespace
+
+void check_size(Context& context, const model::Robot& robot) {
+  constexpr double suspicious = 100;
+  const model::Bindings bindings = model::default_bindings(robot);
+  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
+    const double longest = longest_offset(robot.joints[i], bindings);
+    if (longest < suspicious) continue;
+    const std::string metres = text(longest);
+    return context.warning(context.joint_places.at(i), "an offset of " + metres + " metres",
+                           "lengths are in metres; if " + metres + " mm are meant, write " +
+                               text(longest / 1000) + ", and all other lengths so");
+  }
+}
 
 void check_inertia(Context& context, const model::Robot& robot) {
   const model::Bindings bindings = model::default_bindings(robot);

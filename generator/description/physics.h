@@ -9,4 +9,7 @@ namespace qvgen::description {
 /// link with a symbol that has none is not judged.
 void check_inertia(Context& context, const model::Robot& robot);
 
+/// Warns of an arm of hundreds of metres, whose lengths are in millimetres, most likely.
+void check_size(Context& context, const model::Robot& robot);
+
 }  // namespace qvgen::description

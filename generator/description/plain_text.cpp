@@ -44,8 +44,11 @@ std::string problem_of_text(std::string_view text) {
     if (turns_direction(code)) return "has a mark that turns the direction of writing, " + spelt(code);
     place += length;
   }
-  const std::size_t last = text.find_last_not_of(' ');
-  if (last != std::string_view::npos && text[last] == '\\') return "ends with a backslash";
+  // Either would make a comment of C or C++ go on in the next line; C99 reads the second as the first.
+  const std::string_view end = text.substr(0, text.find_last_not_of(' ') + 1);
+  if (!end.empty() && end.back() == '\\') return "ends with a backslash";
+  if (end.size() >= 3 && end.substr(end.size() - 3) == "?\?/")
+    return "ends with ?\?/, which C reads as a backslash";
   return {};
 }
 

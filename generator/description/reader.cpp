@@ -121,6 +121,7 @@ model::Robot read_robot(const Table& root) {
   const bool accept_inertia = root.boolean("accept_unphysical_inertia").value_or(false);
   check_default_values(context, robot);
   if (!accept_inertia && !context.has_error) check_inertia(context, robot);
+  if (!context.has_error) check_size(context, robot);
   return robot;
 }
 
@@ -205,6 +206,7 @@ ReadResult read_xml(Context& context, std::string_view text) {
     if (const std::string problem = problem_of_text(*text_of_robot); !problem.empty())
       context.error(place, "the robot's title or source " + problem, "use plain text");
   if (!context.has_error) check_inertia(context, robot);
+  if (!context.has_error) check_size(context, robot);
   return finished(context, place, std::move(robot));
 }
 

@@ -24,6 +24,11 @@ TEST_F(CommandLine, Version) {
 TEST_F(CommandLine, WrongArgumentsAreUsageErrors) {
   EXPECT_EQ(run("").code, 2);
   EXPECT_EQ(run("fly").code, 2);
+  EXPECT_TRUE(has(run("generat x.toml"), "there is no command 'generat'; did you mean 'generate'?"));
+  EXPECT_TRUE(has(run("x.toml"), "there is no command 'x.toml'; there are generate, "));
+  const ToolRun seconds = run("generate ns --seconds 0");
+  EXPECT_EQ(seconds.code, 2);
+  EXPECT_LT(seconds.output.size(), 200U) << seconds.output;
   EXPECT_EQ(run("counts --format pdf").code, 2);
   EXPECT_EQ(run("generate --no-such-flag").code, 2);
 }
@@ -236,6 +241,8 @@ TEST_F(CommandLine, KnowsRobotsByName) {
     const ToolRun unknown = run(std::string(command) + " pumma560");
     EXPECT_EQ(unknown.code, 2);
     EXPECT_TRUE(has(unknown, "did you mean 'puma560'?")) << unknown.output;
+    EXPECT_TRUE(has(run(std::string(command) + " puma"), "did you mean 'puma560'?"));
+    EXPECT_TRUE(has(run(std::string(command) + " ur"), "did you mean 'ur5'?"));
   }
 }
 

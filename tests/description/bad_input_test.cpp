@@ -295,6 +295,19 @@ TEST(BadInput, AnglesThatLookLikeDegrees) {
             "degrees, '-90 rad' "
             "if radians are meant\n");
   EXPECT_EQ(report(row("alpha = \"7 rad\"\n")), "");
+  EXPECT_EQ(
+      report(row("alpha = -1.5708\n")),
+      lines({"6:9: warning: the angle -1.5708 is -90 degrees but for rounding, and kept as written; write "
+             "'-90 deg' if that is meant: the arm has a simpler structure then"}));
+}
+
+TEST(BadInput, LengthsThatLookLikeMillimetres) {
+  const std::string hint = "lengths are in metres; if 560 mm are meant, write 0.56, and all other lengths so";
+  EXPECT_EQ(report(row("d = 345\na = 560\n")), lines({"4:1: warning: an offset of 560 metres; " + hint}));
+  EXPECT_EQ(report(row("d = 345\na = 560\n"), true),
+            "r.toml:4:1: error: an offset of 560 metres; " + hint + "\n");
+  // A mast, a crane.
+  EXPECT_EQ(report(row("d = 60\na = 80\n")), "");
 }
 
 TEST(BadInput, UnphysicalInertia) {

@@ -58,8 +58,8 @@ variable = "d3"
 
 TEST(Reader, ReadsFloatsAsTheyAreWritten) {
   const model::Robot robot =
-      read(revolute + "origin = [0.1, 1e-3, -1_000.000_1]\nlink = [0.30000000000000004, +2.5, 7]\n");
-  EXPECT_EQ(texts(robot.joints[0].before.translation), "1/10, 1/1000, -10000001/10000");
+      read(revolute + "origin = [0.1, 1e-3, -1_0.000_1]\nlink = [0.30000000000000004, +2.5, 7]\n");
+  EXPECT_EQ(texts(robot.joints[0].before.translation), "1/10, 1/1000, -100001/10000");
   EXPECT_EQ(robot.joints[0].after.translation[0].number(),
             cln::cl_RA("30000000000000004/100000000000000000"));
   EXPECT_EQ(to_string(robot.joints[0].after.translation[1]), "5/2");

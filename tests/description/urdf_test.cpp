@@ -111,6 +111,14 @@ TEST(Urdf, EveryChangeIsNoted) {
       "6:21: note: -0.70711 is read as -sqrt(2)/2, 3.2e-06 more; --snap off keeps it\n");
 }
 
+TEST(Urdf, JointsThatAreCalledOtherwiseInTheCodeAreNoted) {
+  EXPECT_EQ(
+      report(robot(link("a") + link("b") + joint("left/elbow-1", "continuous", "a", "b"))),
+      "4:1: note: the joint 'left/elbow-1' is 'left_elbow_1' in the code; names have letters, digits and "
+      "'_' there\n");
+  EXPECT_EQ(report(robot(link("a") + link("b") + joint("elbow_1", "continuous", "a", "b"))), "");
+}
+
 TEST(Urdf, FixedJointsAreFolded) {
   const model::Robot arm =
       read(robot(link("world") + link("a") + link("b") + link("flange") + link("tool0") +

@@ -167,8 +167,8 @@ std::string without_elimination(const Robot& robot) {
   const auto slides = std::count_if(robot.joints.begin(), robot.joints.end(), [](const auto& joint) {
     return joint.type == model::JointType::prismatic;
   });
-  return slides > 2 ? "any six joints: more than two of them slide"
-                    : "any six joints: no elimination finds the joints of sampled poses";
+  return slides > 2 ? "by elimination: more than two of the joints slide"
+                    : "by elimination: none finds the joints of sampled poses";
 }
 
 }  // namespace

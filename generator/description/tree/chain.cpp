@@ -80,6 +80,9 @@ class ChainReader {
     model::Joint joint;
     joint.type = moving.type;
     joint.variable = identifier(moving.name, taken);
+    if (moving.is_named && joint.variable != moving.name)
+      context_->note(moving.place, "the joint '" + moving.name + "' is '" + joint.variable + "' in the code",
+                     "names have letters, digits and '_' there");
     joint.axis = moving.axis;
     joint.limits = moving.limits;
     joint.drive = moving.drive;

@@ -22,6 +22,7 @@ struct Mimic {
 
 struct MovingJoint {
   std::string name;
+  bool is_named = true;  ///< the file has this name
   Place place;
   model::JointType type = model::JointType::revolute;
   model::Vector3 axis;  ///< unit vector

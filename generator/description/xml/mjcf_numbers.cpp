@@ -174,6 +174,7 @@ std::optional<tree::Segment> MjcfNumbers::joint(const Element& joint, const std:
   }
   tree::MovingJoint moving;
   moving.name = name;
+  moving.is_named = joint.attribute("name") != nullptr;
   moving.place = joint.place;
   moving.type = type == "hinge" ? model::JointType::revolute : model::JointType::prismatic;
   moving.axis = model::unit_vector(2);

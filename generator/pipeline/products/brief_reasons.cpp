@@ -2,21 +2,37 @@
 #include "pipeline/products/brief_reasons.h"
 
 #include <algorithm>
+#include <array>
 
 namespace qvgen::pipeline {
 namespace {
 
+/// What stands before and behind the name of the choice that a reason is about, and how many rows of three
+/// joints the arm has then: fewer than joints by so many. A turn that is left is one more joint.
+struct Frame {
+  std::string begin;
+  std::string end;
+  std::size_t fewer = 2;
+};
+
+const std::array<Frame, 2> frames{
+    {{"with the direction of the tool's axis ", " left: ", 1}, {"with ", " given: ", 3}}};
+
 /// "with q1 given: " and what follows.
 struct Reason {
-  std::string given;  ///< the joint's variable; empty if none is given
+  std::string given;  ///< the joint's variable, or the axis; empty if the reason is about no choice
   std::string text;
+  Frame frame = {};
 };
 
 Reason read(const std::string& line) {
-  const std::string begin = "with ";
-  const std::size_t end = line.find(" given: ");
-  if (line.rfind(begin, 0) != 0 || end == std::string::npos) return {"", line};
-  return {line.substr(begin.size(), end - begin.size()), line.substr(end + 8)};
+  for (const Frame& frame : frames) {
+    const std::size_t end = line.find(frame.end);
+    if (line.rfind(frame.begin, 0) != 0 || end == std::string::npos) continue;
+    return {line.substr(frame.begin.size(), end - frame.begin.size()), line.substr(end + frame.end.size()),
+            frame};
+  }
+  return {"", line};
 }
 
 /// What is said of the axes of three joints; empty if it is said of something else.
@@ -41,10 +57,10 @@ std::vector<Reason> joined(const std::vector<Reason>& reasons, std::size_t joint
     const auto alike = [&](const Reason& other) {
       return other.given == reason.given && of_three_axes(other.text) == said;
     };
-    const std::size_t rows = joints - (reason.given.empty() ? 2 : 3);
+    const std::size_t rows = joints - reason.frame.fewer;
     const bool all = !said.empty() && std::count_if(reasons.begin(), reasons.end(), alike) ==
                                           static_cast<std::ptrdiff_t>(rows);
-    const Reason line{reason.given, all ? of_all(said) : reason.text};
+    const Reason line{reason.given, all ? of_all(said) : reason.text, reason.frame};
     const bool known = std::any_of(result.begin(), result.end(), [&](const Reason& other) {
       return other.given == line.given && other.text == line.text;
     });
@@ -75,7 +91,8 @@ std::vector<std::string> brief_reasons(const std::vector<std::string>& lines, st
     std::vector<std::string> given;
     for (const Reason& other : reasons)
       if (other.text == reason.text && !other.given.empty()) given.push_back(other.given);
-    result.push_back((given.empty() ? "" : "with " + one_of(given) + " given: ") + reason.text);
+    result.push_back((given.empty() ? "" : reason.frame.begin + one_of(given) + reason.frame.end) +
+                     reason.text);
   }
   return result;
 }
