@@ -28,12 +28,13 @@ Number ExactPoint::symbol(const std::string& name) const {
   return small_rational(combine(seed_, hash(name)));
 }
 
-/// Between -45 and 45 degrees.
+/// Between -45 and 45 degrees, and not 0, at which its sine could not be divided by.
 CosineSine ExactPoint::small_turn(const std::string& name) const {
   // its half has a tangent within +-tan(pi/8)
   const std::uint64_t bits = combine(seed_, hash("tan(" + name + "/8)"));
+  const long numerator = static_cast<long>(bits % 835) - 417;
   const cln::cl_RA t =
-      cln::cl_RA(static_cast<long>(bits % 835) - 417) / (1009 + static_cast<long>((bits >> 20) % 61));
+      cln::cl_RA(numerator == 0 ? 417 : numerator) / (1009 + static_cast<long>((bits >> 20) % 61));
   const cln::cl_RA n = 1 + t * t;
   return {Number((1 - t * t) / n), Number(2 * t / n)};
 }

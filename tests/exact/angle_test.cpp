@@ -85,6 +85,17 @@ TEST(ExactPoint, ConstantsWithoutExactSinesObeyThemToo) {
   EXPECT_NEAR(point.sine(at(50)).to_double(), 0.766044443118978, 1e-16);
 }
 
+TEST(ExactPoint, SinesAndCosinesCanBeDividedBy) {
+  for (int k = 0; k < 5000; ++k) {
+    const std::string name = "turn(" + std::to_string(k) + "/360)";
+    const Angle angle{{{name, 1}}, 0};
+    for (const ExactPoint& point : {ExactPoint(1), ExactPoint(1, {name})}) {
+      EXPECT_FALSE(point.sine(angle).is_zero()) << name;
+      EXPECT_FALSE(point.cosine(angle).is_zero()) << name;
+    }
+  }
+}
+
 TEST(ExactPoint, DiffersFromSeedToSeed) {
   EXPECT_NE(ExactPoint(1).symbol("l1"), ExactPoint(2).symbol("l1"));
   EXPECT_NE(ExactPoint(1).symbol("l1"), ExactPoint(1).symbol("l2"));
