@@ -10,6 +10,7 @@
 #include "seven_arms.h"
 #include "sliding_arms.h"
 #include "sliding_machines.h"
+#include "turned_arms.h"
 #include "twisted_arms.h"
 #include "unstructured_arms.h"
 
@@ -306,6 +307,7 @@ std::string arm_description(const std::string& family, std::uint32_t seed) {
                : Writer(name, seed).three_slides();
   }
   if (family == "slides") return sliding_arm(arm_name(family, seed), seed);
+  if (family == "turned") return turned_arm(arm_name(family, seed), seed);
   if (family == "twists") return twisted_arm(arm_name(family, seed), seed);
   if (family == "zeros")
     return "name = \"" + arm_name(family, seed) + "\"\ntitle = \"other zeros\"\n" + other_zeros.at(seed);

@@ -87,10 +87,13 @@ Problem of_canonical_arm(const Problem& problem, const canonical::Arm& arm) {
   const bool numbers = std::all_of(arm.phases.begin(), arm.phases.end(), [](const exact::Angle& phase) {
     return exact::radians(phase).has_value();
   });
-  if (numbers && (is_oblique(robot.base) || is_oblique(robot.tool))) {
+  // Where the tool point is in front of an oblique frame is told by the pose's orientation alone, which a
+  // position does not have.
+  const bool takes_tool_off = problem.task != model::Task::position;
+  if (numbers && (is_oblique(robot.base) || (takes_tool_off && is_oblique(robot.tool)))) {
     result.has_frames = true;
     std::swap(result.base, robot.base);
-    std::swap(result.tool, robot.tool);
+    if (takes_tool_off) std::swap(result.tool, robot.tool);
   }
   result.moving = robot;
   return result;

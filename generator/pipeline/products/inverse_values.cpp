@@ -39,6 +39,9 @@ json fields_of(const std::vector<std::string>& names) {
 }
 
 std::string reach(const derive::inverse::Problem& problem) {
+  // A turn of the tool is asked for at no position, which a base that is taken off would move.
+  const bool turns_alone = problem.task == model::Task::direction || problem.task == model::Task::orientation;
+  if (turns_alone && problem.has_frames) return "";
   const model::Robot& robot = problem.moving;
   std::vector<const model::Vector3*> offsets{&robot.base.translation, &robot.tool.translation};
   for (std::size_t i = 0; i < robot.joints.size(); ++i) {
