@@ -14,14 +14,16 @@ namespace qvgen::canonical {
 /// its table was written in.
 ///
 /// `robot` has the axes, the tool and the world of the described arm and no link frames of its own: the
-/// tool's pose is the same function of the joint angles, and so is its Jacobian. Its joint angles are those
-/// of the described arm plus `phases`. Constants that are not rational are named (exact/named_constant.h),
+/// tool's pose is the same function of the joint angles, and so is its Jacobian. Its joint variables are those
+/// of the described arm, with the other sign where `reversed` says so, plus `phases`. Constants that are not rational are named (exact/named_constant.h),
 /// quotients, roots and sines of symbols by `definitions`. Inertias stay behind: `for_dynamics` has them.
 struct Arm {
   model::Robot robot;
   std::vector<exact::Angle> phases;  ///< a joint each, without a variable; zero for slides
+  std::vector<bool> reversed = {};   ///< a joint each, or none where no axis has another sense
 
   [[nodiscard]] bool has_phases() const;
+  [[nodiscard]] bool is_reversed(std::size_t joint) const { return !reversed.empty() && reversed[joint]; }
 };
 
 /// An arm all of whose axes are at right angles at its zero pose, with polynomials for lengths, stays as it

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Forward kinematics joint by joint, from the base to the tool. A base or tool frame that is the identity is
 // not multiplied: whoever writes such a program knows that there is none.
+#include <optional>
+
+#include "canonical/right_angles.h"
 #include "compare/chain.h"
 #include "compare/exact_arm.h"
 #include "compare/formulation.h"
 #include "derive/dynamics/chain.h"
 #include "derive/kinematics/forward_kinematics.h"
 #include "optimise/optimise.h"
+#include "optimise/pose.h"
 
 namespace qvgen::compare {
 namespace {
@@ -225,16 +229,28 @@ Results complete_and_continuous(Recorder& recorder, const model::Robot& robot) {
 
 namespace {
 
-using QuantityOf = derive::Quantity (*)(const model::Robot&);
-
-/// All forms of a quantity together.
-template <QuantityOf derived>
-dag::Function emitted(const model::Robot& robot) {
+dag::Function emitted(const model::Robot& robot, const derive::Quantity& derived) {
   optimise::OptimiseOptions options;
   options.also_fewest = false;
-  optimise::Quantity quantity = optimise::lowered(derived(robot));
+  optimise::Quantity quantity = optimise::lowered(derived);
   quantity.is_free = free_symbols(robot);
   return optimise::optimise(quantity, options).function;
+}
+
+dag::Function emitted_pose(const model::Robot& robot) {
+  std::optional<dag::Function> best;
+  for (const canonical::Arm& arm : optimise::arms_for_pose(robot)) {
+    dag::Function function = emitted(robot, derive::forward_kinematics(arm.robot));
+    const auto cost = [&](const dag::Function& f) {
+      return passes::cost(dag::count(f, free_symbols(robot)));
+    };
+    if (!best || cost(function) < cost(*best)) best = std::move(function);
+  }
+  return *best;
+}
+
+dag::Function emitted_matrix(const model::Robot& robot) {
+  return emitted(robot, derive::homogeneous_transform(canonical::whatever_notation(robot).robot));
 }
 
 }  // namespace
@@ -247,8 +263,8 @@ std::vector<Formulation> forward_formulations() {
           {"pieper_roth", "Pieper-Roth matrices", pieper_roth, true},
           {"cpc", "complete and parametrically continuous", complete_and_continuous},
           {"dual_quaternions", "dual quaternions", dual_quaternions},
-          {"emitted_pose", "as generated, quaternion", {}, false, emitted<derive::forward_kinematics>},
-          {"emitted_matrix", "as generated, matrix", {}, false, emitted<derive::homogeneous_transform>}};
+          {"emitted_pose", "as generated, quaternion", {}, false, emitted_pose},
+          {"emitted_matrix", "as generated, matrix", {}, false, emitted_matrix}};
 }
 
 }  // namespace qvgen::compare

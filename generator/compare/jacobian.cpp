@@ -2,6 +2,7 @@
 // The Jacobian of the tool point in the base frame by the three methods of the Jacobian lecture
 // (section 5.4), as they stand there, over the frames of exact_arm.h that are parallel to the world's at
 // zero.
+#include "canonical/right_angles.h"
 #include "compare/chain.h"
 #include "compare/exact_arm.h"
 #include "compare/formulation.h"
@@ -174,7 +175,8 @@ dag::Function emitted(const model::Robot& robot) {
   options.also_fewest = false;
   options.simplify_forms = false;
   options.search.iterations = 100'000;
-  optimise::Quantity quantity = optimise::lowered(derive::jacobian(robot));
+  optimise::Quantity quantity =
+      optimise::lowered(derive::jacobian(canonical::whatever_notation(robot).robot));
   quantity.is_free = free_symbols(robot);
   return optimise::optimise(quantity, options).function;
 }

@@ -71,12 +71,6 @@ const std::vector<std::string>& level_names() {
   return names;
 }
 
-double cost(const dag::OperationCounts& counts, const passes::CostModel& model) {
-  return model.multiplication * counts.multiplications + model.addition * counts.additions +
-         model.division * counts.divisions + model.root * counts.roots +
-         model.sine_cosine * counts.sine_cosines + model.arctangent * counts.arctangents;
-}
-
 namespace {
 
 /// A canonical arm that is the described one, certified.

@@ -31,7 +31,7 @@ struct Measured {
   }
 };
 
-double cost(const dag::OperationCounts& counts, const passes::CostModel& model = {});
+using passes::cost;
 
 /// A robot as formulations take it, with what the quantity is by definition.
 struct Subject {

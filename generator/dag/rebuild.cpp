@@ -52,6 +52,11 @@ Edge copy_node(const Graph& from, const Node& node, const std::vector<Edge>& ope
   return {};
 }
 
+Edge copy_node_as_is(const Graph& from, const Node& node, const std::vector<Edge>& operands, Graph& to) {
+  if (node.op == Op::sum || node.op == Op::product) return to.as_is(node.op, operands);
+  return copy_node(from, node, operands, to);
+}
+
 Function rebuild(const Function& function, const Rewrite& rewrite) {
   Function result;
   std::vector<Edge> images(function.graph.size());

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "optimise/described.h"
 
+#include <set>
+
 #include "dag/import.h"
+#include "derive/jacobian/quantities.h"
 #include "derive/jacobian/rates.h"
 #include "passes/constants.h"
 #include "symbolic/model.h"
@@ -31,11 +34,22 @@ dag::Function with_definitions(const dag::Function& function, const model::Robot
 }
 
 dag::Function in_terms_of_description(const dag::Function& function, const canonical::Arm& arm) {
-  std::map<std::string, dag::Angle> phases;
-  for (std::size_t i = 0; i < arm.phases.size(); ++i)
-    if (!arm.phases[i].terms.empty() || !cln::zerop(arm.phases[i].pi))
-      phases.emplace(arm.robot.joints[i].variable, arm.phases[i]);
-  return with_definitions(in_terms_of_leaders(passes::add_phases(function, phases), arm.robot), arm.robot);
+  std::map<std::string, passes::OtherZero> zeros;
+  std::set<std::string> opposite;
+  for (std::size_t i = 0; i < arm.phases.size(); ++i) {
+    const bool reversed = arm.is_reversed(i);
+    if (!reversed && arm.phases[i] == exact::Angle{}) continue;
+    const std::string& variable = arm.robot.joints[i].variable;
+    zeros.emplace(variable, passes::OtherZero{reversed, arm.phases[i]});
+    if (!reversed) continue;
+    zeros.emplace(derive::rate_name(variable), passes::OtherZero{true, {}});
+    for (std::size_t row = 0; row < 6; ++row) opposite.insert(derive::jacobian_entry(row, i));
+  }
+  dag::Function own = passes::with_other_zeros(function, zeros);
+  // A column of a Jacobian is a derivative by the joint's variable.
+  for (dag::Output& output : own.outputs)
+    if (opposite.count(output.name) != 0) output.value = -output.value;
+  return with_definitions(in_terms_of_leaders(own, arm.robot), arm.robot);
 }
 
 Optimised in_terms_of_description(Optimised optimised, const canonical::Arm& arm) {

@@ -74,7 +74,9 @@ class Folder {
     // A division by a constant is a product.
     if (node.op == Op::quotient && known(operands[1]))
       return to.product({operands[0], constant(cln::recip(*known(operands[1])), to)});
-    return dag::copy_node(from, node, operands, to);
+    const bool has_number = std::any_of(operands.begin(), operands.end(),
+                                        [&](const Edge& operand) { return to.is_constant(operand); });
+    return (has_number ? dag::copy_node : dag::copy_node_as_is)(from, node, operands, to);
   }
 
  private:
@@ -131,8 +133,11 @@ bool is_named_constant(const std::string& symbol) { return exact::named_value(sy
 dag::Function fold_constants(const dag::Function& function) {
   if (!has_named_constants(function)) return function;
   Folder folder;
-  return dag::rebuild(dag::rebuild(function, [&](const auto& from, const auto& node, const auto& operands,
-                                                 auto& to) { return folder(from, node, operands, to); }));
+  const dag::Function folded =
+      dag::rebuild(function, [&](const auto& from, const auto& node, const auto& operands, auto& to) {
+        return folder(from, node, operands, to);
+      });
+  return dag::rebuild(folded, dag::copy_node_as_is);
 }
 
 dag::Function substitute(const dag::Function& function,
@@ -147,16 +152,25 @@ dag::Function substitute(const dag::Function& function,
   });
 }
 
-dag::Function add_phases(const dag::Function& function, const std::map<std::string, dag::Angle>& phases) {
-  if (phases.empty()) return function;
-  return dag::rebuild(function, [&](const auto& from, const auto& node, const auto& operands, auto& to) {
-    if (node.op != Op::sine && node.op != Op::cosine) return dag::copy_node(from, node, operands, to);
-    dag::Angle angle = from.angle_of(node);
-    for (const auto& [variable, coefficient] : from.angle_of(node).terms) {
-      const auto phase = phases.find(variable);
-      if (phase != phases.end()) angle = angle + coefficient * phase->second;
+dag::Function with_other_zeros(const dag::Function& function, const std::map<std::string, OtherZero>& zeros) {
+  if (zeros.empty()) return function;
+  const auto moved = [&](const dag::Angle& angle) {
+    dag::Angle sum{{}, angle.pi};
+    for (const auto& [variable, coefficient] : angle.terms) {
+      const auto zero = zeros.find(variable);
+      const bool reversed = zero != zeros.end() && zero->second.reversed;
+      sum = sum + dag::Angle{{{variable, reversed ? -coefficient : coefficient}}, 0};
+      if (zero != zeros.end()) sum = sum + coefficient * zero->second.phase;
     }
-    return node.op == Op::sine ? to.sine(angle) : to.cosine(angle);
+    return sum;
+  };
+  return dag::rebuild(function, [&](const auto& from, const auto& node, const auto& operands, auto& to) {
+    if (node.op == Op::sine) return to.sine(moved(from.angle_of(node)));
+    if (node.op == Op::cosine) return to.cosine(moved(from.angle_of(node)));
+    const Edge copy = dag::copy_node_as_is(from, node, operands, to);
+    if (node.op != Op::symbol) return copy;
+    const auto zero = zeros.find(from.symbol_of(node));
+    return zero != zeros.end() && zero->second.reversed ? -copy : copy;
   });
 }
 

@@ -20,8 +20,14 @@ dag::Function fold_constants(const dag::Function& function);
 /// Puts the meanings in place of symbols: each is a function with one output.
 dag::Function substitute(const dag::Function& function, const std::map<std::string, dag::Function>& meanings);
 
-/// Adds a constant angle to variables wherever they stand in a sine or cosine.
-dag::Function add_phases(const dag::Function& function, const std::map<std::string, dag::Angle>& phases);
+/// What a variable is in terms of another one with the same name: that one, with the other sign if
+/// `reversed`, plus a constant angle.
+struct OtherZero {
+  bool reversed = false;
+  dag::Angle phase;
+};
+/// Puts those in place of variables. Nothing else changes, and no operation is added outside of angles.
+dag::Function with_other_zeros(const dag::Function& function, const std::map<std::string, OtherZero>& zeros);
 
 /// Puts multiples of other symbols in place of symbols, in angles too.
 struct Multiple {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "dag/counts.h"
+
 namespace qvgen::passes {
 
 /// What an operation of the emitted graph costs. Only the ratios matter; a sign change is free.
@@ -17,5 +19,11 @@ struct CostModel {
   double sine_cosine = 32;  ///< the pair of one angle: paid once, whether one or both are used
   double arctangent = 40;
 };
+
+inline double cost(const dag::OperationCounts& counts, const CostModel& model = {}) {
+  return model.multiplication * counts.multiplications + model.addition * counts.additions +
+         model.division * counts.divisions + model.root * counts.roots +
+         model.sine_cosine * counts.sine_cosines + model.arctangent * counts.arctangents;
+}
 
 }  // namespace qvgen::passes

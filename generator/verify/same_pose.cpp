@@ -85,8 +85,10 @@ void certify_same_pose(const model::Robot& described, const canonical::Arm& arm)
     DecimalPoint canonical_at(k, arm.robot.definitions);
     for (std::size_t i = 0; i < arm.phases.size(); ++i) {
       const std::string& variable = arm.robot.joints[i].variable;
-      at.set(variable, at.random(variable));
-      canonical_at.set(variable, at.random(variable) + GiNaC::numeric(*exact::radians(arm.phases[i])));
+      const ex value = at.random(variable);
+      at.set(variable, value);
+      canonical_at.set(
+          variable, (arm.is_reversed(i) ? -value : value) + GiNaC::numeric(*exact::radians(arm.phases[i])));
     }
     const auto wanted = values(expected, at);
     const auto has = values(found, canonical_at);

@@ -2,6 +2,7 @@
 #include "derive/kinematics/position.h"
 
 #include <map>
+#include <set>
 
 #include "derive/kinematics/turns.h"
 #include "symbolic/model.h"
@@ -74,13 +75,31 @@ Vector nested(const ZeroReferenceChain& chain, const Rotate& rotate_by, const Na
   return v;
 }
 
-/// The turn with sin = 2 s c and cos = 1 - 2 s^2 of the half angle: no second sine and cosine. Each angle
-/// once.
+using Angles = std::set<ex, GiNaC::ex_is_less>;
+
+/// The angles whose sines a value reads.
+void read_angles(const ex& value, Angles& angles) {
+  for (auto it = value.preorder_begin(); it != value.preorder_end(); ++it)
+    if (GiNaC::is_a<GiNaC::function>(*it) && GiNaC::ex_to<GiNaC::function>(*it).get_name() == "sin")
+      angles.insert(it->op(0));
+}
+
+Angles angles_of(const Program& program, const Quaternion& q) {
+  Angles angles;
+  for (const auto& step : program.steps()) read_angles(step.value, angles);
+  for (const ex& component : {q.w, q.x, q.y, q.z}) read_angles(component, angles);
+  return angles;
+}
+
+/// The turn with sin = 2 s c and cos = 1 - 2 s^2 of the half angle where its sine and cosine are there
+/// already: no second sine and cosine. Each angle once.
 class HalfAngleTurn {
  public:
-  explicit HalfAngleTurn(Program& program) : program_(program) {}
+  HalfAngleTurn(Program& program, const Quaternion& orientation)
+      : program_(program), halves_(angles_of(program, orientation)) {}
 
   Vector operator()(const Turn& turn, const Vector& v) {
+    if (halves_.count(turn.angle / 2) + halves_.count(-turn.angle / 2) == 0) return turned(turn, v);
     const Turn placeholder{turn.axis, symbol("turn.angle")};
     const Vector shape = turned(placeholder, v);
     const auto [s, c] = sine_cosine(turn.angle);
@@ -100,6 +119,7 @@ class HalfAngleTurn {
   }
 
   Program& program_;
+  Angles halves_;
   std::map<ex, std::pair<ex, ex>, GiNaC::ex_is_less> known_;
 };
 
@@ -115,7 +135,7 @@ Vector by_orientation(const ZeroReferenceChain& chain, Program& program, const Q
   // q v q^-1 = v + 2 (w t + axis x t), t = axis x v (thesis, below 1.12)
   const Vector t = program.let(ex(2) * cross(axis, offset));
   const Vector turned_offset = offset + orientation.w * t + cross(axis, t);
-  return program.let(program.let(turned_offset) + nested(arm, HalfAngleTurn(program), name));
+  return program.let(program.let(turned_offset) + nested(arm, HalfAngleTurn(program, orientation), name));
 }
 
 }  // namespace
@@ -125,8 +145,9 @@ std::vector<PositionForm> position_forms(const ZeroReferenceChain& chain) {
   forms.push_back({"position in full angles", false, [=](Program& program, const Quaternion&) {
                      return nested(chain, turned, [&](const Vector& v) { return program.let(v); });
                    }});
-  forms.push_back({"position in doubled half angles", true, [=](Program& program, const Quaternion&) {
-                     return nested(chain, HalfAngleTurn(program),
+  forms.push_back({"position in doubled half angles where there are", true,
+                   [=](Program& program, const Quaternion& orientation) {
+                     return nested(chain, HalfAngleTurn(program, orientation),
                                    [&](const Vector& v) { return program.let(v); });
                    }});
   if (!is_zero(chain.tool_offset))

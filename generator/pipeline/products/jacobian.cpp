@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "pipeline/products/jacobian.h"
 
+#include "canonical/right_angles.h"
 #include "dag/import.h"
 #include "derive/jacobian/quantities.h"
 #include "derive/jacobian/wrist.h"
@@ -15,6 +16,7 @@
 #include "pipeline/products/jacobian_functions.h"
 #include "verify/certificate.h"
 #include "verify/counts_json.h"
+#include "verify/same_pose.h"
 
 namespace qvgen::pipeline {
 namespace {
@@ -62,17 +64,23 @@ struct Jacobians {
 };
 
 Jacobians jacobians_of(const model::Robot& described, RobotOutput& output) {
-  const canonical::Arm arm = canonical::for_kinematics(described);
-  const auto [measures, measures_function] = singularity_measures_function(arm.robot, output);
-  Jacobians found{arm.robot, measures, {plain_jacobian_function(arm.robot)}};
+  const canonical::Arm arm = canonical::whatever_notation(described);
+  verify::certify_same_pose(described, arm);
+  // What vanishes is told in the description's own angles.
+  const canonical::Arm own = canonical::for_kinematics(described);
+  auto [measures, measures_function] = singularity_measures_function(own.robot, output);
+  Jacobians found{own.robot, measures, {plain_jacobian_function(arm.robot)}};
   for (auto& function : further_jacobian_functions(arm.robot)) found.functions.push_back(std::move(function));
-  found.functions.push_back(measures_function);
-  for (emit::JacobianFunction& function : found.functions) {
+  for (emit::JacobianFunction& function : found.functions)
     function.optimised = optimise::in_terms_of_description(std::move(function.optimised), arm);
+  measures_function.optimised =
+      optimise::in_terms_of_description(std::move(measures_function.optimised), own);
+  found.functions.push_back(std::move(measures_function));
+  for (const emit::JacobianFunction& function : found.functions) {
     output.counts[function.name] = to_json(function.optimised);
     output.counts[function.name].erase("forms");  // ways by way of frames: of no interest but to the search
   }
-  output.counts["jacobian"]["forms"] = methods(arm.robot);
+  output.counts["jacobian"]["forms"] = methods(own.robot);
   return found;
 }
 

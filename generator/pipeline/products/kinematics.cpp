@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "pipeline/products/kinematics.h"
 
+#include "canonical/right_angles.h"
 #include "derive/kinematics/forward_kinematics.h"
 #include "emit/c/parts.h"
 #include "emit/cpp/symbol_table.h"
@@ -9,6 +10,7 @@
 #include "emit/render.h"
 #include "optimise/described.h"
 #include "optimise/optimised_json.h"
+#include "optimise/pose.h"
 #include "pipeline/c_files.h"
 #include "verify/accuracy.h"
 #include "verify/counts_json.h"
@@ -30,9 +32,8 @@ std::string notes(const optimise::Optimised& optimised) {
          to_json(optimised).at("largest_error_ulp").dump() + " ulp.\n///";
 }
 
-optimise::Optimised optimise_with_accuracy(const canonical::Arm& arm, const derive::Quantity& quantity,
-                                           const std::vector<verify::OutputGroup>& groups) {
-  optimise::Optimised optimised = optimise::optimise(quantity);
+optimise::Optimised with_accuracy(const canonical::Arm& arm, optimise::Optimised optimised,
+                                  const std::vector<verify::OutputGroup>& groups) {
   optimised.largest_error = verify::largest_error_in_ulps(optimised.function, groups, accuracy_points);
   return optimise::in_terms_of_description(std::move(optimised), arm);
 }
@@ -75,14 +76,14 @@ struct Kinematics {
 };
 
 Kinematics kinematics_of(const model::Robot& described, RobotOutput& output) {
-  const canonical::Arm arm = canonical::for_kinematics(described);
+  const canonical::Arm arm = canonical::whatever_notation(described);
   verify::certify_same_pose(described, arm);
+  optimise::Pose pose = optimise::forward_kinematics(described);
   const verify::OutputGroup position{"px", "py", "pz"};
   Kinematics found{
-      arm.robot,
-      optimise_with_accuracy(arm, derive::forward_kinematics(arm.robot), {{"w", "x", "y", "z"}, position}),
-      optimise_with_accuracy(arm, derive::homogeneous_transform(arm.robot),
-                             {{"r11", "r12", "r13", "r21", "r22", "r23", "r31", "r32", "r33"}, position})};
+      arm.robot, with_accuracy(pose.arm, std::move(pose.function), {{"w", "x", "y", "z"}, position}),
+      with_accuracy(arm, optimise::optimise(derive::homogeneous_transform(arm.robot)),
+                    {{"r11", "r12", "r13", "r21", "r22", "r23", "r31", "r32", "r33"}, position})};
   for (const optimise::Optimised* each : {&found.pose, &found.transform})
     output.counts[each->name] = to_json(*each);
   return found;

@@ -1,36 +1,36 @@
 // SPDX-License-Identifier: MIT
 #include "pipeline/products/page.h"
 
-#include "derive/kinematics/forward_kinematics.h"
+#include "canonical/right_angles.h"
 #include "emit/c/parts.h"
 #include "optimise/described.h"
+#include "optimise/pose.h"
 #include "pipeline/c_files.h"
 #include "pipeline/products/inverse.h"
 #include "pipeline/products/jacobian_functions.h"
 #include "pipeline/products/model_header.h"
-#include "verify/same_pose.h"
 
 namespace qvgen::pipeline {
 namespace {
 
 void generate_pose_c(const model::Robot& described, RobotOutput& output) {
-  const canonical::Arm arm = canonical::for_kinematics(described);
-  verify::certify_same_pose(described, arm);
   optimise::OptimiseOptions options;
   options.also_fewest = false;  // a count that a page has from elsewhere
-  optimise::Optimised pose = optimise::optimise(derive::forward_kinematics(arm.robot), options);
-  pose = optimise::in_terms_of_description(std::move(pose), arm);
-  add_c_part(output, emit::c::pose(arm.robot, pose, {}));
+  optimise::Pose pose = optimise::forward_kinematics(described, options);
+  const auto function = optimise::in_terms_of_description(std::move(pose.function), pose.arm);
+  add_c_part(output, emit::c::pose(pose.arm.robot, function, {}));
 }
 
 void generate_plain_jacobian_c(const model::Robot& described, RobotOutput& output) {
   const canonical::Arm arm = canonical::for_kinematics(described);
-  const auto [measures, measures_function] = singularity_measures_function(arm.robot, output);
-  std::vector<emit::JacobianFunction> functions{plain_jacobian_function(arm.robot), measures_function};
-  for (emit::JacobianFunction& function : functions)
-    function.optimised = optimise::in_terms_of_description(std::move(function.optimised), arm);
+  auto [measures, measures_function] = singularity_measures_function(arm.robot, output);
+  measures_function.optimised =
+      optimise::in_terms_of_description(std::move(measures_function.optimised), arm);
+  const canonical::Arm own = canonical::whatever_notation(described);
+  emit::JacobianFunction jacobian = plain_jacobian_function(own.robot);
+  jacobian.optimised = optimise::in_terms_of_description(std::move(jacobian.optimised), own);
   output.counts["measures"] = measures.names;
-  add_c_part(output, emit::c::jacobian(arm.robot, functions));
+  add_c_part(output, emit::c::jacobian(arm.robot, {jacobian, measures_function}));
 }
 
 }  // namespace

@@ -14,8 +14,8 @@ namespace qvgen::robots::cc {
 
 template <class Scalar>
 PoseAngles<Scalar> pose_angles(const JointVector<Scalar>& q, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[4], Scalar(0.5) * (q[0] + q[2]),
-      Scalar(0.5) * (q[3] + q[5]), Scalar(0.5) * (q[3] - q[5]));
+  const auto angles = sines_and_cosines<Scalar>(q[0], Scalar(0.5) * q[4], Scalar(0.5) * (q[0] + q[2]), Scalar(0.5)
+      * (q[3] + q[5]), Scalar(0.5) * (q[3] - q[5]));
   return { { angles.sine[0], angles.sine[1], angles.sine[2], angles.sine[3], angles.sine[4] },
            { angles.cosine[0], angles.cosine[1], angles.cosine[2], angles.cosine[3], angles.cosine[4] }};
 }
@@ -45,8 +45,8 @@ template <class Scalar, class Angles>
 inline Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q,
                                        const Angles& angles,
                                        const BasicGeometry<Scalar>& g) {
-  const Scalar& sh1 = angles.sine[0];
-  const Scalar& ch1 = angles.cosine[0];
+  const Scalar& s1 = angles.sine[0];
+  const Scalar& c1 = angles.cosine[0];
   const Scalar& sh5 = angles.sine[1];
   const Scalar& ch5 = angles.cosine[1];
   const Scalar& sh13 = angles.sine[2];
@@ -56,19 +56,17 @@ inline Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q,
   const Scalar& sh4m6 = angles.sine[4];
   const Scalar& ch4m6 = angles.cosine[4];
   const Scalar t0 = sh13 * sh5;
-  const Scalar t1 = ch46 * ch5;
-  const Scalar t2 = ch5 * sh46;
+  const Scalar t1 = ch13 * ch5;
+  const Scalar t2 = ch5 * sh13;
   const Scalar t3 = ch13 * sh5;
-  const Scalar t4 = g.l1 * sh1;
-  const Scalar t5 = g.d4 * sh13;
-  const Scalar t6 = sh1 * t4 - ch13 * t5;
-  const Scalar t7 = g.d4 - Scalar(2) * (ch1 * t4 + sh13 * t5);
-  return {Eigen::Quaternion<Scalar>(ch13 * t1 - sh4m6 * t0,
-                                    sh13 * t2 + ch4m6 * t3,
-                                    ch4m6 * t0 - ch13 * t2,
-                                    sh4m6 * t3 + sh13 * t1),
-          Eigen::Matrix<Scalar, 3, 1>(g.l1 - (t6 + t6),
-                                      -t7,
+  const Scalar t4 = sh13 + sh13;
+  const Scalar t5 = g.l1 * s1 - g.d4 * (Scalar(1) - sh13 * t4);
+  return {Eigen::Quaternion<Scalar>(sh4m6 * t0 - ch46 * t1,
+                                    -sh46 * t2 - ch4m6 * t3,
+                                    sh46 * t1 - ch4m6 * t0,
+                                    -sh4m6 * t3 - ch46 * t2),
+          Eigen::Matrix<Scalar, 3, 1>(g.l1 * c1 + g.d4 * ch13 * t4,
+                                      t5,
                                       q[1])};
 }
 
@@ -118,8 +116,8 @@ inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
 template <class Scalar>
 Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g) {
   return detail::forward_kinematics<Scalar>(q,
-      sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[4], Scalar(0.5) * (q[0] + q[2]), Scalar(0.5)
-      * (q[3] + q[5]), Scalar(0.5) * (q[3] - q[5])), g);
+      sines_and_cosines<Scalar>(q[0], Scalar(0.5) * q[4], Scalar(0.5) * (q[0] + q[2]), Scalar(0.5) * (q[3] + q[5]),
+      Scalar(0.5) * (q[3] - q[5])), g);
 }
 
 template <class Scalar>

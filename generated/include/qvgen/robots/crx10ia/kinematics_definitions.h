@@ -14,8 +14,8 @@ namespace qvgen::robots::crx10ia {
 
 template <class Scalar>
 PoseAngles<Scalar> pose_angles(const JointVector<Scalar>& q, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[1], Scalar(0.5) * q[3], Scalar(0.5)
-      * q[4], Scalar(0.5) * q[5], Scalar(0.5) * (q[1] - q[2]));
+  const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0] - Scalar(0.7853981633974483), Scalar(0.5) * q[5]
+      + Scalar(0.7853981633974483), q[1], Scalar(0.5) * q[3], Scalar(0.5) * q[4], Scalar(0.5) * (q[1] - q[2]));
   return { { angles.sine[0], angles.sine[1], angles.sine[2], angles.sine[3], angles.sine[4], angles.sine[5] },
            { angles.cosine[0], angles.cosine[1], angles.cosine[2], angles.cosine[3], angles.cosine[4],
                angles.cosine[5] }};
@@ -62,56 +62,51 @@ template <class Scalar, class Angles>
 inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar>& q,
                                        const Angles& angles,
                                        [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& sh1 = angles.sine[0];
-  const Scalar& ch1 = angles.cosine[0];
-  const Scalar& sh2 = angles.sine[1];
-  const Scalar& ch2 = angles.cosine[1];
-  const Scalar& sh4 = angles.sine[2];
-  const Scalar& ch4 = angles.cosine[2];
-  const Scalar& sh5 = angles.sine[3];
-  const Scalar& ch5 = angles.cosine[3];
-  const Scalar& sh6 = angles.sine[4];
-  const Scalar& ch6 = angles.cosine[4];
+  const Scalar& s_0 = angles.sine[0];
+  const Scalar& c_0 = angles.cosine[0];
+  const Scalar& s_1 = angles.sine[1];
+  const Scalar& c_1 = angles.cosine[1];
+  const Scalar& s2 = angles.sine[2];
+  const Scalar& c2 = angles.cosine[2];
+  const Scalar& sh4 = angles.sine[3];
+  const Scalar& ch4 = angles.cosine[3];
+  const Scalar& sh5 = angles.sine[4];
+  const Scalar& ch5 = angles.cosine[4];
   const Scalar& sh2m3 = angles.sine[5];
   const Scalar& ch2m3 = angles.cosine[5];
-  const Scalar t0 = sh2m3 * sh5;
-  const Scalar t1 = sh4 * sh6;
-  const Scalar t2 = ch4 * ch6;
-  const Scalar t3 = t1 + t2;
-  const Scalar t4 = ch2m3 * ch5;
-  const Scalar t5 = t1 - t2;
-  const Scalar t6 = t0 * t3 - t4 * t5;
-  const Scalar t7 = ch6 * sh4;
-  const Scalar t8 = ch4 * sh6;
-  const Scalar t9 = t7 + t8;
-  const Scalar t10 = t7 - t8;
-  const Scalar t11 = t4 * t9 - t0 * t10;
-  const Scalar t12 = ch5 * sh2m3;
-  const Scalar t13 = ch2m3 * sh5;
-  const Scalar t14 = t12 * t9 + t13 * t10;
-  const Scalar t15 = t13 * t3 + t12 * t5;
-  const Scalar t16 = Scalar(1) - sh4 * (sh4 + sh4);
-  const Scalar t17 = ch4 * sh4;
-  const Scalar t18 = ch5 * sh5;
-  const Scalar t19 = Scalar(0.15) * t16 - Scalar(0.64) * t17 * t18;
-  const Scalar t20 = sh1 + sh1;
-  const Scalar t21 = ch1 * t20;
-  const Scalar t22 = Scalar(1) - sh1 * t20;
-  const Scalar t23 = sh2m3 + sh2m3;
-  const Scalar t24 = ch2m3 * t23;
-  const Scalar t25 = Scalar(0.54) + (Scalar(0.16) - Scalar(0.32) * sh5 * sh5);
-  const Scalar t26 = t24 * t25 - (Scalar(0.54) - Scalar(1.08) * sh2 * sh2);
-  const Scalar t27 = Scalar(1) - sh2m3 * t23;
-  const Scalar t28 = Scalar(0.3) * t17 + Scalar(0.32) * t16 * t18;
-  const Scalar t29 = t26 - t27 * t28;
-  const Scalar t30 = Scalar(0.245) - (t25 * t27 + Scalar(1.08) * ch2 * sh2);
-  return {Eigen::Quaternion<Scalar>(ch1 * t6 - sh1 * t11,
-                                    ch1 * t14 + sh1 * t15,
-                                    sh1 * t14 - ch1 * t15,
-                                    sh1 * t6 + ch1 * t11),
-          Eigen::Matrix<Scalar, 3, 1>(t19 * t21 - t22 * t29,
-                                      -t29 * t21 - t22 * t19,
-                                      t30 - t24 * t28)};
+  const Scalar t0 = c_1 * ch4;
+  const Scalar t1 = s_1 * sh4;
+  const Scalar t2 = sh5 * (t0 + t1);
+  const Scalar t3 = ch5 * (t0 - t1);
+  const Scalar t4 = sh2m3 * t2 + ch2m3 * t3;
+  const Scalar t5 = c_1 * sh4;
+  const Scalar t6 = ch4 * s_1;
+  const Scalar t7 = sh5 * (t5 - t6);
+  const Scalar t8 = ch5 * (t5 + t6);
+  const Scalar t9 = sh2m3 * t7 - ch2m3 * t8;
+  const Scalar t10 = sh2m3 * t3 - ch2m3 * t2;
+  const Scalar t11 = sh2m3 * t8 + ch2m3 * t7;
+  const Scalar t12 = Scalar(2) * sh2m3;
+  const Scalar t13 = ch2m3 * t12;
+  const Scalar t14 = Scalar(0.54) + (Scalar(0.16) - Scalar(0.32) * sh5 * sh5);
+  const Scalar t15 = ch4 * sh4;
+  const Scalar t16 = sh4 * sh4 - ch4 * ch4;
+  const Scalar t17 = ch5 * sh5;
+  const Scalar t18 = Scalar(0.3) * t15 - Scalar(0.32) * t16 * t17;
+  const Scalar t19 = Scalar(1) - sh2m3 * t12;
+  const Scalar t20 = Scalar(0.54) * c2 - (t13 * t14 - t18 * t19);
+  const Scalar t21 = c_0 + c_0;
+  const Scalar t22 = s_0 * t21;
+  const Scalar t23 = Scalar(0.15) * t16 + Scalar(0.64) * t15 * t17;
+  const Scalar t24 = Scalar(1) - c_0 * t21;
+  const Scalar t25 = t14 * t19 - ((Scalar(0.245) - t18 * t13) - Scalar(0.54) * s2);
+  return {Eigen::Quaternion<Scalar>(c_0 * t4 + s_0 * t9,
+                                    -c_0 * t10 - s_0 * t11,
+                                    c_0 * t11 - s_0 * t10,
+                                    s_0 * t4 - c_0 * t9),
+          Eigen::Matrix<Scalar, 3, 1>(t23 * t24 - t20 * t22,
+                                      -t23 * t22 - t24 * t20,
+                                      -t25)};
 }
 
 template <class Scalar, class Angles>
@@ -148,7 +143,7 @@ inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
   const Scalar t15 = Scalar(0.16) * t0 + Scalar(0.15) * s4;
   const Scalar t16 = Scalar(0.54) + Scalar(0.16) * c5;
   const Scalar t17 = (c2m3 * t15 - s2m3 * t16) + Scalar(0.54) * c2;
-  const Scalar t18 = (Scalar(0.54) * s2 + c2m3 * t16) + s2m3 * t15;
+  const Scalar t18 = (s2m3 * t15 + Scalar(0.54) * s2) + c2m3 * t16;
   Eigen::Transform<Scalar, 3, Eigen::Isometry> tool;
   tool(0, 0) = t10 * t11 - t1 * t7;
   tool(0, 1) = -t12;
@@ -171,8 +166,8 @@ inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
 template <class Scalar>
 Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g) {
   return detail::forward_kinematics<Scalar>(q,
-      sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[1], Scalar(0.5) * q[3], Scalar(0.5) * q[4],
-      Scalar(0.5) * q[5], Scalar(0.5) * (q[1] - q[2])), g);
+      sines_and_cosines<Scalar>(Scalar(0.5) * q[0] - Scalar(0.7853981633974483), Scalar(0.5) * q[5]
+      + Scalar(0.7853981633974483), q[1], Scalar(0.5) * q[3], Scalar(0.5) * q[4], Scalar(0.5) * (q[1] - q[2])), g);
 }
 
 template <class Scalar>

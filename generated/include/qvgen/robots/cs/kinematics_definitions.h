@@ -53,15 +53,15 @@ inline Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q,
   const Scalar t1 = sh4m6 * sh5;
   const Scalar t2 = ch5 * sh46;
   const Scalar t3 = ch4m6 * sh5;
-  const Scalar t4 = ch1 + ch1;
-  const Scalar t5 = sh1 * t4;
-  const Scalar t6 = Scalar(1) - ch1 * t4;
+  const Scalar t4 = sh1 + sh1;
+  const Scalar t5 = ch1 * t4;
+  const Scalar t6 = Scalar(1) - sh1 * t4;
   return {Eigen::Quaternion<Scalar>(ch1 * t0 - sh1 * t1,
                                     sh1 * t2 + ch1 * t3,
                                     sh1 * t3 - ch1 * t2,
                                     sh1 * t0 + ch1 * t1),
-          Eigen::Matrix<Scalar, 3, 1>(q[2] * t5 - g.l1 * t6,
-                                      g.l1 * t5 + q[2] * t6,
+          Eigen::Matrix<Scalar, 3, 1>(q[2] * t5 + g.l1 * t6,
+                                      g.l1 * t5 - q[2] * t6,
                                       q[1])};
 }
 

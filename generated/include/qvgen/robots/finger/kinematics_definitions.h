@@ -15,7 +15,7 @@ namespace qvgen::robots::finger {
 template <class Scalar>
 PoseAngles<Scalar> pose_angles(const JointVector<Scalar>& q, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
   const auto angles = sines_and_cosines<Scalar>(Scalar(0.16666666666666666) * Scalar(5) * q[1]
-      + Scalar(0.08726646259971647), Scalar(0.5) * q[1], Scalar(0.5) * q[0]);
+      + Scalar(0.08726646259971647), q[1], Scalar(0.5) * q[0]);
   return { { angles.sine[0], angles.sine[1], angles.sine[2] },
            { angles.cosine[0], angles.cosine[1], angles.cosine[2] }};
 }
@@ -46,21 +46,20 @@ inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar
                                        const BasicGeometry<Scalar>& g) {
   const Scalar& s_0 = angles.sine[0];
   const Scalar& c_0 = angles.cosine[0];
-  const Scalar& sh2 = angles.sine[1];
-  const Scalar& ch2 = angles.cosine[1];
+  const Scalar& s2 = angles.sine[1];
+  const Scalar& c2 = angles.cosine[1];
   const Scalar& sh1 = angles.sine[2];
   const Scalar& ch1 = angles.cosine[2];
   const Scalar t0 = Scalar(0.02) + g.l2;
-  const Scalar t1 = Scalar(0.01) - t0 * (Scalar(1) - Scalar(2) * c_0 * c_0);
-  const Scalar t2 = t1 + g.l1 * (Scalar(1) - Scalar(2) * sh2 * sh2);
-  const Scalar t3 = Scalar(2) * sh2 * g.l1 * ch2 + Scalar(2) * c_0 * s_0 * t0;
+  const Scalar t1 = (Scalar(0.01) + g.l1 * c2) + t0 * (Scalar(1) - Scalar(2) * s_0 * s_0);
+  const Scalar t2 = Scalar(2) * s_0 * c_0 * t0 + g.l1 * s2;
   return {Eigen::Quaternion<Scalar>(c_0 * ch1,
                                     -s_0 * sh1,
                                     ch1 * s_0,
                                     c_0 * sh1),
-          Eigen::Matrix<Scalar, 3, 1>(-(Scalar(1) - Scalar(2) * ch1 * ch1) * t2,
-                                      Scalar(2) * ch1 * sh1 * t2,
-                                      Scalar(0.02) - t3)};
+          Eigen::Matrix<Scalar, 3, 1>(-(Scalar(1) - Scalar(2) * ch1 * ch1) * t1,
+                                      Scalar(2) * ch1 * sh1 * t1,
+                                      Scalar(0.02) - t2)};
 }
 
 template <class Scalar, class Angles>
@@ -97,8 +96,8 @@ inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
 template <class Scalar>
 Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g) {
   return detail::forward_kinematics<Scalar>(q,
-      sines_and_cosines<Scalar>(Scalar(0.16666666666666666) * Scalar(5) * q[1] + Scalar(0.08726646259971647),
-      Scalar(0.5) * q[1], Scalar(0.5) * q[0]), g);
+      sines_and_cosines<Scalar>(Scalar(0.16666666666666666) * Scalar(5) * q[1] + Scalar(0.08726646259971647), q[1],
+      Scalar(0.5) * q[0]), g);
 }
 
 template <class Scalar>

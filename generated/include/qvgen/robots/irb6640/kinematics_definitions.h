@@ -14,8 +14,8 @@ namespace qvgen::robots::irb6640 {
 
 template <class Scalar>
 PoseAngles<Scalar> pose_angles(const JointVector<Scalar>& q, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[1], Scalar(0.5) * q[3], Scalar(0.5)
-      * q[4], Scalar(0.5) * q[5], Scalar(0.5) * (q[1] + q[2]));
+  const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0], q[1], Scalar(0.5) * q[4], Scalar(0.5)
+      * (q[1] + q[2]), Scalar(0.5) * (q[3] + q[5]), Scalar(0.5) * (q[3] - q[5]));
   return { { angles.sine[0], angles.sine[1], angles.sine[2], angles.sine[3], angles.sine[4], angles.sine[5] },
            { angles.cosine[0], angles.cosine[1], angles.cosine[2], angles.cosine[3], angles.cosine[4],
                angles.cosine[5] }};
@@ -63,48 +63,44 @@ inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar
                                        [[maybe_unused]] const BasicGeometry<Scalar>& g) {
   const Scalar& sh1 = angles.sine[0];
   const Scalar& ch1 = angles.cosine[0];
-  const Scalar& sh2 = angles.sine[1];
-  const Scalar& ch2 = angles.cosine[1];
-  const Scalar& sh4 = angles.sine[2];
-  const Scalar& ch4 = angles.cosine[2];
-  const Scalar& sh5 = angles.sine[3];
-  const Scalar& ch5 = angles.cosine[3];
-  const Scalar& sh6 = angles.sine[4];
-  const Scalar& ch6 = angles.cosine[4];
-  const Scalar& sh23 = angles.sine[5];
-  const Scalar& ch23 = angles.cosine[5];
-  const Scalar t0 = ch1 * sh23;
-  const Scalar t1 = ch23 * sh1;
-  const Scalar t2 = ch4 * t0 + sh4 * t1;
-  const Scalar t3 = sh23 * sh1;
-  const Scalar t4 = ch23 * ch1;
-  const Scalar t5 = sh4 * t3 + ch4 * t4;
-  const Scalar t6 = sh5 * t2 - ch5 * t5;
-  const Scalar t7 = ch4 * t3 - sh4 * t4;
-  const Scalar t8 = sh4 * t0 - ch4 * t1;
-  const Scalar t9 = ch5 * t7 - sh5 * t8;
-  const Scalar t10 = sh5 * t7 + ch5 * t8;
-  const Scalar t11 = ch5 * t2 + sh5 * t5;
-  const Scalar t12 = Scalar(1) - Scalar(2) * sh1 * sh1;
-  const Scalar t13 = Scalar(2) * sh23;
-  const Scalar t14 = ch23 * t13;
-  const Scalar t15 = ch5 * sh5;
-  const Scalar t16 = Scalar(0.4) * (Scalar(1) - sh4 * Scalar(2) * sh4) * t15;
-  const Scalar t17 = Scalar(0.2) - t16;
-  const Scalar t18 = Scalar(1) - sh23 * t13;
-  const Scalar t19 = Scalar(1.1425) + (Scalar(0.2) - Scalar(0.4) * sh5 * sh5);
-  const Scalar t20 = (Scalar(2.15) * ch2 * sh2 + t14 * t17) + (Scalar(0.32) + t18 * t19);
-  const Scalar t21 = ch1 * sh1;
-  const Scalar t22 = ch4 * sh4 * t15;
-  const Scalar t23 = t21 * t20;
-  const Scalar t24 = (Scalar(1.075) - Scalar(2.15) * sh2 * sh2) - (t14 * t19 - t18 * t17);
-  return {Eigen::Quaternion<Scalar>(sh6 * t9 - ch6 * t6,
-                                    -sh6 * t6 - ch6 * t9,
-                                    ch6 * t11 - sh6 * t10,
-                                    -sh6 * t11 - ch6 * t10),
-          Eigen::Matrix<Scalar, 3, 1>(t12 * t20 - Scalar(1.6) * t21 * t22,
-                                      Scalar(0.8) * t12 * t22 + (t23 + t23),
-                                      Scalar(0.78) + t24)};
+  const Scalar& s2 = angles.sine[1];
+  const Scalar& c2 = angles.cosine[1];
+  const Scalar& sh5 = angles.sine[2];
+  const Scalar& ch5 = angles.cosine[2];
+  const Scalar& sh23 = angles.sine[3];
+  const Scalar& ch23 = angles.cosine[3];
+  const Scalar& sh46 = angles.sine[4];
+  const Scalar& ch46 = angles.cosine[4];
+  const Scalar& sh4m6 = angles.sine[5];
+  const Scalar& ch4m6 = angles.cosine[5];
+  const Scalar t0 = ch4m6 * sh5;
+  const Scalar t1 = ch23 * ch5;
+  const Scalar t2 = sh23 * t0 - ch46 * t1;
+  const Scalar t3 = sh4m6 * sh5;
+  const Scalar t4 = ch5 * sh23;
+  const Scalar t5 = ch23 * t3 - sh46 * t4;
+  const Scalar t6 = ch1 * t2 + sh1 * t5;
+  const Scalar t7 = ch46 * t4 + ch23 * t0;
+  const Scalar t8 = sh46 * t1 + sh23 * t3;
+  const Scalar t9 = sh1 * t7 - ch1 * t8;
+  const Scalar t10 = sh1 * t8 + ch1 * t7;
+  const Scalar t11 = sh1 * t2 - ch1 * t5;
+  const Scalar t12 = Scalar(0.2) - Scalar(0.4) * (t10 * t10 + t11 * t11);
+  const Scalar t13 = Scalar(2) * sh1;
+  const Scalar t14 = sh23 + sh23;
+  const Scalar t15 = ch23 * t14;
+  const Scalar t16 = Scalar(1) - sh23 * t14;
+  const Scalar t17 = (Scalar(0.32) + Scalar(0.2) * t15) + (Scalar(1.075) * s2 + Scalar(1.1425) * t16);
+  const Scalar t18 = t13 * ch1 * t17 - Scalar(0.4) * (t9 * t10 - t6 * t11);
+  const Scalar t19 = (Scalar(1.1425) * t15 - Scalar(0.2) * t16) - (Scalar(0.78) + Scalar(1.075) * c2);
+  const Scalar t20 = Scalar(0.4) * (t9 * t11 + t10 * t6) - t19;
+  return {Eigen::Quaternion<Scalar>(-t6,
+                                    -t9,
+                                    t10,
+                                    -t11),
+          Eigen::Matrix<Scalar, 3, 1>(t12 + (Scalar(1) - sh1 * t13) * t17,
+                                      t18,
+                                      t20)};
 }
 
 template <class Scalar, class Angles>
@@ -141,7 +137,7 @@ inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
   const Scalar t15 = s1 * t7 - c1 * t10;
   const Scalar t16 = Scalar(1.1425) + Scalar(0.2) * c5;
   const Scalar t17 = Scalar(0.2) - Scalar(0.2) * t0;
-  const Scalar t18 = Scalar(1.075) * s2 + (c23 * t16 + s23 * t17);
+  const Scalar t18 = (Scalar(1.075) * s2 + c23 * t16) + s23 * t17;
   const Scalar t19 = Scalar(0.32) + t18;
   const Scalar t20 = (s23 * t16 - c23 * t17) - Scalar(1.075) * c2;
   Eigen::Transform<Scalar, 3, Eigen::Isometry> tool;
@@ -166,8 +162,8 @@ inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
 template <class Scalar>
 Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g) {
   return detail::forward_kinematics<Scalar>(q,
-      sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[1], Scalar(0.5) * q[3], Scalar(0.5) * q[4],
-      Scalar(0.5) * q[5], Scalar(0.5) * (q[1] + q[2])), g);
+      sines_and_cosines<Scalar>(Scalar(0.5) * q[0], q[1], Scalar(0.5) * q[4], Scalar(0.5) * (q[1] + q[2]), Scalar(0.5)
+      * (q[3] + q[5]), Scalar(0.5) * (q[3] - q[5])), g);
 }
 
 template <class Scalar>

@@ -14,7 +14,7 @@ namespace qvgen::robots::nc {
 
 template <class Scalar>
 PoseAngles<Scalar> pose_angles(const JointVector<Scalar>& q, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[1], Scalar(0.5) * q[4], Scalar(0.5)
+  const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0], q[1], Scalar(0.5) * q[4], Scalar(0.5)
       * (q[1] + q[3] + q[5]), Scalar(0.5) * (q[1] + q[3] - q[5]));
   return { { angles.sine[0], angles.sine[1], angles.sine[2], angles.sine[3], angles.sine[4] },
            { angles.cosine[0], angles.cosine[1], angles.cosine[2], angles.cosine[3], angles.cosine[4] }};
@@ -47,31 +47,30 @@ inline Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q,
                                        const BasicGeometry<Scalar>& g) {
   const Scalar& sh1 = angles.sine[0];
   const Scalar& ch1 = angles.cosine[0];
-  const Scalar& sh2 = angles.sine[1];
-  const Scalar& ch2 = angles.cosine[1];
+  const Scalar& s2 = angles.sine[1];
+  const Scalar& c2 = angles.cosine[1];
   const Scalar& sh5 = angles.sine[2];
   const Scalar& ch5 = angles.cosine[2];
   const Scalar& sh246 = angles.sine[3];
   const Scalar& ch246 = angles.cosine[3];
   const Scalar& sh24m6 = angles.sine[4];
   const Scalar& ch24m6 = angles.cosine[4];
-  const Scalar t0 = sh24m6 * sh5;
-  const Scalar t1 = ch246 * ch5;
-  const Scalar t2 = ch24m6 * sh5;
-  const Scalar t3 = ch5 * sh246;
-  const Scalar t4 = sh2 + sh2;
-  const Scalar t5 = g.l2 * (Scalar(1) - sh2 * t4);
-  const Scalar t6 = Scalar(2) * ch1;
-  const Scalar t7 = Scalar(1) - ch1 * t6;
-  const Scalar t8 = q[2] + (g.d2 + g.d4);
-  const Scalar t9 = sh1 * t6;
-  return {Eigen::Quaternion<Scalar>(ch1 * t1 - sh1 * t0,
-                                    ch1 * t2 + sh1 * t3,
-                                    sh1 * t2 - ch1 * t3,
-                                    ch1 * t0 + sh1 * t1),
-          Eigen::Matrix<Scalar, 3, 1>(t8 * t9 - t5 * t7,
-                                      t5 * t9 + t8 * t7,
-                                      g.h1 + t4 * g.l2 * ch2)};
+  const Scalar t0 = ch1 * ch5;
+  const Scalar t1 = sh24m6 * sh5;
+  const Scalar t2 = ch5 * sh1;
+  const Scalar t3 = ch24m6 * sh5;
+  const Scalar t4 = g.l2 * c2;
+  const Scalar t5 = Scalar(2) * ch1;
+  const Scalar t6 = Scalar(1) - ch1 * t5;
+  const Scalar t7 = g.d2 + (q[2] + g.d4);
+  const Scalar t8 = sh1 * t5;
+  return {Eigen::Quaternion<Scalar>(sh1 * t1 - ch246 * t0,
+                                    -sh246 * t2 - ch1 * t3,
+                                    sh246 * t0 - sh1 * t3,
+                                    -ch1 * t1 - ch246 * t2),
+          Eigen::Matrix<Scalar, 3, 1>(t7 * t8 - t4 * t6,
+                                      t4 * t8 + t7 * t6,
+                                      g.h1 + g.l2 * s2)};
 }
 
 template <class Scalar, class Angles>
@@ -98,8 +97,8 @@ inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
   const Scalar t7 = c1 * c5 - s1 * t6;
   const Scalar t8 = c1 * t6 + c5 * s1;
   const Scalar t9 = s1 * t2 - c1 * t1;
-  const Scalar t10 = g.l2 * c2;
-  const Scalar t11 = g.d2 + (q[2] + g.d4);
+  const Scalar t10 = q[2] + (g.d2 + g.d4);
+  const Scalar t11 = g.l2 * c2;
   Eigen::Transform<Scalar, 3, Eigen::Isometry> tool;
   tool(0, 0) = t3 * t4 + t5 * t7;
   tool(0, 1) = -t8;
@@ -110,8 +109,8 @@ inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
   tool(2, 0) = t8 * t3 - t9 * t7;
   tool(2, 1) = t4;
   tool(2, 2) = t5;
-  tool(0, 3) = c1 * t10 + s1 * t11;
-  tool(1, 3) = s1 * t10 - c1 * t11;
+  tool(0, 3) = s1 * t10 + c1 * t11;
+  tool(1, 3) = s1 * t11 - c1 * t10;
   tool(2, 3) = g.h1 + g.l2 * s2;
   tool.makeAffine();
   return tool;
@@ -122,8 +121,8 @@ inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
 template <class Scalar>
 Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g) {
   return detail::forward_kinematics<Scalar>(q,
-      sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[1], Scalar(0.5) * q[4], Scalar(0.5)
-      * (q[1] + q[3] + q[5]), Scalar(0.5) * (q[1] + q[3] - q[5])), g);
+      sines_and_cosines<Scalar>(Scalar(0.5) * q[0], q[1], Scalar(0.5) * q[4], Scalar(0.5) * (q[1] + q[3] + q[5]),
+      Scalar(0.5) * (q[1] + q[3] - q[5])), g);
 }
 
 template <class Scalar>

@@ -14,8 +14,9 @@ namespace qvgen::robots::nn {
 
 template <class Scalar>
 PoseAngles<Scalar> pose_angles(const JointVector<Scalar>& q, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[1], Scalar(0.5) * q[2], Scalar(0.5)
-      * q[4], Scalar(0.5) * (q[3] + q[5]), Scalar(0.5) * (q[3] - q[5]));
+  const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0] - Scalar(0.7853981633974483), Scalar(0.5) * q[2]
+      - Scalar(0.7853981633974483), Scalar(0.5) * q[1], Scalar(0.5) * q[4], Scalar(0.5) * (q[3] + q[5]), Scalar(0.5)
+      * (q[3] - q[5]));
   return { { angles.sine[0], angles.sine[1], angles.sine[2], angles.sine[3], angles.sine[4], angles.sine[5] },
            { angles.cosine[0], angles.cosine[1], angles.cosine[2], angles.cosine[3], angles.cosine[4],
                angles.cosine[5] }};
@@ -57,49 +58,47 @@ template <class Scalar, class Angles>
 inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar>& q,
                                        const Angles& angles,
                                        const BasicGeometry<Scalar>& g) {
-  const Scalar& sh1 = angles.sine[0];
-  const Scalar& ch1 = angles.cosine[0];
-  const Scalar& sh2 = angles.sine[1];
-  const Scalar& ch2 = angles.cosine[1];
-  const Scalar& sh3 = angles.sine[2];
-  const Scalar& ch3 = angles.cosine[2];
+  const Scalar& s_0 = angles.sine[0];
+  const Scalar& c_0 = angles.cosine[0];
+  const Scalar& s_1 = angles.sine[1];
+  const Scalar& c_1 = angles.cosine[1];
+  const Scalar& sh2 = angles.sine[2];
+  const Scalar& ch2 = angles.cosine[2];
   const Scalar& sh5 = angles.sine[3];
   const Scalar& ch5 = angles.cosine[3];
   const Scalar& sh46 = angles.sine[4];
   const Scalar& ch46 = angles.cosine[4];
   const Scalar& sh4m6 = angles.sine[5];
   const Scalar& ch4m6 = angles.cosine[5];
-  const Scalar t0 = ch3 * sh5;
-  const Scalar t1 = ch5 * sh3;
-  const Scalar t2 = sh4m6 * t0 - ch46 * t1;
-  const Scalar t3 = sh46 * t1 - ch4m6 * t0;
-  const Scalar t4 = ch2 * t2 - sh2 * t3;
-  const Scalar t5 = ch3 * ch5;
-  const Scalar t6 = sh3 * sh5;
-  const Scalar t7 = ch46 * t5 + sh4m6 * t6;
-  const Scalar t8 = ch4m6 * t6 + sh46 * t5;
-  const Scalar t9 = ch2 * t7 - sh2 * t8;
-  const Scalar t10 = ch2 * t8 + sh2 * t7;
-  const Scalar t11 = ch2 * t3 + sh2 * t2;
-  const Scalar t12 = ch1 + ch1;
-  const Scalar t13 = sh1 * t12;
-  const Scalar t14 = ch3 * ch3;
-  const Scalar t15 = g.l1 - g.d4 * (Scalar(1) - (t14 + t14));
-  const Scalar t16 = sh3 * g.d4 * ch3;
-  const Scalar t17 = ch2 * ch2;
-  const Scalar t18 = Scalar(1) - (t17 + t17);
-  const Scalar t19 = ch2 * sh2;
-  const Scalar t20 = t16 * t18 + g.l2 * t19;
-  const Scalar t21 = t20 + t20;
-  const Scalar t22 = Scalar(1) - ch1 * t12;
-  const Scalar t23 = g.l2 * t18 - (g.h1 + Scalar(4) * t16 * t19);
-  return {Eigen::Quaternion<Scalar>(sh1 * t4 + ch1 * t9,
-                                    sh1 * t10 + ch1 * t11,
-                                    sh1 * t11 - ch1 * t10,
-                                    sh1 * t9 - ch1 * t4),
-          Eigen::Matrix<Scalar, 3, 1>(t13 * t15 + t21 * t22,
-                                      t15 * t22 - t13 * t21,
-                                      -t23)};
+  const Scalar t0 = ch5 * sh46;
+  const Scalar t1 = s_1 * sh5;
+  const Scalar t2 = c_1 * t0 + ch4m6 * t1;
+  const Scalar t3 = c_1 * sh5;
+  const Scalar t4 = ch46 * ch5;
+  const Scalar t5 = sh4m6 * t3 - s_1 * t4;
+  const Scalar t6 = sh2 * t2 - ch2 * t5;
+  const Scalar t7 = ch4m6 * t3 - s_1 * t0;
+  const Scalar t8 = c_1 * t4 + sh4m6 * t1;
+  const Scalar t9 = sh2 * t7 - ch2 * t8;
+  const Scalar t10 = sh2 * t8 + ch2 * t7;
+  const Scalar t11 = sh2 * t5 + ch2 * t2;
+  const Scalar t12 = c_1 + c_1;
+  const Scalar t13 = g.l1 - g.d4 * s_1 * t12;
+  const Scalar t14 = Scalar(2) * c_0;
+  const Scalar t15 = Scalar(1) - c_0 * t14;
+  const Scalar t16 = Scalar(2) * ch2;
+  const Scalar t17 = Scalar(1) - ch2 * t16;
+  const Scalar t18 = g.d4 * (Scalar(1) - c_1 * t12);
+  const Scalar t19 = sh2 * t16;
+  const Scalar t20 = t17 * t18 - g.l2 * t19;
+  const Scalar t21 = s_0 * t14;
+  return {Eigen::Quaternion<Scalar>(c_0 * t6 - s_0 * t9,
+                                    -s_0 * t10 - c_0 * t11,
+                                    c_0 * t10 - s_0 * t11,
+                                    c_0 * t9 + s_0 * t6),
+          Eigen::Matrix<Scalar, 3, 1>(-t13 * t15 - t20 * t21,
+                                      t21 * t13 - t20 * t15,
+                                      g.h1 - (t19 * t18 + g.l2 * t17))};
 }
 
 template <class Scalar, class Angles>
@@ -161,8 +160,9 @@ inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
 template <class Scalar>
 Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g) {
   return detail::forward_kinematics<Scalar>(q,
-      sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[1], Scalar(0.5) * q[2], Scalar(0.5) * q[4],
-      Scalar(0.5) * (q[3] + q[5]), Scalar(0.5) * (q[3] - q[5])), g);
+      sines_and_cosines<Scalar>(Scalar(0.5) * q[0] - Scalar(0.7853981633974483), Scalar(0.5) * q[2]
+      - Scalar(0.7853981633974483), Scalar(0.5) * q[1], Scalar(0.5) * q[4], Scalar(0.5) * (q[3] + q[5]), Scalar(0.5)
+      * (q[3] - q[5])), g);
 }
 
 template <class Scalar>

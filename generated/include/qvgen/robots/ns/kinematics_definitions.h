@@ -14,8 +14,9 @@ namespace qvgen::robots::ns {
 
 template <class Scalar>
 PoseAngles<Scalar> pose_angles(const JointVector<Scalar>& q, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[1], Scalar(0.5) * q[4], Scalar(0.5)
-      * (q[3] + q[5]), Scalar(0.5) * (q[3] - q[5]));
+  const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0] - Scalar(0.7853981633974483), Scalar(0.5) * q[1],
+      Scalar(0.5) * q[4], Scalar(0.5) * (q[3] + q[5]) + Scalar(0.7853981633974483), Scalar(0.5) * (q[3] - q[5])
+      - Scalar(0.7853981633974483));
   return { { angles.sine[0], angles.sine[1], angles.sine[2], angles.sine[3], angles.sine[4] },
            { angles.cosine[0], angles.cosine[1], angles.cosine[2], angles.cosine[3], angles.cosine[4] }};
 }
@@ -53,37 +54,36 @@ template <class Scalar, class Angles>
 inline Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q,
                                        const Angles& angles,
                                        const BasicGeometry<Scalar>& g) {
-  const Scalar& sh1 = angles.sine[0];
-  const Scalar& ch1 = angles.cosine[0];
+  const Scalar& s_0 = angles.sine[0];
+  const Scalar& c_0 = angles.cosine[0];
   const Scalar& sh2 = angles.sine[1];
   const Scalar& ch2 = angles.cosine[1];
   const Scalar& sh5 = angles.sine[2];
   const Scalar& ch5 = angles.cosine[2];
-  const Scalar& sh46 = angles.sine[3];
-  const Scalar& ch46 = angles.cosine[3];
-  const Scalar& sh4m6 = angles.sine[4];
-  const Scalar& ch4m6 = angles.cosine[4];
-  const Scalar t0 = ch4m6 * sh5;
+  const Scalar& s_3 = angles.sine[3];
+  const Scalar& c_3 = angles.cosine[3];
+  const Scalar& s_4 = angles.sine[4];
+  const Scalar& c_4 = angles.cosine[4];
+  const Scalar t0 = c_4 * sh5;
   const Scalar t1 = ch2 * ch5;
-  const Scalar t2 = sh2 * t0 + ch46 * t1;
-  const Scalar t3 = sh4m6 * sh5;
-  const Scalar t4 = sh2 * t3 - sh46 * t1;
+  const Scalar t2 = sh2 * t0 + c_3 * t1;
+  const Scalar t3 = s_4 * sh5;
+  const Scalar t4 = s_3 * t1 - sh2 * t3;
   const Scalar t5 = ch5 * sh2;
-  const Scalar t6 = ch46 * t5 - ch2 * t0;
-  const Scalar t7 = ch2 * t3 + sh46 * t5;
-  const Scalar t8 = q[2] * sh2;
-  const Scalar t9 = ch2 * t8;
-  const Scalar t10 = Scalar(1) - sh1 * Scalar(2) * sh1;
-  const Scalar t11 = ch1 * sh1;
-  const Scalar t12 = t9 * t10 - g.d2 * t11;
-  const Scalar t13 = sh2 * t8;
-  return {Eigen::Quaternion<Scalar>(ch1 * t2 + sh1 * t4,
-                                    sh1 * t6 - ch1 * t7,
-                                    -sh1 * t7 - ch1 * t6,
-                                    sh1 * t2 - ch1 * t4),
-          Eigen::Matrix<Scalar, 3, 1>(-t12 - t12,
-                                      -Scalar(4) * t9 * t11 - g.d2 * t10,
-                                      g.h1 + (q[2] - (t13 + t13)))};
+  const Scalar t6 = ch2 * t3 + s_3 * t5;
+  const Scalar t7 = c_3 * t5 - ch2 * t0;
+  const Scalar t8 = ch2 + ch2;
+  const Scalar t9 = q[2] * sh2 * t8;
+  const Scalar t10 = Scalar(2) * c_0;
+  const Scalar t11 = s_0 * t10;
+  const Scalar t12 = Scalar(1) - c_0 * t10;
+  return {Eigen::Quaternion<Scalar>(s_0 * t4 - c_0 * t2,
+                                    -s_0 * t6 - c_0 * t7,
+                                    c_0 * t6 - s_0 * t7,
+                                    -s_0 * t2 - c_0 * t4),
+          Eigen::Matrix<Scalar, 3, 1>(t9 * t11 - g.d2 * t12,
+                                      t9 * t12 + g.d2 * t11,
+                                      g.h1 - q[2] * (Scalar(1) - ch2 * t8))};
 }
 
 template <class Scalar, class Angles>
@@ -137,8 +137,9 @@ inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
 template <class Scalar>
 Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g) {
   return detail::forward_kinematics<Scalar>(q,
-      sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[1], Scalar(0.5) * q[4], Scalar(0.5)
-      * (q[3] + q[5]), Scalar(0.5) * (q[3] - q[5])), g);
+      sines_and_cosines<Scalar>(Scalar(0.5) * q[0] - Scalar(0.7853981633974483), Scalar(0.5) * q[1], Scalar(0.5)
+      * q[4], Scalar(0.5) * (q[3] + q[5]) + Scalar(0.7853981633974483), Scalar(0.5) * (q[3] - q[5])
+      - Scalar(0.7853981633974483)), g);
 }
 
 template <class Scalar>

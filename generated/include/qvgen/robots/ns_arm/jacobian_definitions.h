@@ -44,13 +44,13 @@ inline Jacobian<Scalar> jacobian(const JointVector<Scalar>& q,
   result(2, 2) = c2;
   result(3, 0) = Scalar(0);
   result(3, 1) = s1;
-  result(3, 2) = Scalar(0);
+  result(3, 2) = -Scalar(0);
   result(4, 0) = Scalar(0);
   result(4, 1) = -c1;
-  result(4, 2) = Scalar(0);
+  result(4, 2) = -Scalar(0);
   result(5, 0) = Scalar(1);
   result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
+  result(5, 2) = -Scalar(0);
 
   return result;
 }
@@ -92,13 +92,13 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointV
   result.jacobian(2, 2) = c2;
   result.jacobian(3, 0) = Scalar(0);
   result.jacobian(3, 1) = s1;
-  result.jacobian(3, 2) = Scalar(0);
+  result.jacobian(3, 2) = -Scalar(0);
   result.jacobian(4, 0) = Scalar(0);
   result.jacobian(4, 1) = -c1;
-  result.jacobian(4, 2) = Scalar(0);
+  result.jacobian(4, 2) = -Scalar(0);
   result.jacobian(5, 0) = Scalar(1);
   result.jacobian(5, 1) = Scalar(0);
-  result.jacobian(5, 2) = Scalar(0);
+  result.jacobian(5, 2) = -Scalar(0);
   result.transform.makeAffine();
   return result;
 }
@@ -112,22 +112,22 @@ inline Jacobian<Scalar> tool_jacobian(const JointVector<Scalar>& q,
   Jacobian<Scalar> result;
   result(0, 0) = g.d2 * c2;
   result(0, 1) = -q[2];
-  result(0, 2) = Scalar(0);
+  result(0, 2) = -Scalar(0);
   result(1, 0) = -q[2] * s2;
   result(1, 1) = Scalar(0);
-  result(1, 2) = Scalar(0);
+  result(1, 2) = -Scalar(0);
   result(2, 0) = -g.d2 * s2;
   result(2, 1) = Scalar(0);
   result(2, 2) = Scalar(1);
   result(3, 0) = s2;
   result(3, 1) = Scalar(0);
-  result(3, 2) = Scalar(0);
+  result(3, 2) = -Scalar(0);
   result(4, 0) = Scalar(0);
   result(4, 1) = -Scalar(1);
-  result(4, 2) = Scalar(0);
+  result(4, 2) = -Scalar(0);
   result(5, 0) = c2;
   result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
+  result(5, 2) = -Scalar(0);
 
   return result;
 }
@@ -156,13 +156,13 @@ inline Jacobian<Scalar> jacobian_at(const JointVector<Scalar>& q,
   result(2, 2) = c2;
   result(3, 0) = Scalar(0);
   result(3, 1) = s1;
-  result(3, 2) = Scalar(0);
+  result(3, 2) = -Scalar(0);
   result(4, 0) = Scalar(0);
   result(4, 1) = -c1;
-  result(4, 2) = Scalar(0);
+  result(4, 2) = -Scalar(0);
   result(5, 0) = Scalar(1);
   result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
+  result(5, 2) = -Scalar(0);
 
   return result;
 }
@@ -219,13 +219,13 @@ inline Jacobian<Scalar> jacobian_dot(const JointVector<Scalar>& q,
   result(2, 2) = -t5;
   result(3, 0) = Scalar(0);
   result(3, 1) = t3;
-  result(3, 2) = Scalar(0);
+  result(3, 2) = -Scalar(0);
   result(4, 0) = Scalar(0);
   result(4, 1) = t8;
-  result(4, 2) = Scalar(0);
+  result(4, 2) = -Scalar(0);
   result(5, 0) = Scalar(0);
   result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
+  result(5, 2) = -Scalar(0);
 
   return result;
 }

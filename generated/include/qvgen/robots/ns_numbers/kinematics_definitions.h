@@ -44,19 +44,19 @@ inline Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q,
   const Scalar& ch1 = angles.cosine[0];
   const Scalar& sh2 = angles.sine[1];
   const Scalar& ch2 = angles.cosine[1];
-  const Scalar t0 = Scalar(0.4) + q[2];
-  const Scalar t1 = ch2 + ch2;
-  const Scalar t2 = sh2 * t0 * t1;
-  const Scalar t3 = ch1 + ch1;
-  const Scalar t4 = Scalar(1) - ch1 * t3;
-  const Scalar t5 = sh1 * t3;
+  const Scalar t0 = ch1 + ch1;
+  const Scalar t1 = sh1 * t0;
+  const Scalar t2 = sh2 + sh2;
+  const Scalar t3 = Scalar(0.4) + q[2];
+  const Scalar t4 = t2 * ch2 * t3;
+  const Scalar t5 = Scalar(1) - ch1 * t0;
   return {Eigen::Quaternion<Scalar>(ch1 * ch2,
                                     sh1 * sh2,
                                     -ch1 * sh2,
                                     ch2 * sh1),
-          Eigen::Matrix<Scalar, 3, 1>(t2 * t4 + Scalar(0.2) * t5,
-                                      Scalar(0.2) * t4 - t5 * t2,
-                                      Scalar(0.5) - t0 * (Scalar(1) - ch2 * t1))};
+          Eigen::Matrix<Scalar, 3, 1>(Scalar(0.2) * t1 + t4 * t5,
+                                      Scalar(0.2) * t5 - t1 * t4,
+                                      Scalar(0.5) + t3 * (Scalar(1) - sh2 * t2))};
 }
 
 template <class Scalar, class Angles>

@@ -44,7 +44,7 @@ inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
   result(4, 0) = Scalar(0);
   result(4, 1) = -c1;
   result(5, 0) = Scalar(1);
-  result(5, 1) = Scalar(0);
+  result(5, 1) = -Scalar(0);
 
   return result;
 }
@@ -86,7 +86,7 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unus
   result.jacobian(4, 0) = Scalar(0);
   result.jacobian(4, 1) = -c1;
   result.jacobian(5, 0) = Scalar(1);
-  result.jacobian(5, 1) = Scalar(0);
+  result.jacobian(5, 1) = -Scalar(0);
   result.transform.makeAffine();
   return result;
 }
@@ -101,15 +101,15 @@ inline Jacobian<Scalar> tool_jacobian([[maybe_unused]] const JointVector<Scalar>
   result(0, 0) = Scalar(0);
   result(0, 1) = -Scalar(0.1);
   result(1, 0) = Scalar(0.1) * c2;
-  result(1, 1) = Scalar(0);
+  result(1, 1) = -Scalar(0);
   result(2, 0) = Scalar(0);
-  result(2, 1) = Scalar(0);
+  result(2, 1) = -Scalar(0);
   result(3, 0) = -c2;
-  result(3, 1) = Scalar(0);
+  result(3, 1) = -Scalar(0);
   result(4, 0) = Scalar(0);
   result(4, 1) = -Scalar(1);
   result(5, 0) = s2;
-  result(5, 1) = Scalar(0);
+  result(5, 1) = -Scalar(0);
 
   return result;
 }
@@ -137,7 +137,7 @@ inline Jacobian<Scalar> jacobian_at([[maybe_unused]] const JointVector<Scalar>& 
   result(4, 0) = Scalar(0);
   result(4, 1) = -c1;
   result(5, 0) = Scalar(1);
-  result(5, 1) = Scalar(0);
+  result(5, 1) = -Scalar(0);
 
   return result;
 }
@@ -150,15 +150,15 @@ inline Twist<Scalar> velocity([[maybe_unused]] const JointVector<Scalar>& q,
   const Scalar& c1 = angles.cosine[0];
   const Scalar& s2 = angles.sine[1];
   const Scalar& c2 = angles.cosine[1];
-  const Scalar t0 = qd[0] * c2;
-  const Scalar t1 = qd[1] * c1;
-  const Scalar t2 = qd[1] * s1;
+  const Scalar t0 = Scalar(0.1) * qd[0] * c2;
+  const Scalar t1 = Scalar(0.1) * qd[1];
+  const Scalar t2 = s2 * t1;
   Twist<Scalar> result;
-  result(0, 0) = -Scalar(0.1) * (s1 * t0 + s2 * t1);
-  result(1, 0) = Scalar(0.1) * (c1 * t0 - s2 * t2);
-  result(2, 0) = Scalar(0.1) * qd[1] * c2;
-  result(3, 0) = t2;
-  result(4, 0) = -t1;
+  result(0, 0) = -s1 * t0 - c1 * t2;
+  result(1, 0) = c1 * t0 - s1 * t2;
+  result(2, 0) = c2 * t1;
+  result(3, 0) = qd[1] * s1;
+  result(4, 0) = -qd[1] * c1;
   result(5, 0) = qd[0];
 
   return result;
@@ -190,7 +190,7 @@ inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>&
   result(4, 0) = Scalar(0);
   result(4, 1) = t5;
   result(5, 0) = Scalar(0);
-  result(5, 1) = Scalar(0);
+  result(5, 1) = -Scalar(0);
 
   return result;
 }
@@ -210,9 +210,10 @@ inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Sc
   const Scalar t4 = qd[1] * qd[1];
   const Scalar t5 = Scalar(0.1) * (c2 * t4 + qd[0] * qd[0] * c2);
   const Scalar t6 = c1 * t0;
+  const Scalar t7 = t6 * t2;
   Twist<Scalar> result;
   result(0, 0) = t3 - (c1 * t5 - t3);
-  result(1, 0) = -s1 * t5 - Scalar(0.2) * s2 * t6;
+  result(1, 0) = -(s1 * t5 + t7) - t7;
   result(2, 0) = -t4 * t2;
   result(3, 0) = t6;
   result(4, 0) = t1;

@@ -54,7 +54,7 @@ inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar
                                     t3),
           Eigen::Matrix<Scalar, 3, 1>(Scalar(0.2) * (t1 * t3 - t2 * t0),
                                       -Scalar(0.4) * t1 * t0,
-                                      Scalar(0.3) - Scalar(0.2) * s_0 * s_0)};
+                                      Scalar(0.3) - s_0 * Scalar(0.2) * s_0)};
 }
 
 template <class Scalar, class Angles>

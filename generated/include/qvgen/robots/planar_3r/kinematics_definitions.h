@@ -14,8 +14,7 @@ namespace qvgen::robots::planar_3r {
 
 template <class Scalar>
 PoseAngles<Scalar> pose_angles(const JointVector<Scalar>& q, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * (q[0] + q[1]), Scalar(0.5)
-      * (q[0] + q[1] + q[2]));
+  const auto angles = sines_and_cosines<Scalar>(q[0], q[0] + q[1], Scalar(0.5) * (q[0] + q[1] + q[2]));
   return { { angles.sine[0], angles.sine[1], angles.sine[2] },
            { angles.cosine[0], angles.cosine[1], angles.cosine[2] }};
 }
@@ -41,24 +40,21 @@ template <class Scalar, class Angles>
 inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar>& q,
                                        const Angles& angles,
                                        const BasicGeometry<Scalar>& g) {
-  const Scalar& sh1 = angles.sine[0];
-  const Scalar& ch1 = angles.cosine[0];
-  const Scalar& sh12 = angles.sine[1];
-  const Scalar& ch12 = angles.cosine[1];
+  const Scalar& s1 = angles.sine[0];
+  const Scalar& c1 = angles.cosine[0];
+  const Scalar& s12 = angles.sine[1];
+  const Scalar& c12 = angles.cosine[1];
   const Scalar& sh123 = angles.sine[2];
   const Scalar& ch123 = angles.cosine[2];
-  const Scalar t0 = g.l1 * sh1;
-  const Scalar t1 = g.l2 * sh12;
-  const Scalar t2 = g.l3 * sh123;
-  const Scalar t3 = g.l2 - Scalar(2) * (sh12 * t1 + sh123 * t2);
-  const Scalar t4 = (g.l1 + (g.l3 - Scalar(2) * sh1 * t0)) + t3;
-  const Scalar t5 = (ch12 * t1 + ch1 * t0) + ch123 * t2;
+  const Scalar t0 = g.l3 * sh123;
+  const Scalar t1 = Scalar(2) * sh123 * t0 - (g.l1 * c1 + g.l2 * c12);
+  const Scalar t2 = g.l2 * s12 + (g.l1 * s1 + Scalar(2) * ch123 * t0);
   return {Eigen::Quaternion<Scalar>(ch123,
                                     Scalar(0),
                                     Scalar(0),
                                     sh123),
-          Eigen::Matrix<Scalar, 3, 1>(t4,
-                                      t5 + t5,
+          Eigen::Matrix<Scalar, 3, 1>(g.l3 - t1,
+                                      t2,
                                       Scalar(0))};
 }
 
@@ -96,8 +92,7 @@ inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
 template <class Scalar>
 Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g) {
   return detail::forward_kinematics<Scalar>(q,
-      sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * (q[0] + q[1]), Scalar(0.5) * (q[0] + q[1] + q[2])),
-      g);
+      sines_and_cosines<Scalar>(q[0], q[0] + q[1], Scalar(0.5) * (q[0] + q[1] + q[2])), g);
 }
 
 template <class Scalar>

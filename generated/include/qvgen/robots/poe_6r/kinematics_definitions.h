@@ -14,8 +14,8 @@ namespace qvgen::robots::poe_6r {
 
 template <class Scalar>
 PoseAngles<Scalar> pose_angles(const JointVector<Scalar>& q, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[1], Scalar(0.5) * q[3], Scalar(0.5)
-      * q[4], Scalar(0.5) * q[5], Scalar(0.5) * (q[1] + q[2]));
+  const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0], q[1], Scalar(0.5) * q[4], Scalar(0.5)
+      * (q[1] + q[2]), Scalar(0.5) * (q[3] + q[5]), Scalar(0.5) * (q[3] - q[5]));
   return { { angles.sine[0], angles.sine[1], angles.sine[2], angles.sine[3], angles.sine[4], angles.sine[5] },
            { angles.cosine[0], angles.cosine[1], angles.cosine[2], angles.cosine[3], angles.cosine[4],
                angles.cosine[5] }};
@@ -62,50 +62,46 @@ inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar
                                        const BasicGeometry<Scalar>& g) {
   const Scalar& sh1 = angles.sine[0];
   const Scalar& ch1 = angles.cosine[0];
-  const Scalar& sh2 = angles.sine[1];
-  const Scalar& ch2 = angles.cosine[1];
-  const Scalar& sh4 = angles.sine[2];
-  const Scalar& ch4 = angles.cosine[2];
-  const Scalar& sh5 = angles.sine[3];
-  const Scalar& ch5 = angles.cosine[3];
-  const Scalar& sh6 = angles.sine[4];
-  const Scalar& ch6 = angles.cosine[4];
-  const Scalar& sh23 = angles.sine[5];
-  const Scalar& ch23 = angles.cosine[5];
-  const Scalar t0 = ch1 * sh23;
-  const Scalar t1 = ch23 * sh1;
-  const Scalar t2 = ch4 * t0 + sh4 * t1;
-  const Scalar t3 = sh23 * sh1;
-  const Scalar t4 = ch23 * ch1;
-  const Scalar t5 = sh4 * t3 + ch4 * t4;
-  const Scalar t6 = sh5 * t2 - ch5 * t5;
-  const Scalar t7 = ch4 * t3 - sh4 * t4;
-  const Scalar t8 = sh4 * t0 - ch4 * t1;
-  const Scalar t9 = ch5 * t7 - sh5 * t8;
-  const Scalar t10 = sh5 * t7 + ch5 * t8;
-  const Scalar t11 = ch5 * t2 + sh5 * t5;
-  const Scalar t12 = Scalar(2) * ch1;
-  const Scalar t13 = sh1 * t12;
-  const Scalar t14 = ch5 + ch5;
-  const Scalar t15 = t14 * g.d3 * sh5;
-  const Scalar t16 = Scalar(2) * ch4;
-  const Scalar t17 = t15 * sh4 * t16;
-  const Scalar t18 = ch2 + ch2;
-  const Scalar t19 = g.d2 - g.d3 * (Scalar(1) - ch5 * t14);
-  const Scalar t20 = sh23 + sh23;
-  const Scalar t21 = Scalar(1) - sh23 * t20;
-  const Scalar t22 = ch23 * t20;
-  const Scalar t23 = g.a3 + (Scalar(1) - ch4 * t16) * t15;
-  const Scalar t24 = (g.a2 * sh2 * t18 + t19 * t21) + (g.d1 + t22 * t23);
-  const Scalar t25 = Scalar(1) - ch1 * t12;
-  const Scalar t26 = g.a2 * (Scalar(1) - ch2 * t18) - (t21 * t23 - t19 * t22);
-  return {Eigen::Quaternion<Scalar>(sh6 * t9 - ch6 * t6,
-                                    -sh6 * t6 - ch6 * t9,
-                                    ch6 * t11 - sh6 * t10,
-                                    -sh6 * t11 - ch6 * t10),
-          Eigen::Matrix<Scalar, 3, 1>(-t13 * t17 - t24 * t25,
-                                      t24 * t13 - t25 * t17,
-                                      g.a1 - t26)};
+  const Scalar& s2 = angles.sine[1];
+  const Scalar& c2 = angles.cosine[1];
+  const Scalar& sh5 = angles.sine[2];
+  const Scalar& ch5 = angles.cosine[2];
+  const Scalar& sh23 = angles.sine[3];
+  const Scalar& ch23 = angles.cosine[3];
+  const Scalar& sh46 = angles.sine[4];
+  const Scalar& ch46 = angles.cosine[4];
+  const Scalar& sh4m6 = angles.sine[5];
+  const Scalar& ch4m6 = angles.cosine[5];
+  const Scalar t0 = ch23 * sh5;
+  const Scalar t1 = ch5 * sh23;
+  const Scalar t2 = sh4m6 * t0 - sh46 * t1;
+  const Scalar t3 = ch23 * ch5;
+  const Scalar t4 = sh23 * sh5;
+  const Scalar t5 = ch46 * t3 - ch4m6 * t4;
+  const Scalar t6 = sh1 * t2 - ch1 * t5;
+  const Scalar t7 = sh46 * t3 + sh4m6 * t4;
+  const Scalar t8 = ch4m6 * t0 + ch46 * t1;
+  const Scalar t9 = ch1 * t7 - sh1 * t8;
+  const Scalar t10 = ch1 * t8 + sh1 * t7;
+  const Scalar t11 = ch1 * t2 + sh1 * t5;
+  const Scalar t12 = Scalar(2) * ch23;
+  const Scalar t13 = sh23 * t12;
+  const Scalar t14 = Scalar(1) - ch23 * t12;
+  const Scalar t15 = ((g.d1 + g.a3 * t13) + g.a2 * s2) - g.d2 * t14;
+  const Scalar t16 = ch1 * ch1;
+  const Scalar t17 = g.d3 * t10;
+  const Scalar t18 = g.d3 * t11;
+  const Scalar t19 = t15 * (Scalar(1) - (t16 + t16)) + Scalar(2) * (t10 * t17 + t18 * t11);
+  const Scalar t20 = (ch1 * sh1 * t15 - t18 * t6) + t9 * t17;
+  const Scalar t21 = t9 * t18 + t6 * t17;
+  const Scalar t22 = ((t21 + t21) + (g.a1 - g.a3 * t14)) - (g.d2 * t13 - g.a2 * c2);
+  return {Eigen::Quaternion<Scalar>(-t6,
+                                    t9,
+                                    t10,
+                                    t11),
+          Eigen::Matrix<Scalar, 3, 1>(g.d3 - t19,
+                                      Scalar(2) * t20,
+                                      t22)};
 }
 
 template <class Scalar, class Angles>
@@ -142,8 +138,9 @@ inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
   const Scalar t15 = s1 * t7 - c1 * t10;
   const Scalar t16 = g.d2 + g.d3 * c5;
   const Scalar t17 = g.a3 - g.d3 * t0;
-  const Scalar t18 = ((g.d1 + c23 * t16) + g.a2 * s2) + s23 * t17;
-  const Scalar t19 = c23 * t17 - (s23 * t16 - (g.a1 + g.a2 * c2));
+  const Scalar t18 = c23 * t16 + (s23 * t17 + g.a2 * s2);
+  const Scalar t19 = g.d1 + t18;
+  const Scalar t20 = g.a2 * c2 + (g.a1 + (c23 * t17 - s23 * t16));
   Eigen::Transform<Scalar, 3, Eigen::Isometry> tool;
   tool(0, 0) = -t4;
   tool(0, 1) = t5 * t11 + t13 * t14;
@@ -154,9 +151,9 @@ inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
   tool(2, 0) = -t5;
   tool(2, 1) = t15 * t13 - t4 * t11;
   tool(2, 2) = -t14;
-  tool(0, 3) = c1 * t18 - g.d3 * t3;
-  tool(1, 3) = g.d3 * t12 + s1 * t18;
-  tool(2, 3) = t19;
+  tool(0, 3) = c1 * t19 - g.d3 * t3;
+  tool(1, 3) = s1 * t19 + g.d3 * t12;
+  tool(2, 3) = t20;
   tool.makeAffine();
   return tool;
 }
@@ -166,8 +163,8 @@ inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
 template <class Scalar>
 Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g) {
   return detail::forward_kinematics<Scalar>(q,
-      sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[1], Scalar(0.5) * q[3], Scalar(0.5) * q[4],
-      Scalar(0.5) * q[5], Scalar(0.5) * (q[1] + q[2])), g);
+      sines_and_cosines<Scalar>(Scalar(0.5) * q[0], q[1], Scalar(0.5) * q[4], Scalar(0.5) * (q[1] + q[2]), Scalar(0.5)
+      * (q[3] + q[5]), Scalar(0.5) * (q[3] - q[5])), g);
 }
 
 template <class Scalar>

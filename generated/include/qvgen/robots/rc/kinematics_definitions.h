@@ -71,19 +71,19 @@ inline Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q,
   const Scalar t5 = ch46 * t3 - sh3 * t4;
   const Scalar t6 = sh3 * t1 + sh46 * t3;
   const Scalar t7 = ch46 * t0 + ch3 * t4;
-  const Scalar t8 = sh1 + sh1;
-  const Scalar t9 = Scalar(1) - sh1 * t8;
-  const Scalar t10 = ch3 + ch3;
-  const Scalar t11 = g.d4 * (Scalar(1) - ch3 * t10);
-  const Scalar t12 = q[1] + g.l2;
-  const Scalar t13 = ch1 * t8;
-  return {Eigen::Quaternion<Scalar>(ch1 * t5 - sh1 * t2,
-                                    ch1 * t6 + sh1 * t7,
-                                    sh1 * t6 - ch1 * t7,
-                                    ch1 * t2 + sh1 * t5),
-          Eigen::Matrix<Scalar, 3, 1>(t12 * t13 - t9 * t11,
-                                      -t13 * t11 - t12 * t9,
-                                      g.h1 + g.d4 * sh3 * t10)};
+  const Scalar t8 = q[1] + g.l2;
+  const Scalar t9 = Scalar(2) * ch1;
+  const Scalar t10 = sh1 * t9;
+  const Scalar t11 = Scalar(1) - ch1 * t9;
+  const Scalar t12 = sh3 + sh3;
+  const Scalar t13 = g.d4 * (Scalar(1) - sh3 * t12);
+  return {Eigen::Quaternion<Scalar>(sh1 * t2 - ch1 * t5,
+                                    -ch1 * t6 - sh1 * t7,
+                                    ch1 * t7 - sh1 * t6,
+                                    -ch1 * t2 - sh1 * t5),
+          Eigen::Matrix<Scalar, 3, 1>(t8 * t10 - t11 * t13,
+                                      t10 * t13 + t8 * t11,
+                                      g.h1 + g.d4 * ch3 * t12)};
 }
 
 template <class Scalar, class Angles>

@@ -51,7 +51,7 @@ JacobianAngles<Scalar> jacobian_angles(const JointVector<Scalar>& q, const Basic
 /// Jacobian of the tool point in the base frame: the twist of the tool is `jacobian(q) * qd` (m/s, rad/s); linear rows
 /// first (Jacobian lecture, section 5.4: iteration, cross products and differentiation all give it).
 ///
-/// 4 multiplications, 2 additions, 1 sine/cosine pair. Certified at 3 points; largest rounding error found 1.1 ulp.
+/// 4 multiplications, 2 additions, 1 sine/cosine pair. Certified at 3 points; largest rounding error found 0.73 ulp.
 template <class Scalar>
 Jacobian<Scalar> jacobian(const JointVector<Scalar>& q,
     const BasicGeometry<Scalar>& g = {});
@@ -63,7 +63,7 @@ Jacobian<Scalar> jacobian(const JointVector<Scalar>& q,
 /// Pose of the tool in the world frame as a homogeneous transformation, and `jacobian`, with all that they share
 /// computed once.
 ///
-/// 4 multiplications, 2 additions, 1 sine/cosine pair. Certified at 3 points; largest rounding error found 1.1 ulp.
+/// 4 multiplications, 2 additions, 1 sine/cosine pair. Certified at 3 points; largest rounding error found 0.73 ulp.
 template <class Scalar>
 TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointVector<Scalar>& q,
     const BasicGeometry<Scalar>& g = {});
@@ -85,7 +85,7 @@ Jacobian<Scalar> tool_jacobian(const JointVector<Scalar>& q,
 
 /// The Jacobian in the base frame at a point that moves with the tool, given in the tool frame (m).
 ///
-/// 4 multiplications, 4 additions, 1 sine/cosine pair. Certified at 3 points; largest rounding error found 1.77 ulp.
+/// 4 multiplications, 4 additions, 1 sine/cosine pair. Certified at 3 points; largest rounding error found 0.72 ulp.
 template <class Scalar>
 Jacobian<Scalar> jacobian_at(const JointVector<Scalar>& q, const Vector3<Scalar>& point,
     const BasicGeometry<Scalar>& g = {});
@@ -96,7 +96,7 @@ Jacobian<Scalar> jacobian_at(const JointVector<Scalar>& q, const Vector3<Scalar>
 
 /// Twist of the tool in the base frame at the joint rates qd (rad/s, m/s): `jacobian(q) * qd`, linear part first.
 ///
-/// 6 multiplications, 3 additions, 1 sine/cosine pair. Certified at 3 points; largest rounding error found 1.85 ulp.
+/// 6 multiplications, 3 additions, 1 sine/cosine pair. Certified at 3 points; largest rounding error found 0.93 ulp.
 template <class Scalar>
 Twist<Scalar> velocity(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const BasicGeometry<Scalar>& g = {});
@@ -107,7 +107,7 @@ Twist<Scalar> velocity(const JointVector<Scalar>& q, const JointVector<Scalar>& 
 
 /// Derivative of `jacobian` by time at the joint rates qd.
 ///
-/// 7 multiplications, 3 additions, 1 sine/cosine pair. Certified at 3 points; largest rounding error found 1.85 ulp.
+/// 7 multiplications, 3 additions, 1 sine/cosine pair. Certified at 3 points; largest rounding error found 1.24 ulp.
 template <class Scalar>
 Jacobian<Scalar> jacobian_dot(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const BasicGeometry<Scalar>& g = {});
@@ -120,7 +120,7 @@ Jacobian<Scalar> jacobian_dot(const JointVector<Scalar>& q, const JointVector<Sc
 /// accelerations
 /// it is `jacobian(q) * qdd` plus this.
 ///
-/// 10 multiplications, 3 additions, 1 sine/cosine pair. Certified at 3 points; largest rounding error found 1.34 ulp.
+/// 10 multiplications, 3 additions, 1 sine/cosine pair. Certified at 3 points; largest rounding error found 2.4 ulp.
 template <class Scalar>
 Twist<Scalar> jacobian_dot_times_qd(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const BasicGeometry<Scalar>& g = {});

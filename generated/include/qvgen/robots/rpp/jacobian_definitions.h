@@ -38,16 +38,16 @@ inline Jacobian<Scalar> jacobian(const JointVector<Scalar>& q,
   result(1, 2) = -c1;
   result(2, 0) = Scalar(0);
   result(2, 1) = Scalar(1);
-  result(2, 2) = Scalar(0);
+  result(2, 2) = -Scalar(0);
   result(3, 0) = Scalar(0);
   result(3, 1) = Scalar(0);
-  result(3, 2) = Scalar(0);
+  result(3, 2) = -Scalar(0);
   result(4, 0) = Scalar(0);
   result(4, 1) = Scalar(0);
-  result(4, 2) = Scalar(0);
+  result(4, 2) = -Scalar(0);
   result(5, 0) = Scalar(1);
   result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
+  result(5, 2) = -Scalar(0);
 
   return result;
 }
@@ -80,16 +80,16 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointV
   result.jacobian(1, 2) = -c1;
   result.jacobian(2, 0) = Scalar(0);
   result.jacobian(2, 1) = Scalar(1);
-  result.jacobian(2, 2) = Scalar(0);
+  result.jacobian(2, 2) = -Scalar(0);
   result.jacobian(3, 0) = Scalar(0);
   result.jacobian(3, 1) = Scalar(0);
-  result.jacobian(3, 2) = Scalar(0);
+  result.jacobian(3, 2) = -Scalar(0);
   result.jacobian(4, 0) = Scalar(0);
   result.jacobian(4, 1) = Scalar(0);
-  result.jacobian(4, 2) = Scalar(0);
+  result.jacobian(4, 2) = -Scalar(0);
   result.jacobian(5, 0) = Scalar(1);
   result.jacobian(5, 1) = Scalar(0);
-  result.jacobian(5, 2) = Scalar(0);
+  result.jacobian(5, 2) = -Scalar(0);
   result.transform.makeAffine();
   return result;
 }
@@ -100,22 +100,22 @@ inline Jacobian<Scalar> tool_jacobian(const JointVector<Scalar>& q,
   Jacobian<Scalar> result;
   result(0, 0) = q[2];
   result(0, 1) = Scalar(0);
-  result(0, 2) = Scalar(0);
+  result(0, 2) = -Scalar(0);
   result(1, 0) = Scalar(0);
   result(1, 1) = Scalar(1);
-  result(1, 2) = Scalar(0);
+  result(1, 2) = -Scalar(0);
   result(2, 0) = -g.l1;
   result(2, 1) = Scalar(0);
   result(2, 2) = Scalar(1);
   result(3, 0) = Scalar(0);
   result(3, 1) = Scalar(0);
-  result(3, 2) = Scalar(0);
+  result(3, 2) = -Scalar(0);
   result(4, 0) = Scalar(1);
   result(4, 1) = Scalar(0);
-  result(4, 2) = Scalar(0);
+  result(4, 2) = -Scalar(0);
   result(5, 0) = Scalar(0);
   result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
+  result(5, 2) = -Scalar(0);
 
   return result;
 }
@@ -137,16 +137,16 @@ inline Jacobian<Scalar> jacobian_at(const JointVector<Scalar>& q,
   result(1, 2) = -c1;
   result(2, 0) = Scalar(0);
   result(2, 1) = Scalar(1);
-  result(2, 2) = Scalar(0);
+  result(2, 2) = -Scalar(0);
   result(3, 0) = Scalar(0);
   result(3, 1) = Scalar(0);
-  result(3, 2) = Scalar(0);
+  result(3, 2) = -Scalar(0);
   result(4, 0) = Scalar(0);
   result(4, 1) = Scalar(0);
-  result(4, 2) = Scalar(0);
+  result(4, 2) = -Scalar(0);
   result(5, 0) = Scalar(1);
   result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
+  result(5, 2) = -Scalar(0);
 
   return result;
 }
@@ -188,16 +188,16 @@ inline Jacobian<Scalar> jacobian_dot(const JointVector<Scalar>& q,
   result(1, 2) = t1;
   result(2, 0) = Scalar(0);
   result(2, 1) = Scalar(0);
-  result(2, 2) = Scalar(0);
+  result(2, 2) = -Scalar(0);
   result(3, 0) = Scalar(0);
   result(3, 1) = Scalar(0);
-  result(3, 2) = Scalar(0);
+  result(3, 2) = -Scalar(0);
   result(4, 0) = Scalar(0);
   result(4, 1) = Scalar(0);
-  result(4, 2) = Scalar(0);
+  result(4, 2) = -Scalar(0);
   result(5, 0) = Scalar(0);
   result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
+  result(5, 2) = -Scalar(0);
 
   return result;
 }

@@ -44,15 +44,15 @@ inline Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q,
   const Scalar& ch1 = angles.cosine[0];
   const Scalar t0 = Scalar(0.7071067811865476) * ch1;
   const Scalar t1 = Scalar(0.7071067811865476) * sh1;
-  const Scalar t2 = Scalar(2) * ch1;
-  const Scalar t3 = Scalar(1) - ch1 * t2;
-  const Scalar t4 = sh1 * t2;
+  const Scalar t2 = Scalar(2) * sh1;
+  const Scalar t3 = ch1 * t2;
+  const Scalar t4 = Scalar(1) - sh1 * t2;
   return {Eigen::Quaternion<Scalar>(t0,
                                     t0,
                                     t1,
                                     t1),
-          Eigen::Matrix<Scalar, 3, 1>(q[2] * t4 - g.l1 * t3,
-                                      q[2] * t3 + g.l1 * t4,
+          Eigen::Matrix<Scalar, 3, 1>(q[2] * t3 + g.l1 * t4,
+                                      g.l1 * t3 - q[2] * t4,
                                       q[1])};
 }
 

@@ -11,7 +11,7 @@
 
 namespace qvgen::robots::rr_planar {
 
-/// Sines and cosines that forward_kinematics needs, of the angles theta1/2, (theta1 + theta2)/2.
+/// Sines and cosines that forward_kinematics needs, of the angles theta1, (theta1 + theta2)/2.
 template <class Scalar>
 struct PoseAngles {
   std::array<Scalar, 2> sine;
@@ -34,7 +34,7 @@ TransformAngles<Scalar> transform_angles(const JointVector<Scalar>& q, const Bas
 /// Pose of the tool in the world frame: unit quaternion and position (m), by quaternion/vector pairs (Aydin 2007,
 /// 1.12).
 ///
-/// 6 multiplications, 6 additions, 2 sine/cosine pairs. Equal to the plain product of the joints' pairs at 4 random
+/// 7 multiplications, 3 additions, 2 sine/cosine pairs. Equal to the plain product of the joints' pairs at 4 random
 /// exact points, tolerance zero; largest rounding error found 5.66 ulp.
 ///
 /// NaN or infinite joint variables give NaN. No heap, no exceptions.

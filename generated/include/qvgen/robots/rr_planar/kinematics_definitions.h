@@ -14,7 +14,7 @@ namespace qvgen::robots::rr_planar {
 
 template <class Scalar>
 PoseAngles<Scalar> pose_angles(const JointVector<Scalar>& q, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * (q[0] + q[1]));
+  const auto angles = sines_and_cosines<Scalar>(q[0], Scalar(0.5) * (q[0] + q[1]));
   return { { angles.sine[0], angles.sine[1] },
            { angles.cosine[0], angles.cosine[1] }};
 }
@@ -40,20 +40,18 @@ template <class Scalar, class Angles>
 inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar>& q,
                                        const Angles& angles,
                                        const BasicGeometry<Scalar>& g) {
-  const Scalar& sh1 = angles.sine[0];
-  const Scalar& ch1 = angles.cosine[0];
+  const Scalar& s1 = angles.sine[0];
+  const Scalar& c1 = angles.cosine[0];
   const Scalar& sh12 = angles.sine[1];
   const Scalar& ch12 = angles.cosine[1];
-  const Scalar t0 = g.l1 * sh1;
-  const Scalar t1 = g.l2 * sh12;
-  const Scalar t2 = sh1 * t0 + sh12 * t1;
-  const Scalar t3 = ch12 * t1 + ch1 * t0;
+  const Scalar t0 = g.l2 * sh12;
+  const Scalar t1 = g.l2 - (Scalar(2) * sh12 * t0 - g.l1 * c1);
   return {Eigen::Quaternion<Scalar>(ch12,
                                     Scalar(0),
                                     Scalar(0),
                                     sh12),
-          Eigen::Matrix<Scalar, 3, 1>(g.l1 + (g.l2 - (t2 + t2)),
-                                      t3 + t3,
+          Eigen::Matrix<Scalar, 3, 1>(t1,
+                                      g.l1 * s1 + Scalar(2) * ch12 * t0,
                                       Scalar(0))};
 }
 
@@ -87,8 +85,7 @@ inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
 
 template <class Scalar>
 Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g) {
-  return detail::forward_kinematics<Scalar>(q,
-      sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * (q[0] + q[1])), g);
+  return detail::forward_kinematics<Scalar>(q, sines_and_cosines<Scalar>(q[0], Scalar(0.5) * (q[0] + q[1])), g);
 }
 
 template <class Scalar>

@@ -44,19 +44,19 @@ inline Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q,
   const Scalar& ch1 = angles.cosine[0];
   const Scalar& sh2 = angles.sine[1];
   const Scalar& ch2 = angles.cosine[1];
-  const Scalar t0 = Scalar(2) * ch1;
-  const Scalar t1 = sh1 * t0;
+  const Scalar t0 = sh1 + sh1;
+  const Scalar t1 = Scalar(1) - sh1 * t0;
   const Scalar t2 = q[2] + g.l2;
-  const Scalar t3 = ch2 + ch2;
-  const Scalar t4 = sh2 * t2 * t3;
-  const Scalar t5 = Scalar(1) - ch1 * t0;
+  const Scalar t3 = Scalar(2) * sh2;
+  const Scalar t4 = ch2 * t2 * t3;
+  const Scalar t5 = ch1 * t0;
   return {Eigen::Quaternion<Scalar>(ch1 * ch2,
                                     sh1 * sh2,
                                     -ch1 * sh2,
                                     ch2 * sh1),
-          Eigen::Matrix<Scalar, 3, 1>(g.d2 * t1 + t4 * t5,
-                                      g.d2 * t5 - t4 * t1,
-                                      g.h1 - t2 * (Scalar(1) - ch2 * t3))};
+          Eigen::Matrix<Scalar, 3, 1>(g.d2 * t5 - t1 * t4,
+                                      -g.d2 * t1 - t4 * t5,
+                                      g.h1 + (Scalar(1) - sh2 * t3) * t2)};
 }
 
 template <class Scalar, class Angles>

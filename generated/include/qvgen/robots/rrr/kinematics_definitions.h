@@ -14,7 +14,8 @@ namespace qvgen::robots::rrr {
 
 template <class Scalar>
 PoseAngles<Scalar> pose_angles(const JointVector<Scalar>& q, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0], q[1], Scalar(0.5) * (q[1] + q[2]));
+  const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0] + Scalar(0.7853981633974483), q[1], Scalar(0.5)
+      * (q[1] + q[2]));
   return { { angles.sine[0], angles.sine[1], angles.sine[2] },
            { angles.cosine[0], angles.cosine[1], angles.cosine[2] }};
 }
@@ -40,29 +41,31 @@ template <class Scalar, class Angles>
 inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar>& q,
                                        const Angles& angles,
                                        const BasicGeometry<Scalar>& g) {
-  const Scalar& sh1 = angles.sine[0];
-  const Scalar& ch1 = angles.cosine[0];
+  const Scalar& s_0 = angles.sine[0];
+  const Scalar& c_0 = angles.cosine[0];
   const Scalar& s2 = angles.sine[1];
   const Scalar& c2 = angles.cosine[1];
   const Scalar& sh23 = angles.sine[2];
   const Scalar& ch23 = angles.cosine[2];
-  const Scalar t0 = sh23 * sh1;
-  const Scalar t1 = ch23 * ch1;
-  const Scalar t2 = ch23 * sh1;
-  const Scalar t3 = ch1 * sh23;
-  const Scalar t4 = sh1 + sh1;
-  const Scalar t5 = ch1 * t4;
-  const Scalar t6 = Scalar(1) - sh1 * t4;
-  const Scalar t7 = sh23 + sh23;
-  const Scalar t8 = g.l2 * c2 + g.l3 * (Scalar(1) - sh23 * t7);
-  const Scalar t9 = g.h1 - (g.l2 * s2 + g.l3 * ch23 * t7);
-  return {Eigen::Quaternion<Scalar>(-Scalar(0.7071067811865476) * (t0 - t1),
-                                    -Scalar(0.7071067811865476) * (t0 + t1),
-                                    -Scalar(0.7071067811865476) * (t2 - t3),
-                                    Scalar(0.7071067811865476) * (t2 + t3)),
-          Eigen::Matrix<Scalar, 3, 1>(t6 * t8 - g.d2 * t5,
-                                      g.d2 * t6 + t5 * t8,
-                                      t9)};
+  const Scalar t0 = Scalar(0.5) * (ch23 + sh23);
+  const Scalar t1 = ch23 - t0;
+  const Scalar t2 = s_0 * t1;
+  const Scalar t3 = c_0 * t0;
+  const Scalar t4 = s_0 * t0;
+  const Scalar t5 = c_0 * t1;
+  const Scalar t6 = s_0 + s_0;
+  const Scalar t7 = Scalar(1) - s_0 * t6;
+  const Scalar t8 = c_0 * t6;
+  const Scalar t9 = Scalar(2) * sh23;
+  const Scalar t10 = g.l2 * c2 + g.l3 * (Scalar(1) - sh23 * t9);
+  const Scalar t11 = (g.h1 - g.l2 * s2) - g.l3 * ch23 * t9;
+  return {Eigen::Quaternion<Scalar>(t2 + t3,
+                                    -t4 - t5,
+                                    t3 - t2,
+                                    t4 - t5),
+          Eigen::Matrix<Scalar, 3, 1>(g.d2 * t7 + t8 * t10,
+                                      g.d2 * t8 - t7 * t10,
+                                      t11)};
 }
 
 template <class Scalar, class Angles>
@@ -98,7 +101,7 @@ inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
 template <class Scalar>
 Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g) {
   return detail::forward_kinematics<Scalar>(q,
-      sines_and_cosines<Scalar>(Scalar(0.5) * q[0], q[1], Scalar(0.5) * (q[1] + q[2])), g);
+      sines_and_cosines<Scalar>(Scalar(0.5) * q[0] + Scalar(0.7853981633974483), q[1], Scalar(0.5) * (q[1] + q[2])), g);
 }
 
 template <class Scalar>

@@ -75,7 +75,7 @@ TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointVector<S
 
 /// The Jacobian of the tool point in the tool frame: both halves of each column turned into it.
 ///
-/// 4 multiplications, 2 additions, 2 sine/cosine pairs. Certified at 3 points; largest rounding error found 0.92 ulp.
+/// 4 multiplications, 2 additions, 2 sine/cosine pairs. Certified at 3 points; largest rounding error found 0.75 ulp.
 template <class Scalar>
 Jacobian<Scalar> tool_jacobian(const JointVector<Scalar>& q,
     const BasicGeometry<Scalar>& g = {});
@@ -86,7 +86,7 @@ Jacobian<Scalar> tool_jacobian(const JointVector<Scalar>& q,
 
 /// The Jacobian in the base frame at a point that moves with the tool, given in the tool frame (m).
 ///
-/// 8 multiplications, 6 additions, 3 sine/cosine pairs. Certified at 3 points; largest rounding error found 2.4 ulp.
+/// 8 multiplications, 6 additions, 3 sine/cosine pairs. Certified at 3 points; largest rounding error found 8.79 ulp.
 template <class Scalar>
 Jacobian<Scalar> jacobian_at(const JointVector<Scalar>& q, const Vector3<Scalar>& point,
     const BasicGeometry<Scalar>& g = {});
@@ -97,7 +97,7 @@ Jacobian<Scalar> jacobian_at(const JointVector<Scalar>& q, const Vector3<Scalar>
 
 /// Twist of the tool in the base frame at the joint rates qd (rad/s, m/s): `jacobian(q) * qd`, linear part first.
 ///
-/// 8 multiplications, 4 additions, 2 sine/cosine pairs. Certified at 3 points; largest rounding error found 1.5 ulp.
+/// 8 multiplications, 4 additions, 2 sine/cosine pairs. Certified at 3 points; largest rounding error found 1.31 ulp.
 template <class Scalar>
 Twist<Scalar> velocity(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const BasicGeometry<Scalar>& g = {});

@@ -14,8 +14,8 @@ namespace qvgen::robots::sr {
 
 template <class Scalar>
 PoseAngles<Scalar> pose_angles(const JointVector<Scalar>& q, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[1], Scalar(0.5) * q[4], Scalar(0.5) * (q[1] + q[2]),
-      Scalar(0.5) * (q[3] + q[5]), Scalar(0.5) * (q[3] - q[5]));
+  const auto angles = sines_and_cosines<Scalar>(q[1], Scalar(0.5) * q[4], Scalar(0.5) * (q[1] + q[2]), Scalar(0.5)
+      * (q[3] + q[5]), Scalar(0.5) * (q[3] - q[5]));
   return { { angles.sine[0], angles.sine[1], angles.sine[2], angles.sine[3], angles.sine[4] },
            { angles.cosine[0], angles.cosine[1], angles.cosine[2], angles.cosine[3], angles.cosine[4] }};
 }
@@ -45,8 +45,8 @@ template <class Scalar, class Angles>
 inline Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q,
                                        const Angles& angles,
                                        const BasicGeometry<Scalar>& g) {
-  const Scalar& sh2 = angles.sine[0];
-  const Scalar& ch2 = angles.cosine[0];
+  const Scalar& s2 = angles.sine[0];
+  const Scalar& c2 = angles.cosine[0];
   const Scalar& sh5 = angles.sine[1];
   const Scalar& ch5 = angles.cosine[1];
   const Scalar& sh23 = angles.sine[2];
@@ -55,20 +55,19 @@ inline Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q,
   const Scalar& ch46 = angles.cosine[3];
   const Scalar& sh4m6 = angles.sine[4];
   const Scalar& ch4m6 = angles.cosine[4];
-  const Scalar t0 = sh23 * sh5;
-  const Scalar t1 = ch46 * ch5;
+  const Scalar t0 = ch46 * ch5;
+  const Scalar t1 = sh4m6 * sh5;
   const Scalar t2 = ch5 * sh46;
-  const Scalar t3 = ch23 * sh5;
-  const Scalar t4 = g.d4 * sh23;
-  const Scalar t5 = g.l2 * sh2;
-  const Scalar t6 = Scalar(2) * (ch23 * t4 - sh2 * t5) + (g.l1 + g.l2);
-  const Scalar t7 = g.d4 - Scalar(2) * (sh23 * t4 + ch2 * t5);
-  return {Eigen::Quaternion<Scalar>(ch23 * t1 - sh4m6 * t0,
-                                    sh23 * t2 + ch4m6 * t3,
-                                    ch4m6 * t0 - ch23 * t2,
-                                    sh4m6 * t3 + sh23 * t1),
-          Eigen::Matrix<Scalar, 3, 1>(t6,
-                                      -t7,
+  const Scalar t3 = ch4m6 * sh5;
+  const Scalar t4 = g.d4 * ch23;
+  const Scalar t5 = g.l1 + (g.l2 * c2 + t4 * Scalar(2) * sh23);
+  const Scalar t6 = g.d4 + (g.l2 * s2 - t4 * (ch23 + ch23));
+  return {Eigen::Quaternion<Scalar>(sh23 * t1 - ch23 * t0,
+                                    -sh23 * t2 - ch23 * t3,
+                                    ch23 * t2 - sh23 * t3,
+                                    -ch23 * t1 - sh23 * t0),
+          Eigen::Matrix<Scalar, 3, 1>(t5,
+                                      t6,
                                       q[0])};
 }
 
@@ -118,8 +117,8 @@ inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
 template <class Scalar>
 Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g) {
   return detail::forward_kinematics<Scalar>(q,
-      sines_and_cosines<Scalar>(Scalar(0.5) * q[1], Scalar(0.5) * q[4], Scalar(0.5) * (q[1] + q[2]), Scalar(0.5)
-      * (q[3] + q[5]), Scalar(0.5) * (q[3] - q[5])), g);
+      sines_and_cosines<Scalar>(q[1], Scalar(0.5) * q[4], Scalar(0.5) * (q[1] + q[2]), Scalar(0.5) * (q[3] + q[5]),
+      Scalar(0.5) * (q[3] - q[5])), g);
 }
 
 template <class Scalar>

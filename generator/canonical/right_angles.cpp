@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: MIT
+#include "canonical/right_angles.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <tuple>
+
+#include <cln/integer.h>
+
+#include "canonical/placement.h"
+#include "model/arithmetic.h"
+#include "model/evaluate.h"
+
+namespace qvgen::canonical {
+namespace {
+
+/// 4^8 zero poses are looked at within milliseconds.
+constexpr std::size_t most_turns = 8;
+
+using IntVector = std::array<int, 3>;
+/// A rotation by right angles, row by row.
+using Right = std::array<IntVector, 3>;
+
+constexpr Right unturned{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+
+Right product(const Right& a, const Right& b) {
+  Right result{};
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      for (std::size_t k = 0; k < 3; ++k) result[i][j] += a[i][k] * b[k][j];
+  return result;
+}
+
+IntVector applied(const Right& r, const IntVector& v) {
+  IntVector result{};
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) result[i] += r[i][j] * v[j];
+  return result;
+}
+
+/// By a number of right angles about an axis along a coordinate axis.
+Right turned(const IntVector& axis, int quarters) {
+  Right quarter{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    const std::size_t k = (i + 2) % 3;
+    quarter[i][i] = axis[i] * axis[i];
+    quarter[k][j] = axis[i];
+    quarter[j][k] = -axis[i];
+  }
+  Right result = unturned;
+  for (int n = 0; n < quarters; ++n) result = product(result, quarter);
+  return result;
+}
+
+std::optional<Right> to_right(const Rotation& rotation) {
+  if (!is_right_angled(rotation)) return std::nullopt;
+  Right result;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) result[i][j] = static_cast<int>(model::to_double(rotation[i][j]));
+  return result;
+}
+
+Rotation to_rotation(const Right& right) {
+  Rotation result;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) result[i][j] = right[i][j];
+  return result;
+}
+
+std::size_t direction_of(const IntVector& axis) {
+  return static_cast<std::size_t>(std::find_if(axis.begin(), axis.end(), [](int x) { return x != 0; }) -
+                                  axis.begin());
+}
+int sense_of(const IntVector& axis) { return axis[direction_of(axis)]; }
+
+/// The arm at its described zero pose, seen in the world: offset, then axis of each joint.
+struct AtZero {
+  std::vector<bool> turns;
+  std::vector<IntVector> axes;
+  std::vector<LengthVector> offsets;  ///< one more than joints: to the tool
+  Right home;                         ///< the tool's rotation
+};
+
+bool has_numbers(const model::Displacement& displacement) {
+  return std::all_of(displacement.turns.begin(), displacement.turns.end(),
+                     [](const model::Turn& turn) { return is_known(turn.angle); });
+}
+
+std::optional<AtZero> at_zero(const model::Robot& robot) {
+  AtZero arm;
+  Definitions definitions;
+  Placement walk{identity(), {}};
+  const auto go = [&](const model::Displacement& displacement) {
+    if (!has_numbers(displacement)) return false;
+    walk = walk * to_placement(displacement, definitions);
+    return definitions.empty();
+  };
+  if (!go(robot.base)) return std::nullopt;
+  for (const model::Joint& joint : robot.joints) {
+    if (!go(joint.before)) return std::nullopt;
+    const auto frame = to_right(walk.rotation * from_z_to(joint.axis));
+    if (!frame) return std::nullopt;
+    arm.turns.push_back(joint.type == model::JointType::revolute);
+    arm.axes.push_back(applied(*frame, {0, 0, 1}));
+    arm.offsets.push_back(walk.translation);
+    walk.translation = {};
+    if (!go(joint.after)) return std::nullopt;
+  }
+  if (!go(robot.tool)) return std::nullopt;
+  arm.offsets.push_back(walk.translation);
+  const auto home = to_right(walk.rotation);
+  if (!home) return std::nullopt;
+  arm.home = *home;
+  return arm;
+}
+
+/// What a joint does not move goes behind it: all of an offset before a slide, of one before a turn what is
+/// along its axis.
+AtZero with_offsets_behind(AtZero arm) {
+  for (std::size_t i = 0; i < arm.axes.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (arm.turns[i] && k != direction_of(arm.axes[i])) continue;
+      arm.offsets[i + 1][k] = arm.offsets[i + 1][k] + arm.offsets[i][k];
+      arm.offsets[i][k].clear();
+    }
+  }
+  return arm;
+}
+
+/// Places of the lengths and their opposites in an order that does not depend on who wrote them: nothing
+/// first, what begins with a minus last.
+class Ranks {
+ public:
+  explicit Ranks(const std::vector<LengthVector>& offsets) {
+    std::map<std::pair<int, std::string>, int> order;
+    for (const LengthVector& offset : offsets)
+      for (const Length& length : offset)
+        for (const int sign : {1, -1}) order[key(length, sign)];
+    int next = 0;
+    for (auto& [unused, rank] : order) rank = next++;
+    for (const LengthVector& offset : offsets)
+      for (const Length& length : offset)
+        ranks_.push_back({order.at(key(length, 1)), order.at(key(length, -1))});
+  }
+
+  [[nodiscard]] int of(std::size_t offset, std::size_t component, int sign) const {
+    return ranks_[3 * offset + component][sign > 0 ? 0 : 1];
+  }
+
+ private:
+  static std::pair<int, std::string> key(const Length& length, int sign) {
+    const std::string text = model::to_string(to_expression(cln::cl_R(sign) * length));
+    return {length.empty() ? 1 : text.front() == '-' ? 2 : 0, text};
+  }
+
+  std::vector<std::array<int, 2>> ranks_;
+};
+
+/// What a zero pose leaves behind the last joint, as a unit quaternion: one component is a half turn or
+/// nothing, two are a right angle or a half turn about a diagonal, four a third of a turn.
+int components(const Right& home) {
+  const int trace = home[0][0] + home[1][1] + home[2][2];
+  if (trace == 3) return 1;
+  if (trace == 1) return 2;
+  if (trace == 0) return 4;
+  return home[0][0] * home[0][0] + home[1][1] * home[1][1] + home[2][2] * home[2][2] == 3 ? 1 : 2;
+}
+
+struct ZeroPose {
+  std::vector<int> quarters;     ///< by which each joint is turned
+  std::vector<IntVector> axes;   ///< there, in the world
+  std::vector<Right> rotations;  ///< of the offsets
+  Right home;
+};
+
+ZeroPose at(const AtZero& arm, std::size_t index) {
+  ZeroPose pose;
+  Right walk = unturned;
+  for (std::size_t i = 0; i < arm.axes.size(); ++i) {
+    pose.rotations.push_back(walk);
+    pose.axes.push_back(applied(walk, arm.axes[i]));
+    pose.quarters.push_back(arm.turns[i] ? static_cast<int>(index % 4) : 0);
+    if (!arm.turns[i]) continue;
+    walk = product(walk, turned(arm.axes[i], pose.quarters.back()));
+    index /= 4;
+  }
+  pose.rotations.push_back(walk);
+  pose.home = product(walk, arm.home);
+  return pose;
+}
+
+using Pattern = std::vector<std::size_t>;
+
+Pattern pattern_of(const ZeroPose& pose) {
+  Pattern pattern;
+  for (const IntVector& axis : pose.axes) pattern.push_back(direction_of(axis));
+  return pattern;
+}
+
+/// Turns that are perpendicular to the direction which has fewest of them, neighbours in one direction being
+/// one turn.
+std::size_t turns_across(const AtZero& arm, const Pattern& pattern) {
+  Pattern turns;
+  for (std::size_t i = 0; i < pattern.size(); ++i)
+    if (arm.turns[i] && (turns.empty() || turns.back() != pattern[i])) turns.push_back(pattern[i]);
+  std::size_t most_along = 0;
+  for (std::size_t k = 0; k < 3; ++k)
+    most_along = std::max(most_along, static_cast<std::size_t>(std::count(turns.begin(), turns.end(), k)));
+  return turns.size() - most_along;
+}
+
+/// All that the derivations see of a pose, as numbers.
+std::vector<int> description_of(const ZeroPose& pose, const Ranks& ranks) {
+  std::vector<int> result;
+  for (std::size_t i = 0; i < pose.rotations.size(); ++i) {
+    for (const IntVector& row : pose.rotations[i]) {
+      const std::size_t from = direction_of(row);
+      result.push_back(ranks.of(i, from, row[from]));
+    }
+  }
+  for (const IntVector& row : pose.home)
+    for (const int entry : row) result.push_back(-entry);
+  return result;
+}
+
+Arm to_arm(const model::Robot& robot, const AtZero& zero, const ZeroPose& pose) {
+  Arm arm{robot, std::vector<exact::Angle>(robot.joints.size()), std::vector<bool>(robot.joints.size())};
+  const auto moved = [&](std::size_t i) {
+    const LengthVector offset = to_rotation(pose.rotations[i]) * zero.offsets[i];
+    return model::Vector3{to_expression(offset[0]), to_expression(offset[1]), to_expression(offset[2])};
+  };
+  arm.robot.base = {};
+  for (std::size_t i = 0; i < zero.axes.size(); ++i) {
+    model::Joint& joint = arm.robot.joints[i];
+    joint.before = {{}, moved(i)};
+    joint.axis = model::unit_vector(direction_of(pose.axes[i]));
+    joint.after = {};
+    arm.reversed[i] = sense_of(pose.axes[i]) < 0;
+    // The described angle is the one here plus the quarters, about the described axis.
+    const int sense = arm.reversed[i] ? 1 : -1;
+    const int quarters = pose.quarters[i] == 3 ? -1 : pose.quarters[i];
+    arm.phases[i].pi = cln::cl_RA(sense * quarters) / 2;
+  }
+  arm.robot.tool = {to_turns(euler(to_rotation(pose.home))), moved(zero.axes.size())};
+  return arm;
+}
+
+}  // namespace
+
+std::vector<Arm> right_angled_models(const model::Robot& robot) {
+  const bool follow = std::any_of(robot.joints.begin(), robot.joints.end(),
+                                  [](const model::Joint& joint) { return joint.follows.has_value(); });
+  if (robot.joints.empty() || follow) return {};
+  const std::optional<AtZero> described = at_zero(robot);
+  if (!described) return {};
+  const AtZero arm = with_offsets_behind(*described);
+  const auto turns = static_cast<std::size_t>(std::count(arm.turns.begin(), arm.turns.end(), true));
+  if (turns > most_turns) return {};
+  const Ranks ranks(arm.offsets);
+
+  using Key = std::tuple<int, std::size_t, Pattern>;
+  std::map<Key, std::pair<std::vector<int>, std::size_t>> best;
+  for (std::size_t index = 0; index < (std::size_t{1} << (2 * turns)); ++index) {
+    const ZeroPose pose = at(arm, index);
+    const Pattern pattern = pattern_of(pose);
+    const Key key{components(pose.home), turns_across(arm, pattern), pattern};
+    std::pair<std::vector<int>, std::size_t> candidate{description_of(pose, ranks), index};
+    const auto [place, inserted] = best.try_emplace(key, candidate);
+    if (!inserted && candidate.first < place->second.first) place->second = std::move(candidate);
+  }
+  std::vector<Arm> arms;
+  for (const auto& [unused, candidate] : best) arms.push_back(to_arm(robot, arm, at(arm, candidate.second)));
+  return arms;
+}
+
+Arm whatever_notation(const model::Robot& robot) {
+  std::vector<Arm> models = right_angled_models(robot);
+  return models.empty() ? for_kinematics(robot) : std::move(models.front());
+}
+
+}  // namespace qvgen::canonical
