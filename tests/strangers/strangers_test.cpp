@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "canonical/arm.h"
+#include "canonical/right_angles.h"
 #include "dag/evaluate.h"
 #include "derive/inverse/inverse.h"
 #include "derive/jacobian/quantities.h"
@@ -102,7 +102,7 @@ optimise::OptimiseOptions quick() {
 }
 
 void check_kinematics(const Case& arm, std::mt19937& random) {
-  const canonical::Arm canonical = canonical::for_kinematics(arm.robot);
+  const canonical::Arm canonical = canonical::whatever_notation(arm.robot);
   verify::certify_same_pose(arm.robot, canonical);
   const auto transform = optimise::in_terms_of_description(
       optimise::optimise(derive::homogeneous_transform(canonical.robot), quick()), canonical);
