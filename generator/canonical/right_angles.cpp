@@ -191,11 +191,19 @@ ZeroPose at(const AtZero& arm, std::size_t index) {
   return pose;
 }
 
+/// The directions that the joints' axes have at a zero pose, numbered in the order in which they come: which
+/// of them is called x changes no cost.
 using Pattern = std::vector<std::size_t>;
 
 Pattern pattern_of(const ZeroPose& pose) {
   Pattern pattern;
-  for (const IntVector& axis : pose.axes) pattern.push_back(direction_of(axis));
+  std::array<std::optional<std::size_t>, 3> numbers;
+  std::size_t next = 0;
+  for (const IntVector& axis : pose.axes) {
+    std::optional<std::size_t>& number = numbers[direction_of(axis)];
+    if (!number) number = next++;
+    pattern.push_back(*number);
+  }
   return pattern;
 }
 

@@ -12,11 +12,11 @@ namespace qvgen::canonical {
 /// or +z, offsets along a joint's axis behind the joint. So two descriptions of one arm give equal robots but
 /// for the names of their variables.
 ///
-/// There are as many as there are ways for the axes to point at a zero pose that right angles lead to; those
-/// come first whose constant rotation behind the last joint costs nothing, then those with the fewest turns
-/// that are perpendicular to one direction (derive/kinematics/turns.h). Empty where an axis is not along a
-/// coordinate axis, a constant turn no right angle or a length no polynomial, where a joint follows another,
-/// or more than eight joints turn.
+/// There are as many as there are ways for the axes to lie to each other at a zero pose that right angles
+/// lead to; those come first whose constant rotation behind the last joint costs nothing, then those with the
+/// fewest turns that are perpendicular to one direction (derive/kinematics/turns.h). Empty where an axis is
+/// not along a coordinate axis, a constant turn no right angle or a length no polynomial, where a joint
+/// follows another, or more than eight joints turn.
 std::vector<Arm> right_angled_models(const model::Robot& robot);
 
 /// The first of them, or the arm as for_kinematics has it. For functions in whole angles, which cost the same

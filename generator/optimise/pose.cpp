@@ -8,7 +8,6 @@
 #include "canonical/right_angles.h"
 #include "dag/import.h"
 #include "derive/kinematics/forward_kinematics.h"
-#include "passes/pass.h"
 #include "verify/same_pose.h"
 
 namespace qvgen::optimise {
@@ -17,11 +16,11 @@ namespace {
 /// More cost time and gain next to nothing.
 constexpr std::size_t searched = 3;
 
-/// Of the cheapest form before any search.
+/// Of the cheapest form as it is derived, before any pass.
 double promise(const canonical::Arm& arm, const passes::CostModel& cost) {
   double least = std::numeric_limits<double>::infinity();
   for (const derive::Form& form : derive::forward_kinematics(arm.robot).forms)
-    least = std::min(least, passes::cost(dag::count(passes::simplify(dag::import(form.program))), cost));
+    least = std::min(least, passes::cost(dag::count(dag::import(form.program)), cost));
   return least;
 }
 
@@ -42,13 +41,16 @@ std::vector<canonical::Arm> arms_for_pose(const model::Robot& described, const p
 Pose forward_kinematics(const model::Robot& described, const OptimiseOptions& options) {
   std::optional<Pose> best;
   for (canonical::Arm& arm : arms_for_pose(described, options.cost)) {
-    Optimised function = optimise(derive::forward_kinematics(arm.robot), options);
+    OptimiseOptions one = options;
+    one.also_fewest = false;
+    Optimised function = optimise(derive::forward_kinematics(arm.robot), one);
     if (best &&
         passes::cost(function.counts, options.cost) >= passes::cost(best->function.counts, options.cost))
       continue;
     best = Pose{std::move(arm), std::move(function)};
   }
   verify::certify_same_pose(described, best->arm);
+  if (options.also_fewest) best->function = optimise(derive::forward_kinematics(best->arm.robot), options);
   return std::move(*best);
 }
 
