@@ -217,8 +217,7 @@ static bool visit_is_settled(const Visited* visited, int label) {
 static void reopen_visit(Visited* visited, int label, bool continuum) {
   visited->marked[has_settled][label] = false;
   visited->marked[has_missed][label] = true;
-  bool* turned_back = &visited->marked[has_turned_back][label];
-  *turned_back = *turned_back || (continuum && !visited->marked[has_shared][label]);
+  if (continuum && !visited->marked[has_shared][label]) visited->marked[has_turned_back][label] = true;
   --visited->known.count;
 }
 
