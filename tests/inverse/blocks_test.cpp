@@ -99,6 +99,15 @@ TEST(FreeCircleAngle, VanishingDirectionTakesTheChoice) {
   EXPECT_TRUE(impossible.doubtful);
 }
 
+TEST(FactoredLineAngle, WhereAllButTheVectorVanishesItIsADirection) {
+  // The vector is next to noise, and what it is compared with and the discriminant are rounded to zero.
+  Branch<double> branch;
+  const auto found = factored_line_angle(Rotor<double>{1e-10, 2e-10}, 0.0, 0.0, 0.8, 1e-29, {1, 0}, 1.0,
+                                         Boundary::ends(1e-13), branch);
+  EXPECT_TRUE(branch.exists);
+  EXPECT_NEAR(std::hypot(found.cosine, found.sine), 1, 1e-15);
+}
+
 TEST(SignedRoot, KeepsSmallExactValuesAndDoubtsNoise) {
   Branch<double> exact;
   EXPECT_EQ(signed_root(1e-40, 0.0, 1e-60, -1.0, plain, exact), -1e-20);
