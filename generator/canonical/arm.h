@@ -14,9 +14,10 @@ namespace qvgen::canonical {
 /// its table was written in.
 ///
 /// `robot` has the axes, the tool and the world of the described arm and no link frames of its own: the
-/// tool's pose is the same function of the joint angles, and so is its Jacobian. Its joint variables are those
-/// of the described arm, with the other sign where `reversed` says so, plus `phases`. Constants that are not rational are named (exact/named_constant.h),
-/// quotients, roots and sines of symbols by `definitions`. Inertias stay behind: `for_dynamics` has them.
+/// tool's pose is the same function of the joint angles, and so is its Jacobian. Its joint variables are
+/// those of the described arm, with the other sign where `reversed` says so, plus `phases`. Constants that
+/// are not rational are named (exact/named_constant.h), quotients, roots and sines of symbols by
+/// `definitions`. Inertias stay behind: `for_dynamics` has them.
 struct Arm {
   model::Robot robot;
   std::vector<exact::Angle> phases;  ///< a joint each, without a variable; zero for slides

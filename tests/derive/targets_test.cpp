@@ -64,11 +64,11 @@ TEST(Targets, JacobianIsBelowItsThreeMethodsAndSympy) {
 /// What axes and vectors with their derivatives in one frame give; columns differentiated on their way
 /// through the frames cost half as much again.
 TEST(Targets, DerivativesOfTheJacobian) {
-  const std::map<std::string, std::pair<int, int>> most{{"iiwa14", {291, 188}},
+  const std::map<std::string, std::pair<int, int>> most{{"iiwa14", {269, 176}},
                                                         {"general_6r", {483, 303}},
-                                                        {"puma560", {93, 89}},
-                                                        {"ur5", {103, 97}},
-                                                        {"stanford", {77, 74}}};
+                                                        {"puma560", {93, 90}},
+                                                        {"ur5", {103, 100}},
+                                                        {"stanford", {78, 74}}};
   const auto counts = committed();
   for (const auto& [robot, bounds] : most) {
     EXPECT_LE(operations(counts.at(robot).at("jacobian_dot").at("emitted")), bounds.first) << robot;

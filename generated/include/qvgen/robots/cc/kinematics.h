@@ -35,8 +35,8 @@ TransformAngles<Scalar> transform_angles(const JointVector<Scalar>& q, const Bas
 /// Pose of the tool in the world frame: unit quaternion and position (m), by quaternion/vector pairs (Aydin 2007,
 /// 1.12).
 ///
-/// 18 multiplications, 8 additions, 5 sine/cosine pairs. Equal to the plain product of the joints' pairs at 4 random
-/// exact points, tolerance zero; largest rounding error found 2.76 ulp.
+/// 19 multiplications, 7 additions, 5 sine/cosine pairs. Equal to the plain product of the joints' pairs at 4 random
+/// exact points, tolerance zero; largest rounding error found 3.94 ulp.
 ///
 /// NaN or infinite joint variables give NaN. No heap, no exceptions.
 template <class Scalar>
@@ -49,7 +49,7 @@ Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const PoseAngles<S
 /// Pose of the tool in the world frame as a homogeneous transformation: rotation matrix and position (m).
 ///
 /// 26 multiplications, 11 additions, 5 sine/cosine pairs. Equal to the plain product of the joints' pairs at 4 random
-/// exact points, tolerance zero; largest rounding error found 3.21 ulp.
+/// exact points, tolerance zero; largest rounding error found 2.62 ulp.
 ///
 /// NaN or infinite joint variables give NaN. No heap, no exceptions.
 template <class Scalar>

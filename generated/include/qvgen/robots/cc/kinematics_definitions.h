@@ -59,13 +59,13 @@ inline Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q,
   const Scalar t1 = ch13 * ch5;
   const Scalar t2 = ch5 * sh13;
   const Scalar t3 = ch13 * sh5;
-  const Scalar t4 = sh13 + sh13;
-  const Scalar t5 = g.l1 * s1 - g.d4 * (Scalar(1) - sh13 * t4);
-  return {Eigen::Quaternion<Scalar>(sh4m6 * t0 - ch46 * t1,
-                                    -sh46 * t2 - ch4m6 * t3,
-                                    sh46 * t1 - ch4m6 * t0,
-                                    -sh4m6 * t3 - ch46 * t2),
-          Eigen::Matrix<Scalar, 3, 1>(g.l1 * c1 + g.d4 * ch13 * t4,
+  const Scalar t4 = Scalar(2) * ch13;
+  const Scalar t5 = g.l1 * s1 + g.d4 * (Scalar(1) - ch13 * t4);
+  return {Eigen::Quaternion<Scalar>(ch46 * t1 - sh4m6 * t0,
+                                    sh46 * t2 + ch4m6 * t3,
+                                    ch4m6 * t0 - sh46 * t1,
+                                    sh4m6 * t3 + ch46 * t2),
+          Eigen::Matrix<Scalar, 3, 1>(t4 * g.d4 * sh13 + g.l1 * c1,
                                       t5,
                                       q[1])};
 }

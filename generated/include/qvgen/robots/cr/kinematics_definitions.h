@@ -14,9 +14,8 @@ namespace qvgen::robots::cr {
 
 template <class Scalar>
 PoseAngles<Scalar> pose_angles(const JointVector<Scalar>& q, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0] - Scalar(0.7853981633974483), Scalar(0.5) * q[2],
-      Scalar(0.5) * q[4], Scalar(0.5) * (q[3] + q[5]) - Scalar(0.7853981633974483), Scalar(0.5) * (q[3] - q[5])
-      + Scalar(0.7853981633974483));
+  const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[2], Scalar(0.5) * q[4], Scalar(0.5)
+      * (q[3] + q[5]), Scalar(0.5) * (q[3] - q[5]));
   return { { angles.sine[0], angles.sine[1], angles.sine[2], angles.sine[3], angles.sine[4] },
            { angles.cosine[0], angles.cosine[1], angles.cosine[2], angles.cosine[3], angles.cosine[4] }};
 }
@@ -54,35 +53,34 @@ template <class Scalar, class Angles>
 inline Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q,
                                        const Angles& angles,
                                        const BasicGeometry<Scalar>& g) {
-  const Scalar& s_0 = angles.sine[0];
-  const Scalar& c_0 = angles.cosine[0];
+  const Scalar& sh1 = angles.sine[0];
+  const Scalar& ch1 = angles.cosine[0];
   const Scalar& sh3 = angles.sine[1];
   const Scalar& ch3 = angles.cosine[1];
   const Scalar& sh5 = angles.sine[2];
   const Scalar& ch5 = angles.cosine[2];
-  const Scalar& s_3 = angles.sine[3];
-  const Scalar& c_3 = angles.cosine[3];
-  const Scalar& s_4 = angles.sine[4];
-  const Scalar& c_4 = angles.cosine[4];
-  const Scalar t0 = c_4 * sh5;
-  const Scalar t1 = c_3 * ch5;
-  const Scalar t2 = sh3 * t0 - ch3 * t1;
-  const Scalar t3 = ch5 * s_3;
-  const Scalar t4 = s_4 * sh5;
-  const Scalar t5 = ch3 * t3 + sh3 * t4;
-  const Scalar t6 = ch3 * t4 - sh3 * t3;
-  const Scalar t7 = ch3 * t0 + sh3 * t1;
-  const Scalar t8 = Scalar(2) * s_0;
-  const Scalar t9 = g.d4 * ch3;
-  const Scalar t10 = sh3 * t9;
-  const Scalar t11 = g.l2 - (t10 + t10);
-  return {Eigen::Quaternion<Scalar>(c_0 * t2 - s_0 * t5,
-                                    s_0 * t6 + c_0 * t7,
-                                    s_0 * t7 - c_0 * t6,
-                                    c_0 * t5 + s_0 * t2),
-          Eigen::Matrix<Scalar, 3, 1>(-c_0 * t8 * t11,
-                                      (Scalar(1) - s_0 * t8) * t11,
-                                      (q[1] + g.d4) - (ch3 + ch3) * t9)};
+  const Scalar& sh46 = angles.sine[3];
+  const Scalar& ch46 = angles.cosine[3];
+  const Scalar& sh4m6 = angles.sine[4];
+  const Scalar& ch4m6 = angles.cosine[4];
+  const Scalar t0 = sh4m6 * sh5;
+  const Scalar t1 = ch3 * ch5;
+  const Scalar t2 = sh3 * t0 + sh46 * t1;
+  const Scalar t3 = ch4m6 * sh5;
+  const Scalar t4 = ch46 * t1 - sh3 * t3;
+  const Scalar t5 = ch5 * sh3;
+  const Scalar t6 = ch46 * t5 + ch3 * t3;
+  const Scalar t7 = sh46 * t5 - ch3 * t0;
+  const Scalar t8 = sh1 + sh1;
+  const Scalar t9 = ch3 + ch3;
+  const Scalar t10 = g.l2 - t9 * g.d4 * sh3;
+  return {Eigen::Quaternion<Scalar>(-sh1 * t2 - ch1 * t4,
+                                    sh1 * t6 + ch1 * t7,
+                                    sh1 * t7 - ch1 * t6,
+                                    ch1 * t2 - sh1 * t4),
+          Eigen::Matrix<Scalar, 3, 1>((Scalar(1) - sh1 * t8) * t10,
+                                      ch1 * t10 * t8,
+                                      g.d4 + (q[1] - t9 * g.d4 * ch3))};
 }
 
 template <class Scalar, class Angles>
@@ -136,9 +134,8 @@ inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
 template <class Scalar>
 Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g) {
   return detail::forward_kinematics<Scalar>(q,
-      sines_and_cosines<Scalar>(Scalar(0.5) * q[0] - Scalar(0.7853981633974483), Scalar(0.5) * q[2], Scalar(0.5)
-      * q[4], Scalar(0.5) * (q[3] + q[5]) - Scalar(0.7853981633974483), Scalar(0.5) * (q[3] - q[5])
-      + Scalar(0.7853981633974483)), g);
+      sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[2], Scalar(0.5) * q[4], Scalar(0.5)
+      * (q[3] + q[5]), Scalar(0.5) * (q[3] - q[5])), g);
 }
 
 template <class Scalar>

@@ -11,8 +11,8 @@
 
 namespace qvgen::robots::crx10ia {
 
-/// Sines and cosines that forward_kinematics needs, of the angles (2*theta1 - pi)/4, (2*theta6 + pi)/4, theta2,
-/// theta4/2, theta5/2, (theta2 - theta3)/2.
+/// Sines and cosines that forward_kinematics needs, of the angles theta1/2, theta2, theta4/2, theta5/2, theta6/2,
+/// (theta2 - theta3)/2.
 template <class Scalar>
 struct PoseAngles {
   std::array<Scalar, 6> sine;
@@ -36,8 +36,8 @@ TransformAngles<Scalar> transform_angles(const JointVector<Scalar>& q, const Bas
 /// Pose of the tool in the world frame: unit quaternion and position (m), by quaternion/vector pairs (Aydin 2007,
 /// 1.12).
 ///
-/// 51 multiplications, 27 additions, 6 sine/cosine pairs. Equal to the plain product of the joints' pairs at 4 random
-/// exact points, tolerance zero; largest rounding error found 7.22 ulp.
+/// 50 multiplications, 28 additions, 6 sine/cosine pairs. Equal to the plain product of the joints' pairs at 4 random
+/// exact points, tolerance zero; largest rounding error found 10.85 ulp.
 ///
 /// NaN or infinite joint variables give NaN. No heap, no exceptions.
 template <class Scalar>
@@ -50,7 +50,7 @@ Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const PoseAngles<S
 /// Pose of the tool in the world frame as a homogeneous transformation: rotation matrix and position (m).
 ///
 /// 45 multiplications, 23 additions, 6 sine/cosine pairs. Equal to the plain product of the joints' pairs at 4 random
-/// exact points, tolerance zero; largest rounding error found 9.22 ulp.
+/// exact points, tolerance zero; largest rounding error found 4.36 ulp.
 ///
 /// NaN or infinite joint variables give NaN. No heap, no exceptions.
 template <class Scalar>

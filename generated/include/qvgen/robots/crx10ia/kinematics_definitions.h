@@ -14,8 +14,8 @@ namespace qvgen::robots::crx10ia {
 
 template <class Scalar>
 PoseAngles<Scalar> pose_angles(const JointVector<Scalar>& q, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0] - Scalar(0.7853981633974483), Scalar(0.5) * q[5]
-      + Scalar(0.7853981633974483), q[1], Scalar(0.5) * q[3], Scalar(0.5) * q[4], Scalar(0.5) * (q[1] - q[2]));
+  const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0], q[1], Scalar(0.5) * q[3], Scalar(0.5) * q[4],
+      Scalar(0.5) * q[5], Scalar(0.5) * (q[1] - q[2]));
   return { { angles.sine[0], angles.sine[1], angles.sine[2], angles.sine[3], angles.sine[4], angles.sine[5] },
            { angles.cosine[0], angles.cosine[1], angles.cosine[2], angles.cosine[3], angles.cosine[4],
                angles.cosine[5] }};
@@ -62,51 +62,55 @@ template <class Scalar, class Angles>
 inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar>& q,
                                        const Angles& angles,
                                        [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s_0 = angles.sine[0];
-  const Scalar& c_0 = angles.cosine[0];
-  const Scalar& s_1 = angles.sine[1];
-  const Scalar& c_1 = angles.cosine[1];
-  const Scalar& s2 = angles.sine[2];
-  const Scalar& c2 = angles.cosine[2];
-  const Scalar& sh4 = angles.sine[3];
-  const Scalar& ch4 = angles.cosine[3];
-  const Scalar& sh5 = angles.sine[4];
-  const Scalar& ch5 = angles.cosine[4];
+  const Scalar& sh1 = angles.sine[0];
+  const Scalar& ch1 = angles.cosine[0];
+  const Scalar& s2 = angles.sine[1];
+  const Scalar& c2 = angles.cosine[1];
+  const Scalar& sh4 = angles.sine[2];
+  const Scalar& ch4 = angles.cosine[2];
+  const Scalar& sh5 = angles.sine[3];
+  const Scalar& ch5 = angles.cosine[3];
+  const Scalar& sh6 = angles.sine[4];
+  const Scalar& ch6 = angles.cosine[4];
   const Scalar& sh2m3 = angles.sine[5];
   const Scalar& ch2m3 = angles.cosine[5];
-  const Scalar t0 = c_1 * ch4;
-  const Scalar t1 = s_1 * sh4;
-  const Scalar t2 = sh5 * (t0 + t1);
-  const Scalar t3 = ch5 * (t0 - t1);
-  const Scalar t4 = sh2m3 * t2 + ch2m3 * t3;
-  const Scalar t5 = c_1 * sh4;
-  const Scalar t6 = ch4 * s_1;
-  const Scalar t7 = sh5 * (t5 - t6);
-  const Scalar t8 = ch5 * (t5 + t6);
-  const Scalar t9 = sh2m3 * t7 - ch2m3 * t8;
-  const Scalar t10 = sh2m3 * t3 - ch2m3 * t2;
-  const Scalar t11 = sh2m3 * t8 + ch2m3 * t7;
-  const Scalar t12 = Scalar(2) * sh2m3;
-  const Scalar t13 = ch2m3 * t12;
-  const Scalar t14 = Scalar(0.54) + (Scalar(0.16) - Scalar(0.32) * sh5 * sh5);
-  const Scalar t15 = ch4 * sh4;
-  const Scalar t16 = sh4 * sh4 - ch4 * ch4;
-  const Scalar t17 = ch5 * sh5;
-  const Scalar t18 = Scalar(0.3) * t15 - Scalar(0.32) * t16 * t17;
-  const Scalar t19 = Scalar(1) - sh2m3 * t12;
-  const Scalar t20 = Scalar(0.54) * c2 - (t13 * t14 - t18 * t19);
-  const Scalar t21 = c_0 + c_0;
-  const Scalar t22 = s_0 * t21;
-  const Scalar t23 = Scalar(0.15) * t16 + Scalar(0.64) * t15 * t17;
-  const Scalar t24 = Scalar(1) - c_0 * t21;
-  const Scalar t25 = t14 * t19 - ((Scalar(0.245) - t18 * t13) - Scalar(0.54) * s2);
-  return {Eigen::Quaternion<Scalar>(c_0 * t4 + s_0 * t9,
-                                    -c_0 * t10 - s_0 * t11,
-                                    c_0 * t11 - s_0 * t10,
-                                    s_0 * t4 - c_0 * t9),
-          Eigen::Matrix<Scalar, 3, 1>(t23 * t24 - t20 * t22,
-                                      -t23 * t22 - t24 * t20,
-                                      -t25)};
+  const Scalar t0 = sh4 * sh6;
+  const Scalar t1 = ch4 * ch6;
+  const Scalar t2 = t0 - t1;
+  const Scalar t3 = ch5 * t2;
+  const Scalar t4 = t0 + t1;
+  const Scalar t5 = sh5 * t4;
+  const Scalar t6 = ch2m3 * t3 - sh2m3 * t5;
+  const Scalar t7 = ch6 * sh4;
+  const Scalar t8 = ch4 * sh6;
+  const Scalar t9 = t7 + t8;
+  const Scalar t10 = ch5 * t9;
+  const Scalar t11 = t7 - t8;
+  const Scalar t12 = sh5 * t11;
+  const Scalar t13 = ch2m3 * t10 - sh2m3 * t12;
+  const Scalar t14 = ch2m3 * t5 + sh2m3 * t3;
+  const Scalar t15 = sh2m3 * t10 + ch2m3 * t12;
+  const Scalar t16 = ch1 + ch1;
+  const Scalar t17 = sh1 * t16;
+  const Scalar t18 = ch4 * sh4;
+  const Scalar t19 = ch5 * sh5;
+  const Scalar t20 = t11 * t9 + t4 * t2;
+  const Scalar t21 = Scalar(0.64) * t18 * t19 + Scalar(0.15) * t20;
+  const Scalar t22 = sh2m3 + sh2m3;
+  const Scalar t23 = ch2m3 * t22;
+  const Scalar t24 = Scalar(0.54) + (Scalar(0.16) - Scalar(0.32) * sh5 * sh5);
+  const Scalar t25 = Scalar(1) - sh2m3 * t22;
+  const Scalar t26 = Scalar(0.32) * t19 * t20 - Scalar(0.3) * t18;
+  const Scalar t27 = t23 * t24 - (Scalar(0.54) * c2 - t25 * t26);
+  const Scalar t28 = Scalar(1) - ch1 * t16;
+  const Scalar t29 = ((Scalar(0.245) + t23 * t26) - Scalar(0.54) * s2) - t24 * t25;
+  return {Eigen::Quaternion<Scalar>(ch1 * t6 + sh1 * t13,
+                                    -sh1 * t14 - ch1 * t15,
+                                    ch1 * t14 - sh1 * t15,
+                                    sh1 * t6 - ch1 * t13),
+          Eigen::Matrix<Scalar, 3, 1>(t27 * t28 - t17 * t21,
+                                      -t21 * t28 - t27 * t17,
+                                      t29)};
 }
 
 template <class Scalar, class Angles>
@@ -166,8 +170,8 @@ inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
 template <class Scalar>
 Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g) {
   return detail::forward_kinematics<Scalar>(q,
-      sines_and_cosines<Scalar>(Scalar(0.5) * q[0] - Scalar(0.7853981633974483), Scalar(0.5) * q[5]
-      + Scalar(0.7853981633974483), q[1], Scalar(0.5) * q[3], Scalar(0.5) * q[4], Scalar(0.5) * (q[1] - q[2])), g);
+      sines_and_cosines<Scalar>(Scalar(0.5) * q[0], q[1], Scalar(0.5) * q[3], Scalar(0.5) * q[4], Scalar(0.5) * q[5],
+      Scalar(0.5) * (q[1] - q[2])), g);
 }
 
 template <class Scalar>

@@ -49,7 +49,7 @@ Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const PoseAngles<S
 /// Pose of the tool in the world frame as a homogeneous transformation: rotation matrix and position (m).
 ///
 /// 26 multiplications, 11 additions, 4 sine/cosine pairs. Equal to the plain product of the joints' pairs at 4 random
-/// exact points, tolerance zero; largest rounding error found 3.14 ulp.
+/// exact points, tolerance zero; largest rounding error found 3.26 ulp.
 ///
 /// NaN or infinite joint variables give NaN. No heap, no exceptions.
 template <class Scalar>

@@ -49,17 +49,17 @@ inline Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q,
   const Scalar& ch46 = angles.cosine[2];
   const Scalar& sh4m6 = angles.sine[3];
   const Scalar& ch4m6 = angles.cosine[3];
-  const Scalar t0 = ch46 * ch5;
-  const Scalar t1 = sh4m6 * sh5;
-  const Scalar t2 = ch5 * sh46;
-  const Scalar t3 = ch4m6 * sh5;
+  const Scalar t0 = sh4m6 * sh5;
+  const Scalar t1 = ch1 * ch5;
+  const Scalar t2 = ch4m6 * sh5;
+  const Scalar t3 = ch5 * sh1;
   const Scalar t4 = sh1 + sh1;
   const Scalar t5 = ch1 * t4;
   const Scalar t6 = Scalar(1) - sh1 * t4;
-  return {Eigen::Quaternion<Scalar>(ch1 * t0 - sh1 * t1,
-                                    sh1 * t2 + ch1 * t3,
-                                    sh1 * t3 - ch1 * t2,
-                                    sh1 * t0 + ch1 * t1),
+  return {Eigen::Quaternion<Scalar>(ch46 * t1 - sh1 * t0,
+                                    ch1 * t2 + sh46 * t3,
+                                    sh1 * t2 - sh46 * t1,
+                                    ch1 * t0 + ch46 * t3),
           Eigen::Matrix<Scalar, 3, 1>(q[2] * t5 + g.l1 * t6,
                                       g.l1 * t5 - q[2] * t6,
                                       q[1])};

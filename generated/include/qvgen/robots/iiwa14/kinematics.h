@@ -11,8 +11,8 @@
 
 namespace qvgen::robots::iiwa14 {
 
-/// Sines and cosines that forward_kinematics needs, of the angles (2*theta1 - pi)/4, (2*theta3 - pi)/4, (2*theta5 -
-/// pi)/4, (2*theta7 - pi)/4, theta2/2, theta4/2, theta6/2.
+/// Sines and cosines that forward_kinematics needs, of the angles theta1/2, theta2/2, theta3/2, theta4/2, theta5/2,
+/// theta6/2, theta7/2.
 template <class Scalar>
 struct PoseAngles {
   std::array<Scalar, 7> sine;
@@ -37,7 +37,7 @@ TransformAngles<Scalar> transform_angles(const JointVector<Scalar>& q, const Bas
 /// 1.12).
 ///
 /// 73 multiplications, 36 additions, 7 sine/cosine pairs. Equal to the plain product of the joints' pairs at 4 random
-/// exact points, tolerance zero; largest rounding error found 37.39 ulp.
+/// exact points, tolerance zero; largest rounding error found 32.93 ulp.
 ///
 /// NaN or infinite joint variables give NaN. No heap, no exceptions.
 template <class Scalar>
@@ -50,7 +50,7 @@ Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const PoseAngles<S
 /// Pose of the tool in the world frame as a homogeneous transformation: rotation matrix and position (m).
 ///
 /// 63 multiplications, 32 additions, 7 sine/cosine pairs. Equal to the plain product of the joints' pairs at 4 random
-/// exact points, tolerance zero; largest rounding error found 4.24 ulp.
+/// exact points, tolerance zero; largest rounding error found 3.6 ulp.
 ///
 /// NaN or infinite joint variables give NaN. No heap, no exceptions.
 template <class Scalar>

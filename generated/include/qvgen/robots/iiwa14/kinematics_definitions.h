@@ -14,9 +14,8 @@ namespace qvgen::robots::iiwa14 {
 
 template <class Scalar>
 PoseAngles<Scalar> pose_angles(const JointVector<Scalar>& q, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0] - Scalar(0.7853981633974483), Scalar(0.5) * q[2]
-      - Scalar(0.7853981633974483), Scalar(0.5) * q[4] - Scalar(0.7853981633974483), Scalar(0.5) * q[6]
-      - Scalar(0.7853981633974483), Scalar(0.5) * q[1], Scalar(0.5) * q[3], Scalar(0.5) * q[5]);
+  const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[1], Scalar(0.5) * q[2], Scalar(0.5)
+      * q[3], Scalar(0.5) * q[4], Scalar(0.5) * q[5], Scalar(0.5) * q[6]);
   return { { angles.sine[0], angles.sine[1], angles.sine[2], angles.sine[3], angles.sine[4], angles.sine[5],
       angles.sine[6] },
            { angles.cosine[0], angles.cosine[1], angles.cosine[2], angles.cosine[3], angles.cosine[4],
@@ -98,59 +97,58 @@ template <class Scalar, class Angles>
 inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar>& q,
                                        const Angles& angles,
                                        [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s_0 = angles.sine[0];
-  const Scalar& c_0 = angles.cosine[0];
-  const Scalar& s_1 = angles.sine[1];
-  const Scalar& c_1 = angles.cosine[1];
-  const Scalar& s_2 = angles.sine[2];
-  const Scalar& c_2 = angles.cosine[2];
-  const Scalar& s_3 = angles.sine[3];
-  const Scalar& c_3 = angles.cosine[3];
-  const Scalar& sh2 = angles.sine[4];
-  const Scalar& ch2 = angles.cosine[4];
-  const Scalar& sh4 = angles.sine[5];
-  const Scalar& ch4 = angles.cosine[5];
-  const Scalar& sh6 = angles.sine[6];
-  const Scalar& ch6 = angles.cosine[6];
-  const Scalar t0 = s_0 * s_1;
-  const Scalar t1 = c_0 * c_1;
+  const Scalar& sh1 = angles.sine[0];
+  const Scalar& ch1 = angles.cosine[0];
+  const Scalar& sh2 = angles.sine[1];
+  const Scalar& ch2 = angles.cosine[1];
+  const Scalar& sh3 = angles.sine[2];
+  const Scalar& ch3 = angles.cosine[2];
+  const Scalar& sh4 = angles.sine[3];
+  const Scalar& ch4 = angles.cosine[3];
+  const Scalar& sh5 = angles.sine[4];
+  const Scalar& ch5 = angles.cosine[4];
+  const Scalar& sh6 = angles.sine[5];
+  const Scalar& ch6 = angles.cosine[5];
+  const Scalar& sh7 = angles.sine[6];
+  const Scalar& ch7 = angles.cosine[6];
+  const Scalar t0 = sh1 * sh3;
+  const Scalar t1 = ch1 * ch3;
   const Scalar t2 = ch2 * (t0 - t1);
-  const Scalar t3 = c_0 * s_1;
-  const Scalar t4 = c_1 * s_0;
-  const Scalar t5 = sh2 * (t3 - t4);
-  const Scalar t6 = sh4 * t2 - ch4 * t5;
-  const Scalar t7 = ch2 * (t3 + t4);
-  const Scalar t8 = sh2 * (t0 + t1);
-  const Scalar t9 = sh4 * t7 + ch4 * t8;
-  const Scalar t10 = s_2 * t6 + c_2 * t9;
-  const Scalar t11 = sh4 * t8 - ch4 * t7;
-  const Scalar t12 = sh4 * t5 + ch4 * t2;
-  const Scalar t13 = s_2 * t11 - c_2 * t12;
+  const Scalar t3 = sh2 * (t0 + t1);
+  const Scalar t4 = sh4 * t2 + ch4 * t3;
+  const Scalar t5 = ch3 * sh1;
+  const Scalar t6 = ch1 * sh3;
+  const Scalar t7 = sh2 * (t5 - t6);
+  const Scalar t8 = ch2 * (t5 + t6);
+  const Scalar t9 = ch4 * t7 - sh4 * t8;
+  const Scalar t10 = ch5 * t4 + sh5 * t9;
+  const Scalar t11 = ch4 * t2 - sh4 * t3;
+  const Scalar t12 = ch4 * t8 + sh4 * t7;
+  const Scalar t13 = ch5 * t11 + sh5 * t12;
   const Scalar t14 = sh6 * t10 + ch6 * t13;
-  const Scalar t15 = s_2 * t12 + c_2 * t11;
-  const Scalar t16 = s_2 * t9 - c_2 * t6;
-  const Scalar t17 = ch6 * t15 + sh6 * t16;
-  const Scalar t18 = c_3 * t14 + s_3 * t17;
-  const Scalar t19 = ch6 * t10 - sh6 * t13;
-  const Scalar t20 = ch6 * t16 - sh6 * t15;
-  const Scalar t21 = c_3 * t19 - s_3 * t20;
-  const Scalar t22 = s_3 * t19 + c_3 * t20;
-  const Scalar t23 = c_3 * t17 - s_3 * t14;
-  const Scalar t24 = Scalar(0.84) * t5 * t2 - Scalar(0.8) * t13 * t16;
-  const Scalar t25 = Scalar(0.8) * t10 * t15 - Scalar(0.84) * t8 * t7;
-  const Scalar t26 = Scalar(0.252) * (t21 * t23 + t18 * t22) - (t24 - t25);
-  const Scalar t27 = Scalar(0.8) * t15 * t16 + Scalar(0.84) * (t2 * t8 - t5 * t7);
-  const Scalar t28 = (Scalar(0.8) * t10 * t13 - t27) - Scalar(0.252) * (t22 * t23 - t21 * t18);
-  const Scalar t29 = Scalar(0.84) * t8 * t8 + Scalar(0.252) * t22 * t22;
-  const Scalar t30 = Scalar(0.8) * t10 * t10 + Scalar(0.252) * t21 * t21;
-  const Scalar t31 = (t29 - (Scalar(1.306) - Scalar(0.8) * t16 * t16)) + (Scalar(0.84) * t5 * t5 + t30);
-  return {Eigen::Quaternion<Scalar>(t18,
-                                    -t21,
-                                    t22,
-                                    -t23),
-          Eigen::Matrix<Scalar, 3, 1>(t26,
-                                      t28,
-                                      -t31)};
+  const Scalar t15 = sh5 * t4 - ch5 * t9;
+  const Scalar t16 = sh5 * t11 - ch5 * t12;
+  const Scalar t17 = sh6 * t15 - ch6 * t16;
+  const Scalar t18 = ch7 * t14 + sh7 * t17;
+  const Scalar t19 = ch6 * t15 + sh6 * t16;
+  const Scalar t20 = sh6 * t13 - ch6 * t10;
+  const Scalar t21 = ch7 * t19 - sh7 * t20;
+  const Scalar t22 = ch7 * t20 + sh7 * t19;
+  const Scalar t23 = ch7 * t17 - sh7 * t14;
+  const Scalar t24 = Scalar(0.8) * t16 * t15 + Scalar(0.84) * (t3 * t2 + t7 * t8);
+  const Scalar t25 = Scalar(0.252) * (t23 * t21 + t22 * t18) - (t24 + Scalar(0.8) * t10 * t13);
+  const Scalar t26 = Scalar(0.84) * t7 * t2 - Scalar(0.252) * (t21 * t18 - t22 * t23);
+  const Scalar t27 = Scalar(0.8) * t16 * t10 - Scalar(0.84) * t3 * t8;
+  const Scalar t28 = Scalar(0.84) * t3 * t3 + Scalar(0.8) * t15 * t15;
+  const Scalar t29 = Scalar(0.252) * t21 * t21 + Scalar(0.84) * t7 * t7;
+  const Scalar t30 = (Scalar(1.306) - (t28 + Scalar(0.252) * t22 * t22)) - (Scalar(0.8) * t10 * t10 + t29);
+  return {Eigen::Quaternion<Scalar>(-t18,
+                                    t21,
+                                    -t22,
+                                    t23),
+          Eigen::Matrix<Scalar, 3, 1>(t25,
+                                      -(t26 - Scalar(0.8) * t13 * t15) - t27,
+                                      t30)};
 }
 
 template <class Scalar, class Angles>
@@ -225,9 +223,8 @@ inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
 template <class Scalar>
 Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g) {
   return detail::forward_kinematics<Scalar>(q,
-      sines_and_cosines<Scalar>(Scalar(0.5) * q[0] - Scalar(0.7853981633974483), Scalar(0.5) * q[2]
-      - Scalar(0.7853981633974483), Scalar(0.5) * q[4] - Scalar(0.7853981633974483), Scalar(0.5) * q[6]
-      - Scalar(0.7853981633974483), Scalar(0.5) * q[1], Scalar(0.5) * q[3], Scalar(0.5) * q[5]), g);
+      sines_and_cosines<Scalar>(Scalar(0.5) * q[0], Scalar(0.5) * q[1], Scalar(0.5) * q[2], Scalar(0.5) * q[3],
+      Scalar(0.5) * q[4], Scalar(0.5) * q[5], Scalar(0.5) * q[6]), g);
 }
 
 template <class Scalar>

@@ -50,7 +50,7 @@ Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const PoseAngles<S
 /// Pose of the tool in the world frame as a homogeneous transformation: rotation matrix and position (m).
 ///
 /// 42 multiplications, 23 additions, 6 sine/cosine pairs. Equal to the plain product of the joints' pairs at 4 random
-/// exact points, tolerance zero; largest rounding error found 15.51 ulp.
+/// exact points, tolerance zero; largest rounding error found 19.1 ulp.
 ///
 /// NaN or infinite joint variables give NaN. No heap, no exceptions.
 template <class Scalar>

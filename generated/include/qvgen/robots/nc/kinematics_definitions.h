@@ -55,21 +55,21 @@ inline Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q,
   const Scalar& ch246 = angles.cosine[3];
   const Scalar& sh24m6 = angles.sine[4];
   const Scalar& ch24m6 = angles.cosine[4];
-  const Scalar t0 = ch1 * ch5;
-  const Scalar t1 = sh24m6 * sh5;
-  const Scalar t2 = ch5 * sh1;
-  const Scalar t3 = ch24m6 * sh5;
-  const Scalar t4 = g.l2 * c2;
-  const Scalar t5 = Scalar(2) * ch1;
-  const Scalar t6 = Scalar(1) - ch1 * t5;
-  const Scalar t7 = g.d2 + (q[2] + g.d4);
-  const Scalar t8 = sh1 * t5;
-  return {Eigen::Quaternion<Scalar>(sh1 * t1 - ch246 * t0,
-                                    -sh246 * t2 - ch1 * t3,
-                                    sh246 * t0 - sh1 * t3,
-                                    -ch1 * t1 - ch246 * t2),
-          Eigen::Matrix<Scalar, 3, 1>(t7 * t8 - t4 * t6,
-                                      t4 * t8 + t7 * t6,
+  const Scalar t0 = sh24m6 * sh5;
+  const Scalar t1 = ch246 * ch5;
+  const Scalar t2 = ch24m6 * sh5;
+  const Scalar t3 = ch5 * sh246;
+  const Scalar t4 = ch1 + ch1;
+  const Scalar t5 = sh1 * t4;
+  const Scalar t6 = g.d4 + (g.d2 + q[2]);
+  const Scalar t7 = g.l2 * c2;
+  const Scalar t8 = Scalar(1) - ch1 * t4;
+  return {Eigen::Quaternion<Scalar>(sh1 * t0 - ch1 * t1,
+                                    -ch1 * t2 - sh1 * t3,
+                                    ch1 * t3 - sh1 * t2,
+                                    -ch1 * t0 - sh1 * t1),
+          Eigen::Matrix<Scalar, 3, 1>(t5 * t6 - t7 * t8,
+                                      t7 * t5 + t6 * t8,
                                       g.h1 + g.l2 * s2)};
 }
 

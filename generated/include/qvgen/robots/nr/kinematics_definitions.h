@@ -14,9 +14,8 @@ namespace qvgen::robots::nr {
 
 template <class Scalar>
 PoseAngles<Scalar> pose_angles(const JointVector<Scalar>& q, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0] + Scalar(0.7853981633974483), q[1], Scalar(0.5)
-      * q[4], Scalar(0.5) * (q[3] + q[5]) + Scalar(0.7853981633974483), Scalar(0.5) * (q[3] - q[5])
-      - Scalar(0.7853981633974483), Scalar(0.5) * (q[1] + q[2]));
+  const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0], q[1], Scalar(0.5) * q[4], Scalar(0.5)
+      * (q[1] + q[2]), Scalar(0.5) * (q[3] + q[5]), Scalar(0.5) * (q[3] - q[5]));
   return { { angles.sine[0], angles.sine[1], angles.sine[2], angles.sine[3], angles.sine[4], angles.sine[5] },
            { angles.cosine[0], angles.cosine[1], angles.cosine[2], angles.cosine[3], angles.cosine[4],
                angles.cosine[5] }};
@@ -56,39 +55,39 @@ template <class Scalar, class Angles>
 inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar>& q,
                                        const Angles& angles,
                                        const BasicGeometry<Scalar>& g) {
-  const Scalar& s_0 = angles.sine[0];
-  const Scalar& c_0 = angles.cosine[0];
+  const Scalar& sh1 = angles.sine[0];
+  const Scalar& ch1 = angles.cosine[0];
   const Scalar& s2 = angles.sine[1];
   const Scalar& c2 = angles.cosine[1];
   const Scalar& sh5 = angles.sine[2];
   const Scalar& ch5 = angles.cosine[2];
-  const Scalar& s_3 = angles.sine[3];
-  const Scalar& c_3 = angles.cosine[3];
-  const Scalar& s_4 = angles.sine[4];
-  const Scalar& c_4 = angles.cosine[4];
-  const Scalar& sh23 = angles.sine[5];
-  const Scalar& ch23 = angles.cosine[5];
-  const Scalar t0 = s_4 * sh5;
-  const Scalar t1 = ch23 * ch5;
-  const Scalar t2 = sh23 * t0 + s_3 * t1;
-  const Scalar t3 = c_4 * sh5;
-  const Scalar t4 = sh23 * t3 - c_3 * t1;
-  const Scalar t5 = ch5 * sh23;
-  const Scalar t6 = ch23 * t3 + c_3 * t5;
-  const Scalar t7 = ch23 * t0 - s_3 * t5;
-  const Scalar t8 = Scalar(2) * ch23;
-  const Scalar t9 = g.l2 * c2 - g.d4 * sh23 * t8;
-  const Scalar t10 = s_0 + s_0;
-  const Scalar t11 = c_0 * t10;
-  const Scalar t12 = Scalar(1) - s_0 * t10;
-  const Scalar t13 = g.l2 * s2 - g.d4 * (Scalar(1) - ch23 * t8);
-  return {Eigen::Quaternion<Scalar>(c_0 * t4 - s_0 * t2,
-                                    -c_0 * t6 - s_0 * t7,
-                                    c_0 * t7 - s_0 * t6,
-                                    c_0 * t2 + s_0 * t4),
-          Eigen::Matrix<Scalar, 3, 1>(t9 * t11 + g.d2 * t12,
-                                      g.d2 * t11 - t9 * t12,
-                                      g.h1 - t13)};
+  const Scalar& sh23 = angles.sine[3];
+  const Scalar& ch23 = angles.cosine[3];
+  const Scalar& sh46 = angles.sine[4];
+  const Scalar& ch46 = angles.cosine[4];
+  const Scalar& sh4m6 = angles.sine[5];
+  const Scalar& ch4m6 = angles.cosine[5];
+  const Scalar t0 = ch5 * sh46;
+  const Scalar t1 = sh4m6 * sh5;
+  const Scalar t2 = ch23 * t0 + sh23 * t1;
+  const Scalar t3 = ch4m6 * sh5;
+  const Scalar t4 = ch46 * ch5;
+  const Scalar t5 = sh23 * t3 - ch23 * t4;
+  const Scalar t6 = sh23 * t0 - ch23 * t1;
+  const Scalar t7 = ch23 * t3 + sh23 * t4;
+  const Scalar t8 = g.d4 * ch23;
+  const Scalar t9 = t8 * (sh23 + sh23) - g.l2 * c2;
+  const Scalar t10 = ch1 + ch1;
+  const Scalar t11 = Scalar(1) - ch1 * t10;
+  const Scalar t12 = sh1 * t10;
+  const Scalar t13 = (g.h1 - g.l2 * s2) + (g.d4 - t8 * Scalar(2) * ch23);
+  return {Eigen::Quaternion<Scalar>(ch1 * t5 - sh1 * t2,
+                                    ch1 * t6 + sh1 * t7,
+                                    sh1 * t6 - ch1 * t7,
+                                    ch1 * t2 + sh1 * t5),
+          Eigen::Matrix<Scalar, 3, 1>(t9 * t11 - g.d2 * t12,
+                                      -g.d2 * t11 - t9 * t12,
+                                      t13)};
 }
 
 template <class Scalar, class Angles>
@@ -144,9 +143,8 @@ inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
 template <class Scalar>
 Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g) {
   return detail::forward_kinematics<Scalar>(q,
-      sines_and_cosines<Scalar>(Scalar(0.5) * q[0] + Scalar(0.7853981633974483), q[1], Scalar(0.5) * q[4], Scalar(0.5)
-      * (q[3] + q[5]) + Scalar(0.7853981633974483), Scalar(0.5) * (q[3] - q[5]) - Scalar(0.7853981633974483),
-      Scalar(0.5) * (q[1] + q[2])), g);
+      sines_and_cosines<Scalar>(Scalar(0.5) * q[0], q[1], Scalar(0.5) * q[4], Scalar(0.5) * (q[1] + q[2]), Scalar(0.5)
+      * (q[3] + q[5]), Scalar(0.5) * (q[3] - q[5])), g);
 }
 
 template <class Scalar>

@@ -138,9 +138,8 @@ inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
   const Scalar t15 = s1 * t7 - c1 * t10;
   const Scalar t16 = g.d2 + g.d3 * c5;
   const Scalar t17 = g.a3 - g.d3 * t0;
-  const Scalar t18 = c23 * t16 + (s23 * t17 + g.a2 * s2);
-  const Scalar t19 = g.d1 + t18;
-  const Scalar t20 = g.a2 * c2 + (g.a1 + (c23 * t17 - s23 * t16));
+  const Scalar t18 = c23 * t16 + (g.d1 + (s23 * t17 + g.a2 * s2));
+  const Scalar t19 = (c23 * t17 + (g.a1 + g.a2 * c2)) - s23 * t16;
   Eigen::Transform<Scalar, 3, Eigen::Isometry> tool;
   tool(0, 0) = -t4;
   tool(0, 1) = t5 * t11 + t13 * t14;
@@ -151,9 +150,9 @@ inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
   tool(2, 0) = -t5;
   tool(2, 1) = t15 * t13 - t4 * t11;
   tool(2, 2) = -t14;
-  tool(0, 3) = c1 * t19 - g.d3 * t3;
-  tool(1, 3) = s1 * t19 + g.d3 * t12;
-  tool(2, 3) = t20;
+  tool(0, 3) = c1 * t18 - g.d3 * t3;
+  tool(1, 3) = g.d3 * t12 + s1 * t18;
+  tool(2, 3) = t19;
   tool.makeAffine();
   return tool;
 }

@@ -88,8 +88,7 @@ Jacobian<Scalar> tool_jacobian(const JointVector<Scalar>& q,
 
 /// The Jacobian in the base frame at a point that moves with the tool, given in the tool frame (m).
 ///
-/// 69 multiplications, 33 additions, 6 sine/cosine pairs. Certified at 3 points; largest rounding error found 61.22
-/// ulp.
+/// 69 multiplications, 33 additions, 6 sine/cosine pairs. Certified at 3 points; largest rounding error found 4.32 ulp.
 template <class Scalar>
 Jacobian<Scalar> jacobian_at(const JointVector<Scalar>& q, const Vector3<Scalar>& point,
     const BasicGeometry<Scalar>& g = {});
@@ -111,7 +110,7 @@ Twist<Scalar> velocity(const JointVector<Scalar>& q, const JointVector<Scalar>& 
 
 /// Derivative of `jacobian` by time at the joint rates qd.
 ///
-/// 63 multiplications, 32 additions, 5 sine/cosine pairs. Certified at 3 points; largest rounding error found 10.5 ulp.
+/// 62 multiplications, 31 additions, 5 sine/cosine pairs. Certified at 3 points; largest rounding error found 6.07 ulp.
 template <class Scalar>
 Jacobian<Scalar> jacobian_dot(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const BasicGeometry<Scalar>& g = {});
@@ -124,7 +123,7 @@ Jacobian<Scalar> jacobian_dot(const JointVector<Scalar>& q, const JointVector<Sc
 /// accelerations
 /// it is `jacobian(q) * qdd` plus this.
 ///
-/// 57 multiplications, 33 additions, 5 sine/cosine pairs. Certified at 3 points; largest rounding error found 4.16 ulp.
+/// 57 multiplications, 33 additions, 5 sine/cosine pairs. Certified at 3 points; largest rounding error found 4.24 ulp.
 template <class Scalar>
 Twist<Scalar> jacobian_dot_times_qd(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const BasicGeometry<Scalar>& g = {});

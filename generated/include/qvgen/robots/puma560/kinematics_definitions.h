@@ -14,9 +14,8 @@ namespace qvgen::robots::puma560 {
 
 template <class Scalar>
 PoseAngles<Scalar> pose_angles(const JointVector<Scalar>& q, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0] - Scalar(0.7853981633974483), q[1], Scalar(0.5)
-      * q[4], Scalar(0.5) * (q[3] + q[5]) + Scalar(0.7853981633974483), Scalar(0.5) * (q[3] - q[5])
-      - Scalar(0.7853981633974483), Scalar(0.5) * (q[1] + q[2]));
+  const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0], q[1], Scalar(0.5) * q[4], Scalar(0.5)
+      * (q[1] + q[2]), Scalar(0.5) * (q[3] + q[5]), Scalar(0.5) * (q[3] - q[5]));
   return { { angles.sine[0], angles.sine[1], angles.sine[2], angles.sine[3], angles.sine[4], angles.sine[5] },
            { angles.cosine[0], angles.cosine[1], angles.cosine[2], angles.cosine[3], angles.cosine[4],
                angles.cosine[5] }};
@@ -58,40 +57,40 @@ template <class Scalar, class Angles>
 inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar>& q,
                                        const Angles& angles,
                                        [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s_0 = angles.sine[0];
-  const Scalar& c_0 = angles.cosine[0];
+  const Scalar& sh1 = angles.sine[0];
+  const Scalar& ch1 = angles.cosine[0];
   const Scalar& s2 = angles.sine[1];
   const Scalar& c2 = angles.cosine[1];
   const Scalar& sh5 = angles.sine[2];
   const Scalar& ch5 = angles.cosine[2];
-  const Scalar& s_3 = angles.sine[3];
-  const Scalar& c_3 = angles.cosine[3];
-  const Scalar& s_4 = angles.sine[4];
-  const Scalar& c_4 = angles.cosine[4];
-  const Scalar& sh23 = angles.sine[5];
-  const Scalar& ch23 = angles.cosine[5];
-  const Scalar t0 = sh23 * sh5;
-  const Scalar t1 = ch23 * ch5;
-  const Scalar t2 = c_4 * t0 - c_3 * t1;
-  const Scalar t3 = s_3 * t1 + s_4 * t0;
-  const Scalar t4 = ch23 * sh5;
-  const Scalar t5 = ch5 * sh23;
-  const Scalar t6 = c_4 * t4 + c_3 * t5;
-  const Scalar t7 = s_4 * t4 - s_3 * t5;
-  const Scalar t8 = c_0 + c_0;
-  const Scalar t9 = Scalar(1) - c_0 * t8;
-  const Scalar t10 = sh23 + sh23;
-  const Scalar t11 = Scalar(1) - sh23 * t10;
-  const Scalar t12 = ch23 * t10;
-  const Scalar t13 = Scalar(0.0203) * t11 + Scalar(0.4318) * (c2 - t12);
-  const Scalar t14 = s_0 * t8;
-  const Scalar t15 = (Scalar(0.672) + Scalar(0.4318) * (s2 + t11)) + Scalar(0.0203) * t12;
-  return {Eigen::Quaternion<Scalar>(c_0 * t2 + s_0 * t3,
-                                    s_0 * t7 - c_0 * t6,
-                                    -c_0 * t7 - s_0 * t6,
-                                    s_0 * t2 - c_0 * t3),
-          Eigen::Matrix<Scalar, 3, 1>(-Scalar(0.15005) * t9 - t13 * t14,
-                                      Scalar(0.15005) * t14 - t13 * t9,
+  const Scalar& sh23 = angles.sine[3];
+  const Scalar& ch23 = angles.cosine[3];
+  const Scalar& sh46 = angles.sine[4];
+  const Scalar& ch46 = angles.cosine[4];
+  const Scalar& sh4m6 = angles.sine[5];
+  const Scalar& ch4m6 = angles.cosine[5];
+  const Scalar t0 = ch5 * sh46;
+  const Scalar t1 = sh4m6 * sh5;
+  const Scalar t2 = ch23 * t0 + sh23 * t1;
+  const Scalar t3 = ch4m6 * sh5;
+  const Scalar t4 = ch46 * ch5;
+  const Scalar t5 = sh23 * t3 - ch23 * t4;
+  const Scalar t6 = sh23 * t0 - ch23 * t1;
+  const Scalar t7 = ch23 * t3 + sh23 * t4;
+  const Scalar t8 = Scalar(2) * sh23;
+  const Scalar t9 = Scalar(1) - sh23 * t8;
+  const Scalar t10 = ch23 * t8;
+  const Scalar t11 = Scalar(0.0203) * t9 + Scalar(0.4318) * (c2 - t10);
+  const Scalar t12 = ch1 + ch1;
+  const Scalar t13 = Scalar(1) - ch1 * t12;
+  const Scalar t14 = sh1 * t12;
+  const Scalar t15 = Scalar(0.672) + (Scalar(0.0203) * t10 + Scalar(0.4318) * (s2 + t9));
+  return {Eigen::Quaternion<Scalar>(sh1 * t2 + ch1 * t5,
+                                    ch1 * t6 - sh1 * t7,
+                                    sh1 * t6 + ch1 * t7,
+                                    sh1 * t5 - ch1 * t2),
+          Eigen::Matrix<Scalar, 3, 1>(Scalar(0.15005) * t14 - t11 * t13,
+                                      t14 * t11 + Scalar(0.15005) * t13,
                                       t15)};
 }
 
@@ -111,32 +110,32 @@ inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
   const Scalar& c6 = angles.cosine[4];
   const Scalar& s23 = angles.sine[5];
   const Scalar& c23 = angles.cosine[5];
-  const Scalar t0 = c1 * c23;
-  const Scalar t1 = s4 * t0 + c4 * s1;
-  const Scalar t2 = s23 * s5;
-  const Scalar t3 = s1 * s4 - c4 * t0;
-  const Scalar t4 = c1 * t2 + c5 * t3;
-  const Scalar t5 = s6 * t1 + c6 * t4;
-  const Scalar t6 = s6 * t4 - c6 * t1;
-  const Scalar t7 = c5 * s23;
-  const Scalar t8 = s5 * t3 - c1 * t7;
-  const Scalar t9 = c23 * s5 + c4 * t7;
-  const Scalar t10 = s23 * s4;
-  const Scalar t11 = s6 * t9 + c6 * t10;
-  const Scalar t12 = c23 * c5 - c4 * t2;
-  const Scalar t13 = c6 * t9 - s6 * t10;
+  const Scalar t0 = c5 * s6;
+  const Scalar t1 = c4 * t0 + c6 * s4;
+  const Scalar t2 = s5 * s6;
+  const Scalar t3 = s23 * t1 + c23 * t2;
+  const Scalar t4 = c4 * s5;
+  const Scalar t5 = c23 * t4 + c5 * s23;
+  const Scalar t6 = s4 * s5;
+  const Scalar t7 = s1 * t5 + c1 * t6;
+  const Scalar t8 = c23 * t1 - s23 * t2;
+  const Scalar t9 = s4 * t0 - c4 * c6;
+  const Scalar t10 = s1 * t8 + c1 * t9;
+  const Scalar t11 = s23 * t4 - c23 * c5;
+  const Scalar t12 = s1 * t9 - c1 * t8;
+  const Scalar t13 = c1 * t5 - s1 * t6;
   const Scalar t14 = Scalar(0.4318) * (c2 - s23) + Scalar(0.0203) * c23;
   const Scalar t15 = Scalar(0.0203) * s23 + (Scalar(0.672) + Scalar(0.4318) * (c23 + s2));
   Eigen::Transform<Scalar, 3, Eigen::Isometry> tool;
-  tool(0, 0) = -t5;
-  tool(0, 1) = t6;
-  tool(0, 2) = t8;
-  tool(1, 0) = -t8 * t11 - t12 * t6;
-  tool(1, 1) = -t8 * t13 - t12 * t5;
-  tool(1, 2) = t13 * t6 - t11 * t5;
-  tool(2, 0) = t13;
-  tool(2, 1) = -t11;
-  tool(2, 2) = t12;
+  tool(0, 0) = t10 * t11 - t3 * t7;
+  tool(0, 1) = t12;
+  tool(0, 2) = -t13;
+  tool(1, 0) = t11 * t12 + t3 * t13;
+  tool(1, 1) = -t10;
+  tool(1, 2) = -t7;
+  tool(2, 0) = -t7 * t12 - t10 * t13;
+  tool(2, 1) = -t3;
+  tool(2, 2) = -t11;
   tool(0, 3) = c1 * t14 + Scalar(0.15005) * s1;
   tool(1, 3) = s1 * t14 - Scalar(0.15005) * c1;
   tool(2, 3) = t15;
@@ -149,9 +148,8 @@ inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
 template <class Scalar>
 Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g) {
   return detail::forward_kinematics<Scalar>(q,
-      sines_and_cosines<Scalar>(Scalar(0.5) * q[0] - Scalar(0.7853981633974483), q[1], Scalar(0.5) * q[4], Scalar(0.5)
-      * (q[3] + q[5]) + Scalar(0.7853981633974483), Scalar(0.5) * (q[3] - q[5]) - Scalar(0.7853981633974483),
-      Scalar(0.5) * (q[1] + q[2])), g);
+      sines_and_cosines<Scalar>(Scalar(0.5) * q[0], q[1], Scalar(0.5) * q[4], Scalar(0.5) * (q[1] + q[2]), Scalar(0.5)
+      * (q[3] + q[5]), Scalar(0.5) * (q[3] - q[5])), g);
 }
 
 template <class Scalar>

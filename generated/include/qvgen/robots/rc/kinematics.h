@@ -36,7 +36,7 @@ TransformAngles<Scalar> transform_angles(const JointVector<Scalar>& q, const Bas
 /// 1.12).
 ///
 /// 31 multiplications, 15 additions, 5 sine/cosine pairs. Equal to the plain product of the joints' pairs at 4 random
-/// exact points, tolerance zero; largest rounding error found 2.99 ulp.
+/// exact points, tolerance zero; largest rounding error found 2.7 ulp.
 ///
 /// NaN or infinite joint variables give NaN. No heap, no exceptions.
 template <class Scalar>
@@ -49,7 +49,7 @@ Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const PoseAngles<S
 /// Pose of the tool in the world frame as a homogeneous transformation: rotation matrix and position (m).
 ///
 /// 36 multiplications, 17 additions, 5 sine/cosine pairs. Equal to the plain product of the joints' pairs at 4 random
-/// exact points, tolerance zero; largest rounding error found 4.38 ulp.
+/// exact points, tolerance zero; largest rounding error found 3.97 ulp.
 ///
 /// NaN or infinite joint variables give NaN. No heap, no exceptions.
 template <class Scalar>

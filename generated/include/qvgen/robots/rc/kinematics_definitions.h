@@ -63,26 +63,26 @@ inline Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q,
   const Scalar& ch46 = angles.cosine[3];
   const Scalar& sh4m6 = angles.sine[4];
   const Scalar& ch4m6 = angles.cosine[4];
-  const Scalar t0 = ch5 * sh3;
-  const Scalar t1 = sh4m6 * sh5;
-  const Scalar t2 = sh46 * t0 - ch3 * t1;
-  const Scalar t3 = ch3 * ch5;
-  const Scalar t4 = ch4m6 * sh5;
-  const Scalar t5 = ch46 * t3 - sh3 * t4;
-  const Scalar t6 = sh3 * t1 + sh46 * t3;
-  const Scalar t7 = ch46 * t0 + ch3 * t4;
+  const Scalar t0 = ch4m6 * sh5;
+  const Scalar t1 = ch46 * ch5;
+  const Scalar t2 = sh3 * t0 - ch3 * t1;
+  const Scalar t3 = ch5 * sh46;
+  const Scalar t4 = sh4m6 * sh5;
+  const Scalar t5 = sh3 * t3 - ch3 * t4;
+  const Scalar t6 = ch3 * t3 + sh3 * t4;
+  const Scalar t7 = sh3 * t1 + ch3 * t0;
   const Scalar t8 = q[1] + g.l2;
-  const Scalar t9 = Scalar(2) * ch1;
-  const Scalar t10 = sh1 * t9;
-  const Scalar t11 = Scalar(1) - ch1 * t9;
-  const Scalar t12 = sh3 + sh3;
+  const Scalar t9 = sh1 + sh1;
+  const Scalar t10 = ch1 * t9;
+  const Scalar t11 = Scalar(1) - sh1 * t9;
+  const Scalar t12 = Scalar(2) * sh3;
   const Scalar t13 = g.d4 * (Scalar(1) - sh3 * t12);
-  return {Eigen::Quaternion<Scalar>(sh1 * t2 - ch1 * t5,
+  return {Eigen::Quaternion<Scalar>(ch1 * t2 + sh1 * t5,
                                     -ch1 * t6 - sh1 * t7,
                                     ch1 * t7 - sh1 * t6,
-                                    -ch1 * t2 - sh1 * t5),
-          Eigen::Matrix<Scalar, 3, 1>(t8 * t10 - t11 * t13,
-                                      t10 * t13 + t8 * t11,
+                                    sh1 * t2 - ch1 * t5),
+          Eigen::Matrix<Scalar, 3, 1>(t8 * t10 + t11 * t13,
+                                      t13 * t10 - t8 * t11,
                                       g.h1 + g.d4 * ch3 * t12)};
 }
 

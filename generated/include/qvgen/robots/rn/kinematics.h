@@ -11,8 +11,8 @@
 
 namespace qvgen::robots::rn {
 
-/// Sines and cosines that forward_kinematics needs, of the angles theta1, theta3/2, theta5/2, (2*theta1 + 2*theta2 -
-/// pi)/4, (2*theta4 + 2*theta6 - pi)/4, (2*theta4 - 2*theta6 + pi)/4.
+/// Sines and cosines that forward_kinematics needs, of the angles theta1, theta3/2, theta5/2, (theta1 + theta2)/2,
+/// (theta4 + theta6)/2, (theta4 - theta6)/2.
 template <class Scalar>
 struct PoseAngles {
   std::array<Scalar, 6> sine;
@@ -37,7 +37,7 @@ TransformAngles<Scalar> transform_angles(const JointVector<Scalar>& q, const Bas
 /// 1.12).
 ///
 /// 32 multiplications, 14 additions, 6 sine/cosine pairs. Equal to the plain product of the joints' pairs at 4 random
-/// exact points, tolerance zero; largest rounding error found 6.79 ulp.
+/// exact points, tolerance zero; largest rounding error found 6.35 ulp.
 ///
 /// NaN or infinite joint variables give NaN. No heap, no exceptions.
 template <class Scalar>
@@ -50,7 +50,7 @@ Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const PoseAngles<S
 /// Pose of the tool in the world frame as a homogeneous transformation: rotation matrix and position (m).
 ///
 /// 36 multiplications, 17 additions, 6 sine/cosine pairs. Equal to the plain product of the joints' pairs at 4 random
-/// exact points, tolerance zero; largest rounding error found 2.9 ulp.
+/// exact points, tolerance zero; largest rounding error found 3.18 ulp.
 ///
 /// NaN or infinite joint variables give NaN. No heap, no exceptions.
 template <class Scalar>

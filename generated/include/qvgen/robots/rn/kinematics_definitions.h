@@ -15,8 +15,7 @@ namespace qvgen::robots::rn {
 template <class Scalar>
 PoseAngles<Scalar> pose_angles(const JointVector<Scalar>& q, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
   const auto angles = sines_and_cosines<Scalar>(q[0], Scalar(0.5) * q[2], Scalar(0.5) * q[4], Scalar(0.5)
-      * (q[0] + q[1]) - Scalar(0.7853981633974483), Scalar(0.5) * (q[3] + q[5]) - Scalar(0.7853981633974483),
-      Scalar(0.5) * (q[3] - q[5]) + Scalar(0.7853981633974483));
+      * (q[0] + q[1]), Scalar(0.5) * (q[3] + q[5]), Scalar(0.5) * (q[3] - q[5]));
   return { { angles.sine[0], angles.sine[1], angles.sine[2], angles.sine[3], angles.sine[4], angles.sine[5] },
            { angles.cosine[0], angles.cosine[1], angles.cosine[2], angles.cosine[3], angles.cosine[4],
                angles.cosine[5] }};
@@ -62,31 +61,31 @@ inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar
   const Scalar& ch3 = angles.cosine[1];
   const Scalar& sh5 = angles.sine[2];
   const Scalar& ch5 = angles.cosine[2];
-  const Scalar& s_3 = angles.sine[3];
-  const Scalar& c_3 = angles.cosine[3];
-  const Scalar& s_4 = angles.sine[4];
-  const Scalar& c_4 = angles.cosine[4];
-  const Scalar& s_5 = angles.sine[5];
-  const Scalar& c_5 = angles.cosine[5];
-  const Scalar t0 = s_5 * sh5;
-  const Scalar t1 = ch3 * ch5;
-  const Scalar t2 = sh3 * t0 - s_4 * t1;
-  const Scalar t3 = c_5 * sh5;
-  const Scalar t4 = c_4 * t1 + sh3 * t3;
-  const Scalar t5 = ch5 * sh3;
-  const Scalar t6 = c_4 * t5 - ch3 * t3;
-  const Scalar t7 = ch3 * t0 + s_4 * t5;
-  const Scalar t8 = g.l3 * ch3;
-  const Scalar t9 = g.l2 - Scalar(2) * sh3 * t8;
-  const Scalar t10 = Scalar(2) * s_3;
-  const Scalar t11 = g.l1 * s1 + (Scalar(1) - s_3 * t10) * t9;
-  return {Eigen::Quaternion<Scalar>(c_3 * t4 - s_3 * t2,
-                                    s_3 * t7 - c_3 * t6,
-                                    -s_3 * t6 - c_3 * t7,
-                                    s_3 * t4 + c_3 * t2),
-          Eigen::Matrix<Scalar, 3, 1>(g.l1 * c1 - t9 * c_3 * t10,
-                                      t11,
-                                      g.l3 + (g.h1 - Scalar(2) * ch3 * t8))};
+  const Scalar& sh12 = angles.sine[3];
+  const Scalar& ch12 = angles.cosine[3];
+  const Scalar& sh46 = angles.sine[4];
+  const Scalar& ch46 = angles.cosine[4];
+  const Scalar& sh4m6 = angles.sine[5];
+  const Scalar& ch4m6 = angles.cosine[5];
+  const Scalar t0 = ch4m6 * sh5;
+  const Scalar t1 = ch46 * ch5;
+  const Scalar t2 = sh3 * t0 + ch3 * t1;
+  const Scalar t3 = ch5 * sh46;
+  const Scalar t4 = sh4m6 * sh5;
+  const Scalar t5 = ch3 * t3 - sh3 * t4;
+  const Scalar t6 = sh3 * t1 - ch3 * t0;
+  const Scalar t7 = sh3 * t3 + ch3 * t4;
+  const Scalar t8 = Scalar(2) * ch3;
+  const Scalar t9 = g.l2 - g.l3 * sh3 * t8;
+  const Scalar t10 = Scalar(2) * ch12;
+  const Scalar t11 = t9 * (Scalar(1) - ch12 * t10) - g.l1 * c1;
+  return {Eigen::Quaternion<Scalar>(ch12 * t2 + sh12 * t5,
+                                    -sh12 * t6 - ch12 * t7,
+                                    ch12 * t6 - sh12 * t7,
+                                    sh12 * t2 - ch12 * t5),
+          Eigen::Matrix<Scalar, 3, 1>(-t11,
+                                      g.l1 * s1 + t9 * sh12 * t10,
+                                      (g.h1 + g.l3) - t8 * g.l3 * ch3)};
 }
 
 template <class Scalar, class Angles>
@@ -142,9 +141,8 @@ inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
 template <class Scalar>
 Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g) {
   return detail::forward_kinematics<Scalar>(q,
-      sines_and_cosines<Scalar>(q[0], Scalar(0.5) * q[2], Scalar(0.5) * q[4], Scalar(0.5) * (q[0] + q[1])
-      - Scalar(0.7853981633974483), Scalar(0.5) * (q[3] + q[5]) - Scalar(0.7853981633974483), Scalar(0.5)
-      * (q[3] - q[5]) + Scalar(0.7853981633974483)), g);
+      sines_and_cosines<Scalar>(q[0], Scalar(0.5) * q[2], Scalar(0.5) * q[4], Scalar(0.5) * (q[0] + q[1]), Scalar(0.5)
+      * (q[3] + q[5]), Scalar(0.5) * (q[3] - q[5])), g);
 }
 
 template <class Scalar>

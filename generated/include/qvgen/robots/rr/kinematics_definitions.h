@@ -63,24 +63,24 @@ inline Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q,
   const Scalar& ch46 = angles.cosine[3];
   const Scalar& sh4m6 = angles.sine[4];
   const Scalar& ch4m6 = angles.cosine[4];
-  const Scalar t0 = ch5 * sh3;
-  const Scalar t1 = sh4m6 * sh5;
-  const Scalar t2 = sh46 * t0 - ch3 * t1;
-  const Scalar t3 = ch3 * ch5;
-  const Scalar t4 = ch4m6 * sh5;
-  const Scalar t5 = ch46 * t3 - sh3 * t4;
-  const Scalar t6 = sh3 * t1 + sh46 * t3;
-  const Scalar t7 = ch46 * t0 + ch3 * t4;
-  const Scalar t8 = Scalar(2) * ch3;
-  const Scalar t9 = (q[1] + g.l2) - g.d4 * (Scalar(1) - ch3 * t8);
-  const Scalar t10 = ch1 + ch1;
-  return {Eigen::Quaternion<Scalar>(-sh1 * t2 - ch1 * t5,
-                                    -sh1 * t6 - ch1 * t7,
-                                    ch1 * t6 - sh1 * t7,
-                                    ch1 * t2 - sh1 * t5),
-          Eigen::Matrix<Scalar, 3, 1>(sh1 * t9 * t10,
-                                      t9 * (Scalar(1) - ch1 * t10),
-                                      g.h1 - g.d4 * sh3 * t8)};
+  const Scalar t0 = sh3 * sh5;
+  const Scalar t1 = ch46 * ch5;
+  const Scalar t2 = ch4m6 * t0 - ch3 * t1;
+  const Scalar t3 = ch3 * sh5;
+  const Scalar t4 = ch5 * sh46;
+  const Scalar t5 = sh4m6 * t3 - sh3 * t4;
+  const Scalar t6 = sh3 * t1 + ch4m6 * t3;
+  const Scalar t7 = ch3 * t4 + sh4m6 * t0;
+  const Scalar t8 = Scalar(2) * sh1;
+  const Scalar t9 = Scalar(2) * ch3;
+  const Scalar t10 = q[1] + (g.l2 - g.d4 * (Scalar(1) - ch3 * t9));
+  return {Eigen::Quaternion<Scalar>(-ch1 * t2 - sh1 * t5,
+                                    ch1 * t6 + sh1 * t7,
+                                    sh1 * t6 - ch1 * t7,
+                                    ch1 * t5 - sh1 * t2),
+          Eigen::Matrix<Scalar, 3, 1>(t8 * ch1 * t10,
+                                      -(Scalar(1) - sh1 * t8) * t10,
+                                      g.h1 - g.d4 * sh3 * t9)};
 }
 
 template <class Scalar, class Angles>

@@ -51,7 +51,7 @@ JacobianAngles<Scalar> jacobian_angles(const JointVector<Scalar>& q, const Basic
 /// Jacobian of the tool point in the base frame: the twist of the tool is `jacobian(q) * qd` (m/s, rad/s); linear rows
 /// first (Jacobian lecture, section 5.4: iteration, cross products and differentiation all give it).
 ///
-/// 12 multiplications, 4 additions, 3 sine/cosine pairs. Certified at 3 points; largest rounding error found 1.63 ulp.
+/// 12 multiplications, 4 additions, 3 sine/cosine pairs. Certified at 3 points; largest rounding error found 1.73 ulp.
 template <class Scalar>
 Jacobian<Scalar> jacobian(const JointVector<Scalar>& q,
     const BasicGeometry<Scalar>& g = {});
@@ -63,7 +63,7 @@ Jacobian<Scalar> jacobian(const JointVector<Scalar>& q,
 /// Pose of the tool in the world frame as a homogeneous transformation, and `jacobian`, with all that they share
 /// computed once.
 ///
-/// 16 multiplications, 5 additions, 3 sine/cosine pairs. Certified at 3 points; largest rounding error found 1.63 ulp.
+/// 16 multiplications, 5 additions, 3 sine/cosine pairs. Certified at 3 points; largest rounding error found 1.73 ulp.
 template <class Scalar>
 TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointVector<Scalar>& q,
     const BasicGeometry<Scalar>& g = {});
@@ -74,7 +74,7 @@ TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointVector<S
 
 /// The Jacobian of the tool point in the tool frame: both halves of each column turned into it.
 ///
-/// 6 multiplications, 2 additions, 2 sine/cosine pairs. Certified at 3 points; largest rounding error found 1.02 ulp.
+/// 6 multiplications, 2 additions, 2 sine/cosine pairs. Certified at 3 points; largest rounding error found 1.26 ulp.
 template <class Scalar>
 Jacobian<Scalar> tool_jacobian(const JointVector<Scalar>& q,
     const BasicGeometry<Scalar>& g = {});
@@ -85,7 +85,7 @@ Jacobian<Scalar> tool_jacobian(const JointVector<Scalar>& q,
 
 /// The Jacobian in the base frame at a point that moves with the tool, given in the tool frame (m).
 ///
-/// 14 multiplications, 8 additions, 3 sine/cosine pairs. Certified at 3 points; largest rounding error found 4.72 ulp.
+/// 14 multiplications, 8 additions, 3 sine/cosine pairs. Certified at 3 points; largest rounding error found 2.02 ulp.
 template <class Scalar>
 Jacobian<Scalar> jacobian_at(const JointVector<Scalar>& q, const Vector3<Scalar>& point,
     const BasicGeometry<Scalar>& g = {});
@@ -96,7 +96,7 @@ Jacobian<Scalar> jacobian_at(const JointVector<Scalar>& q, const Vector3<Scalar>
 
 /// Twist of the tool in the base frame at the joint rates qd (rad/s, m/s): `jacobian(q) * qd`, linear part first.
 ///
-/// 16 multiplications, 7 additions, 3 sine/cosine pairs. Certified at 3 points; largest rounding error found 1.43 ulp.
+/// 16 multiplications, 7 additions, 3 sine/cosine pairs. Certified at 3 points; largest rounding error found 1.44 ulp.
 template <class Scalar>
 Twist<Scalar> velocity(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const BasicGeometry<Scalar>& g = {});
@@ -107,7 +107,7 @@ Twist<Scalar> velocity(const JointVector<Scalar>& q, const JointVector<Scalar>& 
 
 /// Derivative of `jacobian` by time at the joint rates qd.
 ///
-/// 23 multiplications, 12 additions, 3 sine/cosine pairs. Certified at 3 points; largest rounding error found 5.75 ulp.
+/// 23 multiplications, 12 additions, 3 sine/cosine pairs. Certified at 3 points; largest rounding error found 4.02 ulp.
 template <class Scalar>
 Jacobian<Scalar> jacobian_dot(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const BasicGeometry<Scalar>& g = {});
@@ -120,7 +120,7 @@ Jacobian<Scalar> jacobian_dot(const JointVector<Scalar>& q, const JointVector<Sc
 /// accelerations
 /// it is `jacobian(q) * qdd` plus this.
 ///
-/// 23 multiplications, 10 additions, 3 sine/cosine pairs. Certified at 3 points; largest rounding error found 2.44 ulp.
+/// 23 multiplications, 10 additions, 3 sine/cosine pairs. Certified at 3 points; largest rounding error found 2.5 ulp.
 template <class Scalar>
 Twist<Scalar> jacobian_dot_times_qd(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const BasicGeometry<Scalar>& g = {});

@@ -193,13 +193,13 @@ inline Twist<Scalar> velocity([[maybe_unused]] const JointVector<Scalar>& q,
   const Scalar t0 = qd[1] + qd[2];
   const Scalar t1 = qd[1] * g.l2 * s2 + t0 * g.l3 * s23;
   const Scalar t2 = t1 + g.d2 * qd[0];
-  const Scalar t3 = g.l3 * c23;
-  const Scalar t4 = g.l2 * c2 + t3;
-  const Scalar t5 = qd[0] * t4;
+  const Scalar t3 = g.l2 * c2;
+  const Scalar t4 = g.l3 * c23;
+  const Scalar t5 = qd[0] * (t3 + t4);
   Twist<Scalar> result;
   result(0, 0) = -c1 * t2 - s1 * t5;
   result(1, 0) = c1 * t5 - s1 * t2;
-  result(2, 0) = -qd[1] * t4 - qd[2] * t3;
+  result(2, 0) = -qd[1] * t3 - t0 * t4;
   result(3, 0) = -s1 * t0;
   result(4, 0) = c1 * t0;
   result(5, 0) = qd[0];
@@ -271,8 +271,8 @@ inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Sc
   const Scalar t4 = (t3 + g.d2 * qd[0]) + t3;
   const Scalar t5 = qd[0] * s1;
   const Scalar t6 = g.l2 * c2;
-  const Scalar t7 = c23 * t1 * t0 + qd[1] * qd[1] * t6;
-  const Scalar t8 = t7 + qd[0] * qd[0] * (t6 + g.l3 * c23);
+  const Scalar t7 = qd[1] * qd[1] * t6 + c23 * t1 * t0;
+  const Scalar t8 = qd[0] * qd[0] * (t6 + g.l3 * c23) + t7;
   const Scalar t9 = qd[0] * c1;
   Twist<Scalar> result;
   result(0, 0) = t4 * t5 - c1 * t8;

@@ -11,7 +11,7 @@
 
 namespace qvgen::robots::rrr {
 
-/// Sines and cosines that forward_kinematics needs, of the angles (2*theta1 + pi)/4, theta2, (theta2 + theta3)/2.
+/// Sines and cosines that forward_kinematics needs, of the angles theta1/2, theta2, (2*theta2 + 2*theta3 + pi)/4.
 template <class Scalar>
 struct PoseAngles {
   std::array<Scalar, 3> sine;
@@ -35,7 +35,7 @@ TransformAngles<Scalar> transform_angles(const JointVector<Scalar>& q, const Bas
 /// 1.12).
 ///
 /// 18 multiplications, 14 additions, 3 sine/cosine pairs. Equal to the plain product of the joints' pairs at 4 random
-/// exact points, tolerance zero; largest rounding error found 3.05 ulp.
+/// exact points, tolerance zero; largest rounding error found 4.86 ulp.
 ///
 /// NaN or infinite joint variables give NaN. No heap, no exceptions.
 template <class Scalar>
@@ -48,7 +48,7 @@ Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const PoseAngles<S
 /// Pose of the tool in the world frame as a homogeneous transformation: rotation matrix and position (m).
 ///
 /// 12 multiplications, 5 additions, 3 sine/cosine pairs. Equal to the plain product of the joints' pairs at 4 random
-/// exact points, tolerance zero; largest rounding error found 1.97 ulp.
+/// exact points, tolerance zero; largest rounding error found 2.11 ulp.
 ///
 /// NaN or infinite joint variables give NaN. No heap, no exceptions.
 template <class Scalar>

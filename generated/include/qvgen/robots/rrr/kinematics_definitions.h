@@ -14,8 +14,8 @@ namespace qvgen::robots::rrr {
 
 template <class Scalar>
 PoseAngles<Scalar> pose_angles(const JointVector<Scalar>& q, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0] + Scalar(0.7853981633974483), q[1], Scalar(0.5)
-      * (q[1] + q[2]));
+  const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0], q[1], Scalar(0.5) * (q[1] + q[2])
+      + Scalar(0.7853981633974483));
   return { { angles.sine[0], angles.sine[1], angles.sine[2] },
            { angles.cosine[0], angles.cosine[1], angles.cosine[2] }};
 }
@@ -41,31 +41,33 @@ template <class Scalar, class Angles>
 inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar>& q,
                                        const Angles& angles,
                                        const BasicGeometry<Scalar>& g) {
-  const Scalar& s_0 = angles.sine[0];
-  const Scalar& c_0 = angles.cosine[0];
+  const Scalar& sh1 = angles.sine[0];
+  const Scalar& ch1 = angles.cosine[0];
   const Scalar& s2 = angles.sine[1];
   const Scalar& c2 = angles.cosine[1];
-  const Scalar& sh23 = angles.sine[2];
-  const Scalar& ch23 = angles.cosine[2];
-  const Scalar t0 = Scalar(0.5) * (ch23 + sh23);
-  const Scalar t1 = ch23 - t0;
-  const Scalar t2 = s_0 * t1;
-  const Scalar t3 = c_0 * t0;
-  const Scalar t4 = s_0 * t0;
-  const Scalar t5 = c_0 * t1;
-  const Scalar t6 = s_0 + s_0;
-  const Scalar t7 = Scalar(1) - s_0 * t6;
-  const Scalar t8 = c_0 * t6;
-  const Scalar t9 = Scalar(2) * sh23;
-  const Scalar t10 = g.l2 * c2 + g.l3 * (Scalar(1) - sh23 * t9);
-  const Scalar t11 = (g.h1 - g.l2 * s2) - g.l3 * ch23 * t9;
-  return {Eigen::Quaternion<Scalar>(t2 + t3,
-                                    -t4 - t5,
-                                    t3 - t2,
-                                    t4 - t5),
-          Eigen::Matrix<Scalar, 3, 1>(g.d2 * t7 + t8 * t10,
-                                      g.d2 * t8 - t7 * t10,
-                                      t11)};
+  const Scalar& s_2 = angles.sine[2];
+  const Scalar& c_2 = angles.cosine[2];
+  const Scalar t0 = c_2 - s_2;
+  const Scalar t1 = Scalar(2) * s_2;
+  const Scalar t2 = t0 + t1;
+  const Scalar t3 = Scalar(0.5) * t2;
+  const Scalar t4 = s_2 - t3;
+  const Scalar t5 = sh1 * t4;
+  const Scalar t6 = ch1 * t3;
+  const Scalar t7 = ch1 * t4;
+  const Scalar t8 = sh1 * t3;
+  const Scalar t9 = ch1 + ch1;
+  const Scalar t10 = sh1 * t9;
+  const Scalar t11 = g.l2 * c2 + g.l3 * c_2 * t1;
+  const Scalar t12 = Scalar(1) - ch1 * t9;
+  const Scalar t13 = g.h1 - (g.l2 * s2 - g.l3 * t0 * t2);
+  return {Eigen::Quaternion<Scalar>(t5 - t6,
+                                    t5 + t6,
+                                    t8 - t7,
+                                    -t7 - t8),
+          Eigen::Matrix<Scalar, 3, 1>(-g.d2 * t10 - t11 * t12,
+                                      t11 * t10 - g.d2 * t12,
+                                      t13)};
 }
 
 template <class Scalar, class Angles>
@@ -101,7 +103,7 @@ inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
 template <class Scalar>
 Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g) {
   return detail::forward_kinematics<Scalar>(q,
-      sines_and_cosines<Scalar>(Scalar(0.5) * q[0] + Scalar(0.7853981633974483), q[1], Scalar(0.5) * (q[1] + q[2])), g);
+      sines_and_cosines<Scalar>(Scalar(0.5) * q[0], q[1], Scalar(0.5) * (q[1] + q[2]) + Scalar(0.7853981633974483)), g);
 }
 
 template <class Scalar>

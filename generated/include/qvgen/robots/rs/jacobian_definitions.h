@@ -41,19 +41,19 @@ inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
   result(0, 1) = -t0;
   result(0, 2) = -Scalar(0);
   result(0, 3) = -Scalar(0);
-  result(0, 4) = Scalar(0);
+  result(0, 4) = -Scalar(0);
   result(0, 5) = -Scalar(0);
   result(1, 0) = g.l1 * c1 + t1;
   result(1, 1) = t1;
   result(1, 2) = -Scalar(0);
   result(1, 3) = -Scalar(0);
-  result(1, 4) = Scalar(0);
+  result(1, 4) = -Scalar(0);
   result(1, 5) = -Scalar(0);
   result(2, 0) = Scalar(0);
   result(2, 1) = Scalar(0);
   result(2, 2) = -Scalar(1);
   result(2, 3) = -Scalar(0);
-  result(2, 4) = Scalar(0);
+  result(2, 4) = -Scalar(0);
   result(2, 5) = -Scalar(0);
   result(3, 0) = Scalar(0);
   result(3, 1) = Scalar(0);
@@ -71,7 +71,7 @@ inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
   result(5, 1) = Scalar(1);
   result(5, 2) = -Scalar(0);
   result(5, 3) = -Scalar(1);
-  result(5, 4) = Scalar(0);
+  result(5, 4) = -Scalar(0);
   result(5, 5) = -c5;
 
   return result;
@@ -117,19 +117,19 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointV
   result.jacobian(0, 1) = -t8;
   result.jacobian(0, 2) = -Scalar(0);
   result.jacobian(0, 3) = -Scalar(0);
-  result.jacobian(0, 4) = Scalar(0);
+  result.jacobian(0, 4) = -Scalar(0);
   result.jacobian(0, 5) = -Scalar(0);
   result.jacobian(1, 0) = t7;
   result.jacobian(1, 1) = t6;
   result.jacobian(1, 2) = -Scalar(0);
   result.jacobian(1, 3) = -Scalar(0);
-  result.jacobian(1, 4) = Scalar(0);
+  result.jacobian(1, 4) = -Scalar(0);
   result.jacobian(1, 5) = -Scalar(0);
   result.jacobian(2, 0) = Scalar(0);
   result.jacobian(2, 1) = Scalar(0);
   result.jacobian(2, 2) = -Scalar(1);
   result.jacobian(2, 3) = -Scalar(0);
-  result.jacobian(2, 4) = Scalar(0);
+  result.jacobian(2, 4) = -Scalar(0);
   result.jacobian(2, 5) = -Scalar(0);
   result.jacobian(3, 0) = Scalar(0);
   result.jacobian(3, 1) = Scalar(0);
@@ -147,7 +147,7 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointV
   result.jacobian(5, 1) = Scalar(1);
   result.jacobian(5, 2) = -Scalar(0);
   result.jacobian(5, 3) = -Scalar(1);
-  result.jacobian(5, 4) = Scalar(0);
+  result.jacobian(5, 4) = -Scalar(0);
   result.jacobian(5, 5) = -c5;
   result.transform.makeAffine();
   return result;
@@ -177,19 +177,19 @@ inline Jacobian<Scalar> tool_jacobian([[maybe_unused]] const JointVector<Scalar>
   result(0, 1) = -s6 * t3 - c6 * t5;
   result(0, 2) = -t6;
   result(0, 3) = -Scalar(0);
-  result(0, 4) = Scalar(0);
+  result(0, 4) = -Scalar(0);
   result(0, 5) = -Scalar(0);
   result(1, 0) = s6 * t2 + c6 * t4;
   result(1, 1) = c6 * t3 - s6 * t5;
   result(1, 2) = -t7;
   result(1, 3) = -Scalar(0);
-  result(1, 4) = Scalar(0);
+  result(1, 4) = -Scalar(0);
   result(1, 5) = -Scalar(0);
   result(2, 0) = -s5 * t1;
   result(2, 1) = s5 * t0;
   result(2, 2) = -c5;
   result(2, 3) = -Scalar(0);
-  result(2, 4) = Scalar(0);
+  result(2, 4) = -Scalar(0);
   result(2, 5) = -Scalar(0);
   result(3, 0) = t6;
   result(3, 1) = t6;
@@ -207,7 +207,7 @@ inline Jacobian<Scalar> tool_jacobian([[maybe_unused]] const JointVector<Scalar>
   result(5, 1) = c5;
   result(5, 2) = -Scalar(0);
   result(5, 3) = -c5;
-  result(5, 4) = Scalar(0);
+  result(5, 4) = -Scalar(0);
   result(5, 5) = -Scalar(1);
 
   return result;
@@ -272,7 +272,7 @@ inline Jacobian<Scalar> jacobian_at([[maybe_unused]] const JointVector<Scalar>& 
   result(5, 1) = Scalar(1);
   result(5, 2) = -Scalar(0);
   result(5, 3) = -Scalar(1);
-  result(5, 4) = Scalar(0);
+  result(5, 4) = -Scalar(0);
   result(5, 5) = -c5;
 
   return result;
@@ -300,7 +300,7 @@ inline Twist<Scalar> velocity([[maybe_unused]] const JointVector<Scalar>& q,
   result(2, 0) = -qd[2];
   result(3, 0) = c12m4 * t3 + qd[4] * s12m4;
   result(4, 0) = s12m4 * t3 - qd[4] * c12m4;
-  result(5, 0) = t0 - (qd[3] + qd[5] * c5);
+  result(5, 0) = (t0 - qd[5] * c5) - qd[3];
 
   return result;
 }
@@ -329,19 +329,19 @@ inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>&
   result(0, 1) = -t1;
   result(0, 2) = -Scalar(0);
   result(0, 3) = -Scalar(0);
-  result(0, 4) = Scalar(0);
+  result(0, 4) = -Scalar(0);
   result(0, 5) = -Scalar(0);
   result(1, 0) = -qd[0] * g.l1 * s1 - t2;
   result(1, 1) = -t2;
   result(1, 2) = -Scalar(0);
   result(1, 3) = -Scalar(0);
-  result(1, 4) = Scalar(0);
+  result(1, 4) = -Scalar(0);
   result(1, 5) = -Scalar(0);
   result(2, 0) = Scalar(0);
   result(2, 1) = Scalar(0);
   result(2, 2) = -Scalar(0);
   result(2, 3) = -Scalar(0);
-  result(2, 4) = Scalar(0);
+  result(2, 4) = -Scalar(0);
   result(2, 5) = -Scalar(0);
   result(3, 0) = Scalar(0);
   result(3, 1) = Scalar(0);
@@ -359,7 +359,7 @@ inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>&
   result(5, 1) = Scalar(0);
   result(5, 2) = -Scalar(0);
   result(5, 3) = -Scalar(0);
-  result(5, 4) = Scalar(0);
+  result(5, 4) = -Scalar(0);
   result(5, 5) = qd[4] * s5;
 
   return result;

@@ -52,7 +52,7 @@ JacobianAngles<Scalar> jacobian_angles(const JointVector<Scalar>& q, const Basic
 /// Jacobian of the tool point in the base frame: the twist of the tool is `jacobian(q) * qd` (m/s, rad/s); linear rows
 /// first (Jacobian lecture, section 5.4: iteration, cross products and differentiation all give it).
 ///
-/// 28 multiplications, 8 additions, 5 sine/cosine pairs. Certified at 3 points; largest rounding error found 2.89 ulp.
+/// 28 multiplications, 8 additions, 5 sine/cosine pairs. Certified at 3 points; largest rounding error found 6.61 ulp.
 template <class Scalar>
 Jacobian<Scalar> jacobian(const JointVector<Scalar>& q,
     const BasicGeometry<Scalar>& g = {});
@@ -64,7 +64,7 @@ Jacobian<Scalar> jacobian(const JointVector<Scalar>& q,
 /// Pose of the tool in the world frame as a homogeneous transformation, and `jacobian`, with all that they share
 /// computed once.
 ///
-/// 43 multiplications, 17 additions, 6 sine/cosine pairs. Certified at 3 points; largest rounding error found 2.89 ulp.
+/// 43 multiplications, 16 additions, 6 sine/cosine pairs. Certified at 3 points; largest rounding error found 6.61 ulp.
 template <class Scalar>
 TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointVector<Scalar>& q,
     const BasicGeometry<Scalar>& g = {});
@@ -75,7 +75,7 @@ TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointVector<S
 
 /// The Jacobian of the tool point in the tool frame: both halves of each column turned into it.
 ///
-/// 43 multiplications, 14 additions, 5 sine/cosine pairs. Certified at 3 points; largest rounding error found 5.13 ulp.
+/// 43 multiplications, 14 additions, 5 sine/cosine pairs. Certified at 3 points; largest rounding error found 2.63 ulp.
 template <class Scalar>
 Jacobian<Scalar> tool_jacobian(const JointVector<Scalar>& q,
     const BasicGeometry<Scalar>& g = {});
@@ -86,8 +86,7 @@ Jacobian<Scalar> tool_jacobian(const JointVector<Scalar>& q,
 
 /// The Jacobian in the base frame at a point that moves with the tool, given in the tool frame (m).
 ///
-/// 65 multiplications, 31 additions, 6 sine/cosine pairs. Certified at 3 points; largest rounding error found 61.22
-/// ulp.
+/// 65 multiplications, 32 additions, 6 sine/cosine pairs. Certified at 3 points; largest rounding error found 2.95 ulp.
 template <class Scalar>
 Jacobian<Scalar> jacobian_at(const JointVector<Scalar>& q, const Vector3<Scalar>& point,
     const BasicGeometry<Scalar>& g = {});
@@ -98,7 +97,7 @@ Jacobian<Scalar> jacobian_at(const JointVector<Scalar>& q, const Vector3<Scalar>
 
 /// Twist of the tool in the base frame at the joint rates qd (rad/s, m/s): `jacobian(q) * qd`, linear part first.
 ///
-/// 27 multiplications, 15 additions, 5 sine/cosine pairs. Certified at 3 points; largest rounding error found 2.14 ulp.
+/// 27 multiplications, 15 additions, 5 sine/cosine pairs. Certified at 3 points; largest rounding error found 2.05 ulp.
 template <class Scalar>
 Twist<Scalar> velocity(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const BasicGeometry<Scalar>& g = {});
@@ -109,7 +108,7 @@ Twist<Scalar> velocity(const JointVector<Scalar>& q, const JointVector<Scalar>& 
 
 /// Derivative of `jacobian` by time at the joint rates qd.
 ///
-/// 59 multiplications, 28 additions, 5 sine/cosine pairs. Certified at 3 points; largest rounding error found 2.04 ulp.
+/// 59 multiplications, 28 additions, 5 sine/cosine pairs. Certified at 3 points; largest rounding error found 2.4 ulp.
 template <class Scalar>
 Jacobian<Scalar> jacobian_dot(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const BasicGeometry<Scalar>& g = {});

@@ -14,9 +14,8 @@ namespace qvgen::robots::rx90 {
 
 template <class Scalar>
 PoseAngles<Scalar> pose_angles(const JointVector<Scalar>& q, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0] + Scalar(0.7853981633974483), q[1], Scalar(0.5)
-      * q[4], Scalar(0.5) * (q[3] + q[5]) - Scalar(0.7853981633974483), Scalar(0.5) * (q[3] - q[5])
-      + Scalar(0.7853981633974483), Scalar(0.5) * (q[1] + q[2]));
+  const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0], q[1], Scalar(0.5) * q[4], Scalar(0.5)
+      * (q[1] + q[2]), Scalar(0.5) * (q[3] + q[5]), Scalar(0.5) * (q[3] - q[5]));
   return { { angles.sine[0], angles.sine[1], angles.sine[2], angles.sine[3], angles.sine[4], angles.sine[5] },
            { angles.cosine[0], angles.cosine[1], angles.cosine[2], angles.cosine[3], angles.cosine[4],
                angles.cosine[5] }};
@@ -56,37 +55,37 @@ template <class Scalar, class Angles>
 inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar>& q,
                                        const Angles& angles,
                                        const BasicGeometry<Scalar>& g) {
-  const Scalar& s_0 = angles.sine[0];
-  const Scalar& c_0 = angles.cosine[0];
+  const Scalar& sh1 = angles.sine[0];
+  const Scalar& ch1 = angles.cosine[0];
   const Scalar& s2 = angles.sine[1];
   const Scalar& c2 = angles.cosine[1];
   const Scalar& sh5 = angles.sine[2];
   const Scalar& ch5 = angles.cosine[2];
-  const Scalar& s_3 = angles.sine[3];
-  const Scalar& c_3 = angles.cosine[3];
-  const Scalar& s_4 = angles.sine[4];
-  const Scalar& c_4 = angles.cosine[4];
-  const Scalar& sh23 = angles.sine[5];
-  const Scalar& ch23 = angles.cosine[5];
-  const Scalar t0 = ch5 * s_3;
+  const Scalar& sh23 = angles.sine[3];
+  const Scalar& ch23 = angles.cosine[3];
+  const Scalar& sh46 = angles.sine[4];
+  const Scalar& ch46 = angles.cosine[4];
+  const Scalar& sh4m6 = angles.sine[5];
+  const Scalar& ch4m6 = angles.cosine[5];
+  const Scalar t0 = ch5 * sh46;
   const Scalar t1 = sh23 * sh5;
-  const Scalar t2 = ch23 * t0 + s_4 * t1;
-  const Scalar t3 = c_3 * ch5;
-  const Scalar t4 = c_4 * t1 - ch23 * t3;
+  const Scalar t2 = ch23 * t0 + sh4m6 * t1;
+  const Scalar t3 = ch46 * ch5;
+  const Scalar t4 = ch23 * t3 - ch4m6 * t1;
   const Scalar t5 = ch23 * sh5;
-  const Scalar t6 = sh23 * t0 - s_4 * t5;
-  const Scalar t7 = sh23 * t3 + c_4 * t5;
-  const Scalar t8 = Scalar(2) * ch23;
-  const Scalar t9 = g.RL4 * sh23 * t8 - g.D3 * c2;
-  const Scalar t10 = Scalar(2) * c_0;
-  const Scalar t11 = g.D3 * s2 - g.RL4 * (Scalar(1) - ch23 * t8);
-  return {Eigen::Quaternion<Scalar>(s_0 * t2 + c_0 * t4,
-                                    s_0 * t6 + c_0 * t7,
-                                    s_0 * t7 - c_0 * t6,
-                                    s_0 * t4 - c_0 * t2),
-          Eigen::Matrix<Scalar, 3, 1>(-s_0 * t9 * t10,
-                                      -t9 * (Scalar(1) - c_0 * t10),
-                                      t11)};
+  const Scalar t6 = ch4m6 * t5 + sh23 * t3;
+  const Scalar t7 = sh4m6 * t5 - sh23 * t0;
+  const Scalar t8 = ch23 + ch23;
+  const Scalar t9 = g.D3 * c2 - g.RL4 * sh23 * t8;
+  const Scalar t10 = Scalar(2) * sh1;
+  const Scalar t11 = g.RL4 * (Scalar(1) - ch23 * t8) - g.D3 * s2;
+  return {Eigen::Quaternion<Scalar>(ch1 * t4 - sh1 * t2,
+                                    sh1 * t6 + ch1 * t7,
+                                    sh1 * t7 - ch1 * t6,
+                                    ch1 * t2 + sh1 * t4),
+          Eigen::Matrix<Scalar, 3, 1>(t9 * (Scalar(1) - sh1 * t10),
+                                      ch1 * t9 * t10,
+                                      -t11)};
 }
 
 template <class Scalar, class Angles>
@@ -142,9 +141,8 @@ inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
 template <class Scalar>
 Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g) {
   return detail::forward_kinematics<Scalar>(q,
-      sines_and_cosines<Scalar>(Scalar(0.5) * q[0] + Scalar(0.7853981633974483), q[1], Scalar(0.5) * q[4], Scalar(0.5)
-      * (q[3] + q[5]) - Scalar(0.7853981633974483), Scalar(0.5) * (q[3] - q[5]) + Scalar(0.7853981633974483),
-      Scalar(0.5) * (q[1] + q[2])), g);
+      sines_and_cosines<Scalar>(Scalar(0.5) * q[0], q[1], Scalar(0.5) * q[4], Scalar(0.5) * (q[1] + q[2]), Scalar(0.5)
+      * (q[3] + q[5]), Scalar(0.5) * (q[3] - q[5])), g);
 }
 
 template <class Scalar>

@@ -35,7 +35,7 @@ TransformAngles<Scalar> transform_angles(const JointVector<Scalar>& q, const Bas
 /// Pose of the tool in the world frame: unit quaternion and position (m), by quaternion/vector pairs (Aydin 2007,
 /// 1.12).
 ///
-/// 15 multiplications, 8 additions, 4 sine/cosine pairs. Equal to the plain product of the joints' pairs at 4 random
+/// 16 multiplications, 7 additions, 4 sine/cosine pairs. Equal to the plain product of the joints' pairs at 4 random
 /// exact points, tolerance zero; largest rounding error found 5.14 ulp.
 ///
 /// NaN or infinite joint variables give NaN. No heap, no exceptions.
@@ -49,7 +49,7 @@ Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const PoseAngles<S
 /// Pose of the tool in the world frame as a homogeneous transformation: rotation matrix and position (m).
 ///
 /// 24 multiplications, 11 additions, 4 sine/cosine pairs. Equal to the plain product of the joints' pairs at 4 random
-/// exact points, tolerance zero; largest rounding error found 2.65 ulp.
+/// exact points, tolerance zero; largest rounding error found 2.33 ulp.
 ///
 /// NaN or infinite joint variables give NaN. No heap, no exceptions.
 template <class Scalar>

@@ -49,18 +49,18 @@ inline Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q,
   const Scalar& ch46 = angles.cosine[2];
   const Scalar& sh4m6 = angles.sine[3];
   const Scalar& ch4m6 = angles.cosine[3];
-  const Scalar t0 = sh3 * sh5;
-  const Scalar t1 = ch46 * ch5;
-  const Scalar t2 = ch5 * sh46;
-  const Scalar t3 = ch3 * sh5;
-  const Scalar t4 = ch3 * (g.d4 + g.d4);
-  return {Eigen::Quaternion<Scalar>(sh4m6 * t0 + ch3 * t1,
-                                    ch4m6 * t3 - sh3 * t2,
-                                    sh3 * t1 - sh4m6 * t3,
-                                    -ch3 * t2 - ch4m6 * t0),
+  const Scalar t0 = ch3 * ch5;
+  const Scalar t1 = sh4m6 * sh5;
+  const Scalar t2 = ch4m6 * sh5;
+  const Scalar t3 = ch5 * sh3;
+  const Scalar t4 = Scalar(2) * g.d4 * ch3;
+  return {Eigen::Quaternion<Scalar>(-ch46 * t0 - sh3 * t1,
+                                    sh46 * t3 - ch3 * t2,
+                                    ch3 * t1 - ch46 * t3,
+                                    sh3 * t2 + sh46 * t0),
           Eigen::Matrix<Scalar, 3, 1>(-sh3 * t4,
                                       q[1] + g.l1,
-                                      (q[0] + g.d4) - ch3 * t4)};
+                                      q[0] + (g.d4 - ch3 * t4))};
 }
 
 template <class Scalar, class Angles>

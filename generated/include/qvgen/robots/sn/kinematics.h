@@ -11,8 +11,8 @@
 
 namespace qvgen::robots::sn {
 
-/// Sines and cosines that forward_kinematics needs, of the angles (2*theta2 - pi)/4, theta3/2, theta5/2, (2*theta4 +
-/// 2*theta6 - pi)/4, (2*theta4 - 2*theta6 - pi)/4.
+/// Sines and cosines that forward_kinematics needs, of the angles theta2/2, theta3/2, theta5/2, (theta4 + theta6)/2,
+/// (theta4 - theta6)/2.
 template <class Scalar>
 struct PoseAngles {
   std::array<Scalar, 5> sine;
@@ -35,8 +35,8 @@ TransformAngles<Scalar> transform_angles(const JointVector<Scalar>& q, const Bas
 /// Pose of the tool in the world frame: unit quaternion and position (m), by quaternion/vector pairs (Aydin 2007,
 /// 1.12).
 ///
-/// 32 multiplications, 14 additions, 5 sine/cosine pairs. Equal to the plain product of the joints' pairs at 4 random
-/// exact points, tolerance zero; largest rounding error found 5.7 ulp.
+/// 30 multiplications, 16 additions, 5 sine/cosine pairs. Equal to the plain product of the joints' pairs at 4 random
+/// exact points, tolerance zero; largest rounding error found 2.42 ulp.
 ///
 /// NaN or infinite joint variables give NaN. No heap, no exceptions.
 template <class Scalar>
@@ -49,7 +49,7 @@ Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const PoseAngles<S
 /// Pose of the tool in the world frame as a homogeneous transformation: rotation matrix and position (m).
 ///
 /// 36 multiplications, 17 additions, 5 sine/cosine pairs. Equal to the plain product of the joints' pairs at 4 random
-/// exact points, tolerance zero; largest rounding error found 3.35 ulp.
+/// exact points, tolerance zero; largest rounding error found 2.79 ulp.
 ///
 /// NaN or infinite joint variables give NaN. No heap, no exceptions.
 template <class Scalar>

@@ -14,9 +14,8 @@ namespace qvgen::robots::sn {
 
 template <class Scalar>
 PoseAngles<Scalar> pose_angles(const JointVector<Scalar>& q, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[1] - Scalar(0.7853981633974483), Scalar(0.5) * q[2],
-      Scalar(0.5) * q[4], Scalar(0.5) * (q[3] + q[5]) - Scalar(0.7853981633974483), Scalar(0.5) * (q[3] - q[5])
-      - Scalar(0.7853981633974483));
+  const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[1], Scalar(0.5) * q[2], Scalar(0.5) * q[4], Scalar(0.5)
+      * (q[3] + q[5]), Scalar(0.5) * (q[3] - q[5]));
   return { { angles.sine[0], angles.sine[1], angles.sine[2], angles.sine[3], angles.sine[4] },
            { angles.cosine[0], angles.cosine[1], angles.cosine[2], angles.cosine[3], angles.cosine[4] }};
 }
@@ -54,36 +53,36 @@ template <class Scalar, class Angles>
 inline Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q,
                                        const Angles& angles,
                                        const BasicGeometry<Scalar>& g) {
-  const Scalar& s_0 = angles.sine[0];
-  const Scalar& c_0 = angles.cosine[0];
+  const Scalar& sh2 = angles.sine[0];
+  const Scalar& ch2 = angles.cosine[0];
   const Scalar& sh3 = angles.sine[1];
   const Scalar& ch3 = angles.cosine[1];
   const Scalar& sh5 = angles.sine[2];
   const Scalar& ch5 = angles.cosine[2];
-  const Scalar& s_3 = angles.sine[3];
-  const Scalar& c_3 = angles.cosine[3];
-  const Scalar& s_4 = angles.sine[4];
-  const Scalar& c_4 = angles.cosine[4];
-  const Scalar t0 = sh3 * sh5;
-  const Scalar t1 = c_3 * ch5;
-  const Scalar t2 = c_4 * t0 + ch3 * t1;
-  const Scalar t3 = ch5 * s_3;
-  const Scalar t4 = s_4 * t0 - ch3 * t3;
-  const Scalar t5 = ch3 * sh5;
-  const Scalar t6 = s_4 * t5 + sh3 * t3;
-  const Scalar t7 = c_4 * t5 - sh3 * t1;
-  const Scalar t8 = Scalar(2) * sh3;
-  const Scalar t9 = g.d4 * ch3 * t8;
-  const Scalar t10 = Scalar(2) * s_0;
-  const Scalar t11 = c_0 * t10;
-  const Scalar t12 = Scalar(1) - s_0 * t10;
-  return {Eigen::Quaternion<Scalar>(c_0 * t2 - s_0 * t4,
-                                    -s_0 * t6 - c_0 * t7,
-                                    c_0 * t4 + s_0 * t2,
-                                    s_0 * t7 - c_0 * t6),
-          Eigen::Matrix<Scalar, 3, 1>(g.l2 * t12 - t9 * t11,
-                                      g.d2 - g.d4 * (Scalar(1) - sh3 * t8),
-                                      (q[0] - t9 * t12) - g.l2 * t11)};
+  const Scalar& sh46 = angles.sine[3];
+  const Scalar& ch46 = angles.cosine[3];
+  const Scalar& sh4m6 = angles.sine[4];
+  const Scalar& ch4m6 = angles.cosine[4];
+  const Scalar t0 = ch3 * ch5;
+  const Scalar t1 = sh4m6 * sh5;
+  const Scalar t2 = ch46 * t0 + sh3 * t1;
+  const Scalar t3 = ch4m6 * sh5;
+  const Scalar t4 = sh3 * t3 + sh46 * t0;
+  const Scalar t5 = ch5 * sh3;
+  const Scalar t6 = ch3 * t3 - sh46 * t5;
+  const Scalar t7 = ch46 * t5 - ch3 * t1;
+  const Scalar t8 = sh2 + sh2;
+  const Scalar t9 = ch2 * t8;
+  const Scalar t10 = Scalar(1) - sh2 * t8;
+  const Scalar t11 = ch3 + ch3;
+  const Scalar t12 = t11 * g.d4 * sh3;
+  return {Eigen::Quaternion<Scalar>(-ch2 * t2 - sh2 * t4,
+                                    ch2 * t6 - sh2 * t7,
+                                    ch2 * t4 - sh2 * t2,
+                                    -ch2 * t7 - sh2 * t6),
+          Eigen::Matrix<Scalar, 3, 1>(g.l2 * t9 + t10 * t12,
+                                      g.d2 + g.d4 * (Scalar(1) - ch3 * t11),
+                                      g.l2 * t10 + (q[0] - t9 * t12))};
 }
 
 template <class Scalar, class Angles>
@@ -137,9 +136,8 @@ inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
 template <class Scalar>
 Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g) {
   return detail::forward_kinematics<Scalar>(q,
-      sines_and_cosines<Scalar>(Scalar(0.5) * q[1] - Scalar(0.7853981633974483), Scalar(0.5) * q[2], Scalar(0.5)
-      * q[4], Scalar(0.5) * (q[3] + q[5]) - Scalar(0.7853981633974483), Scalar(0.5) * (q[3] - q[5])
-      - Scalar(0.7853981633974483)), g);
+      sines_and_cosines<Scalar>(Scalar(0.5) * q[1], Scalar(0.5) * q[2], Scalar(0.5) * q[4], Scalar(0.5)
+      * (q[3] + q[5]), Scalar(0.5) * (q[3] - q[5])), g);
 }
 
 template <class Scalar>

@@ -52,7 +52,7 @@ JacobianAngles<Scalar> jacobian_angles(const JointVector<Scalar>& q, const Basic
 /// Jacobian of the tool point in the base frame: the twist of the tool is `jacobian(q) * qd` (m/s, rad/s); linear rows
 /// first (Jacobian lecture, section 5.4: iteration, cross products and differentiation all give it).
 ///
-/// 12 multiplications, 4 additions, 4 sine/cosine pairs. Certified at 3 points; largest rounding error found 1.67 ulp.
+/// 12 multiplications, 4 additions, 4 sine/cosine pairs. Certified at 3 points; largest rounding error found 1.11 ulp.
 template <class Scalar>
 Jacobian<Scalar> jacobian(const JointVector<Scalar>& q,
     const BasicGeometry<Scalar>& g = {});
@@ -64,7 +64,7 @@ Jacobian<Scalar> jacobian(const JointVector<Scalar>& q,
 /// Pose of the tool in the world frame as a homogeneous transformation, and `jacobian`, with all that they share
 /// computed once.
 ///
-/// 27 multiplications, 12 additions, 5 sine/cosine pairs. Certified at 3 points; largest rounding error found 1.8 ulp.
+/// 27 multiplications, 12 additions, 5 sine/cosine pairs. Certified at 3 points; largest rounding error found 2.44 ulp.
 template <class Scalar>
 TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointVector<Scalar>& q,
     const BasicGeometry<Scalar>& g = {});
@@ -75,7 +75,7 @@ TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointVector<S
 
 /// The Jacobian of the tool point in the tool frame: both halves of each column turned into it.
 ///
-/// 28 multiplications, 9 additions, 4 sine/cosine pairs. Certified at 3 points; largest rounding error found 1.65 ulp.
+/// 28 multiplications, 9 additions, 4 sine/cosine pairs. Certified at 3 points; largest rounding error found 1.74 ulp.
 template <class Scalar>
 Jacobian<Scalar> tool_jacobian(const JointVector<Scalar>& q,
     const BasicGeometry<Scalar>& g = {});
@@ -86,7 +86,7 @@ Jacobian<Scalar> tool_jacobian(const JointVector<Scalar>& q,
 
 /// The Jacobian in the base frame at a point that moves with the tool, given in the tool frame (m).
 ///
-/// 41 multiplications, 20 additions, 5 sine/cosine pairs. Certified at 3 points; largest rounding error found 13.31
+/// 41 multiplications, 20 additions, 5 sine/cosine pairs. Certified at 3 points; largest rounding error found 13.07
 /// ulp.
 template <class Scalar>
 Jacobian<Scalar> jacobian_at(const JointVector<Scalar>& q, const Vector3<Scalar>& point,
@@ -98,7 +98,7 @@ Jacobian<Scalar> jacobian_at(const JointVector<Scalar>& q, const Vector3<Scalar>
 
 /// Twist of the tool in the base frame at the joint rates qd (rad/s, m/s): `jacobian(q) * qd`, linear part first.
 ///
-/// 18 multiplications, 9 additions, 4 sine/cosine pairs. Certified at 3 points; largest rounding error found 2.38 ulp.
+/// 18 multiplications, 9 additions, 4 sine/cosine pairs. Certified at 3 points; largest rounding error found 2.14 ulp.
 template <class Scalar>
 Twist<Scalar> velocity(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const BasicGeometry<Scalar>& g = {});
@@ -109,7 +109,7 @@ Twist<Scalar> velocity(const JointVector<Scalar>& q, const JointVector<Scalar>& 
 
 /// Derivative of `jacobian` by time at the joint rates qd.
 ///
-/// 26 multiplications, 11 additions, 4 sine/cosine pairs. Certified at 3 points; largest rounding error found 2.38 ulp.
+/// 31 multiplications, 12 additions, 4 sine/cosine pairs. Certified at 3 points; largest rounding error found 1.52 ulp.
 template <class Scalar>
 Jacobian<Scalar> jacobian_dot(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const BasicGeometry<Scalar>& g = {});
@@ -122,7 +122,7 @@ Jacobian<Scalar> jacobian_dot(const JointVector<Scalar>& q, const JointVector<Sc
 /// accelerations
 /// it is `jacobian(q) * qdd` plus this.
 ///
-/// 31 multiplications, 14 additions, 4 sine/cosine pairs. Certified at 3 points; largest rounding error found 3.49 ulp.
+/// 31 multiplications, 14 additions, 4 sine/cosine pairs. Certified at 3 points; largest rounding error found 3.9 ulp.
 template <class Scalar>
 Twist<Scalar> jacobian_dot_times_qd(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const BasicGeometry<Scalar>& g = {});

@@ -91,29 +91,29 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointV
   const Scalar& c6 = angles.cosine[3];
   const Scalar& s23 = angles.sine[4];
   const Scalar& c23 = angles.cosine[4];
-  const Scalar t0 = s23 * s5;
-  const Scalar t1 = c23 * c5;
-  const Scalar t2 = t0 - s4 * t1;
+  const Scalar t0 = c23 * s4;
+  const Scalar t1 = s23 * s5;
+  const Scalar t2 = c5 * t0 - t1;
   const Scalar t3 = c23 * c4;
-  const Scalar t4 = s6 * t2 + c6 * t3;
-  const Scalar t5 = s5 * c23 * s4 + c5 * s23;
-  const Scalar t6 = s6 * t3 - c6 * t2;
+  const Scalar t4 = s6 * t2 - c6 * t3;
+  const Scalar t5 = s5 * t0 + c5 * s23;
+  const Scalar t6 = c6 * t2 + s6 * t3;
   const Scalar t7 = c4 * s5;
   const Scalar t8 = c4 * c5;
   const Scalar t9 = s4 * s6 - c6 * t8;
-  const Scalar t10 = s4 * t0 - t1;
+  const Scalar t10 = s4 * t1 - c23 * c5;
   const Scalar t11 = c6 * s4 + s6 * t8;
   const Scalar t12 = g.d4 * s23;
   const Scalar t13 = t12 + g.l2 * c2;
   const Scalar t14 = g.d4 * c23;
   const Scalar t15 = g.l2 * s2 - t14;
   TransformAndJacobian<Scalar> result;
-  result.transform(0, 0) = t4;
+  result.transform(0, 0) = -t4;
   result.transform(0, 1) = -t5;
   result.transform(0, 2) = -t6;
   result.transform(1, 0) = -t7 * t6 - t9 * t5;
   result.transform(1, 1) = -t10;
-  result.transform(1, 2) = -t7 * t4 - t11 * t5;
+  result.transform(1, 2) = t4 * t7 - t11 * t5;
   result.transform(2, 0) = t11;
   result.transform(2, 1) = t7;
   result.transform(2, 2) = -t9;
@@ -242,51 +242,50 @@ inline Jacobian<Scalar> jacobian_at([[maybe_unused]] const JointVector<Scalar>& 
   const Scalar t1 = point[1] * c5 - s5 * t0;
   const Scalar t2 = g.d4 - t1;
   const Scalar t3 = point[2] * s6 - point[0] * c6;
-  const Scalar t4 = point[1] * s5 + c5 * t0;
-  const Scalar t5 = c4 * t3 + s4 * t4;
-  const Scalar t6 = s23 * t5;
-  const Scalar t7 = c23 * t2 + t6;
-  const Scalar t8 = s4 * t3 - c4 * t4;
-  const Scalar t9 = t6 - c23 * t1;
-  const Scalar t10 = c4 * s23;
+  const Scalar t4 = c4 * t3;
+  const Scalar t5 = point[1] * s5 + c5 * t0;
+  const Scalar t6 = t4 + s4 * t5;
+  const Scalar t7 = s23 * t6;
+  const Scalar t8 = c23 * t2 + t7;
+  const Scalar t9 = s4 * t3 - c4 * t5;
+  const Scalar t10 = c23 * t1;
   const Scalar t11 = c4 * s5;
   const Scalar t12 = s4 * s5;
   const Scalar t13 = c23 * c5 - s23 * t12;
-  const Scalar t14 = c23 * t5;
+  const Scalar t14 = c23 * t6;
   const Scalar t15 = t14 - s23 * t2;
-  const Scalar t16 = c23 * c4;
-  const Scalar t17 = t14 + s23 * t1;
-  const Scalar t18 = c23 * t12 + c5 * s23;
+  const Scalar t16 = s23 * t1;
+  const Scalar t17 = c23 * t12 + c5 * s23;
   Jacobian<Scalar> result;
   result(0, 0) = Scalar(0);
-  result(0, 1) = t7 - g.l2 * s2;
-  result(0, 2) = t7;
-  result(0, 3) = c23 * t8;
-  result(0, 4) = s4 * t9 - t8 * t10;
-  result(0, 5) = t8 * t13 - t11 * t9;
+  result(0, 1) = t8 - g.l2 * s2;
+  result(0, 2) = t8;
+  result(0, 3) = c23 * t9;
+  result(0, 4) = s23 * t5 - s4 * t10;
+  result(0, 5) = t9 * t13 - t11 * (t7 - t10);
   result(1, 0) = Scalar(0);
   result(1, 1) = g.l2 * c2 - t15;
   result(1, 2) = -t15;
-  result(1, 3) = s23 * t8;
-  result(1, 4) = t16 * t8 - s4 * t17;
-  result(1, 5) = t8 * t18 + t11 * t17;
+  result(1, 3) = s23 * t9;
+  result(1, 4) = -s4 * t16 - c23 * t5;
+  result(1, 5) = t9 * t17 + t11 * (t14 + t16);
   result(2, 0) = Scalar(1);
   result(2, 1) = Scalar(0);
   result(2, 2) = Scalar(0);
-  result(2, 3) = -t5;
+  result(2, 3) = -t6;
   result(2, 4) = c4 * t1;
-  result(2, 5) = -t17 * t13 - t18 * t9;
+  result(2, 5) = -c5 * t4 - s4 * t0;
   result(3, 0) = Scalar(0);
   result(3, 1) = Scalar(0);
   result(3, 2) = Scalar(0);
   result(3, 3) = s23;
-  result(3, 4) = t16;
-  result(3, 5) = t18;
+  result(3, 4) = c23 * c4;
+  result(3, 5) = t17;
   result(4, 0) = Scalar(0);
   result(4, 1) = Scalar(0);
   result(4, 2) = Scalar(0);
   result(4, 3) = -c23;
-  result(4, 4) = t10;
+  result(4, 4) = c4 * s23;
   result(4, 5) = -t13;
   result(5, 0) = Scalar(0);
   result(5, 1) = Scalar(1);
@@ -331,8 +330,8 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
+  const Scalar& s3 = angles.sine[0];
+  const Scalar& c3 = angles.cosine[0];
   const Scalar& s4 = angles.sine[1];
   const Scalar& c4 = angles.cosine[1];
   const Scalar& s5 = angles.sine[2];
@@ -340,24 +339,25 @@ inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>&
   const Scalar& s23 = angles.sine[3];
   const Scalar& c23 = angles.cosine[3];
   const Scalar t0 = qd[1] + qd[2];
-  const Scalar t1 = s23 * t0;
-  const Scalar t2 = g.d4 * t1;
-  const Scalar t3 = c23 * t0;
-  const Scalar t4 = g.d4 * t3;
-  const Scalar t5 = qd[3] * s4;
-  const Scalar t6 = s5 * (qd[4] + s4 * t0);
-  const Scalar t7 = qd[3] * c4;
-  const Scalar t8 = s5 * t7 + c5 * (qd[4] * s4 + t0);
+  const Scalar t1 = g.d4 * t0;
+  const Scalar t2 = t1 + qd[1] * g.l2 * s3;
+  const Scalar t3 = qd[1] * g.l2 * c3;
+  const Scalar t4 = c23 * t0;
+  const Scalar t5 = s23 * t0;
+  const Scalar t6 = qd[3] * s4;
+  const Scalar t7 = s5 * (qd[4] + s4 * t0);
+  const Scalar t8 = qd[3] * c4;
+  const Scalar t9 = s5 * t8 + c5 * (qd[4] * s4 + t0);
   Jacobian<Scalar> result;
   result(0, 0) = Scalar(0);
-  result(0, 1) = -t2 - qd[1] * g.l2 * c2;
-  result(0, 2) = -t2;
+  result(0, 1) = -s23 * t2 - c23 * t3;
+  result(0, 2) = -s23 * t1;
   result(0, 3) = Scalar(0);
   result(0, 4) = -Scalar(0);
   result(0, 5) = -Scalar(0);
   result(1, 0) = Scalar(0);
-  result(1, 1) = t4 - qd[1] * g.l2 * s2;
-  result(1, 2) = t4;
+  result(1, 1) = c23 * t2 - s23 * t3;
+  result(1, 2) = c23 * t1;
   result(1, 3) = Scalar(0);
   result(1, 4) = -Scalar(0);
   result(1, 5) = -Scalar(0);
@@ -370,21 +370,21 @@ inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>&
   result(3, 0) = Scalar(0);
   result(3, 1) = Scalar(0);
   result(3, 2) = Scalar(0);
-  result(3, 3) = t3;
-  result(3, 4) = -c4 * t1 - c23 * t5;
-  result(3, 5) = c23 * t8 - s23 * t6;
+  result(3, 3) = t4;
+  result(3, 4) = -c4 * t5 - c23 * t6;
+  result(3, 5) = c23 * t9 - s23 * t7;
   result(4, 0) = Scalar(0);
   result(4, 1) = Scalar(0);
   result(4, 2) = Scalar(0);
-  result(4, 3) = t1;
-  result(4, 4) = c4 * t3 - s23 * t5;
-  result(4, 5) = s23 * t8 + c23 * t6;
+  result(4, 3) = t5;
+  result(4, 4) = c4 * t4 - s23 * t6;
+  result(4, 5) = s23 * t9 + c23 * t7;
   result(5, 0) = Scalar(0);
   result(5, 1) = Scalar(0);
   result(5, 2) = Scalar(0);
   result(5, 3) = Scalar(0);
-  result(5, 4) = t7;
-  result(5, 5) = s5 * t5 - c5 * qd[4] * c4;
+  result(5, 4) = t8;
+  result(5, 5) = s5 * t6 - qd[4] * c4 * c5;
 
   return result;
 }
@@ -525,15 +525,15 @@ Twist<Scalar> velocity(const JointVector<Scalar>& q, const JointVector<Scalar>& 
 template <class Scalar>
 Jacobian<Scalar> jacobian_dot(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const BasicGeometry<Scalar>& g) {
-  return detail::jacobian_dot<Scalar>(q, qd, sines_and_cosines<Scalar>(q[1], q[3], q[4], q[1] + q[2]), g);
+  return detail::jacobian_dot<Scalar>(q, qd, sines_and_cosines<Scalar>(q[2], q[3], q[4], q[1] + q[2]), g);
 }
 
 template <class Scalar>
 Jacobian<Scalar> jacobian_dot(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JacobianAngles<Scalar>& angles, const BasicGeometry<Scalar>& g) {
   return detail::jacobian_dot<Scalar>(q, qd,
-      detail::JacobianSelection<Scalar, 4>{ { angles.sine[0], angles.sine[2], angles.sine[3], angles.sine[5] },
-          { angles.cosine[0], angles.cosine[2], angles.cosine[3], angles.cosine[5] } }, g);
+      detail::JacobianSelection<Scalar, 4>{ { angles.sine[1], angles.sine[2], angles.sine[3], angles.sine[5] },
+          { angles.cosine[1], angles.cosine[2], angles.cosine[3], angles.cosine[5] } }, g);
 }
 
 template <class Scalar>

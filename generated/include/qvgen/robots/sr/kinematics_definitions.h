@@ -59,13 +59,13 @@ inline Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q,
   const Scalar t1 = sh4m6 * sh5;
   const Scalar t2 = ch5 * sh46;
   const Scalar t3 = ch4m6 * sh5;
-  const Scalar t4 = g.d4 * ch23;
-  const Scalar t5 = g.l1 + (g.l2 * c2 + t4 * Scalar(2) * sh23);
-  const Scalar t6 = g.d4 + (g.l2 * s2 - t4 * (ch23 + ch23));
-  return {Eigen::Quaternion<Scalar>(sh23 * t1 - ch23 * t0,
-                                    -sh23 * t2 - ch23 * t3,
-                                    ch23 * t2 - sh23 * t3,
-                                    -ch23 * t1 - sh23 * t0),
+  const Scalar t4 = Scalar(2) * ch23;
+  const Scalar t5 = g.l2 * c2 + (g.l1 + g.d4 * sh23 * t4);
+  const Scalar t6 = g.l2 * s2 + g.d4 * (Scalar(1) - ch23 * t4);
+  return {Eigen::Quaternion<Scalar>(ch23 * t0 - sh23 * t1,
+                                    sh23 * t2 + ch23 * t3,
+                                    sh23 * t3 - ch23 * t2,
+                                    ch23 * t1 + sh23 * t0),
           Eigen::Matrix<Scalar, 3, 1>(t5,
                                       t6,
                                       q[0])};

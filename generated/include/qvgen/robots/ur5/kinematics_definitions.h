@@ -14,9 +14,9 @@ namespace qvgen::robots::ur5 {
 
 template <class Scalar>
 PoseAngles<Scalar> pose_angles(const JointVector<Scalar>& q, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0] - Scalar(0.7853981633974483), Scalar(0.5) * q[4]
-      + Scalar(0.7853981633974483), q[1], Scalar(0.5) * q[5], q[1] + q[2], Scalar(0.5) * (q[1] + q[2] + q[3])
-      - Scalar(0.7853981633974483));
+  const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[4] - Scalar(0.7853981633974483), Scalar(0.5) * q[5]
+      + Scalar(0.7853981633974483), Scalar(0.5) * q[0], q[1], q[1] + q[2], Scalar(0.5) * (q[1] + q[2] + q[3])
+      + Scalar(0.7853981633974483));
   return { { angles.sine[0], angles.sine[1], angles.sine[2], angles.sine[3], angles.sine[4], angles.sine[5] },
            { angles.cosine[0], angles.cosine[1], angles.cosine[2], angles.cosine[3], angles.cosine[4],
                angles.cosine[5] }};
@@ -65,40 +65,40 @@ inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar
   const Scalar& c_0 = angles.cosine[0];
   const Scalar& s_1 = angles.sine[1];
   const Scalar& c_1 = angles.cosine[1];
-  const Scalar& s2 = angles.sine[2];
-  const Scalar& c2 = angles.cosine[2];
-  const Scalar& sh6 = angles.sine[3];
-  const Scalar& ch6 = angles.cosine[3];
+  const Scalar& sh1 = angles.sine[2];
+  const Scalar& ch1 = angles.cosine[2];
+  const Scalar& s2 = angles.sine[3];
+  const Scalar& c2 = angles.cosine[3];
   const Scalar& s23 = angles.sine[4];
   const Scalar& c23 = angles.cosine[4];
   const Scalar& s_5 = angles.sine[5];
   const Scalar& c_5 = angles.cosine[5];
-  const Scalar t0 = s_5 * s_1;
-  const Scalar t1 = c_5 * s_0;
-  const Scalar t2 = c_0 * t0 + c_1 * t1;
-  const Scalar t3 = c_0 * c_5;
-  const Scalar t4 = s_0 * t0 - c_1 * t3;
-  const Scalar t5 = c_1 * s_5;
-  const Scalar t6 = s_1 * t3 + s_0 * t5;
-  const Scalar t7 = c_0 * t5 - s_1 * t1;
-  const Scalar t8 = Scalar(2) * s_0;
-  const Scalar t9 = c_0 * t8;
-  const Scalar t10 = Scalar(1) - s_5 * Scalar(2) * s_5;
-  const Scalar t11 = Scalar(0.09465) * t10 - (Scalar(0.425) * c2 + Scalar(0.39225) * c23);
-  const Scalar t12 = c_5 * s_5;
-  const Scalar t13 = Scalar(2) * s_1;
-  const Scalar t14 = Scalar(1) - s_1 * t13;
-  const Scalar t15 = t11 - Scalar(0.1646) * t12 * t14;
-  const Scalar t16 = Scalar(0.10915) + Scalar(0.0823) * c_1 * t13;
-  const Scalar t17 = Scalar(1) - s_0 * t8;
-  const Scalar t18 = (Scalar(0.089159) + (Scalar(0.1893) * t12 - Scalar(0.39225) * s23)) + Scalar(0.0823) * t10 * t14;
-  return {Eigen::Quaternion<Scalar>(ch6 * t2 - sh6 * t4,
-                                    sh6 * t7 - ch6 * t6,
-                                    sh6 * t6 + ch6 * t7,
-                                    ch6 * t4 + sh6 * t2),
-          Eigen::Matrix<Scalar, 3, 1>(t16 * t17 - t9 * t15,
-                                      t17 * t15 + t16 * t9,
-                                      t18 - Scalar(0.425) * s2)};
+  const Scalar t0 = c_5 * c_0;
+  const Scalar t1 = s_5 * sh1;
+  const Scalar t2 = ch1 * t0 + s_0 * t1;
+  const Scalar t3 = ch1 * s_5;
+  const Scalar t4 = sh1 * t0 - s_0 * t3;
+  const Scalar t5 = c_5 * s_0;
+  const Scalar t6 = sh1 * t5 + c_0 * t3;
+  const Scalar t7 = c_0 * t1 - ch1 * t5;
+  const Scalar t8 = Scalar(2) * c_0;
+  const Scalar t9 = Scalar(0.10915) - Scalar(0.0823) * s_0 * t8;
+  const Scalar t10 = sh1 + sh1;
+  const Scalar t11 = ch1 * t10;
+  const Scalar t12 = Scalar(1) - sh1 * t10;
+  const Scalar t13 = c_5 * s_5;
+  const Scalar t14 = Scalar(1) - c_0 * t8;
+  const Scalar t15 = Scalar(1) - c_5 * (c_5 + c_5);
+  const Scalar t16 = Scalar(0.1646) * t13 * t14 + (Scalar(0.09465) * t15 - Scalar(0.425) * c2);
+  const Scalar t17 = Scalar(0.39225) * c23 - t16;
+  const Scalar t18 = Scalar(0.089159) + (Scalar(0.0823) * t15 * t14 - Scalar(0.39225) * s23);
+  return {Eigen::Quaternion<Scalar>(s_1 * t2 + c_1 * t4,
+                                    c_1 * t6 + s_1 * t7,
+                                    c_1 * t7 - s_1 * t6,
+                                    s_1 * t4 - c_1 * t2),
+          Eigen::Matrix<Scalar, 3, 1>(t9 * t11 - t12 * t17,
+                                      -t12 * t9 - t17 * t11,
+                                      (t18 - Scalar(0.1893) * t13) - Scalar(0.425) * s2)};
 }
 
 template <class Scalar, class Angles>
@@ -153,9 +153,9 @@ inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
 template <class Scalar>
 Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g) {
   return detail::forward_kinematics<Scalar>(q,
-      sines_and_cosines<Scalar>(Scalar(0.5) * q[0] - Scalar(0.7853981633974483), Scalar(0.5) * q[4]
-      + Scalar(0.7853981633974483), q[1], Scalar(0.5) * q[5], q[1] + q[2], Scalar(0.5) * (q[1] + q[2] + q[3])
-      - Scalar(0.7853981633974483)), g);
+      sines_and_cosines<Scalar>(Scalar(0.5) * q[4] - Scalar(0.7853981633974483), Scalar(0.5) * q[5]
+      + Scalar(0.7853981633974483), Scalar(0.5) * q[0], q[1], q[1] + q[2], Scalar(0.5) * (q[1] + q[2] + q[3])
+      + Scalar(0.7853981633974483)), g);
 }
 
 template <class Scalar>

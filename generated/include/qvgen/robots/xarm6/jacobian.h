@@ -52,7 +52,7 @@ JacobianAngles<Scalar> jacobian_angles(const JointVector<Scalar>& q, const Basic
 /// Jacobian of the tool point in the base frame: the twist of the tool is `jacobian(q) * qd` (m/s, rad/s); linear rows
 /// first (Jacobian lecture, section 5.4: iteration, cross products and differentiation all give it).
 ///
-/// 49 multiplications, 20 additions, 5 sine/cosine pairs. Certified at 3 points; largest rounding error found 6.85 ulp.
+/// 49 multiplications, 20 additions, 5 sine/cosine pairs. Certified at 3 points; largest rounding error found 5.99 ulp.
 template <class Scalar>
 Jacobian<Scalar> jacobian(const JointVector<Scalar>& q,
     const BasicGeometry<Scalar>& g = {});
@@ -64,7 +64,7 @@ Jacobian<Scalar> jacobian(const JointVector<Scalar>& q,
 /// Pose of the tool in the world frame as a homogeneous transformation, and `jacobian`, with all that they share
 /// computed once.
 ///
-/// 64 multiplications, 29 additions, 6 sine/cosine pairs. Certified at 3 points; largest rounding error found 6.85 ulp.
+/// 64 multiplications, 29 additions, 6 sine/cosine pairs. Certified at 3 points; largest rounding error found 5.99 ulp.
 template <class Scalar>
 TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointVector<Scalar>& q,
     const BasicGeometry<Scalar>& g = {});
@@ -75,8 +75,7 @@ TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointVector<S
 
 /// The Jacobian of the tool point in the tool frame: both halves of each column turned into it.
 ///
-/// 66 multiplications, 27 additions, 5 sine/cosine pairs. Certified at 3 points; largest rounding error found 10.32
-/// ulp.
+/// 66 multiplications, 27 additions, 5 sine/cosine pairs. Certified at 3 points; largest rounding error found 6.5 ulp.
 template <class Scalar>
 Jacobian<Scalar> tool_jacobian(const JointVector<Scalar>& q,
     const BasicGeometry<Scalar>& g = {});
@@ -87,7 +86,7 @@ Jacobian<Scalar> tool_jacobian(const JointVector<Scalar>& q,
 
 /// The Jacobian in the base frame at a point that moves with the tool, given in the tool frame (m).
 ///
-/// 71 multiplications, 34 additions, 6 sine/cosine pairs. Certified at 3 points; largest rounding error found 5.91 ulp.
+/// 71 multiplications, 34 additions, 6 sine/cosine pairs. Certified at 3 points; largest rounding error found 2.87 ulp.
 template <class Scalar>
 Jacobian<Scalar> jacobian_at(const JointVector<Scalar>& q, const Vector3<Scalar>& point,
     const BasicGeometry<Scalar>& g = {});
@@ -98,7 +97,7 @@ Jacobian<Scalar> jacobian_at(const JointVector<Scalar>& q, const Vector3<Scalar>
 
 /// Twist of the tool in the base frame at the joint rates qd (rad/s, m/s): `jacobian(q) * qd`, linear part first.
 ///
-/// 45 multiplications, 29 additions, 5 sine/cosine pairs. Certified at 3 points; largest rounding error found 2.8 ulp.
+/// 49 multiplications, 31 additions, 5 sine/cosine pairs. Certified at 3 points; largest rounding error found 2.74 ulp.
 template <class Scalar>
 Twist<Scalar> velocity(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const BasicGeometry<Scalar>& g = {});
@@ -109,7 +108,7 @@ Twist<Scalar> velocity(const JointVector<Scalar>& q, const JointVector<Scalar>& 
 
 /// Derivative of `jacobian` by time at the joint rates qd.
 ///
-/// 110 multiplications, 62 additions, 5 sine/cosine pairs. Certified at 3 points; largest rounding error found 3.94
+/// 108 multiplications, 59 additions, 5 sine/cosine pairs. Certified at 3 points; largest rounding error found 2.67
 /// ulp.
 template <class Scalar>
 Jacobian<Scalar> jacobian_dot(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
@@ -123,7 +122,7 @@ Jacobian<Scalar> jacobian_dot(const JointVector<Scalar>& q, const JointVector<Sc
 /// accelerations
 /// it is `jacobian(q) * qdd` plus this.
 ///
-/// 86 multiplications, 57 additions, 5 sine/cosine pairs. Certified at 3 points; largest rounding error found 3.15 ulp.
+/// 86 multiplications, 57 additions, 5 sine/cosine pairs. Certified at 3 points; largest rounding error found 2.94 ulp.
 template <class Scalar>
 Twist<Scalar> jacobian_dot_times_qd(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const BasicGeometry<Scalar>& g = {});

@@ -11,8 +11,8 @@
 
 namespace qvgen::robots::xarm6 {
 
-/// Sines and cosines that forward_kinematics needs, of the angles (2*theta1 + pi)/4, (2*theta4 + pi)/4, theta2,
-/// theta5/2, theta6/2, (theta2 + theta3)/2.
+/// Sines and cosines that forward_kinematics needs, of the angles (2*theta4 - pi)/4, (2*theta6 + pi)/4, theta1/2,
+/// theta2, theta5/2, (theta2 + theta3)/2.
 template <class Scalar>
 struct PoseAngles {
   std::array<Scalar, 6> sine;
@@ -37,7 +37,7 @@ TransformAngles<Scalar> transform_angles(const JointVector<Scalar>& q, const Bas
 /// 1.12).
 ///
 /// 50 multiplications, 29 additions, 6 sine/cosine pairs. Equal to the plain product of the joints' pairs at 4 random
-/// exact points, tolerance zero; largest rounding error found 9.14 ulp.
+/// exact points, tolerance zero; largest rounding error found 6.03 ulp.
 ///
 /// NaN or infinite joint variables give NaN. No heap, no exceptions.
 template <class Scalar>
@@ -50,7 +50,7 @@ Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const PoseAngles<S
 /// Pose of the tool in the world frame as a homogeneous transformation: rotation matrix and position (m).
 ///
 /// 46 multiplications, 24 additions, 6 sine/cosine pairs. Equal to the plain product of the joints' pairs at 4 random
-/// exact points, tolerance zero; largest rounding error found 4.63 ulp.
+/// exact points, tolerance zero; largest rounding error found 3.92 ulp.
 ///
 /// NaN or infinite joint variables give NaN. No heap, no exceptions.
 template <class Scalar>

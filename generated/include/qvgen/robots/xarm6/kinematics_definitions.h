@@ -14,8 +14,8 @@ namespace qvgen::robots::xarm6 {
 
 template <class Scalar>
 PoseAngles<Scalar> pose_angles(const JointVector<Scalar>& q, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[0] + Scalar(0.7853981633974483), Scalar(0.5) * q[3]
-      + Scalar(0.7853981633974483), q[1], Scalar(0.5) * q[4], Scalar(0.5) * q[5], Scalar(0.5) * (q[1] + q[2]));
+  const auto angles = sines_and_cosines<Scalar>(Scalar(0.5) * q[3] - Scalar(0.7853981633974483), Scalar(0.5) * q[5]
+      + Scalar(0.7853981633974483), Scalar(0.5) * q[0], q[1], Scalar(0.5) * q[4], Scalar(0.5) * (q[1] + q[2]));
   return { { angles.sine[0], angles.sine[1], angles.sine[2], angles.sine[3], angles.sine[4], angles.sine[5] },
            { angles.cosine[0], angles.cosine[1], angles.cosine[2], angles.cosine[3], angles.cosine[4],
                angles.cosine[5] }};
@@ -72,48 +72,51 @@ inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar
   const Scalar& c_0 = angles.cosine[0];
   const Scalar& s_1 = angles.sine[1];
   const Scalar& c_1 = angles.cosine[1];
-  const Scalar& s2 = angles.sine[2];
-  const Scalar& c2 = angles.cosine[2];
-  const Scalar& sh5 = angles.sine[3];
-  const Scalar& ch5 = angles.cosine[3];
-  const Scalar& sh6 = angles.sine[4];
-  const Scalar& ch6 = angles.cosine[4];
+  const Scalar& sh1 = angles.sine[2];
+  const Scalar& ch1 = angles.cosine[2];
+  const Scalar& s2 = angles.sine[3];
+  const Scalar& c2 = angles.cosine[3];
+  const Scalar& sh5 = angles.sine[4];
+  const Scalar& ch5 = angles.cosine[4];
   const Scalar& sh23 = angles.sine[5];
   const Scalar& ch23 = angles.cosine[5];
-  const Scalar t0 = c_0 * c_1;
-  const Scalar t1 = s_0 * s_1;
-  const Scalar t2 = ch23 * (t0 + t1);
-  const Scalar t3 = c_0 * s_1;
-  const Scalar t4 = c_1 * s_0;
-  const Scalar t5 = sh23 * (t3 + t4);
-  const Scalar t6 = sh5 * t2 + ch5 * t5;
-  const Scalar t7 = ch23 * (t3 - t4);
-  const Scalar t8 = sh23 * (t0 - t1);
-  const Scalar t9 = sh5 * t7 + ch5 * t8;
-  const Scalar t10 = ch5 * t7 - sh5 * t8;
-  const Scalar t11 = ch5 * t2 - sh5 * t5;
-  const Scalar t12 = s_0 + s_0;
-  const Scalar t13 = Scalar(1) - s_0 * t12;
-  const Scalar t14 = s_1 + s_1;
-  const Scalar t15 = ch5 * sh5;
-  const Scalar t16 = Scalar(1) - ch5 * Scalar(2) * ch5;
-  const Scalar t17 = Scalar(0.194) * t15 + Scalar(0.076) * t16;
-  const Scalar t18 = (Scalar(1) - s_1 * t14) * t17;
-  const Scalar t19 = c_0 * t12;
-  const Scalar t20 = Scalar(2) * sh23;
-  const Scalar t21 = Scalar(1) - sh23 * t20;
-  const Scalar t22 = Scalar(0.0775) - t14 * c_1 * t17;
-  const Scalar t23 = ch23 * t20;
-  const Scalar t24 = Scalar(0.3425) + (Scalar(0.152) * t15 - Scalar(0.097) * t16);
-  const Scalar t25 = (Scalar(0.28949) * c2 + t21 * t22) - t23 * t24;
-  const Scalar t26 = Scalar(0.28949) * s2 - (Scalar(0.267) - (t23 * t22 + t24 * t21));
-  return {Eigen::Quaternion<Scalar>(ch6 * t9 - sh6 * t6,
-                                    sh6 * t10 - ch6 * t11,
-                                    ch6 * t10 + sh6 * t11,
-                                    ch6 * t6 + sh6 * t9),
-          Eigen::Matrix<Scalar, 3, 1>(t19 * t25 - t13 * t18,
-                                      -t13 * t25 - t19 * t18,
-                                      -t26)};
+  const Scalar t0 = ch5 * sh23;
+  const Scalar t1 = ch1 * s_0;
+  const Scalar t2 = c_0 * sh1;
+  const Scalar t3 = t1 + t2;
+  const Scalar t4 = c_0 * ch1;
+  const Scalar t5 = s_0 * sh1;
+  const Scalar t6 = ch23 * (t4 + t5);
+  const Scalar t7 = t0 * t3 - sh5 * t6;
+  const Scalar t8 = t4 - t5;
+  const Scalar t9 = ch23 * (t1 - t2);
+  const Scalar t10 = t0 * t8 - sh5 * t9;
+  const Scalar t11 = sh23 * sh5;
+  const Scalar t12 = t8 * t11 + ch5 * t9;
+  const Scalar t13 = ch5 * t6 + t3 * t11;
+  const Scalar t14 = sh5 * sh5;
+  const Scalar t15 = Scalar(1) - (t14 + t14);
+  const Scalar t16 = ch5 * sh5;
+  const Scalar t17 = Scalar(0.3425) + (Scalar(0.097) * t15 + Scalar(0.152) * t16);
+  const Scalar t18 = Scalar(2) * ch23;
+  const Scalar t19 = sh23 * t18;
+  const Scalar t20 = Scalar(1) - ch23 * t18;
+  const Scalar t21 = Scalar(0.076) * t15 - Scalar(0.194) * t16;
+  const Scalar t22 = c_0 + c_0;
+  const Scalar t23 = Scalar(0.0775) - t21 * s_0 * t22;
+  const Scalar t24 = Scalar(0.28949) * c2 - (t17 * t19 + t20 * t23);
+  const Scalar t25 = Scalar(2) * sh1;
+  const Scalar t26 = Scalar(1) - sh1 * t25;
+  const Scalar t27 = ch1 * t25;
+  const Scalar t28 = t21 * (Scalar(1) - c_0 * t22);
+  const Scalar t29 = Scalar(0.28949) * s2 + (t23 * t19 - t20 * t17);
+  return {Eigen::Quaternion<Scalar>(c_1 * t7 + s_1 * t10,
+                                    c_1 * t13 - s_1 * t12,
+                                    -c_1 * t12 - s_1 * t13,
+                                    s_1 * t7 - c_1 * t10),
+          Eigen::Matrix<Scalar, 3, 1>(t24 * t26 - t27 * t28,
+                                      t26 * t28 + t24 * t27,
+                                      Scalar(0.267) - t29)};
 }
 
 template <class Scalar, class Angles>
@@ -174,8 +177,8 @@ inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
 template <class Scalar>
 Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g) {
   return detail::forward_kinematics<Scalar>(q,
-      sines_and_cosines<Scalar>(Scalar(0.5) * q[0] + Scalar(0.7853981633974483), Scalar(0.5) * q[3]
-      + Scalar(0.7853981633974483), q[1], Scalar(0.5) * q[4], Scalar(0.5) * q[5], Scalar(0.5) * (q[1] + q[2])), g);
+      sines_and_cosines<Scalar>(Scalar(0.5) * q[3] - Scalar(0.7853981633974483), Scalar(0.5) * q[5]
+      + Scalar(0.7853981633974483), Scalar(0.5) * q[0], q[1], Scalar(0.5) * q[4], Scalar(0.5) * (q[1] + q[2])), g);
 }
 
 template <class Scalar>
