@@ -71,7 +71,9 @@ double find_candidates(const PoseSystem& system, Pair pair, double tolerance, Ca
     const Trigonometric part = magnified<width>(system, pair, magnifier);
     Candidates widened;
     RootFinder<width>(part, tolerance, 1.0471975511965976, level[i] < 4, widened);
-    found.overflow = found.overflow || widened.overflow;
+    // So far down there may be many roots in one that rounding has moved off the circle.
+    constexpr int deep = 3;
+    found.overflow = found.overflow || widened.overflow || level[i] >= deep;
     for (int k = 0; k < widened.count; ++k) {
       const Direction angle = magnifier.circle(widened.list[k].angle);
       const double cosine = angle.cosine * faint.middle.cosine + angle.sine * faint.middle.sine;

@@ -77,10 +77,9 @@ Pose<double> Careful::nearby(int k) const {
 }
 
 void Careful::settle(const JointPairs& start) {
-  if (starts_ == most_starts || size_ == most_solutions) {
-    effort_.used_up = true;
-    return;
-  }
+  full_ = full_ || size_ == most_solutions;
+  effort_.used_up = effort_.used_up || starts_ == most_starts;
+  if (starts_ == most_starts || size_ == most_solutions) return;
   const int label = starts_++;
   Values values = values_of(start);
   Branch<double> branch;
@@ -106,8 +105,8 @@ void Careful::settle(const Gathered& gathered) {
 /// Whether a curve of solutions leads from one row to another: it is followed in steps, each brought back to
 /// the pose.
 bool Careful::leads_to(Values values, const Values& goal) {
-  constexpr double longest = 0.4;
-  constexpr int most_steps = 24;
+  constexpr double longest = 0.8;
+  constexpr int most_steps = 12;
   const double way = std::sqrt(distance_square(values, goal));
   const double share = std::max(tolerance_, default_tolerance);
   for (int left = std::min(most_steps, 1 + static_cast<int>(way / longest)); left > 0; --left) {
@@ -123,9 +122,16 @@ bool Careful::leads_to(Values values, const Values& goal) {
   return distance_square(values, goal) < 1e-4;
 }
 
+/// The nearest first: the way there is the shortest.
 bool Careful::is_on_known_continuum(const Values& values) {
-  return std::any_of(rows_, rows_ + size_,
-                     [&](const Row& row) { return row.continuum && leads_to(values, row.values); });
+  const Row* order[most_solutions];
+  int count = 0;
+  for (int i = 0; i < size_; ++i)
+    if (rows_[i].continuum) order[count++] = &rows_[i];
+  std::sort(order, order + count, [&](const Row* a, const Row* b) {
+    return distance_square(a->values, values) < distance_square(b->values, values);
+  });
+  return std::any_of(order, order + count, [&](const Row* row) { return leads_to(values, row->values); });
 }
 
 /// Whether two solutions meet in a row, or it is on a continuum.
@@ -180,12 +186,13 @@ void Careful::run(const Gathered& first) {
     agree(first);
   const Effort& spent = tracker_.budget().spent;
   effort_.steps = spent.steps + walks_.spent.steps;
-  effort_.used_up = effort_.used_up || spent.used_up;
+  // Regular rows of that number are all that there can be.
+  effort_.used_up = effort_.used_up || spent.used_up || (full_ && any_is_singular());
 }
 
 void Careful::agree(const Gathered& first) {
   bool all_loud = first.loud;
-  bool agreed = false;
+  bool agreed = false, certain = false;
   while (const Elimination* elimination = next_elimination()) {
     Gathered more;
     eliminate(*elimination, pose_, more);
@@ -195,20 +202,25 @@ void Careful::agree(const Gathered& first) {
     all_loud = all_loud && more.loud;
     ++effort_.passes;
     agreed = size_ == before;
-    if (agreed && !more.doubtful && is_even()) break;
+    certain = agreed && !more.doubtful && is_even();
+    if (certain) break;
   }
   // Two eliminations may lose the same solutions.
   const bool few = setup_.count + setup_.further.count < 3;
-  for (int k = 0; k < 6 && (size_ == 0 || !is_even() || (few && k < 3)); ++k) {
+  // Where many solutions share an angle, as they do between right angles, nearby they do not.
+  bool more_nearby = !certain;
+  for (int k = 0; k < 6 && (size_ == 0 || !is_even() || more_nearby || (few && k < 3)); ++k) {
     Gathered near;
     eliminate(setup_.eliminations[0], nearby(k), near);
     const int before = size_;
     settle(near);
     merge();
     ++effort_.passes;
-    if (few) agreed = size_ == before;
+    more_nearby = size_ != before;
+    agreed = few ? !more_nearby : agreed || !more_nearby;
   }
-  // Trusted is what the last elimination has added nothing to, but where solutions meet only one of three.
+  // Trusted is what the last elimination, or a pose nearby, has added nothing to, but where solutions meet
+  // only one of three.
   unsure_ = !agreed || all_loud || !is_even() || (few && any_is_singular());
 }
 

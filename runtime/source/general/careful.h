@@ -77,14 +77,15 @@ class Careful {
   bool seeded_;
   Pass pass_;
   Tracker tracker_;
-  Budget walks_{0, 600};  ///< steps along continua
-  int eliminations_ = 1;  ///< that have been asked for
-  int further_ = 0;       ///< of the choices that were to be set up
+  Budget walks_{0, 1000};  ///< steps along continua
+  int eliminations_ = 1;   ///< that have been asked for
+  int further_ = 0;        ///< of the choices that were to be set up
   Elimination set_up_here_;
   int starts_ = 0;
   int size_ = 0;
   Row rows_[most_solutions];
   Effort effort_;
+  bool full_ = false;    ///< there was a start, but no room
   bool strays_ = false;  ///< some start nearly reached the pose, but no steps led on
   bool unsure_ = false;
 };

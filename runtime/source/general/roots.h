@@ -92,7 +92,7 @@ class RootFinder {
     double at_low, at_high;
   };
 
-  static Direction middle_of(int arc) { return {eighths.cosine[2 * arc + 1], eighths.sine[2 * arc + 1]}; }
+  static Direction middle_of(int arc) { return {arc_table.cosine[1][arc], arc_table.sine[1][arc]}; }
 
   static Direction angle_of(int arc, double place) {
     const double t = tangent_of_arc * place, scale = 1 / (1 + t * t);
@@ -103,12 +103,7 @@ class RootFinder {
     T even[degree + 1], odd[degree + 1];
     even[0] = spread<T>(f_.cosine[0]);
     for (int k = 1; k <= degree; ++k) {
-      T c, s;
-      for (int i = 0; i < width; ++i) {
-        const int angle = (2 * (first + i) + 1) * k % 16;
-        c[i] = eighths.cosine[angle];
-        s[i] = eighths.sine[angle];
-      }
+      const T c = load<width>(arc_table.cosine[k] + first), s = load<width>(arc_table.sine[k] + first);
       even[k] = f_.cosine[k] * c + f_.sine[k] * s;
       odd[k] = f_.sine[k] * c - f_.cosine[k] * s;
     }
@@ -129,10 +124,8 @@ class RootFinder {
     for (int i = 0; i < width; ++i) {
       const int arc = first + i;
       parts[i] = {-1, 1, arc, std::fmax(tolerance_, relative_tolerance * largest[i])};
-      constexpr double half_arc = 0.39269908169872414;
-      // Arcs lie at odd multiples of pi/8, the last ones below zero.
-      const double from_zero = half_arc * (arc < arcs / 2 ? 2 * arc + 1 : 2 * (arcs - arc) - 1);
-      bool skip = from_zero - half_arc > farthest;
+      constexpr double half_arc = 0.39269908169872414, half_turn = 3.1415926535897931;
+      bool skip = farthest < half_turn && middle_of(arc).cosine < std::cos(farthest + half_arc);
       if (!skip && may_be_faint_ && largest[i] < faint_below_)
         skip = found_.add_faint(middle_of(arc), half_arc);
       if (skip)
@@ -235,6 +228,13 @@ class RootFinder {
     double by = 0;
     const auto at = [&](double turn) { return sum_of(middle, {std::cos(turn), std::sin(turn)}); };
     Value v = value_at(f_, middle);
+    const double rise = std::fabs(v.slope) * width_of_part;
+    if (std::fabs(v.bend) * width_of_part * width_of_part < rise && rise > 10 * part.tolerance) {
+      // Monotonic: a simple root next to an end of the part, or none.
+      const double root = -v.value / v.slope;
+      if (std::fabs(root) < 0.6 * width_of_part) found_.add_once(at(root), 0);
+      return;
+    }
     for (int step = 0; step < 3; ++step) {
       const double next = by - v.slope / v.bend;
       if (!(std::fabs(next) < 2 * width_of_part)) break;
@@ -285,7 +285,7 @@ class RootFinder {
       y = next <= high ? y : middle;
       x = y;
     }
-    for (int i = 0; i < count; ++i) found_.add({cosine[i], sine[i]}, 0);
+    for (int i = 0; i < count; ++i) found_.add_once({cosine[i], sine[i]}, 0);
   }
 
   /// Clenshaw's recurrence for value and slope: the real part of sum (a - i b) z^k by Horner's rule.

@@ -33,9 +33,32 @@ constexpr Multiples multiples(long double cosine, long double sine, int count) {
   return m;
 }
 
-// The samples' angles are odd multiples of pi/20, the arcs' middles of pi/8.
+// The samples' angles are odd multiples of pi/20.
 inline constexpr Multiples twentieths = multiples(0.98768834059513772619L, 0.15643446504023086901L, 40);
-inline constexpr Multiples eighths = multiples(0.92387953251128675613L, 0.38268343236508977173L, 16);
+
+/// The arcs' middles, and their multiples up to the degree: by multiple, then by arc. They lie 0.2 rad (its
+/// cosine 99/101) beyond odd multiples of pi/8, so that no arc ends at the angles that right angles make
+/// roots.
+struct ArcTable {
+  double cosine[degree + 1][arcs];
+  double sine[degree + 1][arcs];
+};
+
+constexpr ArcTable make_arc_table() {
+  constexpr Multiples eighths = multiples(0.92387953251128675613L, 0.38268343236508977173L, 16);
+  constexpr long double beyond[2] = {99 / 101.0L, 20 / 101.0L};
+  ArcTable t{};
+  for (int arc = 0; arc < arcs; ++arc) {
+    const long double c = eighths.cosine[2 * arc + 1], s = eighths.sine[2 * arc + 1];
+    const Multiples own = multiples(c * beyond[0] - s * beyond[1], s * beyond[0] + c * beyond[1], degree + 1);
+    for (int k = 0; k <= degree; ++k) {
+      t.cosine[k][arc] = own.cosine[k];
+      t.sine[k][arc] = own.sine[k];
+    }
+  }
+  return t;
+}
+inline constexpr ArcTable arc_table = make_arc_table();
 
 struct SampleTable {
   alignas(64) double cosine[samples];
