@@ -15,7 +15,7 @@
 namespace qvgen::canonical {
 namespace {
 
-/// 4^8 zero poses are looked at within milliseconds.
+/// 4^8 zero poses are looked at in a fraction of a second.
 constexpr std::size_t most_turns = 8;
 
 using IntVector = std::array<int, 3>;

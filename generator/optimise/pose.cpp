@@ -13,6 +13,10 @@
 namespace qvgen::optimise {
 namespace {
 
+/// Of so many zero poses the forms are counted, those with a free rotation at the end first: arms of eight
+/// joints have hundreds.
+constexpr std::size_t counted = 64;
+
 /// More cost time and gain next to nothing.
 constexpr std::size_t searched = 3;
 
@@ -30,6 +34,7 @@ std::vector<canonical::Arm> arms_for_pose(const model::Robot& described, const p
   std::vector<canonical::Arm> models = canonical::right_angled_models(described);
   if (models.empty()) return {canonical::for_kinematics(described)};
   if (models.size() <= searched) return models;
+  models.resize(std::min(models.size(), counted));
   std::vector<std::pair<double, std::size_t>> order;
   for (std::size_t i = 0; i < models.size(); ++i) order.emplace_back(promise(models[i], cost), i);
   std::sort(order.begin(), order.end());

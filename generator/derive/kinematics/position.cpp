@@ -142,19 +142,18 @@ Vector by_orientation(const ZeroReferenceChain& chain, Program& program, const Q
 
 std::vector<PositionForm> position_forms(const ZeroReferenceChain& chain) {
   std::vector<PositionForm> forms;
-  forms.push_back({"position in full angles", false, [=](Program& program, const Quaternion&) {
+  forms.push_back({"position in full angles", [=](Program& program, const Quaternion&) {
                      return nested(chain, turned, [&](const Vector& v) { return program.let(v); });
                    }});
-  forms.push_back({"position in doubled half angles where there are", true,
+  forms.push_back({"position in doubled half angles where there are",
                    [=](Program& program, const Quaternion& orientation) {
                      return nested(chain, HalfAngleTurn(program, orientation),
                                    [&](const Vector& v) { return program.let(v); });
                    }});
   if (!is_zero(chain.tool_offset))
-    forms.push_back(
-        {"tool offset by the quaternion", true, [=](Program& program, const Quaternion& orientation) {
-           return by_orientation(chain, program, orientation);
-         }});
+    forms.push_back({"tool offset by the quaternion", [=](Program& program, const Quaternion& orientation) {
+                       return by_orientation(chain, program, orientation);
+                     }});
   return forms;
 }
 

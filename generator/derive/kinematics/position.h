@@ -12,7 +12,6 @@ namespace qvgen::derive {
 
 struct PositionForm {
   std::string name;
-  bool in_half_angles = false;
   /// Takes the tool's orientation, which some forms use.
   std::function<symbolic::Vector(symbolic::Program&, const symbolic::Quaternion&)> build;
 };
