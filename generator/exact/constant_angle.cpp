@@ -15,6 +15,7 @@ namespace qvgen::exact {
 namespace {
 
 const std::string opening = "atan2(";
+constexpr unsigned long digits = 70;
 
 cln::cl_I integer(const std::string& text, std::size_t& at) {
   const std::size_t begin = at;
@@ -48,7 +49,7 @@ Number parse(const std::string& text) {
 }
 
 cln::cl_R decimal(const Number& number) {
-  const cln::float_format_t format = cln::float_format(50);
+  const cln::float_format_t format = cln::float_format(digits);
   cln::cl_R sum = 0;
   for (const auto& [radicand, coefficient] : number.terms())
     sum = sum + coefficient * cln::sqrt(cln::cl_float(cln::cl_I(radicand), format));
@@ -96,11 +97,11 @@ std::optional<CosineSine> constant_angle(const std::string& name) {
 
 cln::cl_RA radians(const CosineSine& value) {
   return cln::rational(
-      cln::cl_float(cln::atan(decimal(value.cosine), decimal(value.sine)), cln::float_format(40)));
+      cln::cl_float(cln::atan(decimal(value.cosine), decimal(value.sine)), cln::float_format(digits)));
 }
 
 std::optional<cln::cl_RA> radians(const Angle& angle) {
-  cln::cl_RA sum = angle.pi * cln::rational(cln::pi(cln::float_format(70)));
+  cln::cl_RA sum = angle.pi * cln::rational(cln::pi(cln::float_format(digits)));
   for (const auto& [name, coefficient] : angle.terms) {
     if (const auto named = named_value(name)) {
       sum = sum + coefficient * *named;

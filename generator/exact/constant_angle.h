@@ -31,7 +31,7 @@ std::optional<CosineSine> constant_angle(const std::string& name);
 /// Of an angle without a variable, if they are exact.
 std::optional<CosineSine> value_of(const Angle& angle);
 
-/// The angle in radians as a rational number, to 40 digits.
+/// The angle in radians as a rational number, to 70 digits.
 cln::cl_RA radians(const CosineSine& value);
 /// The same of an angle without a variable; nothing if it has one.
 std::optional<cln::cl_RA> radians(const Angle& angle);

@@ -132,8 +132,7 @@ void check_kinematics(const Case& arm, std::mt19937& random) {
 /// Whether inverse kinematics was derived; it is certified in sixty digits.
 bool check_inverse(const Case& arm) {
   const auto derivation = derive::inverse::derive(arm.robot);
-  const derive::inverse::Problem& problem = derivation.problem;
-  if (derivation.found) verify::certify_inverse(problem.robot, lower(derivation.plan), 1, problem.task);
+  if (derivation.found) verify::certify_inverse(derivation.problem, lower(derivation.plan), 1);
   return derivation.found;
 }
 

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 // What is derived of inverse kinematics is refused where it is wrong by little.
+#include <functional>
+
+#include <cln/rational.h>
 #include <gtest/gtest.h>
 
 #include "derive/inverse/inverse.h"
 #include "description/reader.h"
+#include "model/arithmetic.h"
 #include "verify/certificate.h"
 #include "verify/inverse/certify.h"
 
@@ -11,6 +15,7 @@ namespace {
 
 using namespace qvgen;
 using derive::inverse::Plan;
+using derive::inverse::Problem;
 using symbolic::Program;
 
 model::Robot robot(const std::string& name) {
@@ -27,8 +32,8 @@ Program falsified(const Program& program, const std::string& name) {
   return result;
 }
 
-void certify(const derive::inverse::Problem& problem, const Plan& plan) {
-  verify::certify_inverse(problem.robot, derive::inverse::lower(plan), 2, problem.task);
+void certify(const Problem& problem, const Plan& plan) {
+  verify::certify_inverse(problem, derive::inverse::lower(plan), 2);
 }
 
 class InverseCertificate : public testing::TestWithParam<std::string> {};
@@ -60,6 +65,55 @@ TEST_P(InverseCertificate, RefusesAWrongRangeTest) {
 // all.
 INSTANTIATE_TEST_SUITE_P(Robots, InverseCertificate,
                          testing::Values("irb6640", "puma560", "nr", "rx90", "poe_6r", "rr_planar"),
+                         [](const auto& each) { return each.param; });
+
+/// With base, tool and the zero of the second joint turned by angles that are no right ones.
+model::Robot turned(const std::string& name) {
+  const model::Expression angle(cln::cl_RA(3) / 10);
+  model::Robot result = robot(name);
+  result.base.turns.insert(result.base.turns.begin(), {model::unit_vector(0), angle});
+  result.tool.turns.push_back({model::unit_vector(1), angle});
+  result.joints[1].before.turns.push_back({result.joints[1].axis, angle});
+  return result;
+}
+
+class CertificateOfFrames : public testing::TestWithParam<std::string> {
+ protected:
+  /// The plan stays right: what is spoiled is the way from a described pose to it and back.
+  void expect_refused(const std::string& what, const std::function<void(Problem&)>& spoil) const {
+    Problem wrong = derivation_.problem;
+    spoil(wrong);
+    EXPECT_THROW(certify(wrong, derivation_.plan), verify::CertificateError) << what;
+  }
+
+  derive::inverse::Derivation derivation_ = derive::inverse::derive(turned(GetParam()));
+};
+
+TEST_P(CertificateOfFrames, RefusesWrongOnes) {
+  ASSERT_TRUE(derivation_.found);
+  EXPECT_NO_THROW(certify(derivation_.problem, derivation_.plan));
+  ASSERT_TRUE(derivation_.problem.has_frames);
+  expect_refused("base turned otherwise", [](Problem& wrong) { wrong.base.turns.pop_back(); });
+  const model::Task task = derivation_.problem.task;
+  if (task == model::Task::pose)
+    expect_refused("tool turned otherwise", [](Problem& wrong) { wrong.tool.turns.clear(); });
+  if (task != model::Task::direction)
+    expect_refused("base moved by a billionth", [](Problem& wrong) {
+      model::Expression& x = wrong.base.translation[0];
+      x = model::add(x, model::Expression(cln::cl_RA(1) / 1000000000));
+    });
+}
+
+TEST_P(CertificateOfFrames, RefusesWrongZeros) {
+  ASSERT_TRUE(derivation_.problem.has_phases());
+  expect_refused("a zero off by a billionth", [](Problem& wrong) {
+    wrong.phases[1].pi = wrong.phases[1].pi + cln::cl_RA(1) / 1000000000;
+  });
+}
+
+// Asked for a pose, a position and a turn, a direction, a position.
+INSTANTIATE_TEST_SUITE_P(Robots, CertificateOfFrames,
+                         testing::Values("irb6640", "ur5", "stanford", "nr", "scara", "pan_tilt", "rrp"),
                          [](const auto& each) { return each.param; });
 
 /// A share that depends on an unknown other than one direction is left to the branches.

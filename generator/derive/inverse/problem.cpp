@@ -82,6 +82,7 @@ Problem with_slide(const Problem& problem, const model::Vector3& axis) {
 
 Problem of_canonical_arm(const Problem& problem, const canonical::Arm& arm) {
   Problem result = problem;
+  result.described = problem.robot;
   Robot& robot = result.robot = arm.robot;
   result.phases = arm.phases;
   const bool numbers = std::all_of(arm.phases.begin(), arm.phases.end(), [](const exact::Angle& phase) {

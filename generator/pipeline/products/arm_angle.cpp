@@ -51,8 +51,9 @@ model::Bindings sampled_geometry(const model::Robot& robot) {
   return geometry;
 }
 
-/// By both references in turn.
-verify::RowCertificate certify(const model::Robot& robot, const SphericalArm& derived) {
+/// By both references in turn. `robot` is `described` with its constants named.
+verify::RowCertificate certify(const model::Robot& described, const model::Robot& robot,
+                               const SphericalArm& derived) {
   constexpr int poses = 6;
   const model::Bindings geometry = sampled_geometry(robot);
   const inverse::arm_angle::Arm arm = in_numbers(derived, geometry);
@@ -72,21 +73,22 @@ verify::RowCertificate certify(const model::Robot& robot, const SphericalArm& de
       rows.emplace_back(row.q.data(), row.q.data() + row.q.size());
     return rows;
   };
-  return verify::certify_rows(robot, geometry, size, solver, poses);
+  return verify::certify_rows(described, geometry, size, solver, poses);
 }
 
 }  // namespace
 
 void generate_arm_angle(const model::Robot& described, RobotOutput& output) {
   if (model::has_followers(described) || !derive::inverse::has_seven_turns(described)) return;
-  const model::Robot robot = canonical::for_dynamics(model::with_private_names(described));
+  const model::Robot with_names = model::with_private_names(described);
+  const model::Robot robot = canonical::for_dynamics(with_names);
   const SphericalArm arm = derive::inverse::spherical_arm(robot);
   if (!arm.found) {
     output.missing.push_back({"arm_angle", Missing::Kind::not_derived, "no arm angle: " + arm.reason});
     return;
   }
   const nlohmann::json values{{"name", described.name},
-                              {"certificate", certify(robot, arm).text()},
+                              {"certificate", certify(with_names, robot, arm).text()},
                               {"arm", emit::arm_angle_values(robot, arm)}};
   output.files.push_back(
       {"include/qvgen/robots/" + described.name + "/arm_angle.h", emit::render("arm_angle.h", values)});

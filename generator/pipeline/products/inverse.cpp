@@ -124,8 +124,7 @@ json variant(const model::Robot& described, const derive::inverse::Derivation& d
   const std::string farthest = reach(problem);
   const derive::inverse::Plan& derived = derivation.plan;
   const derive::inverse::LoweredPlan plan = lower(derived);
-  const verify::InverseCertificate certificate =
-      verify::certify_inverse(robot, plan, certificate_poses, problem.task);
+  const verify::InverseCertificate certificate = verify::certify_inverse(problem, plan, certificate_poses);
   const bool lanes = emit::has_lanes(plan);
   const std::string given = given_variable(described, problem);
   json values = variant_names(described, problem);

@@ -6,7 +6,7 @@
 #include "exact/named_constant.h"
 #include "model/evaluate.h"
 #include "verify/certificate.h"
-#include "verify/inverse/definition.h"
+#include "verify/inverse/described_arm.h"
 #include "verify/inverse/execute.h"
 
 namespace qvgen::verify {
@@ -15,20 +15,32 @@ namespace names = derive::inverse::names;
 namespace {
 
 using derive::inverse::LoweredPlan;
+using derive::inverse::Problem;
 
 /// That a row is right its pose says, to fifty digits. Which of the rows it is, joints next to a singular
 /// structure, axes nearly in line, tell with fewer.
 constexpr double forty_digits = 1e-40;
 
+bool asks_for_position(model::Task task) {
+  return task != model::Task::direction && task != model::Task::orientation;
+}
+bool asks_for_orientation(model::Task task) { return task != model::Task::position; }
+
+/// What the functions for a task make of it: a pose with nothing in place of what it leaves open. What is
+/// left of the orientation is a joint of the problem's.
+Pair asked(Pair pose, model::Task task) {
+  if (!asks_for_position(task)) pose.p = {0, 0, 0};
+  if (!asks_for_orientation(task)) pose.q = {1, 0, 0, 0};
+  return pose;
+}
+
 /// Differences of two poses and of two joint vectors, orientations up to sign, angles up to whole turns.
 double difference(const Pair& a, const Pair& b, model::Task task) {
   Real worst(0);
-  const bool position = task != model::Task::direction && task != model::Task::orientation;
-  const bool orientation = task != model::Task::position;
-  for (std::size_t i = 0; position && i < 3; ++i)
+  for (std::size_t i = 0; asks_for_position(task) && i < 3; ++i)
     worst = abs(a.p[i] - b.p[i]) > worst ? abs(a.p[i] - b.p[i]) : worst;
   const Quaternion between = product(conjugate(a.q), b.q);
-  for (std::size_t i = 1; orientation && i < 4; ++i)
+  for (std::size_t i = 1; asks_for_orientation(task) && i < 4; ++i)
     worst = abs(between[i]) > worst ? abs(between[i]) : worst;
   return worst.to_double();
 }
@@ -56,6 +68,25 @@ Values target(const model::Bindings& geometry, const Pair& pose) {
   return values;
 }
 
+/// Random values of the symbols without default, and those of the names that stand for constants and for what
+/// is made of symbols.
+model::Bindings sampled_geometry(const Problem& problem, Numbers& numbers) {
+  model::Bindings geometry = model::default_bindings(problem.described);
+  for (const auto& parameter : problem.described.geometry)
+    if (geometry.count(parameter.name) == 0) geometry[parameter.name] = numbers.between(1, 2);
+  model::Robot with_frames = problem.moving;
+  if (problem.has_frames) {
+    with_frames.base = problem.base;
+    with_frames.tool = problem.tool;
+  }
+  for (const model::Robot* robot : {&problem.robot, static_cast<const model::Robot*>(&with_frames)})
+    for (const std::string& name : model::symbols(*robot))
+      if (const auto constant = exact::named_value(name)) geometry[name] = *constant;
+  for (const auto& [name, definition] : problem.robot.definitions)
+    geometry[name] = model::evaluate(definition, geometry);
+  return geometry;
+}
+
 }  // namespace
 
 std::string InverseCertificate::text() const {
@@ -64,32 +95,26 @@ std::string InverseCertificate::text() const {
          " solutions give the pose back to 50 digits,\n/// the sampled joints among them.";
 }
 
-InverseCertificate certify_inverse(const model::Robot& robot, const LoweredPlan& plan, int poses,
-                                   model::Task task) {
+InverseCertificate certify_inverse(const Problem& problem, const LoweredPlan& plan, int poses) {
   InverseCertificate certificate;
   Numbers numbers;
   for (int k = 0; k < poses; ++k) {
-    model::Bindings geometry = model::default_bindings(robot);
-    for (const auto& parameter : robot.geometry)
-      if (geometry.count(parameter.name) == 0) geometry[parameter.name] = numbers.between(1, 2);
-    for (const std::string& name : model::symbols(robot))
-      if (const auto constant = exact::named_value(name)) geometry[name] = *constant;
-    for (const auto& [name, definition] : robot.definitions)
-      geometry[name] = model::evaluate(definition, geometry);
+    const model::Bindings geometry = sampled_geometry(problem, numbers);
+    const DescribedArm arm(problem, geometry);
     std::vector<Real> q;
-    for (std::size_t i = 0; i < robot.joints.size(); ++i) q.emplace_back(cln::cl_R(numbers.between(-3, 3)));
-    const Definition definition(robot, geometry);
-    const Pair pose = definition.pose(q);
-    Values values = target(geometry, pose);
-    const std::vector<Row> rows = execute(plan, values);
+    for (int i = 0; i < problem.row_size; ++i) q.emplace_back(cln::cl_R(numbers.between(-3, 3)));
+    const Pair pose = arm.pose(q);
+    Values values = target(geometry, arm.pose_of_plan(asked(pose, problem.task)));
+    if (problem.given >= 0) values[held_parameter(problem)] = arm.value_of_plan(q, problem.given);
     bool sampled = false;
-    for (const Row& row : rows) {
-      if (difference(definition.pose(row.q), pose, task) > fifty_digits) {
+    for (const Row& of_plan : execute(plan, values)) {
+      const std::vector<Real> row = arm.row(of_plan, q);
+      if (difference(arm.pose(row), pose, problem.task) > fifty_digits) {
         if (plan.plan.candidates) continue;
         throw CertificateError("inverse kinematics: a solution does not give the pose back");
       }
       ++certificate.solutions;
-      sampled = sampled || difference(robot, row.q, q) < forty_digits;
+      sampled = sampled || difference(problem.described, row, q) < forty_digits;
     }
     if (!sampled)
       throw CertificateError("inverse kinematics: the sampled joints are not among the solutions");

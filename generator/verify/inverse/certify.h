@@ -4,7 +4,7 @@
 #include <string>
 
 #include "derive/inverse/lower.h"
-#include "model/robot.h"
+#include "derive/inverse/problem.h"
 
 namespace qvgen::verify {
 
@@ -14,11 +14,12 @@ struct InverseCertificate {
   [[nodiscard]] std::string text() const;
 };
 
-/// Runs a plan in sixty digits at random joints and geometry: the sampled joints must be among its solutions
-/// and every solution must give the pose back, both to fifty digits, by a forward kinematics that multiplies
-/// the description's displacements and shares nothing with the derivation. Throws CertificateError otherwise.
-/// What the task does not ask for is not compared, and of candidates some may miss the pose.
-InverseCertificate certify_inverse(const model::Robot& robot, const derive::inverse::LoweredPlan& plan,
-                                   int poses, model::Task task = model::Task::pose);
+/// Runs a plan in sixty digits at random joints and geometry, from a pose of the described arm to rows of its
+/// joints: the sampled ones must be among them and every row must give the pose back, both to fifty digits,
+/// by a forward kinematics that multiplies the description's displacements and shares nothing with the
+/// derivation. Throws CertificateError otherwise. What the task does not ask for is not given and not
+/// compared, and of candidates some may miss the pose.
+InverseCertificate certify_inverse(const derive::inverse::Problem& problem,
+                                   const derive::inverse::LoweredPlan& plan, int poses);
 
 }  // namespace qvgen::verify

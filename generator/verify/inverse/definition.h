@@ -32,6 +32,12 @@ inline Pair operator*(const Pair& a, const Pair& b) {
   return {product(a.q, b.q), {a.p[0] + turned[1], a.p[1] + turned[2], a.p[2] + turned[3]}};
 }
 
+inline Pair inverse(const Pair& pair) {
+  const Pair turned_back{conjugate(pair.q), {}};
+  const Pair moved = turned_back * Pair{{1, 0, 0, 0}, pair.p};
+  return {turned_back.q, {-moved.p[0], -moved.p[1], -moved.p[2]}};
+}
+
 /// The tool's pose by multiplying the description's displacements.
 class Definition {
  public:
@@ -53,6 +59,14 @@ class Definition {
     return pose * pair(robot_.tool);
   }
 
+  [[nodiscard]] Pair pair(const model::Displacement& displacement) const {
+    Pair result;
+    for (const model::Turn& each : displacement.turns)
+      result.q = product(result.q, turn(vector(each.axis), value(each.angle)));
+    result.p = vector(displacement.translation);
+    return result;
+  }
+
  private:
   [[nodiscard]] Real value(const model::Expression& e) const { return Real(model::evaluate(e, geometry_)); }
   [[nodiscard]] Vector vector(const model::Vector3& v) const {
@@ -62,13 +76,6 @@ class Definition {
     const Real half = angle / Real(2);
     const Real s = sin(half);
     return {cos(half), s * axis[0], s * axis[1], s * axis[2]};
-  }
-  [[nodiscard]] Pair pair(const model::Displacement& displacement) const {
-    Pair result;
-    for (const model::Turn& each : displacement.turns)
-      result.q = product(result.q, turn(vector(each.axis), value(each.angle)));
-    result.p = vector(displacement.translation);
-    return result;
   }
 
   const model::Robot& robot_;
