@@ -74,7 +74,9 @@ std::optional<std::size_t> leader_of(Context& context, const Follower& follower,
   const std::string told = "'" + names[follower.joint] + "' follows '" + follower.leader + "'";
   const auto found = std::find(names.begin(), names.end(), follower.leader);
   if (found == names.end()) {
-    const std::string near = nearest(follower.leader, names);
+    std::vector<std::string> others = names;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(follower.joint));
+    const std::string near = nearest(follower.leader, others);
     context.error(follower.place, told + ", which is no joint of the chain",
                   near.empty() ? "take a chain with both, or make it a joint of its own"
                                : "did you mean '" + near + "'?");

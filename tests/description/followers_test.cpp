@@ -119,6 +119,12 @@ TEST(Followers, AreTheMimicJointsOfAUrdf) {
   EXPECT_EQ(again.robot->joints[1].follows->ratio, second.follows->ratio);
 }
 
+TEST(Followers, NoneIsAdvisedToFollowItself) {
+  const ReadResult result = read_joints(joint("arm", "") + joint("finger_2", "follows = \"finger_1\"\n"));
+  ASSERT_FALSE(result.diagnostics.empty());
+  EXPECT_EQ(result.diagnostics.front().hint, "take a chain with both, or make it a joint of its own");
+}
+
 TEST(Followers, MistakesOfAUrdfAreReported) {
   const auto message = [](const std::string& mimic) {
     const ReadResult result = read_text(urdf(mimic), "arm.urdf");
