@@ -101,7 +101,7 @@ void add_generate(CommandLine& line) {
       .add_option("--only", generate.parts,
                   "parts to generate: kinematics,jacobian,...; all without, but batch, forms of the other "
                   "parts named for many at once, c_inverse, a C header for inverse kinematics by "
-                  "elimination, and moveit_plugin, a ROS 2 package")
+                  "elimination, certified, solutions with a proof, and moveit_plugin, a ROS 2 package")
       ->type_name("PARTS")
       ->allow_extra_args(false)
       ->delimiter(',');

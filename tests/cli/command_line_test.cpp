@@ -135,6 +135,14 @@ TEST_F(CommandLine, MakesAPluginOnlyForWhoAsksForIt) {
   EXPECT_TRUE(has(unnamed, "it is made only if --only names it too")) << unnamed.output;
 }
 
+TEST_F(CommandLine, SaysOfWhichArmsNothingIsProven) {
+  const ToolRun few =
+      run("generate " + write("my_arm.toml", good_arm) + " --only certified --output " + out());
+  EXPECT_EQ(few.code, 0);
+  EXPECT_TRUE(has(few, "my_arm: no certified: proofs are for arms of six joints")) << few.output;
+  EXPECT_FALSE(fs::exists(fs::path(out()) / "include/qvgen/robots/my_arm/certified.h"));
+}
+
 TEST_F(CommandLine, SaysWhichIdealArmIsMissing) {
   const std::string measured =
       QVGEN_SOURCE_DIR "/tests/inverse/ur5_measured.toml --only from_ideal --output " + out();

@@ -31,7 +31,7 @@ struct Problem {
 
   // What the described arm's poses and joint values are for `robot`, where that has canonical frames.
   model::Robot described;  ///< the arm as it is described, virtual joints behind its tool
-  model::Robot moving;  ///< `robot` with the given joint moving
+  model::Robot moving;     ///< `robot` with the given joint moving
   model::Displacement base,
       tool;  ///< oblique frames, which cost one product with a pose: `robot` has base^-1 pose tool^-1
   bool has_frames = false;

@@ -4,6 +4,7 @@
 #include "pipeline/products/arm_angle.h"
 #include "pipeline/products/batch.h"
 #include "pipeline/products/c_inverse.h"
+#include "pipeline/products/certified.h"
 #include "pipeline/products/dynamics.h"
 #include "pipeline/products/from_ideal.h"
 #include "pipeline/products/inverse.h"
@@ -33,6 +34,7 @@ const std::vector<Product>& all_products() {
 const std::vector<Extra>& all_extras() {
   static const std::vector<Extra> extras{{"batch", {}, add_batch},
                                          {"c_inverse", {"inverse"}, add_c_inverse},
+                                         {"certified", {"inverse"}, add_certified},
                                          {"moveit_plugin", {"kinematics", "inverse"}, add_moveit_plugin}};
   return extras;
 }

@@ -156,10 +156,14 @@ int first_turn(const model::Robot& robot) {
   return joint;
 }
 
-json arm_values(const model::Robot& described, const Dialect& dialect) {
+namespace {
+
+/// `writing`: a spelling or a dialect.
+template <class Writing>
+json arm_values_in(const model::Robot& described, const Writing& writing) {
   const model::Robot robot = canonical::for_dynamics(model::with_private_names(described));
   const dag::Function function = derive::inverse::lowered_arm_at_zero(robot);
-  const Code code = geometry_code(robot, function, dialect);
+  const Code code = geometry_code(robot, function, writing);
   json joints = json::array();
   for (std::size_t i = 0; i < robot.joints.size(); ++i)
     joints.push_back({{"open", "{"},
@@ -167,6 +171,15 @@ json arm_values(const model::Robot& described, const Dialect& dialect) {
                       {"index", std::to_string(i)},
                       {"revolute", robot.joints[i].type == model::JointType::revolute ? "true" : "false"}});
   return {{"values", values_of(code)}, {"joints", joints}};
+}
+
+}  // namespace
+
+json arm_values(const model::Robot& described, const Dialect& dialect) {
+  return arm_values_in(described, dialect);
+}
+json arm_values(const model::Robot& described, const Spelling& spelling) {
+  return arm_values_in(described, spelling);
 }
 
 std::string row_arm(const Problem& problem, bool has_tool_turn, const std::string& scope,

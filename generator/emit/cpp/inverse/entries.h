@@ -14,6 +14,7 @@ void add_entries(const model::Robot& robot, const derive::inverse::Problem& prob
 
 /// The arm's screws at zero, for functions that look at rows, turn a tool, or move the whole arm.
 nlohmann::json arm_values(const model::Robot& described, const Dialect& dialect);
+nlohmann::json arm_values(const model::Robot& described, const Spelling& spelling);
 
 /// A constant direction's numbers, with commas.
 std::string numbers_of(const model::Vector3& axis);

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/robot.h"
+#include "pipeline/robot_output.h"
+
+namespace qvgen::pipeline {
+
+/// Solutions with a proof that each is one and that no other exists: certified.h, of arms of six joints that
+/// are asked for poses.
+void add_certified(const model::Robot& robot, RobotOutput& output);
+
+}  // namespace qvgen::pipeline

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+#include <qvgen/inverse/certified/certify.h>
+
+namespace qvgen::test {
+
+using Joints6 = Eigen::Matrix<double, 6, 1>;
+
+/// Largest difference, of angles the short way round.
+template <class Kinds>
+double distance(const Joints6& a, const Joints6& b, const Kinds& is_revolute) {
+  double most = 0;
+  for (int i = 0; i < 6; ++i) {
+    const double way = a[i] - b[i];
+    const bool turns = is_revolute[static_cast<std::size_t>(i)];
+    most = std::max(most, std::abs(turns ? std::remainder(way, 2 * std::acos(-1.0)) : way));
+  }
+  return most;
+}
+
+/// Random poses are proven to have the solutions that are found and no other, the sampled joints among them.
+template <class Forward, class Certified, class Kinds>
+void expect_complete(const Forward& forward, const Certified& certified, const Kinds& is_revolute) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> value(-3, 3);
+  constexpr int poses = 40;
+  int complete = 0;
+  for (int n = 0; n < poses; ++n) {
+    Joints6 q;
+    for (double& each : q) each = value(random);
+    const auto found = certified(forward(q));
+    if (!found.is_complete()) continue;
+    ++complete;
+    double nearest = 1;
+    for (int i = 0; i < found.solutions.size(); ++i) {
+      EXPECT_TRUE(found.rows[static_cast<std::size_t>(i)].proven);
+      nearest = std::min(nearest, distance(found.solutions[i].q, q, is_revolute));
+    }
+    EXPECT_LT(nearest, 1e-9);
+  }
+  EXPECT_GE(complete, poses - 2);
+}
+
+}  // namespace qvgen::test
