@@ -3,19 +3,19 @@
 
 #include <cmath>
 #include <random>
+#include <tuple>
 
 #include <gtest/gtest.h>
 #include <qvgen/inverse/certified/certify.h>
 
 namespace qvgen::test {
 
-using Joints6 = Eigen::Matrix<double, 6, 1>;
-
 /// Largest difference, of angles the short way round.
-template <class Kinds>
-double distance(const Joints6& a, const Joints6& b, const Kinds& is_revolute) {
+template <int dof, class Kinds>
+double distance(const Eigen::Matrix<double, dof, 1>& a, const Eigen::Matrix<double, dof, 1>& b,
+                const Kinds& is_revolute) {
   double most = 0;
-  for (int i = 0; i < 6; ++i) {
+  for (int i = 0; i < dof; ++i) {
     const double way = a[i] - b[i];
     const bool turns = is_revolute[static_cast<std::size_t>(i)];
     most = std::max(most, std::abs(turns ? std::remainder(way, 2 * std::acos(-1.0)) : way));
@@ -25,17 +25,19 @@ double distance(const Joints6& a, const Joints6& b, const Kinds& is_revolute) {
 
 /// Poses are proven to have the solutions that are found and no other, the sampled joints among them. Random
 /// ones and, every other time, some with a joint next to a right angle, where many arms are singular.
-template <class Forward, class Certified, class Kinds>
-void expect_complete(const Forward& forward, const Certified& certified, const Kinds& is_revolute) {
+/// `certified`: of joints, the proven solutions of the pose that they reach.
+template <class Kinds, class Certified>
+void expect_complete(const Kinds& is_revolute, const Certified& certified) {
+  constexpr int dof = static_cast<int>(std::tuple_size<Kinds>::value);
   std::mt19937 random(5);
   std::uniform_real_distribution<double> value(-3, 3);
   constexpr int poses = 40;
   int complete = 0;
   for (int n = 0; n < poses; ++n) {
-    Joints6 q;
+    Eigen::Matrix<double, dof, 1> q;
     for (double& each : q) each = value(random);
-    if (n % 2 == 1) q[n % 6] = (n % 4 - 2) * std::acos(0.0) + 1e-3;
-    const auto found = certified(forward(q));
+    if (n % 2 == 1) q[n % dof] = (n % 4 - 2) * std::acos(0.0) + 1e-3;
+    const auto found = certified(q);
     if (!found.is_complete()) continue;
     ++complete;
     double nearest = 1;

@@ -6,8 +6,8 @@
 
 namespace qvgen::pipeline {
 
-/// Solutions with a proof that each is one and that no other exists: certified.h, of arms of six joints that
-/// are asked for poses.
+/// Solutions with a proof that each is one and that no other exists: certified.h, of arms of six joints, or
+/// of seven one of which is given, that are asked for poses.
 void add_certified(const model::Robot& robot, RobotOutput& output);
 
 }  // namespace qvgen::pipeline

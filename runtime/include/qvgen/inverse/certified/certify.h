@@ -11,12 +11,17 @@ namespace qvgen::inverse::certified {
 
 inline constexpr int joints = 6;
 
-/// An arm with six joints at its zero pose: axes of length one, and its tool.
-struct Arm {
-  Screw<Interval> joints[certified::joints];
+/// An arm at its zero pose: axes of length one, and its tool.
+template <int dof>
+struct ArmInBounds {
+  Screw<Interval> joints[dof];
   Interval turn[4];  ///< w, x, y, z
   Triple<Interval> place;
 };
+using Arm = ArmInBounds<joints>;
+
+/// An arm of seven joints with one that stays at a value, rad or m.
+Arm without_joint(const ArmInBounds<joints + 1>& arm, int still, double value);
 
 /// How much is done at most.
 struct Effort {
@@ -35,20 +40,38 @@ struct Count {
 Count certify(const Arm& arm, const Pose<double>& pose, const double (*rows)[joints], int count,
               const Effort& effort, RowProof* proofs);
 
-/// The same of a solution set.
-template <int capacity>
-CertifiedSolutions<joints, capacity> certified(const Arm& arm, const Pose<double>& pose,
-                                               const Solutions<joints, capacity>& found,
-                                               const Effort& effort = {}) {
-  CertifiedSolutions<joints, capacity> result;
+/// Of a solution set whose rows have a seventh joint, if `given` is not -1, which `arm` is without.
+template <int dof, int capacity>
+CertifiedSolutions<dof, capacity> certified_rows(const Arm& arm, const Pose<double>& pose,
+                                                 const Solutions<dof, capacity>& found, int given,
+                                                 const Effort& effort) {
+  CertifiedSolutions<dof, capacity> result;
   result.solutions = found;
   double rows[static_cast<std::size_t>(capacity)][joints];
   for (int i = 0; i < found.size(); ++i)
-    for (int k = 0; k < joints; ++k) rows[i][k] = found[i].q[k];
+    for (int k = 0, n = 0; k < dof; ++k)
+      if (k != given) rows[i][n++] = found[i].q[k];
   const Count count = certify(arm, pose, rows, found.size(), effort, result.rows.data());
   result.count = count.proof;
   result.boxes = count.boxes;
   return result;
+}
+
+/// What is proven of a solution set.
+template <int capacity>
+CertifiedSolutions<joints, capacity> certified(const Arm& arm, const Pose<double>& pose,
+                                               const Solutions<joints, capacity>& found,
+                                               const Effort& effort = {}) {
+  return certified_rows(arm, pose, found, -1, effort);
+}
+
+/// The same of seven joints, that with the index `given` at a value: of all solutions with that value.
+template <int capacity>
+CertifiedSolutions<joints + 1, capacity> certified(const ArmInBounds<joints + 1>& arm,
+                                                   const Pose<double>& pose, int given, double value,
+                                                   const Solutions<joints + 1, capacity>& found,
+                                                   const Effort& effort = {}) {
+  return certified_rows(without_joint(arm, given, value), pose, found, given, effort);
 }
 
 }  // namespace qvgen::inverse::certified
