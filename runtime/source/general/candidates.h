@@ -60,6 +60,8 @@ Trigonometric magnified(const PoseSystem& system, Pair pair, const Magnifier& ma
 template <int width>
 double find_candidates(const PoseSystem& system, Pair pair, double tolerance, Candidates& found) {
   const Trigonometric whole = sampled<width>(system, pair, {});
+  constexpr double nothing_but_rounding = 1e-3;
+  if (!(whole.noise < nothing_but_rounding)) return whole.noise;
   RootFinder<width>(whole, tolerance, 4, true, found);
   int level[most_faint];
   for (int i = 0; i < found.faint_count; ++i) level[i] = 1;
@@ -70,10 +72,13 @@ double find_candidates(const PoseSystem& system, Pair pair, double tolerance, Ca
     const Magnifier magnifier{faint.middle, tangent / std::tan(half / 2)};
     const Trigonometric part = magnified<width>(system, pair, magnifier);
     Candidates widened;
-    RootFinder<width>(part, tolerance, 1.0471975511965976, level[i] < 4, widened);
+    // Where the equations' own rounding shows, magnifying it shows no more of the roots.
+    constexpr double blurred = 1e-7;
+    const bool is_blurred = !(part.noise < blurred);
+    RootFinder<width>(part, tolerance, 1.0471975511965976, level[i] < 4 && !is_blurred, widened);
     // So far down there may be many roots in one that rounding has moved off the circle.
     constexpr int deep = 3;
-    found.overflow = found.overflow || widened.overflow || level[i] >= deep;
+    found.overflow = found.overflow || widened.overflow || is_blurred || level[i] >= deep;
     for (int k = 0; k < widened.count; ++k) {
       const Direction angle = magnifier.circle(widened.list[k].angle);
       const double cosine = angle.cosine * faint.middle.cosine + angle.sine * faint.middle.sine;

@@ -163,16 +163,23 @@ class RootFinder {
       if ((none >> i & 1U) != 0) continue;
       if ((several >> i & 1U) == 0)
         add_bracket({parts[i], control[0][i], control[controls - 1][i]});
-      else if (!is_faint(control, i, parts[i]))
-        add_cell(control, i, parts[i]);
+      else
+        look_closer(control, i, parts[i]);
     }
   }
 
-  bool is_faint(const T (&control)[controls], int lane, const Part& part) {
-    if (!may_be_faint_ || part.high - part.low > 1.9) return false;
+  /// A part that may have several roots: faint stretches are put aside, and where there is nothing but
+  /// rounding smaller parts would tell no more.
+  void look_closer(const T (&control)[controls], int lane, const Part& part) {
     double largest = 0;
     for (const T& c : control) largest = std::fmax(largest, std::fabs(c[lane]));
-    if (!(largest < faint_below_)) return false;
+    const bool is_arc = part.high - part.low > 1.9;
+    if (may_be_faint_ && !is_arc && largest < faint_below_ && put_aside(part)) return;
+    if (largest < part.tolerance || part.high - part.low < smallest) return look_at_double_root(part);
+    add_cell(control, lane, part);
+  }
+
+  bool put_aside(const Part& part) {
     const Direction low = angle_of(part.arc, part.low), high = angle_of(part.arc, part.high);
     const Direction middle = angle_of(part.arc, (part.low + part.high) / 2);
     const double sine = high.sine * low.cosine - high.cosine * low.sine;
@@ -186,7 +193,6 @@ class RootFinder {
   }
 
   void add_cell(const T (&control)[controls], int lane, const Part& part) {
-    if (part.high - part.low < smallest) return look_at_double_root(part);
     found_.overflow = found_.overflow || cells_ == most_cells;
     if (cells_ == most_cells) return;
     Cell& cell = cell_[cells_++];
