@@ -43,7 +43,7 @@ Values seed_of(const Setup& setup, const Preference<joints>& preference) {
 }
 
 Careful::Careful(const Setup& setup, const Pose<double>& pose, double tolerance,
-                 const Preference<joints>& preference, Pass pass)
+                 const Preference<joints>& preference, const Pass& pass)
     : setup_(setup),
       pose_(pose),
       task_(matching(setup, pose)),
@@ -68,7 +68,7 @@ const Elimination* Careful::next_elimination() {
 }
 
 void Careful::eliminate(const Elimination& elimination, const Pose<double>& pose, Gathered& gathered) const {
-  pass_(setup_.chain, elimination, goal_of(setup_.chain, pose), tolerance_, gathered);
+  pass_.eliminate(setup_.chain, elimination, goal_of(setup_.chain, pose), tolerance_, gathered);
 }
 
 Pose<double> Careful::nearby(int k) const {
@@ -99,7 +99,30 @@ void Careful::settle(const JointPairs& start) {
 
 void Careful::settle(const Gathered& gathered) {
   for (int i = 0; i < gathered.rows; ++i) settle(gathered.row[i]);
-  for (int i = 0; i < gathered.starts; ++i) settle(gathered.start[i]);
+  for (int i = 0; i < gathered.starts; ++i)
+    if (!is_settled(gathered.start[i])) settle(gathered.start[i].values);
+}
+
+/// What leads to a row that has been led to twice before leads to nothing else: the second time it was looked
+/// beside the row.
+bool Careful::is_settled(const Start& start) {
+  if (!start.leads) return false;
+  constexpr double near = 1e-5;
+  const Values solution = values_of(start.solution);
+  for (int i = 0; i < size_; ++i) {
+    Row& row = rows_[i];
+    if (!(distance_square(row.values, solution) < near * near)) continue;
+    if (row.beside) return row.seen = true;
+    row.beside = true;
+    return false;
+  }
+  return false;
+}
+
+/// From joint values that reach a pose nearby.
+void Careful::settle_nearby(Gathered& gathered) {
+  pass_.lead(setup_.chain, goal_of(setup_.chain, pose_), gathered.rows, gathered.row);
+  settle(gathered);
 }
 
 /// Whether a curve of solutions leads from one row to another: it is followed in steps, each brought back to
@@ -173,6 +196,7 @@ void Careful::merge() {
     for (int k = i + 1; k < size_; ++k) {
       if (!are_one(rows_[i], rows_[k])) continue;
       rows_[i].continuum = rows_[i].continuum || rows_[k].continuum;
+      rows_[i].beside = rows_[i].beside || rows_[k].beside;
       rows_[k--] = rows_[--size_];
     }
 }
@@ -190,33 +214,57 @@ void Careful::run(const Gathered& first) {
   effort_.used_up = effort_.used_up || spent.used_up || (full_ && any_is_singular());
 }
 
+/// Whether an elimination at the pose itself has added nothing, and whether it leaves no doubt.
+Careful::Outcome Careful::pass_here(const Elimination& elimination) {
+  Gathered found;
+  eliminate(elimination, pose_, found);
+  const int before = size_;
+  settle(found);
+  merge();
+  ++effort_.passes;
+  return {size_ == before, found.doubtful, found.loud};
+}
+
+/// Where many solutions share an angle, as they do between right angles, nearby they do not.
+Careful::Outcome Careful::pass_nearby(int k) {
+  Gathered found;
+  eliminate(setup_.eliminations[0], nearby(k), found);
+  const int before = size_;
+  for (int i = 0; i < size_; ++i) rows_[i].seen = false;
+  settle_nearby(found);
+  merge();
+  ++effort_.passes;
+  // Where two solutions meet poses nearby may have none.
+  const bool all_seen =
+      std::all_of(rows_, rows_ + size_, [this](const Row& row) { return row.seen || is_singular(row); });
+  return {size_ == before, found.doubtful || !all_seen, found.loud};
+}
+
 void Careful::agree(const Gathered& first) {
-  bool all_loud = first.loud;
-  bool agreed = false, certain = false;
-  while (const Elimination* elimination = next_elimination()) {
-    Gathered more;
-    eliminate(*elimination, pose_, more);
-    const int before = size_;
-    settle(more);
-    merge();
-    all_loud = all_loud && more.loud;
-    ++effort_.passes;
-    agreed = size_ == before;
-    certain = agreed && !more.doubtful && is_even();
-    if (certain) break;
-  }
   // Two eliminations may lose the same solutions.
   const bool few = setup_.count + setup_.further.count < 3;
-  // Where many solutions share an angle, as they do between right angles, nearby they do not.
-  bool more_nearby = !certain;
-  for (int k = 0; k < 6 && (size_ == 0 || !is_even() || more_nearby || (few && k < 3)); ++k) {
-    Gathered near;
-    eliminate(setup_.eliminations[0], nearby(k), near);
-    const int before = size_;
-    settle(near);
-    merge();
-    ++effort_.passes;
-    more_nearby = size_ != before;
+  bool all_loud = first.loud, agreed = false, more_nearby = true;
+  int k = 0;
+  const auto look_nearby = [&] {
+    const Outcome near = pass_nearby(k++);
+    more_nearby = !near.same;
+    return near;
+  };
+  while (const Elimination* elimination = next_elimination()) {
+    const Outcome here = pass_here(*elimination);
+    all_loud = all_loud && here.loud;
+    agreed = here.same;
+    if (!agreed) more_nearby = true;
+    if (!agreed || !is_even()) continue;
+    if (!here.doubtful) more_nearby = false;
+    if (!more_nearby) break;
+    // Where solutions meet no elimination is without doubts, but one at a pose nearby is.
+    if (all_loud || few || k == most_nearby) continue;
+    const Outcome near = look_nearby();
+    if (near.same && !near.doubtful) break;
+  }
+  while (k < most_nearby && (size_ == 0 || !is_even() || more_nearby || (few && k < 3))) {
+    look_nearby();
     agreed = few ? !more_nearby : agreed || !more_nearby;
   }
   // Trusted is what the last elimination, or a pose nearby, has added nothing to, but where solutions meet

@@ -29,14 +29,15 @@ Values seed_of(const Setup& setup, const Preference<joints>& preference);
 class Careful {
  public:
   Careful(const Setup& setup, const Pose<double>& pose, double tolerance,
-          const Preference<joints>& preference, Pass pass);
+          const Preference<joints>& preference, const Pass& pass);
 
   void run(const Gathered& first);
   /// The rows, and whether each is on a continuum.
   struct Row {
     Values values;
     bool continuum;
-    bool seen;  ///< the last pass has led to it, too
+    bool seen;            ///< the last pass has led to it, too
+    bool beside = false;  ///< it has been led to twice, and beside it there is none
   };
   [[nodiscard]] int size() const { return size_; }
   [[nodiscard]] const Row& row(int i) const { return rows_[i]; }
@@ -50,14 +51,24 @@ class Careful {
   using Tracker = BranchTracker<double, joints, most_starts>;
 
   struct Agreement;
+  /// What a pass has come to.
+  struct Outcome {
+    bool same;  ///< it has added no row
+    bool doubtful, loud;
+  };
+  static constexpr int most_nearby = 6;
 
   void agree(const Gathered& first);
+  Outcome pass_here(const Elimination& elimination);
+  Outcome pass_nearby(int k);
   void agree_on_slides(const Gathered& first);
   void pass_of_slides(const Elimination& elimination, const Pose<double>& pose, bool exact,
                       Agreement& agreement);
   [[nodiscard]] Pose<double> nearby(int k) const;
   void settle(const Gathered& gathered);
   void settle(const JointPairs& start);
+  void settle_nearby(Gathered& gathered);
+  [[nodiscard]] bool is_settled(const Start& start);
   [[nodiscard]] const Elimination* next_elimination();
   void eliminate(const Elimination& elimination, const Pose<double>& pose, Gathered& gathered) const;
   [[nodiscard]] bool is_singular(const Row& row) const;
@@ -75,7 +86,7 @@ class Careful {
   Boundary boundary_;
   Values seed_;
   bool seeded_;
-  Pass pass_;
+  const Pass& pass_;
   Tracker tracker_;
   Budget walks_{0, 1000};  ///< steps along continua
   int eliminations_ = 1;   ///< that have been asked for

@@ -25,7 +25,10 @@ void Careful::pass_of_slides(const Elimination& elimination, const Pose<double>&
   const int before = size_;
   for (int i = 0; i < size_; ++i) rows_[i].seen = false;
   strays_ = false;
-  settle(more);
+  if (exact)
+    settle(more);
+  else
+    settle_nearby(more);
   merge();
   // Where two solutions meet poses nearby may have none, and of a continuum they have any place.
   const bool all_seen = std::all_of(rows_, rows_ + size_, [&](const Row& row) {
@@ -51,8 +54,8 @@ void Careful::agree_on_slides(const Gathered& first) {
     if (elimination == nullptr) break;
     pass_of_slides(*elimination, pose_, true, agreement);
   }
-  constexpr int most_nearby = 8;
-  for (int k = 0; !agreement.reached() && k < most_nearby && !tracker_.budget().spent.used_up; ++k)
+  constexpr int most_poses = 8;
+  for (int k = 0; !agreement.reached() && k < most_poses && !tracker_.budget().spent.used_up; ++k)
     pass_of_slides(setup_.eliminations[k % setup_.count], nearby(k), false, agreement);
   unsure_ = agreement.faint || (size_ > 0 ? !agreement.reached() || !is_even() : agreement.any_loud);
   // Neither regular nor on a continuum, and found by no polynomial: next to a continuum.

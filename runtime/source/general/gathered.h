@@ -18,16 +18,23 @@ struct JointPairs {
   double sine[joints];
 };
 
+/// Where steps to a solution may begin, if there is one.
+struct Start {
+  JointPairs values;
+  bool leads;  ///< Newton's steps have led from here to a solution that was found before
+  JointPairs solution;
+};
+
 /// What eliminations have found.
 struct Gathered {
   static constexpr int most_rows = 32;
   int rows = 0;
   JointPairs row[most_rows];  ///< they reach the pose, and no two are the same
   int starts = 0;
-  JointPairs start[most_rows];  ///< where steps to a solution may begin, if there is one
-  bool doubtful = false;        ///< there may be more
-  bool loud = false;            ///< the polynomial drowns in rounding
-  bool faint = false;           ///< it does, and what is looked at instead is known to few digits
+  Start start[most_rows];
+  bool doubtful = false;  ///< there may be more
+  bool loud = false;      ///< the polynomial drowns in rounding
+  bool faint = false;     ///< it does, and what is looked at instead is known to few digits
 
   void add_row(const JointPairs& values) {
     if (rows < most_rows)
@@ -35,18 +42,23 @@ struct Gathered {
     else
       doubtful = true;
   }
-  void add_start(const JointPairs& values) {
+  void add_start(const Start& values) {
     doubtful = true;
     if (starts < most_rows) start[starts++] = values;
   }
 };
 
-/// Eliminates once and adds what comes of it. `tolerance`: see `default_tolerance`.
-using Pass = void (*)(const Chain&, const Elimination&, const Goal&, double tolerance, Gathered&);
+/// What is done in lanes.
+struct Pass {
+  /// Eliminates once and adds what comes of it. `tolerance`: see `default_tolerance`.
+  void (*eliminate)(const Chain&, const Elimination&, const Goal&, double tolerance, Gathered&);
+  /// Newton's steps from so many joint values: each takes what it leads to, if that is a solution nearby.
+  void (*lead)(const Chain&, const Goal&, int count, JointPairs*);
+};
 /// Four numbers at a time; null if the compiler was not asked for AVX2. To be called only where the machine
 /// has it.
-extern const Pass pass_for_avx2;
+extern const Pass* const pass_for_avx2;
 /// Two numbers at a time, everywhere.
-extern const Pass pass_for_all;
+extern const Pass* const pass_for_all;
 
 }  // namespace qvgen::inverse::general

@@ -104,9 +104,17 @@ QVGEN_LANES void solve_linear(T (&a)[joints][joints + 1]) {
     for (int i = 0; i < k; ++i) a[i][joints] = a[i][joints] - a[i][k] * a[k][joints];
 }
 
-/// One of Newton's steps, no joint further than 0.3 (of the arm's size). Returns the squared miss before it.
+/// What the step before has left of the squared miss where two solutions meet: it halves the way there. Twice
+/// the step then leads on as fast as elsewhere.
 template <class T>
-[[gnu::noinline]] T newton_step(const Chain& chain, const Goal& goal, JointLanes<T>& q) {
+QVGEN_LANES auto is_halved(const T& miss, const T& before) {
+  return (miss > 0.03 * before) & (miss < 0.13 * before);
+}
+
+/// One of Newton's steps, no joint further than 0.3 (of the arm's size). Returns the squared miss before it;
+/// `before`: the same of the step before.
+template <class T>
+[[gnu::noinline]] T newton_step(const Chain& chain, const Goal& goal, const T& before, JointLanes<T>& q) {
   constexpr double farthest = 0.3;
   Linear<T> linear;
   linearise(chain, goal, q, linear);
@@ -117,8 +125,8 @@ template <class T>
                                    : magnitude_of(linear.a[j][joints]);
     largest = size > largest ? size : largest;
   }
-  const T one = spread<T>(1);
-  const T scale = largest > farthest ? farthest / largest : one;
+  const T wanted = is_halved(linear.miss, before) ? spread<T>(2) : spread<T>(1);
+  const T scale = largest * wanted > farthest ? farthest / largest : wanted;
   for (int j = 0; j < joints; ++j) {
     T step = linear.a[j][joints] * scale;
     step = step == step ? step : T{};
@@ -139,6 +147,34 @@ template <class T>
   Linear<T> linear;
   linearise(chain, goal, q, linear);
   return linear.miss;
+}
+
+/// Joints are a solution if they miss the pose by no more than this, squared.
+inline constexpr double good_miss = 1e-26;
+
+/// Newton's steps until the first `count` lanes are as good as they get. Returns the squared miss.
+template <int width>
+Lanes<width> steps_to(const Chain& chain, const Goal& goal, int count, JointLanes<Lanes<width>>& q) {
+  using T = Lanes<width>;
+  constexpr int most_steps = 9;
+  constexpr double last = 1e-16;  // one step from here is the last, but where two solutions meet
+  T before = spread<T>(1e300);
+  bool stuck[width] = {};
+  const auto any_is_open = [&](const T& miss, double good) {
+    bool open = false;
+    for (int i = 0; i < count; ++i) open = open || (!(miss[i] <= good) && !stuck[i]);
+    return open;
+  };
+  for (int step = 0; step < most_steps; ++step) {
+    const T miss = newton_step(chain, goal, before, q);
+    for (int i = 0; i < count; ++i) stuck[i] = stuck[i] || (step > 3 && !(miss[i] <= 0.25 * before[i]));
+    before = miss;
+    if (any_is_open(miss, last)) continue;
+    const T left = squared_miss(chain, goal, q);
+    for (int i = 0; i < count; ++i) stuck[i] = stuck[i] || !(left[i] <= 0.3 * before[i]);
+    if (!any_is_open(left, good_miss)) return left;
+  }
+  return squared_miss(chain, goal, q);
 }
 
 }  // namespace

@@ -8,8 +8,6 @@
 namespace qvgen::inverse::general {
 namespace {
 
-/// Joints are a solution if they miss the pose by no more than this, squared.
-inline constexpr double good_miss = 1e-26;
 /// Two solutions are one if they are no further apart than this, squared.
 inline constexpr double same_distance = 1e-13;
 
@@ -69,11 +67,11 @@ class Eliminated {
     else
       substitute_back(e_, system_, chain_.size, cosine, sine, start);
     q = start;
-    polish(count, q);
-    const T miss = squared_miss(chain_, goal_, q);
+    const T miss = steps_to<width>(chain_, goal_, count, q);
     for (int i = 0; i < count; ++i) {
       if (candidates.list[first + i].is_doubtful()) found_.doubtful = true;
-      if (!(miss[i] < good_miss && is_new(lane(q, i)))) offer_start(lane(start, i));
+      const bool leads = miss[i] < good_miss;
+      if (!leads || !is_new(lane(q, i))) offer_start(lane(start, i), leads, lane(q, i));
     }
     if (e_.pair != Pair::slides) return;
     const auto is_doubtful = [&](int i) { return candidates.list[first + i].is_doubtful(); };
@@ -91,28 +89,9 @@ class Eliminated {
 
   struct Offer {
     Eliminated* pass;
-    void operator()(const JointPairs& values) const { pass->offer_start(values); }
+    void operator()(const JointPairs& values) const { pass->offer_start(values, false, values); }
   };
   [[nodiscard]] SlideStarts<width, Offer> slide_starts() { return {e_, system_.slides, chain_.size, offer_}; }
-
-  /// Newton's steps until all lanes are as good as they get.
-  void polish(int count, JointLanes<T>& q) const {
-    constexpr int most_steps = 9;
-    constexpr double last = 1e-16;  // one step from here is the last
-    double before[width];
-    bool stuck[width] = {};
-    for (double& x : before) x = 1e300;
-    for (int step = 0; step < most_steps; ++step) {
-      const T miss = newton_step(chain_, goal_, q);
-      bool open = false;
-      for (int i = 0; i < count; ++i) {
-        if (step > 3 && !(miss[i] <= 0.25 * before[i])) stuck[i] = true;
-        open = open || (!(miss[i] <= last) && !stuck[i]);
-        before[i] = miss[i];
-      }
-      if (!open) break;
-    }
-  }
 
   /// Takes a solution, unless this elimination has come to it before.
   bool is_new(const JointPairs& values) {
@@ -127,11 +106,12 @@ class Eliminated {
     return true;
   }
 
-  void offer_start(const JointPairs& values) {
+  /// `leads`: by Newton's steps to a solution that has been found before.
+  void offer_start(const JointPairs& values, bool leads, const JointPairs& solution) {
     found_.doubtful = true;
     for (int j = 0; j < joints; ++j)
       if (!std::isfinite(values.cosine[j]) || !std::isfinite(values.sine[j])) return;
-    found_.add_start(values);
+    found_.add_start({values, leads, solution});
   }
 
   const Chain& chain_;
@@ -143,6 +123,29 @@ class Eliminated {
   PoseSystem system_;
   Offer offer_{this};
 };
+
+/// Newton's steps from each of some joint values, which take what they come to if that is a solution not far
+/// away.
+template <int width>
+void lead_in_lanes(const Chain& chain, const Goal& goal, int count, JointPairs* values) {
+  constexpr double far = 0.1;
+  for (int first = 0; first < count; first += width) {
+    const int some = count - first < width ? count - first : width;
+    JointLanes<Lanes<width>> q;
+    for (int i = 0; i < width; ++i)
+      for (int j = 0; j < joints; ++j) {
+        const JointPairs& each = values[first + (i < some ? i : 0)];
+        q.cosine[j][i] = each.cosine[j];
+        q.sine[j][i] = each.sine[j];
+      }
+    const Lanes<width> miss = steps_to<width>(chain, goal, some, q);
+    for (int i = 0; i < some; ++i) {
+      const JointPairs end = lane(q, i);
+      if (miss[i] < good_miss && squared_distance(end, values[first + i]) < far * far)
+        values[first + i] = end;
+    }
+  }
+}
 
 template <int width>
 void eliminate_once(const Chain& chain, const Elimination& e, const Goal& goal, double tolerance,

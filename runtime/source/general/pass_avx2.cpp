@@ -6,10 +6,11 @@
 #include "pass.h"
 
 namespace qvgen::inverse::general {
-const Pass pass_for_avx2 = &eliminate_once<4>;
-}
+static constexpr Pass pass = {&eliminate_once<4>, &lead_in_lanes<4>};
+const Pass* const pass_for_avx2 = &pass;
+}  // namespace qvgen::inverse::general
 #else
 namespace qvgen::inverse::general {
-const Pass pass_for_avx2 = nullptr;
+const Pass* const pass_for_avx2 = nullptr;
 }
 #endif

@@ -73,7 +73,7 @@ Trial tried(const Chain& chain, const Elimination& e) {
   for (int i = 0; i < trials; ++i) {
     const JointPairs q = sampled_joints(chain, i);
     Gathered found;
-    pass_for_all(chain, e, reached(chain, q), default_tolerance, found);
+    pass_for_all->eliminate(chain, e, reached(chain, q), default_tolerance, found);
     trial.missing += has_row(found, q) ? 0 : 1;
     trial.doubtful += found.doubtful ? 1 : 0;
   }

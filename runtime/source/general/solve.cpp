@@ -16,9 +16,9 @@ bool machine_has_fma() {
 #endif
 }
 
-Pass pass_for(Form form) {
+const Pass& pass_for(Form form) {
   const bool vectors = form == Form::fastest && pass_for_avx2 != nullptr && machine_has_avx2();
-  return vectors && machine_has_fma() ? pass_for_avx2 : pass_for_all;
+  return vectors && machine_has_fma() ? *pass_for_avx2 : *pass_for_all;
 }
 
 void append(const Chain& chain, const Values& values, bool continuum, Found& found) {
@@ -57,10 +57,10 @@ void solve(const Setup& setup, const Pose<double>& pose, double tolerance,
     found.status = Status::incomplete;
     return;
   }
-  const Pass pass = pass_for(form);
+  const Pass& pass = pass_for(form);
   Gathered gathered;
   bool unsure = false;
-  pass(setup.chain, setup.eliminations[0], goal_of(setup.chain, pose), tolerance, gathered);
+  pass.eliminate(setup.chain, setup.eliminations[0], goal_of(setup.chain, pose), tolerance, gathered);
   if (!gathered.doubtful && gathered.rows <= most_solutions) {
     for (int i = 0; i < gathered.rows; ++i) append(setup.chain, values_of(gathered.row[i]), false, found);
   } else {
