@@ -102,7 +102,7 @@ using NearRow = qvgen::Solutions<6, 1>;
 /// up
 /// for the geometry at every call.
 constexpr inverse::general::Choices choices{ 6,
-    {  {false, 0}, {false, 1}, {false, 2}, {true, 0}, {true, 2}, {true, 1}  } };
+    {  {false, 0}, {false, 2}, {true, 2}, {false, 1}, {true, 0}, {true, 1}  } };
 constexpr double farthest = 1e50;
 
 Rows rows_of(const Pose<double>& pose, const Geometry& g, double tolerance, const inverse::Preference<6>& preference,

@@ -69,13 +69,14 @@ double find_candidates(const PoseSystem& system, Pair pair, double tolerance, Ca
     const Faint faint = found.faint[i];
     const double half = 1.02 * faint.half_width;
     constexpr double tangent = 0.57735026918962576;  // of 30 degrees
+    constexpr double window = 1.0471975511965976;    // 60 degrees
     const Magnifier magnifier{faint.middle, tangent / std::tan(half / 2)};
     const Trigonometric part = magnified<width>(system, pair, magnifier);
     Candidates widened;
     // Where the equations' own rounding shows, magnifying it shows no more of the roots.
     constexpr double blurred = 1e-7;
     const bool is_blurred = !(part.noise < blurred);
-    RootFinder<width>(part, tolerance, 1.0471975511965976, level[i] < 4 && !is_blurred, widened);
+    RootFinder<width>(part, tolerance, window, level[i] < 4 && !is_blurred, widened);
     // So far down there may be many roots in one that rounding has moved off the circle.
     constexpr int deep = 3;
     found.overflow = found.overflow || widened.overflow || is_blurred || level[i] >= deep;
@@ -86,7 +87,7 @@ double find_candidates(const PoseSystem& system, Pair pair, double tolerance, Ca
     }
     for (int k = 0; k < widened.faint_count; ++k) {
       const Faint& inner = widened.faint[k];
-      if (inner.middle.cosine < 0.45) continue;
+      if (inner.middle.cosine < std::cos(window + inner.half_width)) continue;
       const int before = found.faint_count;
       if (!found.add_faint(magnifier.circle(inner.middle), 2 * inner.half_width / magnifier.factor))
         found.overflow = true;

@@ -35,6 +35,7 @@ struct Gathered {
   bool doubtful = false;  ///< there may be more
   bool loud = false;      ///< the polynomial drowns in rounding
   bool faint = false;     ///< it does, and what is looked at instead is known to few digits
+  int magnified = 0;      ///< stretches that are looked at through a map
 
   void add_row(const JointPairs& values) {
     if (rows < most_rows)

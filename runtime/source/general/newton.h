@@ -104,17 +104,23 @@ QVGEN_LANES void solve_linear(T (&a)[joints][joints + 1]) {
     for (int i = 0; i < k; ++i) a[i][joints] = a[i][joints] - a[i][k] * a[k][joints];
 }
 
-/// What the step before has left of the squared miss where two solutions meet: it halves the way there. Twice
-/// the step then leads on as fast as elsewhere.
+/// How far beyond Newton's step the next one should go, from the squared misses before and after a whole
+/// step. Between two solutions at +-d from where they meet the miss is as x^2 - d^2, and a step leaves a
+/// fourth of 1 - (d/x)^2 of it: so d is known. Nearly 1 where solutions are apart, 2 where they are one.
 template <class T>
-QVGEN_LANES auto is_halved(const T& miss, const T& before) {
-  return (miss > 0.03 * before) & (miss < 0.13 * before);
+QVGEN_LANES T stretch(const T& miss, const T& before) {
+  const T share = miss / before, zero = T{};
+  const T square = 1 - 4 * root(share);
+  const T d = square > 0 ? square : zero;
+  const T sum = 1 + root(d);
+  const T result = 2 * (1 + d) / (sum * sum);
+  return share < 0.13 ? result : spread<T>(1);
 }
 
-/// One of Newton's steps, no joint further than 0.3 (of the arm's size). Returns the squared miss before it;
-/// `before`: the same of the step before.
+/// One of Newton's steps, no joint further than 0.3 (of the arm's size). Returns the squared miss before it.
+/// `before`: the same of the step before, if that was a whole step, or a very large number.
 template <class T>
-[[gnu::noinline]] T newton_step(const Chain& chain, const Goal& goal, const T& before, JointLanes<T>& q) {
+[[gnu::noinline]] T newton_step(const Chain& chain, const Goal& goal, T& before, JointLanes<T>& q) {
   constexpr double farthest = 0.3;
   Linear<T> linear;
   linearise(chain, goal, q, linear);
@@ -125,8 +131,10 @@ template <class T>
                                    : magnitude_of(linear.a[j][joints]);
     largest = size > largest ? size : largest;
   }
-  const T wanted = is_halved(linear.miss, before) ? spread<T>(2) : spread<T>(1);
+  const T wanted = stretch(linear.miss, before);
   const T scale = largest * wanted > farthest ? farthest / largest : wanted;
+  constexpr double hardly = 1.01;
+  before = scale < hardly ? linear.miss : spread<T>(1e300);
   for (int j = 0; j < joints; ++j) {
     T step = linear.a[j][joints] * scale;
     step = step == step ? step : T{};
@@ -166,9 +174,9 @@ Lanes<width> steps_to(const Chain& chain, const Goal& goal, int count, JointLane
     return open;
   };
   for (int step = 0; step < most_steps; ++step) {
+    const T earlier = before;
     const T miss = newton_step(chain, goal, before, q);
-    for (int i = 0; i < count; ++i) stuck[i] = stuck[i] || (step > 3 && !(miss[i] <= 0.25 * before[i]));
-    before = miss;
+    for (int i = 0; i < count; ++i) stuck[i] = stuck[i] || (step > 3 && !(miss[i] <= 0.25 * earlier[i]));
     if (any_is_open(miss, last)) continue;
     const T left = squared_miss(chain, goal, q);
     for (int i = 0; i < count; ++i) stuck[i] = stuck[i] || !(left[i] <= 0.3 * before[i]);

@@ -8,6 +8,8 @@
 namespace qvgen::inverse::general {
 namespace {
 
+/// Further than this, in joints, steps may have passed a solution by, squared.
+inline constexpr double far_distance = 1e-2;
 /// Two solutions are one if they are no further apart than this, squared.
 inline constexpr double same_distance = 1e-13;
 
@@ -31,6 +33,7 @@ class Eliminated {
     set_pose(e, chain, goal, system_);
     Candidates candidates;
     const double noise = find_candidates<width>(system_, e.pair, tolerance, candidates);
+    found.magnified += candidates.faint_count;
     constexpr double loud = 1e-7;
     const bool drowns = !(noise < loud), slides = e.pair == Pair::slides;
     found.loud = drowns || (slides && vanishes());
@@ -71,7 +74,8 @@ class Eliminated {
     for (int i = 0; i < count; ++i) {
       if (candidates.list[first + i].is_doubtful()) found_.doubtful = true;
       const bool leads = miss[i] < good_miss;
-      if (!leads || !is_new(lane(q, i))) offer_start(lane(start, i), leads, lane(q, i));
+      const JointPairs from = lane(start, i), to = lane(q, i);
+      if (!leads || !is_new(to)) offer_start(from, leads && squared_distance(from, to) < far_distance, to);
     }
     if (e_.pair != Pair::slides) return;
     const auto is_doubtful = [&](int i) { return candidates.list[first + i].is_doubtful(); };
@@ -128,7 +132,6 @@ class Eliminated {
 /// away.
 template <int width>
 void lead_in_lanes(const Chain& chain, const Goal& goal, int count, JointPairs* values) {
-  constexpr double far = 0.1;
   for (int first = 0; first < count; first += width) {
     const int some = count - first < width ? count - first : width;
     JointLanes<Lanes<width>> q;
@@ -141,7 +144,7 @@ void lead_in_lanes(const Chain& chain, const Goal& goal, int count, JointPairs* 
     const Lanes<width> miss = steps_to<width>(chain, goal, some, q);
     for (int i = 0; i < some; ++i) {
       const JointPairs end = lane(q, i);
-      if (miss[i] < good_miss && squared_distance(end, values[first + i]) < far * far)
+      if (miss[i] < good_miss && squared_distance(end, values[first + i]) < far_distance)
         values[first + i] = end;
     }
   }

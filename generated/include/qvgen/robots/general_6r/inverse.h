@@ -33,12 +33,12 @@ inline constexpr InverseInfo inverse_info{ 16, Task::pose, -1, false, false, {},
 /// of one angle.
 /// - theta4 from det A(theta4) = 0, 6 equations in 9 products of powers of theta5 and theta6
 ///   theta1 dropped; theta2, theta3 linear: skew axes
-/// - if in doubt: theta5 from det A(theta5) = 0, 6 equations in 9 products of powers of theta6 and theta1
-///   theta2 dropped; theta3, theta4 linear: skew axes
 /// - if in doubt: theta6 from det A(theta6) = 0, 6 equations in 9 products of powers of theta1 and theta2
 ///   theta3 dropped; theta4, theta5 linear: skew axes
-/// - if in doubt: theta3 from det A(theta3) = 0, 6 equations in 9 products of powers of theta2 and theta1
-///   theta6 dropped; theta5, theta4 linear: skew axes
+/// - if in doubt: theta1 from det A(theta1) = 0, 6 equations in 9 products of powers of theta6 and theta5
+///   theta4 dropped; theta3, theta2 linear: skew axes
+/// - if in doubt: theta5 from det A(theta5) = 0, 6 equations in 9 products of powers of theta6 and theta1
+///   theta2 dropped; theta3, theta4 linear: skew axes
 ///
 /// Checked at 5 random poses: the 22 solutions give the pose back to 1e-12 (by sixty digits),
 /// the sampled joints among them.
