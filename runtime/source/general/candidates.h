@@ -74,12 +74,12 @@ double find_candidates(const PoseSystem& system, Pair pair, double tolerance, Ca
     const Trigonometric part = magnified<width>(system, pair, magnifier);
     Candidates widened;
     // Where the equations' own rounding shows, magnifying it shows no more of the roots.
-    constexpr double blurred = 1e-7;
+    constexpr double blurred = 1e-7, few_digits = 1e-5;
     const bool is_blurred = !(part.noise < blurred);
     RootFinder<width>(part, tolerance, window, level[i] < 4 && !is_blurred, widened);
     // So far down there may be many roots in one that rounding has moved off the circle.
     constexpr int deep = 3;
-    found.overflow = found.overflow || widened.overflow || is_blurred || level[i] >= deep;
+    found.overflow = found.overflow || widened.overflow || !(part.noise < few_digits) || level[i] >= deep;
     for (int k = 0; k < widened.count; ++k) {
       const Direction angle = magnifier.circle(widened.list[k].angle);
       const double cosine = angle.cosine * faint.middle.cosine + angle.sine * faint.middle.sine;

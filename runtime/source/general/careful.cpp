@@ -71,6 +71,18 @@ void Careful::eliminate(const Elimination& elimination, const Pose<double>& pose
   pass_.eliminate(setup_.chain, elimination, goal_of(setup_.chain, pose), tolerance_, gathered);
 }
 
+namespace {
+
+/// On the other side of a pose.
+Pose<double> mirrored(const Pose<double>& middle, const Pose<double>& pose) {
+  Pose<double> result;
+  result.position = 2 * middle.position - pose.position;
+  result.orientation = (middle.orientation * pose.orientation.conjugate() * middle.orientation).normalized();
+  return result;
+}
+
+}  // namespace
+
 Pose<double> Careful::nearby(int k) const {
   constexpr double far = 30;  // times what `displaced` takes for a little
   return quartic::displaced(pose_, far * setup_.chain.size, k).pose;
@@ -226,9 +238,9 @@ Careful::Outcome Careful::pass_here(const Elimination& elimination) {
 }
 
 /// Where many solutions share an angle, as they do between right angles, nearby they do not.
-Careful::Outcome Careful::pass_nearby(int k) {
+Careful::Outcome Careful::pass_nearby(const Pose<double>& pose) {
   Gathered found;
-  eliminate(setup_.eliminations[0], nearby(k), found);
+  eliminate(setup_.eliminations[0], pose, found);
   const int before = size_;
   for (int i = 0; i < size_; ++i) rows_[i].seen = false;
   settle_nearby(found);
@@ -246,9 +258,9 @@ void Careful::agree(const Gathered& first) {
   bool all_loud = first.loud, agreed = false, more_nearby = true;
   int k = 0;
   const auto look_nearby = [&] {
-    const Outcome near = pass_nearby(k++);
+    const Outcome near = pass_nearby(nearby(k++));
     more_nearby = !near.same;
-    return near;
+    return near.same && !near.doubtful;
   };
   while (const Elimination* elimination = next_elimination()) {
     const Outcome here = pass_here(*elimination);
@@ -260,8 +272,12 @@ void Careful::agree(const Gathered& first) {
     if (!more_nearby) break;
     // Where solutions meet no elimination is without doubts, but one at a pose nearby is.
     if (all_loud || few || k == most_nearby) continue;
-    const Outcome near = look_nearby();
-    if (near.same && !near.doubtful) break;
+    // Two that meet are apart on one side and gone on the other.
+    const Pose<double> opposite = mirrored(pose_, nearby(k));
+    if (!look_nearby()) continue;
+    const Outcome other = pass_nearby(opposite);
+    more_nearby = !other.same;
+    if (other.same && !other.doubtful) break;
   }
   while (k < most_nearby && (size_ == 0 || !is_even() || more_nearby || (few && k < 3))) {
     look_nearby();

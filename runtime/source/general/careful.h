@@ -60,7 +60,7 @@ class Careful {
 
   void agree(const Gathered& first);
   Outcome pass_here(const Elimination& elimination);
-  Outcome pass_nearby(int k);
+  Outcome pass_nearby(const Pose<double>& pose);
   void agree_on_slides(const Gathered& first);
   void pass_of_slides(const Elimination& elimination, const Pose<double>& pose, bool exact,
                       Agreement& agreement);

@@ -160,6 +160,22 @@ template <class T>
 /// Joints are a solution if they miss the pose by no more than this, squared.
 inline constexpr double good_miss = 1e-26;
 
+/// The joints that missed the pose by least so far.
+template <class T>
+struct Best {
+  JointLanes<T> q;
+  T miss = spread<T>(1e300);  ///< squared
+
+  void offer(const JointLanes<T>& values, const T& offered) {
+    const auto better = offered < miss;
+    for (int j = 0; j < joints; ++j) {
+      q.cosine[j] = better ? values.cosine[j] : q.cosine[j];
+      q.sine[j] = better ? values.sine[j] : q.sine[j];
+    }
+    miss = better ? offered : miss;
+  }
+};
+
 /// Newton's steps until the first `count` lanes are as good as they get. Returns the squared miss.
 template <int width>
 Lanes<width> steps_to(const Chain& chain, const Goal& goal, int count, JointLanes<Lanes<width>>& q) {
@@ -167,22 +183,26 @@ Lanes<width> steps_to(const Chain& chain, const Goal& goal, int count, JointLane
   constexpr int most_steps = 9;
   constexpr double last = 1e-16;  // one step from here is the last, but where two solutions meet
   T before = spread<T>(1e300);
+  Best<T> best{q};
   bool stuck[width] = {};
   const auto any_is_open = [&](const T& miss, double good) {
     bool open = false;
     for (int i = 0; i < count; ++i) open = open || (!(miss[i] <= good) && !stuck[i]);
     return open;
   };
+  bool nearly = false;
   for (int step = 0; step < most_steps; ++step) {
     const T earlier = before;
     const T miss = newton_step(chain, goal, before, q);
     for (int i = 0; i < count; ++i) stuck[i] = stuck[i] || (step > 3 && !(miss[i] <= 0.25 * earlier[i]));
-    if (any_is_open(miss, last)) continue;
-    const T left = squared_miss(chain, goal, q);
-    for (int i = 0; i < count; ++i) stuck[i] = stuck[i] || !(left[i] <= 0.3 * before[i]);
-    if (!any_is_open(left, good_miss)) return left;
+    nearly = nearly || !any_is_open(miss, last);
+    if (!nearly) continue;
+    best.offer(q, squared_miss(chain, goal, q));
+    if (!any_is_open(best.miss, good_miss)) break;
   }
-  return squared_miss(chain, goal, q);
+  if (!nearly) best.offer(q, squared_miss(chain, goal, q));
+  q = best.q;
+  return best.miss;
 }
 
 }  // namespace
