@@ -32,30 +32,6 @@ std::vector<Arm> all_arms() {
   return arms;
 }
 
-/// Where the Jacobian's determinant vanishes if one joint alone is turned, if it does.
-std::optional<Joints6> at_a_singularity(const Arm& arm, Random& random, int joint) {
-  constexpr double pi = 3.14159265358979323846;
-  Joints6 q = arm.joints(random);
-  const double range = arm.slides[static_cast<std::size_t>(joint)] ? arm.size() : pi;
-  const auto is_negative = [&](double value) {
-    q[joint] = value;
-    return arm.determinant(q) < 0;
-  };
-  constexpr int steps = 12;
-  for (int k = 0; k < steps; ++k) {
-    double low = range * (2.0 * k / steps - 1), high = range * (2.0 * (k + 1) / steps - 1);
-    const bool below = is_negative(low);
-    if (below == is_negative(high)) continue;
-    for (int halving = 0; halving < 60; ++halving) {
-      const double middle = (low + high) / 2;
-      (is_negative(middle) == below ? low : high) = middle;
-    }
-    q[joint] = low;
-    return q;
-  }
-  return std::nullopt;
-}
-
 /// Every second one is off by 10^-u, u uniform in [1, 12], in one of the inner joints.
 std::vector<Pose> singular_poses(const Arm& arm, int count) {
   Random random(23);

@@ -91,6 +91,29 @@ double Arm::determinant(const Joints6& q) const {
   return jacobian.determinant();
 }
 
+std::optional<Joints6> at_a_singularity(const Arm& arm, Random& random, int joint) {
+  constexpr double pi = 3.14159265358979323846;
+  Joints6 q = arm.joints(random);
+  const double range = arm.slides[static_cast<std::size_t>(joint)] ? arm.size() : pi;
+  const auto is_negative = [&](double value) {
+    q[joint] = value;
+    return arm.determinant(q) < 0;
+  };
+  constexpr int steps = 12;
+  for (int k = 0; k < steps; ++k) {
+    double low = range * (2.0 * k / steps - 1), high = range * (2.0 * (k + 1) / steps - 1);
+    const bool below = is_negative(low);
+    if (below == is_negative(high)) continue;
+    for (int halving = 0; halving < 60; ++halving) {
+      const double middle = (low + high) / 2;
+      (is_negative(middle) == below ? low : high) = middle;
+    }
+    q[joint] = low;
+    return q;
+  }
+  return std::nullopt;
+}
+
 Arm of_table(const std::string& name, const double (&table)[6][3]) {
   Arm arm{name, {}, {}};
   for (std::size_t i = 0; i < 6; ++i) arm.links[i] = link(table[i][0], table[i][1], table[i][2]);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <random>
 #include <string>
 #include <vector>
@@ -34,6 +35,10 @@ struct Arm {
   /// Of the Jacobian at the tool, lengths in units of the arm's size.
   [[nodiscard]] double determinant(const Joints6& q) const;
 };
+
+/// Joints at which the Jacobian's determinant vanishes, sampled but for one, which is turned there, if it can
+/// be.
+std::optional<Joints6> at_a_singularity(const Arm& arm, Random& random, int joint);
 
 /// Rows d, a, alpha (m, degrees) of Denavit and Hartenberg's table, angles measured from its x axes.
 Arm of_table(const std::string& name, const double (&table)[6][3]);
