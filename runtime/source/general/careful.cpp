@@ -35,6 +35,11 @@ Task matching(const Setup& setup, const Pose<double>& pose) {
   return task;
 }
 
+bool is_singular(const Task& task, const Values& values) {
+  using Newton = polishing::Newton<double, joints, 3>;
+  return Newton::idle(Newton(task).reached(values)).least < joints;
+}
+
 Values seed_of(const Setup& setup, const Preference<joints>& preference) {
   Values seed;
   for (std::size_t j = 0; j < joints; ++j)
@@ -169,10 +174,13 @@ bool Careful::is_on_known_continuum(const Values& values) {
   return std::any_of(order, order + count, [&](const Row* row) { return leads_to(values, row->values); });
 }
 
-/// Whether two solutions meet in a row, or it is on a continuum.
 bool Careful::is_singular(const Row& row) const {
-  using Newton = polishing::Newton<double, joints, 3>;
-  return row.continuum || Newton::idle(Newton(task_).reached(row.values)).least < joints;
+  return row.continuum || general::is_singular(task_, row.values);
+}
+
+/// Rows that are hardly told apart are certain only where none is singular.
+bool Careful::leaves_doubt(const Gathered& found) const {
+  return found.doubtful || (found.has_twins && any_is_singular());
 }
 
 bool Careful::any_is_singular() const {
@@ -234,7 +242,7 @@ Careful::Outcome Careful::pass_here(const Elimination& elimination) {
   settle(found);
   merge();
   ++effort_.passes;
-  return {size_ == before, found.doubtful, found.loud};
+  return {size_ == before, leaves_doubt(found), found.loud};
 }
 
 /// Where many solutions share an angle, as they do between right angles, nearby they do not.
@@ -249,7 +257,7 @@ Careful::Outcome Careful::pass_nearby(const Pose<double>& pose) {
   // Where two solutions meet poses nearby may have none.
   const bool all_seen =
       std::all_of(rows_, rows_ + size_, [this](const Row& row) { return row.seen || is_singular(row); });
-  return {size_ == before, found.doubtful || !all_seen, found.loud};
+  return {size_ == before, leaves_doubt(found) || !all_seen, found.loud};
 }
 
 void Careful::agree(const Gathered& first) {

@@ -23,6 +23,9 @@ Task matching(const Setup& setup, const Pose<double>& pose);
 /// The values that a preference has.
 Values seed_of(const Setup& setup, const Preference<joints>& preference);
 
+/// Whether two solutions meet at joint values that reach the pose, or they are on a continuum.
+bool is_singular(const Task& task, const Values& values);
+
 /// Solves a pose at which the first elimination has left doubts: further eliminations, then poses nearby;
 /// whatever they lead to is brought to the pose by Newton's steps, and solutions that a curve of solutions
 /// joins are one.
@@ -72,6 +75,7 @@ class Careful {
   [[nodiscard]] const Elimination* next_elimination();
   void eliminate(const Elimination& elimination, const Pose<double>& pose, Gathered& gathered) const;
   [[nodiscard]] bool is_singular(const Row& row) const;
+  [[nodiscard]] bool leaves_doubt(const Gathered& found) const;
   [[nodiscard]] bool any_is_singular() const;
   [[nodiscard]] bool is_even() const;
   [[nodiscard]] bool leads_to(Values values, const Values& goal);

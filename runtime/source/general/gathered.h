@@ -32,10 +32,11 @@ struct Gathered {
   JointPairs row[most_rows];  ///< they reach the pose, and no two are the same
   int starts = 0;
   Start start[most_rows];
-  bool doubtful = false;  ///< there may be more
-  bool loud = false;      ///< the polynomial drowns in rounding
-  bool faint = false;     ///< it does, and what is looked at instead is known to few digits
-  int magnified = 0;      ///< stretches that are looked at through a map
+  bool has_twins = false;  ///< two candidates that were hardly told apart have led to a row each
+  bool doubtful = false;   ///< there may be more
+  bool loud = false;       ///< the polynomial drowns in rounding
+  bool faint = false;      ///< it does, and what is looked at instead is known to few digits
+  int magnified = 0;       ///< stretches that are looked at through a map
 
   void add_row(const JointPairs& values) {
     if (rows < most_rows)

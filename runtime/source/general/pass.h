@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+
 #include "candidates.h"
 #include "newton.h"
 #include "slide_starts.h"
@@ -41,6 +43,8 @@ class Eliminated {
     // Of two slides there is a better way then.
     for (int first = 0; first < candidates.count && !(drowns && slides); first += width)
       follow(candidates, first);
+    if (leaves_doubt(candidates)) found.doubtful = true;
+    if (has_doubtful(candidates)) found.has_twins = true;
     if (slides) look_beside_roots();
     int all = found.rows - rows_before_;
     for (int k = 0; k < rows_before_; ++k) all += seen_[k] ? 1 : 0;
@@ -72,16 +76,42 @@ class Eliminated {
     q = start;
     const T miss = steps_to<width>(chain_, goal_, count, q);
     for (int i = 0; i < count; ++i) {
-      if (candidates.list[first + i].is_doubtful()) found_.doubtful = true;
       const bool leads = miss[i] < good_miss;
       const JointPairs from = lane(start, i), to = lane(q, i);
-      if (!leads || !is_new(to)) offer_start(from, leads && squared_distance(from, to) < far_distance, to);
+      if (!leads || !is_new(to))
+        offer_start(from, leads && squared_distance(from, to) < far_distance, to);
+      else
+        is_own_[first + i] = is_at(candidates.list[first + i], to);
     }
     if (e_.pair != Pair::slides) return;
     const auto is_doubtful = [&](int i) { return candidates.list[first + i].is_doubtful(); };
     bool any = false;
     for (int i = 0; i < count; ++i) any = any || is_doubtful(i);
     if (any) slide_starts().offer_other_sign(cosine, sine, count, is_doubtful);
+  }
+
+  /// Whether joints have the outer angle of a candidate.
+  [[nodiscard]] bool is_at(const Candidate& candidate, const JointPairs& values) const {
+    const int j = e_.joint[3];
+    const double x = values.cosine[j] - candidate.angle.cosine;
+    const double y = values.sine[j] * (e_.backwards ? -1 : 1) - candidate.angle.sine;
+    return x * x + y * y < 4 * candidate.spread * candidate.spread;
+  }
+
+  /// Of two roots that are not told apart, and are all that there can be, each has led to a solution of its
+  /// own.
+  [[nodiscard]] bool is_settled(const Candidates& candidates, int i) const {
+    const int twin = candidates.list[i].twin;
+    return e_.pair != Pair::slides && twin != i && is_own_[i] && is_own_[twin];
+  }
+  [[nodiscard]] bool leaves_doubt(const Candidates& candidates) const {
+    for (int i = 0; i < candidates.count; ++i)
+      if (candidates.list[i].is_doubtful() && !is_settled(candidates, i)) return true;
+    return false;
+  }
+  [[nodiscard]] static bool has_doubtful(const Candidates& candidates) {
+    return std::any_of(candidates.list, candidates.list + candidates.count,
+                       [](const Candidate& each) { return each.is_doubtful(); });
   }
 
   /// Of two slides.
@@ -124,6 +154,8 @@ class Eliminated {
   Gathered& found_;
   int rows_before_;
   bool seen_[Gathered::most_rows] = {};
+  bool is_own_[most_candidates] =
+      {};  ///< candidates that have led to a solution at their angle, each to another
   PoseSystem system_;
   Offer offer_{this};
 };

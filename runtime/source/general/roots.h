@@ -12,6 +12,9 @@ struct Candidate {
   /// Not zero: one of two roots that are not told apart, or a place where there may be none; how far the root
   /// may be off, rad.
   double spread;
+  /// The other of two roots that are all that there can be in a part of the circle, as it is bent to one
+  /// side; the candidate's own number if that is not known.
+  int twin;
   [[nodiscard]] bool is_doubtful() const { return spread > 0; }
 };
 
@@ -33,7 +36,9 @@ struct Candidates {
 
   void add(const Direction& angle, double spread) {
     overflow = overflow || count == most_candidates;
-    if (count < most_candidates) list[count++] = {angle, spread};
+    if (count == most_candidates) return;
+    list[count] = {angle, spread, count};
+    ++count;
   }
   /// The same, unless a neighbouring stretch has given it before.
   void add_once(const Direction& angle, double spread) {
@@ -43,6 +48,15 @@ struct Candidates {
       if ((list[i].is_doubtful() == (spread > 0)) && x * x + y * y < near * near) return;
     }
     add(angle, spread);
+  }
+  /// Two that are all.
+  void add_twins(const Direction& low, const Direction& high, double spread) {
+    const int first = count;
+    add_once(low, spread);
+    add_once(high, spread);
+    if (count != first + 2) return;
+    list[first].twin = first + 1;
+    list[first + 1].twin = first;
   }
   bool add_faint(const Direction& middle, double half_width) {
     if (faint_count == most_faint) return false;
@@ -175,8 +189,20 @@ class RootFinder {
     for (const T& c : control) largest = std::fmax(largest, std::fabs(c[lane]));
     const bool is_arc = part.high - part.low > 1.9;
     if (may_be_faint_ && !is_arc && largest < faint_below_ && put_aside(part)) return;
-    if (largest < part.tolerance || part.high - part.low < smallest) return look_at_double_root(part);
+    if (largest < part.tolerance || part.high - part.low < smallest)
+      return look_at_double_root(part, is_bent_to_one_side(control, lane, part.tolerance));
     add_cell(control, lane, part);
+  }
+
+  /// Then there are at most two roots.
+  static bool is_bent_to_one_side(const T (&control)[controls], int lane, double tolerance) {
+    double least = 1e300, most = -1e300;
+    for (int i = 2; i < controls; ++i) {
+      const double bend = control[i][lane] - 2 * control[i - 1][lane] + control[i - 2][lane];
+      least = std::fmin(least, bend);
+      most = std::fmax(most, bend);
+    }
+    return least > 4 * tolerance || most < -4 * tolerance;
   }
 
   bool put_aside(const Part& part) {
@@ -228,7 +254,7 @@ class RootFinder {
 
   /// Where two roots are as near as makes no difference, or the polynomial hardly misses zero: the two roots
   /// of the parabola about the stationary point, or of one that is a tolerance off.
-  void look_at_double_root(const Part& part) {
+  void look_at_double_root(const Part& part, bool are_all) {
     const double width_of_part = 2 * tangent_of_arc * (part.high - part.low);
     const Direction middle = angle_of(part.arc, (part.low + part.high) / 2);
     double by = 0;
@@ -251,6 +277,7 @@ class RootFinder {
     if (std::fabs(v.value) > 30 * part.tolerance && square < 0) return;
     const double unsure = std::fmin(2 * part.tolerance / std::fabs(v.bend), 0.01);
     const double apart = std::sqrt(std::fmax(square, unsure));
+    if (are_all) return found_.add_twins(at(by - apart), at(by + apart), apart);
     found_.add_once(at(by - apart), apart);
     found_.add_once(at(by + apart), apart);
   }

@@ -77,7 +77,7 @@ Trial tried(const Chain& chain, const Elimination& e) {
     Gathered found;
     pass_for_all->eliminate(chain, e, reached(chain, q), default_tolerance, found);
     trial.missing += has_row(found, q) ? 0 : 1;
-    trial.doubtful += found.doubtful ? 1 : 0;
+    trial.doubtful += found.doubtful || found.has_twins ? 1 : 0;
     trial.magnified += found.magnified;
   }
   return trial;

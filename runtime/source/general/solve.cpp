@@ -31,6 +31,15 @@ void append(const Chain& chain, const Values& values, bool continuum, Found& fou
   row.continuum = continuum;
 }
 
+/// Whether nothing is left to be looked at more closely.
+bool is_settled(const Setup& setup, const Pose<double>& pose, const Gathered& found) {
+  if (found.doubtful || found.rows > most_solutions) return false;
+  if (!found.has_twins) return true;
+  const Task task = matching(setup, pose);
+  return std::none_of(found.row, found.row + found.rows,
+                      [&](const JointPairs& row) { return is_singular(task, values_of(row)); });
+}
+
 /// In the order of their joints, which is the same at every call.
 void number_rows(Found& found) {
   std::sort(found.begin(), found.end(), [](const Solution<joints>& a, const Solution<joints>& b) {
@@ -61,7 +70,7 @@ void solve(const Setup& setup, const Pose<double>& pose, double tolerance,
   Gathered gathered;
   bool unsure = false;
   pass.eliminate(setup.chain, setup.eliminations[0], goal_of(setup.chain, pose), tolerance, gathered);
-  if (!gathered.doubtful && gathered.rows <= most_solutions) {
+  if (is_settled(setup, pose, gathered)) {
     for (int i = 0; i < gathered.rows; ++i) append(setup.chain, values_of(gathered.row[i]), false, found);
   } else {
     Careful careful(setup, pose, tolerance, preference, pass);
